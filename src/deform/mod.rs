@@ -1,0 +1,1 @@
+//! How the model deforms with time or temperature: deformation tables and growth laws.

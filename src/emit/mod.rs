@@ -1,0 +1,1 @@
+//! A plan in, edits over the source and bytes out.

@@ -1,0 +1,7 @@
+//! The `driftpost` program: arguments in, exit code out. All work is in the library.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    driftpost::cli::run()
+}

@@ -1,0 +1,1 @@
+//! Diffs, tables, JSON: what people and scripts read. Computes nothing.

@@ -1,0 +1,1 @@
+//! Warm-up time buckets from a tolerance.

@@ -1,0 +1,45 @@
+//! Conversion between the units people write (mm, degrees, minutes) and SI.
+//!
+//! The only place in the program with a conversion factor. Inside, lengths are metres, angles radians;
+//! mm and degrees exist only where RAPID, CSV or TOML is read and written.
+
+/// Metres from millimetres.
+#[inline]
+#[must_use]
+pub fn m_from_mm(mm: f64) -> f64 {
+    mm / 1000.0
+}
+
+/// Millimetres from metres.
+#[inline]
+#[must_use]
+pub fn mm_from_m(m: f64) -> f64 {
+    m * 1000.0
+}
+
+/// Radians from degrees.
+#[inline]
+#[must_use]
+pub fn rad_from_deg(deg: f64) -> f64 {
+    deg.to_radians()
+}
+
+/// Degrees from radians.
+#[inline]
+#[must_use]
+pub fn deg_from_rad(rad: f64) -> f64 {
+    rad.to_degrees()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conversions_are_exact_where_the_numbers_are() {
+        assert_eq!(m_from_mm(352.0), 0.352);
+        assert_eq!(mm_from_m(0.25), 250.0);
+        assert_eq!(rad_from_deg(180.0), std::f64::consts::PI);
+        assert_eq!(deg_from_rad(std::f64::consts::FRAC_PI_2), 90.0);
+    }
+}
