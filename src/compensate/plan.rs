@@ -1,0 +1,105 @@
+//! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
+
+use crate::diagnostic::Diagnostic;
+use crate::program::motion::{Keep, TargetValue};
+use crate::schedule::Schedule;
+
+/// What becomes of a program's motions.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// When which bucket is in use.
+    pub schedule: Schedule,
+    /// One for each of [`Program::motions`](crate::program::Program::motions), in the same order.
+    pub motions: Vec<PlannedMotion>,
+    /// Where the clock is brought up to date.
+    pub ticks: Vec<Tick>,
+    /// Figures over the whole program.
+    pub summary: Summary,
+    /// Warnings and, where the program must be refused, errors.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// What becomes of one motion.
+#[derive(Clone, Debug)]
+pub struct PlannedMotion {
+    /// Compensated, kept or refused.
+    pub status: Status,
+    /// For each of the motion's targets; empty unless compensated or refused over a limit.
+    pub targets: Vec<PlannedTarget>,
+    /// Largest distance between original and corrected TCP over all buckets, metres.
+    pub max_correction_m: f64,
+    /// Largest angle between original and corrected TCP frame over all buckets, radians.
+    pub max_correction_rad: f64,
+    /// Largest distance of the path from the original's path between the targets, metres; `None` where
+    /// the start is not known.
+    pub mid_path_m: Option<f64>,
+    /// For each bucket: the worst distance of the TCP from the programmed pose anywhere in the bucket,
+    /// `[uncompensated, compensated]`, metres.
+    pub error_m: Vec<[f64; 2]>,
+}
+
+/// Whether a motion is corrected.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// Its targets are replaced.
+    Compensated,
+    /// It stays as it is.
+    Kept(Keep),
+    /// The whole program is refused because of it.
+    Refused(Keep),
+}
+
+/// A target and what it becomes.
+#[derive(Clone, Debug)]
+pub struct PlannedTarget {
+    /// As programmed.
+    pub original: TargetValue,
+    /// Nominal joints of the original on the branch that is meant, radians.
+    pub nominal_q_rad: [f64; 6],
+    /// For each bucket, the target that makes the controller's nominal kinematics go to the compensated
+    /// joints: a robtarget's frame, or joints.
+    pub corrected: Vec<Corrected>,
+}
+
+/// A corrected target's numbers; configuration and external axes stay the original's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Corrected {
+    /// A robtarget: the TCP in the work object.
+    Pose {
+        /// x, y, z in metres.
+        position_m: [f64; 3],
+        /// w, x, y, z, normalised.
+        orientation_wxyz: [f64; 4],
+    },
+    /// A jointtarget.
+    Joints {
+        /// Radians.
+        q_rad: [f64; 6],
+    },
+}
+
+/// A place where the clock is brought up to date.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Tick {
+    /// First in a routine: index into [`Program::routines`](crate::program::Program::routines).
+    Routine(usize),
+    /// First in a loop's body: index into [`Program::loops`](crate::program::Program::loops).
+    Loop(usize),
+    /// Just before a motion: index into [`Program::motions`](crate::program::Program::motions).
+    Motion(usize),
+}
+
+/// Figures over the whole program and all minutes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Worst distance of the TCP from the programmed pose without correction, metres.
+    pub worst_before_m: f64,
+    /// The same with it.
+    pub worst_after_m: f64,
+    /// Largest step of the TCP where one bucket follows another, metres.
+    pub worst_switch_jump_m: f64,
+    /// What the cheap rival, one work-object shift per bucket, would leave, metres.
+    pub rigid_shift_worst_m: f64,
+    /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
+    pub other_tolerances: Vec<(f64, usize)>,
+}
