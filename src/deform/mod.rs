@@ -1,1 +1,120 @@
 //! How the model deforms with time or temperature: deformation tables and growth laws.
+//!
+//! Knows nothing of RAPID and of how the deformed arm is solved.
+
+mod error;
+mod growth;
+mod paper;
+mod table;
+
+pub use error::DeformError;
+pub use growth::{GrowthError, GrowthLaw};
+
+use crate::kinematics::FrameOffsets;
+
+/// What a deformation depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Index {
+    /// Minutes of warm-up since cold.
+    WarmUpTime,
+    /// A temperature in degrees Celsius.
+    Temperature,
+}
+
+/// How the frames of the constructive model move, by warm-up time or by temperature.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deformation(Kind);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    /// One table that grows with warm-up time.
+    Static { offsets: FrameOffsets, growth: GrowthLaw },
+    /// For each row of [`FrameOffsets`] its knots, index ascending; linear between, held outside.
+    Scheduled { index: Index, knots: [Vec<Knot>; 7] },
+}
+
+/// A row of offsets at one minute or temperature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Knot {
+    at: f64,
+    offsets: [f64; 6],
+}
+
+impl Deformation {
+    /// The reference paper's Table 2 on the IRB 140, growing as two equal lags of 46 minutes.
+    #[must_use]
+    pub fn paper() -> Self {
+        Self::from_static(paper::table_2(), GrowthLaw::TwoStage { tau_min: 46.0 })
+    }
+
+    /// A table of settled offsets and how they grow there.
+    #[must_use]
+    pub fn from_static(offsets: FrameOffsets, growth: GrowthLaw) -> Self {
+        Self(Kind::Static { offsets, growth })
+    }
+
+    /// What [`offsets_at`](Self::offsets_at) takes: minutes or degrees Celsius.
+    #[must_use]
+    pub fn index(&self) -> Index {
+        match &self.0 {
+            Kind::Static { .. } => Index::WarmUpTime,
+            Kind::Scheduled { index, .. } => *index,
+        }
+    }
+
+    /// The offsets at a warm-up minute, or at a temperature in degrees Celsius where that is the
+    /// [`index`](Self::index).
+    #[must_use]
+    pub fn offsets_at(&self, t_min: f64) -> FrameOffsets {
+        match &self.0 {
+            Kind::Static { offsets, growth } => {
+                let grown = growth.at(t_min);
+                FrameOffsets(offsets.0.map(|row| row.map(|value| value * grown)))
+            }
+            Kind::Scheduled { knots, .. } => {
+                FrameOffsets(std::array::from_fn(|i| interpolated(&knots[i], t_min)))
+            }
+        }
+    }
+
+    /// The offsets after any length of warm-up; at the highest temperature of the table where that is the index.
+    #[must_use]
+    pub fn settled(&self) -> FrameOffsets {
+        match &self.0 {
+            Kind::Static { offsets, .. } => *offsets,
+            Kind::Scheduled { .. } => self.offsets_at(f64::INFINITY),
+        }
+    }
+
+    /// How a static table grows; `None` for a scheduled one.
+    #[must_use]
+    pub fn growth(&self) -> Option<&GrowthLaw> {
+        match &self.0 {
+            Kind::Static { growth, .. } => Some(growth),
+            Kind::Scheduled { .. } => None,
+        }
+    }
+
+    /// The minutes (or temperatures) at which a scheduled table has a row, ascending; empty for a static one.
+    #[must_use]
+    pub fn knots(&self) -> Vec<f64> {
+        let Kind::Scheduled { knots, .. } = &self.0 else { return Vec::new() };
+        let mut all: Vec<f64> = knots.iter().flatten().map(|knot| knot.at).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+}
+
+/// Linear between knots, held before the first and after the last; zero without knots.
+fn interpolated(knots: &[Knot], at: f64) -> [f64; 6] {
+    let after = knots.partition_point(|knot| knot.at <= at);
+    match (after.checked_sub(1).and_then(|i| knots.get(i)), knots.get(after)) {
+        (Some(a), Some(b)) => {
+            let share = (at - a.at) / (b.at - a.at);
+            std::array::from_fn(|k| a.offsets[k] + (b.offsets[k] - a.offsets[k]) * share)
+        }
+        (Some(only), None) | (None, Some(only)) => only.offsets,
+        (None, None) => [0.0; 6],
+    }
+}

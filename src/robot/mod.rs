@@ -1,6 +1,14 @@
 //! The constructive model of a six-axis arm: every joint's frame at its real place, axes, ranges, masses.
 //!
-//! Knows nothing of RAPID. Robots come from TOML (`docs` of [`Robot::from_toml`]); several are built in.
+//! Knows nothing of RAPID. Robots come from TOML (see [`Robot::from_toml`]); several are built in.
+
+mod built_in;
+mod error;
+mod file;
+mod range;
+
+pub use error::RobotError;
+pub use range::OutOfRange;
 
 use nalgebra::{Isometry3, Unit, Vector3};
 

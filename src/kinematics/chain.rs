@@ -1,0 +1,265 @@
+//! The chain: forward kinematics and the geometric Jacobian of a nominal or deformed arm.
+//!
+//! `T_i = Trans(p_i + d_i) Rx(rx) Ry(ry) Rz(rz) R_i Rot(axis_i, q_i)`, with `p_i`, `R_i` the joint's frame in the
+//! robot file and `d_i`, `rx ry rz` its offsets. Every frame is turned once, on construction, so that its joint
+//! turns about its own z: then a joint costs two products of columns instead of a general rotation.
+
+use super::matrix::{
+    self, IDENTITY, Mat3, Vec3, add, apply, column, cross, mul, rows, rx_ry_rz, sub, transpose,
+};
+use crate::robot::Robot;
+use nalgebra::Isometry3;
+
+/// Six numbers for each joint frame: `[dx, dy, dz]` in metres, `[rx, ry, rz]` in radians, before the joint's own
+/// rotation. Rows 0 to 5 are joints 1 to 6, row 6 the flange.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameOffsets(pub [[f64; 6]; 7]);
+
+/// An arm whose pose and Jacobian can be had at any joints: what the numeric inverse needs.
+///
+/// [`Chain`] is one; a model whose frames move with the joints (gravity, gear harmonics) is another.
+pub trait Arm {
+    /// `base_from_flange` and the geometric Jacobian there.
+    ///
+    /// The Jacobian may leave out terms that are small against the arm's length (how an effect changes
+    /// with the joints): the solver then takes a step more, its answer is no worse.
+    fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian;
+}
+
+/// A flange pose and the Jacobian there, as plain arrays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseAndJacobian {
+    /// Rotation of the flange in the base, rows first.
+    pub rotation: [[f64; 3]; 3],
+    /// Origin of the flange in the base, metres.
+    pub position_m: [f64; 3],
+    /// Rows vx vy vz (m/rad) wx wy wz (rad/rad) at the flange origin in base axes; columns joints.
+    pub jacobian: [[f64; 6]; 6],
+}
+
+/// An arm of six joints with constant frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// Frame i in frame i-1, both turned so that joints turn about z; the last is the flange.
+    steps: [Step; 7],
+    /// The joint's own frame in its turned one.
+    turned_from_joint: [Mat3; 6],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Step {
+    rotation: Mat3,
+    position_m: Vec3,
+}
+
+impl Chain {
+    /// The arm as its robot file says.
+    #[must_use]
+    pub fn nominal(robot: &Robot) -> Self {
+        Self::with_offsets(robot, &FrameOffsets::default())
+    }
+
+    /// The arm with every frame moved by its offsets.
+    #[must_use]
+    pub fn with_offsets(robot: &Robot, offsets: &FrameOffsets) -> Self {
+        let turned: [Mat3; 6] = std::array::from_fn(|i| turned_to_z((*robot.joints[i].axis).into()));
+        let steps = std::array::from_fn(|i| {
+            let nominal =
+                robot.joints.get(i).map_or(&robot.joint6_from_flange, |joint| &joint.previous_from_joint);
+            let [dx, dy, dz, rx, ry, rz] = offsets.0[i];
+            let mut rotation = mul(&rx_ry_rz(rx, ry, rz), &rows(&nominal.rotation));
+            let mut position_m = add(&nominal.translation.vector.into(), &[dx, dy, dz]);
+            if i > 0 {
+                let previous = transpose(&turned[i - 1]);
+                rotation = mul(&previous, &rotation);
+                position_m = apply(&previous, &position_m);
+            }
+            if let Some(turned) = turned.get(i) {
+                rotation = mul(&rotation, turned);
+            }
+            Step { rotation, position_m }
+        });
+        Self { steps, turned_from_joint: turned.map(|t| transpose(&t)) }
+    }
+
+    /// `base_from_flange`.
+    #[must_use]
+    pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
+        let (rotation, position_m) = self.pose(q_rad);
+        matrix::isometry(&rotation, &position_m)
+    }
+
+    /// `base_from_flange` and the geometric Jacobian at the flange origin in base axes: rows vx vy vz (m/rad) wx
+    /// wy wz (rad/rad), columns joints.
+    #[must_use]
+    pub fn forward_and_jacobian(&self, q_rad: &[f64; 6]) -> (Isometry3<f64>, [[f64; 6]; 6]) {
+        let there = self.pose_and_jacobian(q_rad);
+        (matrix::isometry(&there.rotation, &there.position_m), there.jacobian)
+    }
+
+    /// `base_from_joint1` to `base_from_joint6`, each after its joint's rotation, and `base_from_flange`.
+    #[must_use]
+    pub fn frames(&self, q_rad: &[f64; 6]) -> [Isometry3<f64>; 7] {
+        let mut frames = [Isometry3::identity(); 7];
+        self.walk(q_rad, |i, rotation, position_m| {
+            let turned_from_joint = self.turned_from_joint.get(i).unwrap_or(&IDENTITY);
+            frames[i] = matrix::isometry(&mul(rotation, turned_from_joint), position_m);
+        });
+        frames
+    }
+
+    /// Rotation and position of the flange in the base.
+    #[inline]
+    pub(crate) fn pose(&self, q_rad: &[f64; 6]) -> (Mat3, Vec3) {
+        self.walk(q_rad, |_, _, _| ())
+    }
+
+    /// Calls `visit(i, rotation, position)` with each turned frame after its joint's rotation, 6 = flange.
+    #[inline]
+    fn walk(&self, q_rad: &[f64; 6], mut visit: impl FnMut(usize, &Mat3, &Vec3)) -> (Mat3, Vec3) {
+        let mut rotation = IDENTITY;
+        let mut position_m = [0.0; 3];
+        for (i, step) in self.steps.iter().enumerate() {
+            position_m = add(&position_m, &apply(&rotation, &step.position_m));
+            rotation = mul(&rotation, &step.rotation);
+            if let Some(q_rad) = q_rad.get(i) {
+                let (s, c) = q_rad.sin_cos();
+                for row in &mut rotation {
+                    let [x, y, _] = *row;
+                    row[0] = x * c + y * s;
+                    row[1] = y * c - x * s;
+                }
+            }
+            visit(i, &rotation, &position_m);
+        }
+        (rotation, position_m)
+    }
+}
+
+impl Arm for Chain {
+    #[inline]
+    fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
+        let mut axes = [[0.0; 3]; 6];
+        let mut origins_m = [[0.0; 3]; 6];
+        let (rotation, position_m) = self.walk(q_rad, |i, rotation, position_m| {
+            if i < 6 {
+                axes[i] = column(rotation, 2);
+                origins_m[i] = *position_m;
+            }
+        });
+        let mut jacobian = [[0.0; 6]; 6];
+        for (j, (axis, origin_m)) in axes.iter().zip(&origins_m).enumerate() {
+            let velocity = cross(axis, &sub(&position_m, origin_m));
+            for k in 0..3 {
+                jacobian[k][j] = velocity[k];
+                jacobian[k + 3][j] = axis[k];
+            }
+        }
+        PoseAndJacobian { rotation, position_m, jacobian }
+    }
+}
+
+/// A rotation whose third column is `axis`: a permutation, so exact, where the axis is x, y or z.
+fn turned_to_z(axis: Vec3) -> Mat3 {
+    let smallest = (0..3).fold(0, |best, k| if axis[k].abs() < axis[best].abs() { k } else { best });
+    let mut helper = [0.0; 3];
+    helper[smallest] = 1.0;
+    let x = cross(&helper, &axis);
+    let x = matrix::scale(&x, 1.0 / matrix::norm(&x));
+    let y = cross(&axis, &x);
+    [[x[0], y[0], axis[0]], [x[1], y[1], axis[1]], [x[2], y[2], axis[2]]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Rotation3, Translation3, UnitQuaternion, Vector3};
+
+    const Q_RAD: [f64; 6] = [0.4, -0.3, 0.7, -1.2, 0.9, 2.1];
+
+    fn offsets() -> FrameOffsets {
+        FrameOffsets(std::array::from_fn(|i| std::array::from_fn(|j| 1e-2 * ((i * 6 + j) as f64).sin())))
+    }
+
+    /// The definition, written out with nalgebra.
+    fn by_definition(robot: &Robot, offsets: &FrameOffsets, q_rad: &[f64; 6]) -> Isometry3<f64> {
+        let mut base_from_here = Isometry3::identity();
+        for (i, [dx, dy, dz, rx, ry, rz]) in offsets.0.into_iter().enumerate() {
+            let frame = robot.joints.get(i).map_or(robot.joint6_from_flange, |j| j.previous_from_joint);
+            let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), rx)
+                * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), ry)
+                * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), rz);
+            base_from_here = base_from_here
+                * Translation3::from(frame.translation.vector + Vector3::new(dx, dy, dz))
+                * turn
+                * frame.rotation;
+            if let Some(joint) = robot.joints.get(i) {
+                base_from_here *= UnitQuaternion::from_axis_angle(&joint.axis, q_rad[i]);
+            }
+        }
+        base_from_here
+    }
+
+    fn distance(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
+        (a.translation.vector - b.translation.vector).norm() + a.rotation.angle_to(&b.rotation)
+    }
+
+    #[test]
+    fn zero_pose_of_the_irb140_is_the_sum_of_its_lengths() {
+        let chain = Chain::nominal(&Robot::built_in("irb140").unwrap());
+        let at = chain.forward(&[0.0; 6]);
+        assert!(
+            (at.translation.vector - Vector3::new(0.070 + 0.380 + 0.065, 0.0, 0.352 + 0.360)).norm() < 1e-15
+        );
+        let down = Rotation3::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
+        assert!(at.rotation.angle_to(&UnitQuaternion::from(down)) < 1e-15);
+    }
+
+    #[test]
+    fn forward_is_the_definition_for_every_built_in_robot_and_odd_axes() {
+        let odd = include_str!("../robot/built_in/irb140.toml")
+            .replacen("axis = [0, 1, 0]", "rpy_deg = [10, 20, -30]\naxis = [0.3, -1, 0.2]", 1)
+            .replacen("axis = [1, 0, 0]", "axis = [-1, 0, 0]", 1);
+        let mut robots: Vec<Robot> =
+            Robot::built_in_names().iter().filter_map(|name| Robot::built_in(name)).collect();
+        robots.push(Robot::from_toml(&odd).unwrap());
+        for robot in &robots {
+            let chain = Chain::with_offsets(robot, &offsets());
+            let expected = by_definition(robot, &offsets(), &Q_RAD);
+            assert!(distance(&chain.forward(&Q_RAD), &expected) < 1e-13, "{}", robot.name);
+            assert!(distance(&chain.frames(&Q_RAD)[6], &expected) < 1e-13);
+        }
+    }
+
+    #[test]
+    fn frames_are_the_joints_own() {
+        let robot = Robot::built_in("irb120").unwrap();
+        let frames = Chain::nominal(&robot).frames(&[0.0; 6]);
+        for (i, frame) in frames.iter().enumerate().take(6) {
+            assert!(frame.rotation.angle() < 1e-15, "joint {}", i + 1);
+        }
+        assert!(
+            (frames[3].translation.vector - Vector3::new(0.0, 0.0, 0.290 + 0.270 + 0.070)).norm() < 1e-15
+        );
+    }
+
+    #[test]
+    fn jacobian_is_the_derivative_of_forward() {
+        let robot = Robot::built_in("irb2600").unwrap();
+        let chain = Chain::with_offsets(&robot, &offsets());
+        let (_, jacobian) = chain.forward_and_jacobian(&Q_RAD);
+        let h_rad = 1e-6;
+        for j in 0..6 {
+            let (mut minus, mut plus) = (Q_RAD, Q_RAD);
+            minus[j] -= h_rad;
+            plus[j] += h_rad;
+            let (minus, plus) = (chain.forward(&minus), chain.forward(&plus));
+            let v = (plus.translation.vector - minus.translation.vector) / (2.0 * h_rad);
+            let w = (plus.rotation * minus.rotation.inverse()).scaled_axis() / (2.0 * h_rad);
+            for k in 0..3 {
+                assert!((jacobian[k][j] - v[k]).abs() < 1e-8, "v{k} of joint {}", j + 1);
+                assert!((jacobian[k + 3][j] - w[k]).abs() < 1e-8, "w{k} of joint {}", j + 1);
+            }
+        }
+    }
+}

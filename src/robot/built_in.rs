@@ -1,0 +1,136 @@
+//! The robots that are built in, and those that are refused by name.
+
+use super::{Robot, RobotError};
+
+/// Name and file, in the order they are listed to a user.
+const FILES: [(&str, &str); 8] = [
+    ("irb140", include_str!("built_in/irb140.toml")),
+    ("irb120", include_str!("built_in/irb120.toml")),
+    ("irb1200", include_str!("built_in/irb1200.toml")),
+    ("irb1600-1.2", include_str!("built_in/irb1600-1.2.toml")),
+    ("irb1600-1.45", include_str!("built_in/irb1600-1.45.toml")),
+    ("irb2600", include_str!("built_in/irb2600.toml")),
+    ("irb4600", include_str!("built_in/irb4600.toml")),
+    ("irb6700", include_str!("built_in/irb6700.toml")),
+];
+
+const NAMES: [&str; 8] =
+    [FILES[0].0, FILES[1].0, FILES[2].0, FILES[3].0, FILES[4].0, FILES[5].0, FILES[6].0, FILES[7].0];
+
+/// Robots whose joints 2 and 3 are coupled by a parallelogram or a linkage, which a chain of six independent
+/// joints does not describe. Prefixes of the squeezed name.
+const COUPLED: [&str; 11] = [
+    "irb1400",
+    "irb1410",
+    "irb2400",
+    "irb4400",
+    "irb6400",
+    "irb6640id",
+    "irb640",
+    "irb660",
+    "irb460",
+    "irb760",
+    "irb260",
+];
+
+impl Robot {
+    /// The built-in robot of that name; case, blanks and hyphens do not matter.
+    #[must_use]
+    pub fn built_in(name: &str) -> Option<Self> {
+        let wanted = squeezed(name);
+        let (_, text) = FILES.iter().find(|(known, _)| squeezed(known) == wanted)?;
+        Self::from_toml(text).ok()
+    }
+
+    /// The names of all built-in robots.
+    #[must_use]
+    pub fn built_in_names() -> &'static [&'static str] {
+        &NAMES
+    }
+
+    /// The built-in robot of that name.
+    ///
+    /// # Errors
+    /// [`RobotError::Refused`] for robots whose joints are coupled, [`RobotError::Unknown`] with the names
+    /// that exist and the nearest of them for any other.
+    pub fn by_name(name: &str) -> Result<Self, RobotError> {
+        if let Some(robot) = Self::built_in(name) {
+            return Ok(robot);
+        }
+        let wanted = squeezed(name);
+        if COUPLED.iter().any(|prefix| wanted.starts_with(prefix)) {
+            return Err(RobotError::Refused {
+                name: name.to_owned(),
+                reason: "joints 2 and 3 of this robot are coupled by a parallelogram or a linkage, which a chain \
+                         of six independent joints does not describe; compensating it by such a chain would move \
+                         it wrongly"
+                    .to_owned(),
+            });
+        }
+        let nearest = NAMES
+            .iter()
+            .map(|known| (edit_distance(&squeezed(known), &wanted), *known))
+            .min()
+            .filter(|(distance, _)| *distance <= 3)
+            .map(|(_, known)| known);
+        Err(RobotError::Unknown { name: name.to_owned(), nearest, known: &NAMES })
+    }
+}
+
+/// Lower case, letters, digits and points only, without the maker's name.
+fn squeezed(name: &str) -> String {
+    let text: String = name.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '.').collect();
+    let text = text.to_ascii_lowercase();
+    text.strip_prefix("abb").unwrap_or(&text).to_owned()
+}
+
+/// Levenshtein's distance between two names.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = i;
+        row[0] = i + 1;
+        for (j, y) in b.chars().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row.last().copied().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_built_in_robot_reads() {
+        for (name, text) in FILES {
+            assert!(Robot::from_toml(text).is_ok(), "{name}: {:?}", Robot::from_toml(text));
+            assert!(Robot::built_in(name).is_some());
+        }
+    }
+
+    #[test]
+    fn spelling_of_a_name_is_forgiven() {
+        let robot = Robot::built_in("IRB 140").unwrap();
+        assert_eq!(robot, Robot::built_in("irb140").unwrap());
+        assert_eq!(robot, Robot::built_in("ABB_IRB-140").unwrap());
+        assert_ne!(robot, Robot::built_in("irb1600-1.2").unwrap());
+    }
+
+    #[test]
+    fn a_coupled_robot_is_refused_with_the_reason() {
+        for name in ["IRB 2400", "irb4400", "irb6640ID"] {
+            assert!(matches!(Robot::by_name(name), Err(RobotError::Refused { .. })), "{name}");
+        }
+    }
+
+    #[test]
+    fn an_unknown_robot_is_told_the_names_and_the_nearest() {
+        let said = Robot::by_name("irb141").unwrap_err().to_string();
+        assert!(said.contains("did you mean `irb140`"), "{said}");
+        assert!(said.contains("irb6700"), "{said}");
+        assert!(!Robot::by_name("kr6").unwrap_err().to_string().contains("did you mean"));
+    }
+}
