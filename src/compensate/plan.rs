@@ -100,6 +100,9 @@ pub struct Summary {
     pub worst_switch_jump_m: f64,
     /// What the cheap rival, one work-object shift per bucket, would leave, metres.
     pub rigid_shift_worst_m: f64,
+    /// The warm-up minute from which what is still to come is under the tolerance, or the one asked for as
+    /// the schedule's end.
+    pub until_min: f64,
     /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
     pub other_tolerances: Vec<(f64, usize)>,
 }

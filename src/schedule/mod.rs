@@ -2,6 +2,16 @@
 //!
 //! A bucket is a stretch of warm-up minutes in which one set of corrected targets is in use; it is right
 //! at one minute of it, and no target may be further off than the tolerance anywhere in it.
+//!
+//! Knows targets only as points that drift ([`Drift`]); nothing of RAPID.
+
+mod choose;
+mod cover;
+mod curve;
+mod drift;
+
+pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Until, Width, choose};
+pub use drift::{Drift, Moment};
 
 /// A bucket: the warm-up minutes from `from_min` up to, not including, `to_min`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +24,14 @@ pub struct Bucket {
     pub at_min: f64,
 }
 
+impl Bucket {
+    /// Its end as a moment: the last bucket ends where the drift has settled.
+    #[must_use]
+    pub fn end(&self) -> Moment {
+        self.to_min.map_or(Moment::Settled, Moment::Minute)
+    }
+}
+
 /// A schedule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
@@ -22,3 +40,17 @@ pub struct Schedule {
     /// Edges are whole multiples of 1/`parts_per_min` minutes: 1 or 10.
     pub parts_per_min: u32,
 }
+
+impl Schedule {
+    /// Width of the narrowest bucket, minutes; `None` where the only bucket holds for ever.
+    #[must_use]
+    pub fn narrowest_min(&self) -> Option<f64> {
+        self.buckets
+            .iter()
+            .filter_map(|bucket| bucket.to_min.map(|to_min| to_min - bucket.from_min))
+            .min_by(f64::total_cmp)
+    }
+}
+
+#[cfg(test)]
+mod tests;
