@@ -120,6 +120,8 @@ pub enum TargetValue {
     Rob(RobTarget),
     /// Joint values.
     Joint(JointTarget),
+    /// A pose given by the joints that reach it with the motion's own tool and work object (`CalcRobT`).
+    FromJoints(JointTarget),
 }
 
 /// A routine that holds motion.
