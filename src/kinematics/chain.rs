@@ -37,6 +37,37 @@ pub struct PoseAndJacobian {
     pub jacobian: [[f64; 6]; 6],
 }
 
+impl PoseAndJacobian {
+    pub(crate) fn pose(&self) -> Pose {
+        Pose { rotation: self.rotation, position_m: self.position_m }
+    }
+}
+
+/// A pose as plain arrays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pose {
+    pub rotation: Mat3,
+    pub position_m: Vec3,
+}
+
+impl Pose {
+    /// The twist in base axes that takes `other` here: metres, then the rotation vector in radians.
+    #[inline]
+    pub(crate) fn twist_from(&self, other: &Self) -> [f64; 6] {
+        let [vx, vy, vz] = sub(&self.position_m, &other.position_m);
+        let [wx, wy, wz] = matrix::rotation_vector(&self.rotation, &other.rotation);
+        [vx, vy, vz, wx, wy, wz]
+    }
+}
+
+/// The six joints' axes and frame origins in the base, and the flange.
+pub(crate) struct Lines {
+    pub axes: [Vec3; 6],
+    pub origins_m: [Vec3; 6],
+    pub rotation: Mat3,
+    pub position_m: Vec3,
+}
+
 /// An arm of six joints with constant frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
@@ -85,7 +116,7 @@ impl Chain {
     /// `base_from_flange`.
     #[must_use]
     pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
-        let (rotation, position_m) = self.pose(q_rad);
+        let Pose { rotation, position_m } = self.pose(q_rad);
         matrix::isometry(&rotation, &position_m)
     }
 
@@ -108,15 +139,29 @@ impl Chain {
         frames
     }
 
-    /// Rotation and position of the flange in the base.
+    /// `base_from_flange`.
     #[inline]
-    pub(crate) fn pose(&self, q_rad: &[f64; 6]) -> (Mat3, Vec3) {
+    pub(crate) fn pose(&self, q_rad: &[f64; 6]) -> Pose {
         self.walk(q_rad, |_, _, _| ())
+    }
+
+    /// The joints' axes and origins.
+    #[inline]
+    pub(crate) fn lines(&self, q_rad: &[f64; 6]) -> Lines {
+        let mut axes = [[0.0; 3]; 6];
+        let mut origins_m = [[0.0; 3]; 6];
+        let Pose { rotation, position_m } = self.walk(q_rad, |i, rotation, position_m| {
+            if i < 6 {
+                axes[i] = column(rotation, 2);
+                origins_m[i] = *position_m;
+            }
+        });
+        Lines { axes, origins_m, rotation, position_m }
     }
 
     /// Calls `visit(i, rotation, position)` with each turned frame after its joint's rotation, 6 = flange.
     #[inline]
-    fn walk(&self, q_rad: &[f64; 6], mut visit: impl FnMut(usize, &Mat3, &Vec3)) -> (Mat3, Vec3) {
+    fn walk(&self, q_rad: &[f64; 6], mut visit: impl FnMut(usize, &Mat3, &Vec3)) -> Pose {
         let mut rotation = IDENTITY;
         let mut position_m = [0.0; 3];
         for (i, step) in self.steps.iter().enumerate() {
@@ -132,21 +177,14 @@ impl Chain {
             }
             visit(i, &rotation, &position_m);
         }
-        (rotation, position_m)
+        Pose { rotation, position_m }
     }
 }
 
 impl Arm for Chain {
     #[inline]
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
-        let mut axes = [[0.0; 3]; 6];
-        let mut origins_m = [[0.0; 3]; 6];
-        let (rotation, position_m) = self.walk(q_rad, |i, rotation, position_m| {
-            if i < 6 {
-                axes[i] = column(rotation, 2);
-                origins_m[i] = *position_m;
-            }
-        });
+        let Lines { axes, origins_m, rotation, position_m } = self.lines(q_rad);
         let mut jacobian = [[0.0; 6]; 6];
         for (j, (axis, origin_m)) in axes.iter().zip(&origins_m).enumerate() {
             let velocity = cross(axis, &sub(&position_m, origin_m));

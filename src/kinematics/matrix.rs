@@ -89,6 +89,28 @@ pub(crate) fn rows(rotation: &UnitQuaternion<f64>) -> Mat3 {
     rows
 }
 
+/// The rotation vector, radians in the outer axes, of `to fromᵀ`.
+#[inline]
+pub(crate) fn rotation_vector(to: &Mat3, from: &Mat3) -> Vec3 {
+    let r = |i: usize, j: usize| dot(&to[i], &from[j]);
+    // Twice the axis times the sine.
+    let v = [r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)];
+    let sine = 0.5 * norm(&v);
+    let cosine = 0.5 * (r(0, 0) + r(1, 1) + r(2, 2) - 1.0);
+    if cosine > 0.0 && sine < 1e-5 {
+        // angle / sine = 1 + sine²/6 + ...
+        return scale(&v, 0.5 + sine * sine / 12.0);
+    }
+    if sine > 1e-9 {
+        return scale(&v, 0.5 * sine.atan2(cosine) / sine);
+    }
+    // Half a turn: the largest column of r + 1 lies along the axis.
+    let columns: Mat3 =
+        std::array::from_fn(|j| std::array::from_fn(|i| r(i, j) + f64::from(u8::from(i == j))));
+    let axis = columns.iter().fold(columns[0], |best, c| if norm(c) > norm(&best) { *c } else { best });
+    scale(&axis, std::f64::consts::PI / norm(&axis))
+}
+
 pub(crate) fn isometry(rotation: &Mat3, position: &Vec3) -> Isometry3<f64> {
     let m = Matrix3::from_fn(|i, j| rotation[i][j]);
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m));
@@ -111,6 +133,18 @@ mod tests {
             for (j, value) in row.iter().enumerate() {
                 assert!((value - expected[(i, j)]).abs() < 1e-15);
             }
+        }
+    }
+
+    #[test]
+    fn rotation_vector_is_nalgebras() {
+        let from = UnitQuaternion::from_euler_angles(0.4, -1.0, 2.0);
+        for angle in [0.0, 1e-12, 1e-7, 9e-6, 1.1e-5, 0.3, 2.0, 3.1, std::f64::consts::PI] {
+            let vector = Vector3::new(0.6, -0.64, 0.48) * angle;
+            let to = UnitQuaternion::from_scaled_axis(vector) * from;
+            let found = Vector3::from(rotation_vector(&rows(&to), &rows(&from)));
+            let at_half_turn = angle == std::f64::consts::PI && (found + vector).norm() < 1e-7;
+            assert!((found - vector).norm() < 1e-15 + 1e-9 * angle || at_half_turn, "{angle}: {found}");
         }
     }
 

@@ -4,6 +4,15 @@
 //! are plain arrays; `nalgebra` types stand at the public edge.
 
 mod chain;
+mod closed_form;
+mod configuration;
+mod linear;
 mod matrix;
+mod solve;
+mod structure;
 
 pub use chain::{Arm, Chain, FrameOffsets, PoseAndJacobian};
+pub use closed_form::{ClosedForm, Solution};
+pub use configuration::{Configuration, Posture};
+pub use solve::{RESIDUAL_M, RESIDUAL_RAD, SolveError, Solved, solve};
+pub use structure::StructureError;

@@ -1,0 +1,191 @@
+//! Configuration of an arm: quadrants of joints 1, 4, 6 and the branch, numbered as ABB's confdata does; and how far
+//! the arm stands from where two branches meet.
+
+use super::closed_form::ClosedForm;
+use crate::units::rad_from_deg;
+use std::f64::consts::FRAC_PI_2;
+
+/// Quadrants and branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Configuration {
+    /// floor(q1 / 90°): 0 is 0° to 90°, -1 is -90° to 0°.
+    pub cf1: i32,
+    /// floor(q4 / 90°).
+    pub cf4: i32,
+    /// floor(q6 / 90°).
+    pub cf6: i32,
+    /// 4 · (wrist centre behind axis 1) + 2 · (wrist centre behind the lower arm) + (joint 5 negative).
+    pub cfx: i32,
+}
+
+/// How far an arm stands from its three singularities, signed: the sign is the branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Posture {
+    /// Wrist centre in front of axis 1 (negative: behind), metres. Zero where joint 1 is lost.
+    pub shoulder_m: f64,
+    /// Angle of the forearm, from axis 3 to the wrist centre, in front of the lower arm (negative: behind), radians, at
+    /// most 90°. Zero where the arm is stretched or folded.
+    pub elbow_rad: f64,
+    /// Angle of axes 4 and 6 (negative: joint 5 negative), radians, at most 90°. Zero where joints 4 and 6 turn about
+    /// one line.
+    pub wrist_rad: f64,
+}
+
+/// How far past a quadrant's border a joint still counts as in it, degrees.
+const HYSTERESIS_DEG: f64 = 0.5;
+/// Rounding: a joint this little below a border is on it, radians.
+const ON_BORDER_RAD: f64 = 1e-9;
+
+impl ClosedForm {
+    /// Quadrants and branch of these joints.
+    #[must_use]
+    pub fn configuration(&self, q_rad: &[f64; 6]) -> Configuration {
+        let posture = self.posture(q_rad);
+        let cfx = 4 * i32::from(posture.shoulder_m < 0.0)
+            + 2 * i32::from(posture.elbow_rad < 0.0)
+            + i32::from(q_rad[4] < 0.0);
+        Configuration { cf1: quadrant(q_rad[0]), cf4: quadrant(q_rad[3]), cf6: quadrant(q_rad[5]), cfx }
+    }
+
+    /// How far these joints are from the arm's singularities.
+    #[must_use]
+    pub fn posture(&self, q_rad: &[f64; 6]) -> Posture {
+        let s = &self.structure;
+        let theta = self.canonical(q_rad);
+        let (sin_2, _) = theta[1].sin_cos();
+        let (sin_3, cos_3) = theta[2].sin_cos();
+        let (sin_23, cos_23) = (theta[1] + theta[2]).sin_cos();
+        let in_front = (s.c3 * cos_3 + s.a2 * sin_3) / s.c3.hypot(s.a2);
+        let wrist = theta[4].sin().abs().asin();
+        Posture {
+            shoulder_m: s.a1 + s.c2 * sin_2 + s.c3 * cos_23 + s.a2 * sin_23,
+            elbow_rad: in_front.clamp(-1.0, 1.0).asin(),
+            wrist_rad: if q_rad[4] < 0.0 { -wrist } else { wrist },
+        }
+    }
+
+    /// Whether the joints stand as a configuration from elsewhere says. A joint up to half a degree past its quadrant's
+    /// border agrees: at 0° both 0 and -1 do. The branch has no such play.
+    #[must_use]
+    pub fn agrees(&self, configuration: &Configuration, q_rad: &[f64; 6]) -> bool {
+        let c = configuration;
+        c.cfx == self.configuration(q_rad).cfx
+            && in_quadrant(q_rad[0], c.cf1)
+            && in_quadrant(q_rad[3], c.cf4)
+            && in_quadrant(q_rad[5], c.cf6)
+    }
+
+    /// The configuration to write beside these joints: each number of `source` stays unless its joint is clearly, by
+    /// more than half a degree, past the border; cfx is always the joints' own.
+    #[must_use]
+    pub fn kept(&self, source: &Configuration, q_rad: &[f64; 6]) -> Configuration {
+        let own = self.configuration(q_rad);
+        let keep = |source, q_rad, own| if in_quadrant(q_rad, source) { source } else { own };
+        Configuration {
+            cf1: keep(source.cf1, q_rad[0], own.cf1),
+            cf4: keep(source.cf4, q_rad[3], own.cf4),
+            cf6: keep(source.cf6, q_rad[5], own.cf6),
+            cfx: own.cfx,
+        }
+    }
+}
+
+fn quadrant(q_rad: f64) -> i32 {
+    ((q_rad + ON_BORDER_RAD) / FRAC_PI_2).floor() as i32
+}
+
+fn in_quadrant(q_rad: f64, quadrant: i32) -> bool {
+    let from_rad = f64::from(quadrant) * FRAC_PI_2;
+    let play_rad = rad_from_deg(HYSTERESIS_DEG);
+    q_rad >= from_rad - play_rad && q_rad <= from_rad + FRAC_PI_2 + play_rad
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::Robot;
+
+    fn closed(name: &str) -> ClosedForm {
+        ClosedForm::new(&Robot::built_in(name).unwrap()).unwrap()
+    }
+
+    fn configuration(closed: &ClosedForm, q_deg: [f64; 6]) -> [i32; 4] {
+        let c = closed.configuration(&q_deg.map(rad_from_deg));
+        [c.cf1, c.cf4, c.cf6, c.cfx]
+    }
+
+    #[test]
+    fn quadrants_count_from_zero_both_ways() {
+        let closed = closed("irb140");
+        for (q_deg, quadrant) in
+            [(0.0, 0), (89.9, 0), (90.0, 1), (-0.1, -1), (-90.0, -1), (-91.0, -2), (200.0, 2)]
+        {
+            let found = configuration(&closed, [q_deg, 0.0, 0.0, -q_deg - 1.0, 10.0, q_deg]);
+            assert_eq!((found[0], found[2]), (quadrant, quadrant), "{q_deg}");
+        }
+        assert_eq!(configuration(&closed, [0.0, 0.0, 0.0, -200.0, 10.0, 400.0])[1..3], [-3, 4]);
+    }
+
+    #[test]
+    fn cfx_counts_rear_lower_arm_and_wrist() {
+        let closed = closed("irb140");
+        for (q_deg, cfx) in [
+            ([0.0, 0.0, 0.0, 0.0, 10.0, 0.0], 0),
+            ([0.0, 0.0, 0.0, 0.0, -10.0, 0.0], 1),
+            // Forearm straight up and 10 degrees back: behind the lower arm, in front of axis 1 for the arm leans forward.
+            ([0.0, 40.0, -100.0, 0.0, 10.0, 0.0], 2),
+            ([0.0, 40.0, -100.0, 0.0, -10.0, 0.0], 3),
+            // Leaning back by 80 degrees with the forearm bent forward.
+            ([0.0, -80.0, -60.0, 0.0, 10.0, 0.0], 4),
+            ([0.0, -80.0, -60.0, 0.0, -10.0, 0.0], 5),
+            ([0.0, -80.0, -120.0, 0.0, 10.0, 0.0], 6),
+            ([0.0, -80.0, -120.0, 0.0, -10.0, 0.0], 7),
+        ] {
+            assert_eq!(configuration(&closed, q_deg)[3], cfx, "{q_deg:?}");
+        }
+    }
+
+    #[test]
+    fn every_branch_of_a_pose_has_its_own_number() {
+        for name in Robot::built_in_names() {
+            let closed = closed(name);
+            let q_rad = [0.3, 0.2, -0.4, 0.5, 0.9, -0.6];
+            let found = closed.branches(&closed.chain.forward(&q_rad));
+            for (index, q_rad) in found.iter().enumerate() {
+                if let Some(q_rad) = q_rad {
+                    assert_eq!(usize::try_from(closed.configuration(q_rad).cfx), Ok(index), "{name}");
+                }
+            }
+            assert!(found.iter().flatten().count() >= 4, "{name}");
+        }
+    }
+
+    #[test]
+    fn posture_of_the_irb140_by_hand() {
+        let closed = closed("irb140");
+        let posture = closed.posture(&[0.0, 0.0, 0.0, 0.0, rad_from_deg(-30.0), 0.0]);
+        assert!((posture.shoulder_m - 0.450).abs() < 1e-15);
+        assert!((posture.elbow_rad - FRAC_PI_2).abs() < 1e-7);
+        assert!((posture.wrist_rad - rad_from_deg(-30.0)).abs() < 1e-15);
+        // Stretched: the forearm in line with the lower arm.
+        assert!(closed.posture(&[0.0, 0.5, -FRAC_PI_2, 0.0, 0.3, 0.0]).elbow_rad.abs() < 1e-15);
+        // Past 90 degrees joint 5 comes back towards the singularity at 180.
+        let posture = closed.posture(&[0.0, 0.0, 0.0, 0.0, rad_from_deg(110.0), 0.0]);
+        assert!((posture.wrist_rad - rad_from_deg(70.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_joint_on_the_border_keeps_the_sources_quadrant() {
+        let closed = closed("irb140");
+        let at = |q1_deg: f64| [q1_deg, 20.0, 10.0, 45.0, -30.0, 60.0].map(rad_from_deg);
+        let source = |cf1, cfx| Configuration { cf1, cf4: 0, cf6: 0, cfx };
+        for q1_deg in [-0.4, 0.0, 0.4] {
+            assert!(closed.agrees(&source(0, 1), &at(q1_deg)) && closed.agrees(&source(-1, 1), &at(q1_deg)));
+            assert_eq!(closed.kept(&source(-1, 1), &at(q1_deg)), source(-1, 1));
+            assert_eq!(closed.kept(&source(0, 1), &at(q1_deg)), source(0, 1));
+        }
+        assert!(!closed.agrees(&source(0, 1), &at(-0.6)));
+        assert_eq!(closed.kept(&source(0, 1), &at(-0.6)), source(-1, 1));
+        assert!(!closed.agrees(&source(0, 0), &at(10.0)), "the branch has no play");
+    }
+}
