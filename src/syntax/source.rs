@@ -1,5 +1,6 @@
 //! A file as read: its name, its bytes, where its lines begin, and its tree.
 
+use super::parse;
 use super::tree::Tree;
 use crate::diagnostic::{Diagnostic, FileId, Span, TextRange};
 
@@ -67,6 +68,16 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
+    /// Reads `bytes`, whatever they are; what is not understood is in [`warnings`](Self::warnings).
+    #[must_use]
+    pub fn read(id: FileId, path: impl Into<String>, bytes: Vec<u8>) -> Self {
+        let (tree, warnings) = parse(&bytes);
+        let at = |range| Span { file: id, range };
+        let warnings =
+            warnings.into_iter().map(|w| Diagnostic::warning(w.code, w.message).at(at(w.range))).collect();
+        Self { id, path: path.into(), lines: LineIndex::new(&bytes), bytes, tree, warnings }
+    }
+
     /// The bytes of a range.
     #[must_use]
     pub fn text(&self, range: TextRange) -> &[u8] {
@@ -89,6 +100,20 @@ impl SourceFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_is_read_with_its_warnings_placed_in_it() {
+        let bytes = b"MODULE m\n PROC main()\n  Prog1()\n ENDPROC\nENDMODULE".to_vec();
+        let file = SourceFile::read(FileId(3), "a/m.mod", bytes);
+        let spans: Vec<_> = file.warnings.iter().filter_map(|w| w.span).collect();
+        assert!(!spans.is_empty());
+        for span in spans {
+            assert_eq!(
+                (span.file, file.line(span.range), file.text(span.range)),
+                (FileId(3), 3, &b"Prog1()"[..])
+            );
+        }
+    }
 
     #[test]
     fn lines_end_after_lf_crlf_and_lone_cr() {

@@ -1,0 +1,396 @@
+//! The productions of statements that hold others, and of the blocks they hold.
+
+use super::expression::expression;
+use super::input::{MAX_BLOCKS, Read, Text, place};
+use super::lexical::{
+    any_word, begins_name, blank, comment, in_name, line_ends_before, line_len, name, sign, string, white,
+    word,
+};
+use super::recover::resync;
+use super::statement::{simple_statement, statement};
+use super::tree::{Expr, ExprKind, Stmt, StmtKind};
+use super::word::Word;
+use nom::Parser;
+use nom::combinator::opt;
+use nom::sequence::preceded;
+
+/// How a statement goes to its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Ending<'a> {
+    /// With its semicolon; what follows it.
+    Semicolon(Text<'a>),
+    /// Without: the next line begins anew, or the text ends.
+    Missing,
+}
+
+impl<'a> Ending<'a> {
+    /// What follows the statement whose last part ends where `rest` begins.
+    pub(super) fn after(self, rest: Text<'a>) -> Text<'a> {
+        match self {
+            Self::Semicolon(after) => after,
+            Self::Missing => rest,
+        }
+    }
+}
+
+/// `block = { statement | comment } ;`
+///
+/// Ends before a word that ends or divides one of the blocks that are open, and before what can stand in
+/// no routine. Never fails: what is no statement becomes an opaque one.
+pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
+    let mut stmts = Vec::new();
+    loop {
+        let next = white(i);
+        if next.is_empty() {
+            return (i, stmts);
+        }
+        if let Ok((rest, range)) = comment(next) {
+            stmts.push(Stmt { range, kind: StmtKind::Comment });
+            i = rest;
+            continue;
+        }
+        if ends_block(next) {
+            return (i, stmts);
+        }
+        let (rest, stmt) = statement(next).unwrap_or_else(|failure| opaque(next, place(&failure)));
+        stmts.push(stmt);
+        i = rest;
+    }
+}
+
+fn ends_block(i: Text<'_>) -> bool {
+    match any_word(i) {
+        Some((_, w)) if w.ends_statements() => true,
+        Some((_, w)) => w.block_slot().is_some_and(|slot| i.state.awaited.get()[slot] > 0),
+        None => is_task_declaration(i),
+    }
+}
+
+/// `TASK` before PERS, VAR or CONST: no reserved word of its own, but nothing else begins so.
+pub(super) fn is_task_declaration(i: Text<'_>) -> bool {
+    match name(i) {
+        Ok((rest, _)) if i.bytes_until(rest).eq_ignore_ascii_case(b"task") => {
+            matches!(any_word(rest), Some((_, Word::Pers | Word::Var | Word::Const)))
+        }
+        _ => false,
+    }
+}
+
+fn opaque<'a>(start: Text<'a>, reached: u32) -> (Text<'a>, Stmt) {
+    let end = resync(start, reached);
+    let range = start.until(end);
+    start.state.warn(range, "syntax::statement", "this is no RAPID statement; it is kept as it is");
+    (end, Stmt { range, kind: StmtKind::Opaque })
+}
+
+/// Runs a production one block deeper; beyond the limit all up to the construct's end is one opaque node.
+fn in_block<'a>(i: Text<'a>, production: impl FnOnce(Text<'a>) -> Read<'a, Stmt>) -> Read<'a, Stmt> {
+    i.state.in_block(|| production(i)).unwrap_or_else(|| {
+        let end = matching_end(i);
+        let range = i.until(end);
+        let message = format!("blocks nest more than {MAX_BLOCKS} deep; this one is kept unread");
+        i.state.warn(range, "syntax::deep", message);
+        Ok((end, Stmt { range, kind: StmtKind::Opaque }))
+    })
+}
+
+/// Past the END word of the construct that begins here, by counting words; before what ends a routine.
+fn matching_end(start: Text<'_>) -> Text<'_> {
+    let mut i = start;
+    let mut open = 0usize;
+    let mut after_if = false;
+    let mut last = start;
+    loop {
+        let at = blank(i);
+        let Some(byte) = at.peek() else { return last };
+        i = match byte {
+            b'"' => string(at).map_or_else(|_| at.skip(line_len(at.rest)), |(i, _)| i),
+            b if begins_name(b) => match any_word(at) {
+                Some((_, w)) if w.ends_statements() => return last,
+                Some((rest, w)) => {
+                    match w {
+                        Word::If => after_if = true,
+                        Word::ElseIf => after_if = false,
+                        Word::Then => open += usize::from(std::mem::take(&mut after_if)),
+                        Word::For | Word::While | Word::Test => open += 1,
+                        Word::EndIf | Word::EndFor | Word::EndWhile | Word::EndTest => {
+                            open = open.saturating_sub(1);
+                        }
+                        _ => {}
+                    }
+                    rest
+                }
+                None => at.skip(at.rest.iter().position(|&b| !in_name(b)).unwrap_or(at.rest.len())),
+            },
+            _ => at.skip(1),
+        };
+        last = i;
+        let compact_end = byte == b';' && open == 0;
+        if compact_end
+            || (open == 0
+                && !after_if
+                && begins_name(byte)
+                && any_word(at).is_some_and(|(_, w)| w.block_slot().is_some()))
+        {
+            return i;
+        }
+    }
+}
+
+/// `if_statement = "IF" expression ( simple_statement | "THEN" block { elseif_arm } [ else_arm ] "ENDIF" ) ;`
+pub(super) fn if_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    in_block(i, |i| {
+        let (rest, _) = word(Word::If)(i)?;
+        let (rest, cond) = expression(rest).or_else(|failure| {
+            let (rest, cond) = condition_up_to(rest, Word::Then).ok_or(failure)?;
+            Ok::<_, nom::Err<super::input::Unread>>((rest, cond))
+        })?;
+        match word(Word::Then)(rest) {
+            Ok((rest, _)) => Ok(arms(i, rest, cond)),
+            Err(_) => compact_if(i, rest, cond),
+        }
+    })
+}
+
+fn compact_if<'a>(start: Text<'a>, rest: Text<'a>, cond: Expr) -> Read<'a, Stmt> {
+    let rest = blank(rest);
+    let (rest, then) = match any_word(rest) {
+        Some((_, Word::If)) => if_statement(rest)?,
+        _ => simple_statement(rest)?,
+    };
+    let kind = StmtKind::CompactIf { cond, then: Box::new(then) };
+    Ok((rest, Stmt { range: start.until(rest), kind }))
+}
+
+fn arms<'a>(start: Text<'a>, rest: Text<'a>, cond: Expr) -> (Text<'a>, Stmt) {
+    let state = start.state;
+    let mut arms = Vec::new();
+    let mut next = Some(cond);
+    let mut i = rest;
+    state.awaiting(&[Word::ElseIf, Word::Else, Word::EndIf], || {
+        while let Some(cond) = next.take() {
+            let (rest, body) = block(i);
+            arms.push((cond, body));
+            i = rest;
+            if let Some((rest, cond)) = elseif_arm(i) {
+                i = rest;
+                next = Some(cond);
+            }
+        }
+    });
+    let mut otherwise = None;
+    if let Some((rest, body)) = else_arm(i) {
+        i = rest;
+        otherwise = Some(body);
+    }
+    i = end_word(start, i, Word::EndIf, "ENDIF");
+    (i, Stmt { range: start.until(i), kind: StmtKind::If { arms, otherwise } })
+}
+
+/// `elseif_arm = "ELSEIF" expression "THEN" block ;`
+///
+/// Up to its THEN; what is no condition becomes an opaque one.
+fn elseif_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Expr)> {
+    let (after, _) = word(Word::ElseIf)(i).ok()?;
+    Some(head(after, Word::Then, "THEN"))
+}
+
+/// `else_arm = "ELSE" block ;`
+fn else_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Vec<Stmt>)> {
+    let (rest, _) = word(Word::Else)(i).ok()?;
+    Some(i.state.awaiting(&[Word::EndIf], || block(rest)))
+}
+
+/// Past the END word of the construct that begins at `start`, or not, which is said.
+fn end_word<'a>(start: Text<'a>, i: Text<'a>, end: Word, spelled: &str) -> Text<'a> {
+    match word(end)(i) {
+        Ok((rest, _)) => rest,
+        Err(_) => {
+            let head = start.until(start.skip(line_len(start.rest)));
+            start.state.warn(head, "syntax::end", format!("what begins here has no {spelled}"));
+            i
+        }
+    }
+}
+
+/// An expression and the word after it, which may be missing at a line's end; text that is no
+/// expression, up to the word or the line's end, is opaque.
+fn head<'a>(i: Text<'a>, last: Word, spelled: &str) -> (Text<'a>, Expr) {
+    if let Ok((rest, expr)) = expression(i) {
+        if let Ok((rest, _)) = word(last)(rest) {
+            return (rest, expr);
+        }
+        let next = blank(rest);
+        if next.is_empty() || line_ends_before(rest, next) {
+            i.state.warn(expr.range, "syntax::word", format!("{spelled} is missing after this"));
+            return (rest, expr);
+        }
+    }
+    condition_up_to(i, last).map_or_else(
+        || opaque_expr(i, line_end(i), spelled),
+        |(rest, expr)| (word(last)(rest).map_or(rest, |(rest, _)| rest), expr),
+    )
+}
+
+fn line_end(i: Text<'_>) -> Text<'_> {
+    let mut end = white_on_line(i);
+    while let Some(byte) = end.peek() {
+        match byte {
+            b'\n' | b'\r' | b';' | b'!' => break,
+            b'"' => end = string(end).map_or_else(|_| end.skip(line_len(end.rest)), |(end, _)| end),
+            _ => end = end.skip(1),
+        }
+    }
+    end
+}
+
+fn white_on_line(i: Text<'_>) -> Text<'_> {
+    i.skip(i.rest.iter().position(|&b| !matches!(b, b' ' | b'\t')).unwrap_or(i.rest.len()))
+}
+
+fn opaque_expr<'a>(i: Text<'a>, end: Text<'a>, spelled: &str) -> (Text<'a>, Expr) {
+    let start = white_on_line(i);
+    let trailing = start.bytes_until(end).iter().rev().take_while(|b| b.is_ascii_whitespace()).count();
+    let len = start.bytes_until(end).len() - trailing;
+    let range = start.until(start.skip(len));
+    i.state.warn(range, "syntax::expression", format!("no expression with its {spelled} is to be read here"));
+    (end, Expr { range, kind: ExprKind::Opaque })
+}
+
+/// The text up to the word on this line and in this statement as an opaque condition.
+fn condition_up_to<'a>(i: Text<'a>, last: Word) -> Option<(Text<'a>, Expr)> {
+    let mut at = white_on_line(i);
+    let end_of_line = line_end(i);
+    while at.at() < end_of_line.at() {
+        match at.peek()? {
+            b'"' => at = string(at).ok()?.0,
+            b if begins_name(b) => match any_word(at) {
+                Some((_, w)) if w == last => return Some(opaque_expr(i, at, "word")),
+                _ => at = past_name(at),
+            },
+            b if in_name(b) => at = past_name(at),
+            _ => at = at.skip(1),
+        }
+    }
+    None
+}
+
+fn past_name(i: Text<'_>) -> Text<'_> {
+    i.skip(i.rest.iter().position(|&b| !in_name(b)).unwrap_or(i.rest.len()))
+}
+
+/// `for_statement = "FOR" name "FROM" expression "TO" expression [ "STEP" expression ] "DO" block "ENDFOR" ;`
+pub(super) fn for_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    in_block(i, |i| {
+        let (rest, (_, var)) = (word(Word::For), name).parse(i)?;
+        let (rest, from) = preceded(word(Word::From), expression).parse(rest)?;
+        let (rest, to) = preceded(word(Word::To), expression).parse(rest)?;
+        let (rest, step) = opt(preceded(word(Word::Step), expression)).parse(rest)?;
+        let rest = last_word(i, rest, Word::Do, "DO")?;
+        let (rest, body) = i.state.awaiting(&[Word::EndFor], || block(rest));
+        let rest = end_word(i, rest, Word::EndFor, "ENDFOR");
+        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::For { var, from, to, step, body } }))
+    })
+}
+
+/// Past the last word of a head, which may be missing where a line ends.
+fn last_word<'a>(
+    start: Text<'a>,
+    i: Text<'a>,
+    last: Word,
+    spelled: &str,
+) -> Result<Text<'a>, nom::Err<super::input::Unread>> {
+    let failure = match word(last)(i) {
+        Ok((rest, _)) => return Ok(rest),
+        Err(failure) => failure,
+    };
+    let next = blank(i);
+    if !next.is_empty() && !line_ends_before(i, next) {
+        return Err(failure);
+    }
+    start.state.warn(start.until(i), "syntax::word", format!("{spelled} is missing after this"));
+    Ok(i)
+}
+
+/// `while_statement = "WHILE" expression "DO" block "ENDWHILE" ;`
+pub(super) fn while_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    in_block(i, |i| {
+        let (rest, _) = word(Word::While)(i)?;
+        let (rest, cond) = head(rest, Word::Do, "DO");
+        let (rest, body) = i.state.awaiting(&[Word::EndWhile], || block(rest));
+        let rest = end_word(i, rest, Word::EndWhile, "ENDWHILE");
+        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::While { cond, body } }))
+    })
+}
+
+/// `test_statement = "TEST" expression { case_arm } [ default_arm ] "ENDTEST" ;`
+pub(super) fn test_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    in_block(i, |i| {
+        let (mut rest, (_, value)) = (word(Word::Test), expression).parse(i)?;
+        if !matches!(any_word(rest), Some((_, Word::Case | Word::Default | Word::EndTest))) {
+            return blank(rest).unread();
+        }
+        let mut cases = Vec::new();
+        let mut default = None;
+        i.state.awaiting(&[Word::Case, Word::Default, Word::EndTest], || {
+            while let Some((after, case)) = case_arm(rest) {
+                cases.push(case);
+                rest = after;
+            }
+        });
+        if let Some((after, body)) = default_arm(rest) {
+            default = Some(body);
+            rest = after;
+        }
+        rest = end_word(i, rest, Word::EndTest, "ENDTEST");
+        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::Test { value, cases, default } }))
+    })
+}
+
+/// The values of a CASE and its statements.
+type Case = (Vec<Expr>, Vec<Stmt>);
+
+/// `case_arm = "CASE" expression { "," expression } ":" block ;`
+///
+/// A list that cannot be read is an opaque expression.
+fn case_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Case)> {
+    let (after, _) = word(Word::Case)(i).ok()?;
+    let mut values = Vec::new();
+    let mut rest = after;
+    loop {
+        let Ok((next, value)) = expression(rest) else {
+            values.clear();
+            break;
+        };
+        values.push(value);
+        if let Ok((next, ())) = sign(b',')(next) {
+            rest = next;
+            continue;
+        }
+        match sign(b':')(next) {
+            Ok((next, ())) => rest = next,
+            Err(_) => values.clear(),
+        }
+        break;
+    }
+    if values.is_empty() {
+        let (next, value) = opaque_expr(after, line_end(after), "colon");
+        values.push(value);
+        rest = next;
+    }
+    let (rest, body) = block(rest);
+    Some((rest, (values, body)))
+}
+
+/// `default_arm = "DEFAULT" ":" block ;`
+fn default_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Vec<Stmt>)> {
+    let (after, range) = word(Word::Default)(i).ok()?;
+    let rest = match sign(b':')(after) {
+        Ok((rest, ())) => rest,
+        Err(_) => {
+            i.state.warn(range, "syntax::word", "a colon is missing after this");
+            after
+        }
+    };
+    Some(i.state.awaiting(&[Word::EndTest], || block(rest)))
+}

@@ -1,0 +1,368 @@
+//! The productions of expressions and arguments.
+
+use super::input::{MAX_HEIGHT, MAX_NESTING, Read, Text};
+use super::lexical::{
+    any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
+};
+use super::recover::balanced;
+use super::tree::{Arg, ArgKind, BinaryOp, Expr, ExprKind, UnaryOp};
+use super::word::Word;
+use crate::diagnostic::TextRange;
+
+/// `expression = operand { operator operand } ;`
+///
+/// Operators bind as [`binding`] says, equal ones from the left. Nested deeper than is read, a bracketed
+/// expression becomes one opaque node.
+#[inline]
+pub(super) fn expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let i = blank(i);
+    if let Some(b'0'..=b'9' | b'-') = i.peek() {
+        let (rest, operand) = operand(i)?;
+        if let Some(b',' | b']' | b';' | b')') = rest.peek() {
+            return Ok((rest, operand)); // most of all expressions: a number in a list
+        }
+        return operations(rest, operand, 0);
+    }
+    nested_expression(i)
+}
+
+fn nested_expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    match i.state.nested(|| operand(i).and_then(|(rest, lhs)| operations(rest, lhs, 0))) {
+        Some(read) => read,
+        None => too_deep(i),
+    }
+}
+
+fn too_deep<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    match balanced(i) {
+        Some(end) => {
+            let range = i.until(end);
+            let message = format!("nested more than {MAX_NESTING} deep; this part is kept unread");
+            i.state.warn(range, "syntax::deep", message);
+            i.state.height.set(0);
+            Ok((end, Expr { range, kind: ExprKind::Opaque }))
+        }
+        None => i.unread(),
+    }
+}
+
+/// Reads on after `lhs` with every operator that binds at least as strongly as `least`.
+fn operations<'a>(mut i: Text<'a>, mut lhs: Expr, least: u8) -> Read<'a, Expr> {
+    while let Some((after, op)) = operator(i) {
+        let strength = binding(op);
+        if strength < least {
+            break;
+        }
+        let state = i.state;
+        let left_height = state.height.get();
+        let (rest, rhs) = state
+            .nested(|| operand(after).and_then(|(rest, rhs)| operations(rest, rhs, strength + 1)))
+            .unwrap_or_else(|| after.unread())?;
+        raise(rest, left_height.max(state.height.get()))?;
+        i = rest;
+        let range = lhs.range.cover(rhs.range);
+        lhs = Expr { range, kind: ExprKind::Binary { op, lhs: Box::new(lhs), rhs: Box::new(rhs) } };
+    }
+    Ok((i, lhs))
+}
+
+/// One level above parts of height `below`; a failure where the tree grows too high.
+#[inline]
+fn raise<'a>(i: Text<'a>, below: u16) -> Read<'a, ()> {
+    if below >= MAX_HEIGHT {
+        return i.unread();
+    }
+    i.state.height.set(below + 1);
+    Ok((i, ()))
+}
+
+/// How strongly an operator binds: OR XOR < AND < comparisons < + - < * / DIV MOD.
+fn binding(op: BinaryOp) -> u8 {
+    use BinaryOp::*;
+    match op {
+        Or | Xor => 0,
+        And => 1,
+        Lt | Le | Eq | Ge | Gt | Ne => COMPARISON,
+        Add | Sub => 3,
+        Mul | Div | IntDiv | Mod => 4,
+    }
+}
+
+const COMPARISON: u8 = 2;
+
+/// `operator = "OR" | "XOR" | "AND" | "<" | "<=" | "<>" | "=" | ">=" | ">" | "+" | "-" | "*" | "/" | "DIV" | "MOD" ;`
+#[inline]
+fn operator<'a>(i: Text<'a>) -> Option<(Text<'a>, BinaryOp)> {
+    use BinaryOp::*;
+    let i = blank(i);
+    let (n, op) = match i.rest {
+        [b',' | b']' | b')' | b';' | b':' | b'\\' | b'}' | b'%' | b'[', ..] => return None,
+        [b'<', b'=', ..] => (2, Le),
+        [b'<', b'>', ..] => (2, Ne),
+        [b'>', b'=', ..] => (2, Ge),
+        [b'<', ..] => (1, Lt),
+        [b'>', ..] => (1, Gt),
+        [b'=', ..] => (1, Eq),
+        [b'+', ..] => (1, Add),
+        [b'-', ..] => (1, Sub),
+        [b'*', ..] => (1, Mul),
+        [b'/', ..] => (1, Div),
+        _ => return word_operator(i),
+    };
+    Some((i.skip(n), op))
+}
+
+fn word_operator<'a>(i: Text<'a>) -> Option<(Text<'a>, BinaryOp)> {
+    let (rest, word) = any_word(i)?;
+    let op = match word {
+        Word::Or => BinaryOp::Or,
+        Word::Xor => BinaryOp::Xor,
+        Word::And => BinaryOp::And,
+        Word::Div => BinaryOp::IntDiv,
+        Word::Mod => BinaryOp::Mod,
+        _ => return None,
+    };
+    Some((rest, op))
+}
+
+/// `operand = [ "-" | "+" ] operand | "NOT" expression | primary ;`
+///
+/// NOT takes a comparison with it (`NOT a=1 AND b` is `(NOT (a=1)) AND b`), signs nothing.
+#[inline]
+fn operand<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let i = blank(i);
+    match i.peek() {
+        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg),
+        Some(b'+') => unary(i, i.skip(1), UnaryOp::Plus),
+        Some(b'n' | b'N') => match any_word(i) {
+            Some((rest, Word::Not)) => unary(i, rest, UnaryOp::Not),
+            _ => primary(i),
+        },
+        _ => primary(i),
+    }
+}
+
+#[inline]
+fn unary<'a>(start: Text<'a>, after: Text<'a>, op: UnaryOp) -> Read<'a, Expr> {
+    let (rest, inner) = match after.peek() {
+        Some(b'0'..=b'9') => primary(after)?,
+        _ => nested_operand(after, op)?,
+    };
+    raise(rest, start.state.height.get())?;
+    let range = TextRange::new(start.at(), inner.range.end);
+    Ok((rest, Expr { range, kind: ExprKind::Unary { op, operand: Box::new(inner) } }))
+}
+
+fn nested_operand<'a>(i: Text<'a>, op: UnaryOp) -> Read<'a, Expr> {
+    let read = i.state.nested(|| {
+        let (rest, inner) = operand(i)?;
+        if op == UnaryOp::Not { operations(rest, inner, COMPARISON) } else { Ok((rest, inner)) }
+    });
+    read.unwrap_or_else(|| i.unread())
+}
+
+/// `primary = number | string | placeholder | aggregate | "(" expression ")" | reference ;`
+#[inline]
+fn primary<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    match i.peek() {
+        Some(b'0'..=b'9' | b'.') => leaf(number(i), ExprKind::Number),
+        Some(b'[') => aggregate(i),
+        Some(b'"') => leaf(string(i), ExprKind::String),
+        Some(b'(') => {
+            let (rest, inner) = expression(i.skip(1))?;
+            let (rest, ()) = sign(b')')(rest)?;
+            raise(rest, i.state.height.get())?;
+            Ok((rest, Expr { range: i.until(rest), kind: ExprKind::Paren(Box::new(inner)) }))
+        }
+        Some(b'<') => leaf(placeholder(i), ExprKind::Placeholder),
+        Some(b) if begins_name(b) => reference(i),
+        _ => i.unread(),
+    }
+}
+
+#[inline]
+fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
+    let (rest, range) = read?;
+    rest.state.height.set(0);
+    Ok((rest, Expr { range, kind }))
+}
+
+/// `aggregate = "[" [ expression { "," expression } ] "]" ;`
+pub(super) fn aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let (rest, parts) = list(i.skip(1), b']')?;
+    Ok((rest, Expr { range: i.until(rest), kind: ExprKind::Aggregate(parts) }))
+}
+
+/// Expressions between commas up to the closing sign; leaves the height of the whole.
+fn list<'a>(mut i: Text<'a>, close: u8) -> Read<'a, Vec<Expr>> {
+    let mut parts = Vec::new();
+    let mut height = 0;
+    if let Ok((rest, ())) = sign(close)(i) {
+        raise(rest, height)?;
+        return Ok((rest, parts));
+    }
+    loop {
+        let (rest, part) = expression(i)?;
+        parts.push(part);
+        height = height.max(i.state.height.get());
+        let rest = blank(rest);
+        match rest.peek() {
+            Some(b',') => i = rest.skip(1),
+            Some(b) if b == close => {
+                let rest = rest.skip(1);
+                raise(rest, height)?;
+                return Ok((rest, parts));
+            }
+            _ => return rest.unread(),
+        }
+    }
+}
+
+/// `reference = ( "TRUE" | "FALSE" | name [ "(" [ arguments ] ")" ] ) { component | indices } ;`
+fn reference<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let (rest, range) = identifier(i)?;
+    i.state.height.set(0);
+    match Word::of(i.bytes_until(rest)) {
+        Some(Word::True) => return Ok((rest, Expr { range, kind: ExprKind::Bool(true) })),
+        Some(Word::False) => return Ok((rest, Expr { range, kind: ExprKind::Bool(false) })),
+        Some(_) => return i.unread(),
+        None => {}
+    }
+    match blank(rest).peek() {
+        Some(b'(') => {
+            let (rest, args) = parenthesised(rest)?;
+            postfix(rest, Expr { range: i.until(rest), kind: ExprKind::Call { name: range, args } })
+        }
+        Some(b'.' | b'{') => postfix(rest, Expr { range, kind: ExprKind::Name }),
+        _ => Ok((rest, Expr { range, kind: ExprKind::Name })),
+    }
+}
+
+/// `variable = name { component | indices } ;`
+pub(super) fn variable<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let (rest, range) = name(i)?;
+    i.state.height.set(0);
+    postfix(rest, Expr { range, kind: ExprKind::Name })
+}
+
+fn postfix<'a>(mut i: Text<'a>, mut base: Expr) -> Read<'a, Expr> {
+    loop {
+        let height = i.state.height.get();
+        let next = blank(i);
+        let (rest, kind) = match next.peek() {
+            Some(b'.') => {
+                let (rest, name) = component(next)?;
+                i.state.height.set(height);
+                (rest, ExprKind::Field { base: Box::new(base), name })
+            }
+            Some(b'{') => {
+                let (rest, indices) = indices(next)?;
+                (rest, ExprKind::Index { base: Box::new(base), indices })
+            }
+            _ => return Ok((i, base)),
+        };
+        raise(rest, height.max(i.state.height.get()))?;
+        let start = match &kind {
+            ExprKind::Field { base, .. } | ExprKind::Index { base, .. } => base.range.start,
+            _ => rest.at(),
+        };
+        base = Expr { range: TextRange::new(start, rest.at()), kind };
+        i = rest;
+    }
+}
+
+/// `component = "." identifier ;`
+fn component<'a>(i: Text<'a>) -> Read<'a, TextRange> {
+    let (i, ()) = sign(b'.')(i)?;
+    identifier(i)
+}
+
+/// `indices = "{" ( "*" { "," "*" } | expression { "," expression } ) "}" ;`
+pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Vec<Expr>> {
+    let (mut i, ()) = sign(b'{')(i)?;
+    if blank(i).peek() != Some(b'*') {
+        return list(i, b'}');
+    }
+    i.state.height.set(0);
+    loop {
+        (i, ()) = sign(b'*')(i)?;
+        let next = blank(i);
+        match next.peek() {
+            Some(b',') => i = next.skip(1),
+            Some(b'}') => return Ok((next.skip(1), Vec::new())),
+            _ => return next.unread(),
+        }
+    }
+}
+
+fn parenthesised<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+    let (rest, ()) = sign(b'(')(i)?;
+    if let Ok((rest, ())) = sign(b')')(rest) {
+        return Ok((rest, Vec::new()));
+    }
+    let (rest, args) = arguments(rest)?;
+    let (rest, ()) = sign(b')')(rest)?;
+    raise(rest, i.state.height.get())?;
+    Ok((rest, args))
+}
+
+/// `arguments = [ "," ] argument { "," argument | [ "," ] option } ;`
+///
+/// The comma that may stand first is one before an option.
+pub(super) fn arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+    let mut args = Vec::with_capacity(5); // target, speed, zone, tool, work object
+    let mut height = 0;
+    let mut i = blank(i);
+    if let (Some(b','), after) = (i.peek(), blank(i.skip(1)))
+        && after.peek() == Some(b'\\')
+    {
+        i = after;
+    }
+    loop {
+        let (rest, arg) = argument(i)?;
+        args.push(arg);
+        height = height.max(i.state.height.get());
+        let next = blank(rest);
+        match next.peek() {
+            Some(b',') => i = next.skip(1),
+            Some(b'\\') => i = next,
+            _ => {
+                i.state.height.set(height);
+                return Ok((rest, args));
+            }
+        }
+    }
+}
+
+/// `argument = option | expression ;`
+pub(super) fn argument<'a>(i: Text<'a>) -> Read<'a, Arg> {
+    let i = blank(i);
+    if i.peek() == Some(b'\\') {
+        return option(i);
+    }
+    let (rest, expr) = expression(i)?;
+    Ok((rest, Arg { range: expr.range, kind: ArgKind::Positional(expr) }))
+}
+
+/// `option = "\" identifier [ becomes expression | "?" name ] ;`
+fn option<'a>(i: Text<'a>) -> Read<'a, Arg> {
+    let (after, ()) = sign(b'\\')(i)?;
+    let (after, name_range) = identifier(after)?;
+    i.state.height.set(0);
+    let next = blank(after);
+    let (rest, kind) = match next.peek() {
+        Some(b':') => match becomes(next) {
+            Ok((value_at, ())) => {
+                let (rest, value) = expression(value_at)?;
+                (rest, ArgKind::Named { name: name_range, value: Some(value) })
+            }
+            Err(_) => (after, ArgKind::Named { name: name_range, value: None }),
+        },
+        Some(b'?') => {
+            let (rest, param) = name(next.skip(1))?;
+            (rest, ArgKind::Conditional { name: name_range, param })
+        }
+        _ => (after, ArgKind::Named { name: name_range, value: None }),
+    };
+    Ok((rest, Arg { range: i.until(rest), kind }))
+}

@@ -1,0 +1,267 @@
+//! The productions of simple statements: those that end in a semicolon.
+
+use super::block::{Ending, for_statement, if_statement, test_statement, while_statement};
+use super::declaration::data_declaration;
+use super::expression::{arguments, expression, variable};
+use super::input::{Read, Text};
+use super::lexical::{
+    any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, white, word,
+};
+use super::recover::{begins_anew, element_end};
+use super::tree::{Arg, ArgKind, CallStmt, Callee, Expr, ExprKind, Stmt, StmtKind};
+use super::word::Word;
+use crate::diagnostic::TextRange;
+use nom::Parser;
+use nom::sequence::preceded;
+
+/// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration | placeholder ;`
+pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let i = white(i);
+    match any_word(i) {
+        None => {}
+        Some((_, Word::If)) => return if_statement(i),
+        Some((_, Word::For)) => return for_statement(i),
+        Some((_, Word::While)) => return while_statement(i),
+        Some((_, Word::Test)) => return test_statement(i),
+        Some((_, Word::Var | Word::Const | Word::Pers)) => {
+            let (rest, data) = data_declaration(i)?;
+            return Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }));
+        }
+        Some(_) => return simple_statement(i),
+    }
+    match i.peek() {
+        Some(b'<') => {
+            let (rest, range) = placeholder(i)?;
+            let rest = sign(b';')(rest).map_or(rest, |(rest, ())| rest);
+            Ok((rest, Stmt { range: range.cover(i.until(rest)), kind: StmtKind::Placeholder }))
+        }
+        _ => simple_statement(i),
+    }
+}
+
+/// `simple_statement = label | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ) ";" ;`
+pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let i = white(i);
+    let Some((after, first)) = any_word(i) else {
+        return match i.peek() {
+            Some(b';') => Ok((i.skip(1), Stmt { range: i.until(i.skip(1)), kind: StmtKind::Empty })),
+            Some(b'%') => call(i),
+            Some(b) if begins_name(b) => named_statement(i),
+            _ => i.unread(),
+        };
+    };
+    let (rest, kind) = match first {
+        Word::Return => return_statement(i)?,
+        Word::Raise => raise_statement(i)?,
+        Word::Goto => goto_statement(i)?,
+        Word::Connect => connect_statement(i)?,
+        Word::Retry => (after, StmtKind::Retry),
+        Word::TryNext => (after, StmtKind::TryNext),
+        Word::Exit => (after, StmtKind::Exit),
+        _ => return i.unread(),
+    };
+    terminated(i, rest, kind)
+}
+
+/// A label, an assignment or a call: what follows the name tells.
+fn named_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let (after, _) = name(i)?;
+    let next = blank(after);
+    match next.rest {
+        [b':', b'=', ..] => assignment(i),
+        [b':', ..] => match becomes(next) {
+            Ok(_) => assignment(i),
+            Err(_) => label(i),
+        },
+        [b'{', ..] => assignment(i),
+        [b'.', ..] if blank(next.skip(1)).peek().is_some_and(begins_name) => assignment(i),
+        _ => call(i),
+    }
+}
+
+/// `label = name ":" ;`
+fn label<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let (rest, range) = name(i)?;
+    let (rest, ()) = sign(b':')(rest)?;
+    Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::Label(range) }))
+}
+
+/// `assignment = variable becomes expression ;`
+fn assignment<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let (rest, (target, (), value)) = (variable, becomes, expression).parse(i)?;
+    terminated(i, rest, StmtKind::Assign { target, value })
+}
+
+/// `return_statement = "RETURN" [ expression ] ;`
+fn return_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
+    let (rest, _) = word(Word::Return)(i)?;
+    let (rest, value) = value_on_line(rest)?;
+    Ok((rest, StmtKind::Return(value)))
+}
+
+/// `raise_statement = "RAISE" [ expression ] ;`
+fn raise_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
+    let (rest, _) = word(Word::Raise)(i)?;
+    let (rest, value) = value_on_line(rest)?;
+    Ok((rest, StmtKind::Raise(value)))
+}
+
+/// The value of RETURN or RAISE; what begins anew on the next line is none.
+fn value_on_line<'a>(i: Text<'a>) -> Read<'a, Option<Expr>> {
+    let next = blank(i);
+    let none = match next.peek() {
+        None | Some(b';') => true,
+        _ => {
+            (line_ends_before(i, next) && begins_anew(next))
+                || any_word(next).is_some_and(|(_, w)| !w.inside_statement())
+        }
+    };
+    if none {
+        return Ok((i, None));
+    }
+    let (rest, value) = expression(next)?;
+    Ok((rest, Some(value)))
+}
+
+/// `goto_statement = "GOTO" name ;`
+fn goto_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
+    let (rest, target) = preceded(word(Word::Goto), name).parse(i)?;
+    Ok((rest, StmtKind::Goto(target)))
+}
+
+/// `connect_statement = "CONNECT" ( variable | placeholder ) "WITH" name ;`
+fn connect_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
+    let (rest, (_, interrupt, _, trap)) = (word(Word::Connect), variable, word(Word::With), name).parse(i)?;
+    Ok((rest, StmtKind::Connect { interrupt, trap }))
+}
+
+/// `call = ( name | late_name ) [ arguments ] ;`
+///
+/// Also what RoboDK writes and no controller takes: all arguments in parentheses, no semicolon.
+fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let (after, callee) = if i.peek() == Some(b'%') {
+        let (after, name) = late_name(i)?;
+        (after, Callee::Late(name))
+    } else {
+        let (after, name) = name(i)?;
+        (after, Callee::Name(name))
+    };
+    let next = blank(after);
+    if next.peek() == Some(b';') {
+        let kind = StmtKind::Call(Box::new(CallStmt {
+            callee,
+            args: Vec::new(),
+            parenthesised: false,
+            terminated: true,
+        }));
+        return Ok((next.skip(1), Stmt { range: i.until(next.skip(1)), kind }));
+    }
+    let (rest, args, parenthesised) = match ended_arguments(after) {
+        Ok((rest, args)) => (rest, args, false),
+        Err(failure) => match (parenthesised_arguments(next), line_ends_before(after, next)) {
+            (Ok((rest, args)), _) => (rest, args, true),
+            (_, true) if begins_anew(next) => (after, Vec::new(), false),
+            _ => match end_of(after) {
+                Some(_) => (after, Vec::new(), false),
+                None => return Err(failure),
+            },
+        },
+    };
+    finish_call(i, rest, CallStmt { callee, args, parenthesised, terminated: true })
+}
+
+fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<'a, Stmt> {
+    let Some(ending) = end_of(rest) else { return blank(rest).unread() };
+    call.terminated = matches!(ending, Ending::Semicolon(_));
+    let end = ending.after(rest);
+    let range = start.until(end);
+    if call.parenthesised {
+        let message = "a procedure's arguments stand without parentheses; no controller loads this";
+        start.state.warn(range, "syntax::parentheses", message);
+    }
+    warn_unless_terminated(start, range, &ending);
+    Ok((end, Stmt { range, kind: StmtKind::Call(Box::new(call)) }))
+}
+
+/// Arguments that the end of a statement follows.
+fn ended_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+    let (rest, args) = arguments(i)?;
+    match end_of(rest) {
+        Some(_) => Ok((rest, args)),
+        None => blank(rest).unread(),
+    }
+}
+
+/// `(a,b)` or `()` after a procedure's name; what is no argument there becomes an opaque one.
+fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+    let (mut i, ()) = sign(b'(')(i)?;
+    let mut args = Vec::new();
+    if let Ok((rest, ())) = sign(b')')(i) {
+        return Ok((rest, args));
+    }
+    loop {
+        let start = blank(i);
+        let (rest, arg) = match super::expression::argument(start) {
+            Ok((rest, arg)) if matches!(blank(rest).peek(), Some(b',' | b')' | b'\\')) => (rest, arg),
+            _ => {
+                let end = element_end(start);
+                let range = start.until(end);
+                if range.is_empty() {
+                    return start.unread();
+                }
+                (end, Arg { range, kind: ArgKind::Positional(Expr { range, kind: ExprKind::Opaque }) })
+            }
+        };
+        args.push(arg);
+        let next = blank(rest);
+        i = match next.peek() {
+            Some(b',') => next.skip(1),
+            Some(b'\\') => next,
+            Some(b')') => return Ok((next.skip(1), args)),
+            _ => return next.unread(),
+        };
+    }
+}
+
+/// `late_name = "%" expression "%" ;`
+fn late_name<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    let (rest, ((), name, ())) = (sign(b'%'), expression, sign(b'%')).parse(i)?;
+    Ok((rest, name))
+}
+
+/// How a statement whose last part ends where `rest` begins goes to its end.
+pub(super) fn end_of<'a>(rest: Text<'a>) -> Option<Ending<'a>> {
+    let next = blank(rest);
+    match next.peek() {
+        Some(b';') => Some(Ending::Semicolon(next.skip(1))),
+        None => Some(Ending::Missing),
+        Some(_) if line_ends_before(rest, next) && begins_anew(next) => Some(Ending::Missing),
+        Some(_) => any_word(next).filter(|(_, w)| !w.inside_statement()).map(|_| Ending::Missing),
+    }
+}
+
+fn warn_unless_terminated(at: Text<'_>, range: TextRange, ending: &Ending<'_>) {
+    if matches!(ending, Ending::Missing) {
+        at.state.warn(
+            range,
+            "syntax::semicolon",
+            "this statement has no semicolon at its end; no controller loads this",
+        );
+    }
+}
+
+/// The statement from `start` whose last part ends where `rest` begins: with its semicolon, or without
+/// it, which is said.
+pub(super) fn terminated<'a>(start: Text<'a>, rest: Text<'a>, kind: StmtKind) -> Read<'a, Stmt> {
+    let Some(ending) = end_of(rest) else { return blank(rest).unread() };
+    let end = ending.after(rest);
+    let range = start.until(end);
+    warn_unless_terminated(start, range, &ending);
+    Ok((end, Stmt { range, kind }))
+}
+
+/// Past the semicolon of a declaration from `start`, which may lack it like a statement.
+pub(super) fn semicolon<'a>(start: Text<'a>, rest: Text<'a>) -> Read<'a, TextRange> {
+    let (rest, stmt) = terminated(start, rest, StmtKind::Empty)?;
+    Ok((rest, stmt.range))
+}

@@ -1,0 +1,244 @@
+//! Every node of a tree in source order: for checks over the whole tree, and for tools that look at text.
+
+use super::tree::{
+    Arg, ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, HandlerKind, Module, ModuleItem, Param,
+    Routine, RoutineKind, Stmt, StmtKind, Tree,
+};
+use crate::diagnostic::TextRange;
+
+/// One node, seen without its type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Node {
+    /// Its bytes.
+    pub range: TextRange,
+    /// How many nodes hold it.
+    pub depth: u32,
+    /// What it is, in one word.
+    pub what: &'static str,
+}
+
+/// All nodes, each before those it holds, in source order.
+#[must_use]
+pub fn nodes(tree: &Tree) -> Vec<Node> {
+    let mut walk = Walk { depth: 0, nodes: Vec::new() };
+    if let Some(header) = tree.header {
+        walk.leaf(header, "header");
+    }
+    for item in &tree.items {
+        match item {
+            FileItem::Module(m) => walk.module(m),
+            FileItem::Comment(r) => walk.leaf(*r, "comment"),
+            FileItem::Opaque(r) => walk.leaf(*r, "opaque"),
+        }
+    }
+    walk.nodes
+}
+
+/// The nodes that hold no others, in source order: they do not overlap, and between them stand white
+/// space, comments inside statements, punctuation and reserved words.
+#[must_use]
+pub fn leaves(tree: &Tree) -> Vec<Node> {
+    let nodes = nodes(tree);
+    let holds = |i: usize| nodes.get(i + 1).is_some_and(|next| next.depth > nodes[i].depth);
+    (0..nodes.len()).filter(|&i| !holds(i)).map(|i| nodes[i]).collect()
+}
+
+struct Walk {
+    depth: u32,
+    nodes: Vec<Node>,
+}
+
+impl Walk {
+    fn leaf(&mut self, range: TextRange, what: &'static str) {
+        self.nodes.push(Node { range, depth: self.depth, what });
+    }
+
+    fn node(&mut self, range: TextRange, what: &'static str, inside: impl FnOnce(&mut Self)) {
+        self.leaf(range, what);
+        self.depth += 1;
+        inside(self);
+        self.depth -= 1;
+    }
+
+    fn module(&mut self, m: &Module) {
+        self.node(m.range, "module", |w| {
+            w.node(m.head, "head", |w| {
+                w.leaf(m.name, "name");
+                m.attributes.iter().for_each(|a| w.leaf(*a, "name"));
+            });
+            for item in &m.items {
+                match item {
+                    ModuleItem::Data(d) => w.data(d),
+                    ModuleItem::Record(r) => w.node(r.range, "record", |w| {
+                        w.leaf(r.name, "name");
+                        for (type_name, name) in &r.components {
+                            w.leaf(*type_name, "name");
+                            w.leaf(*name, "name");
+                        }
+                    }),
+                    ModuleItem::Alias(a) => w.node(a.range, "alias", |w| {
+                        w.leaf(a.type_name, "name");
+                        w.leaf(a.name, "name");
+                    }),
+                    ModuleItem::Routine(r) => w.routine(r),
+                    ModuleItem::Comment(r) => w.leaf(*r, "comment"),
+                    ModuleItem::Opaque(r) => w.leaf(*r, "opaque"),
+                }
+            }
+            m.end.iter().for_each(|e| w.leaf(*e, "end"));
+        });
+    }
+
+    fn data(&mut self, d: &DataDecl) {
+        self.node(d.range, "data", |w| {
+            w.leaf(d.type_name, "name");
+            w.leaf(d.name, "name");
+            d.dims.iter().for_each(|e| w.expr(e));
+            d.init.iter().for_each(|e| w.expr(e));
+        });
+    }
+
+    fn routine(&mut self, r: &Routine) {
+        self.node(r.range, "routine", |w| {
+            w.node(r.head, "head", |w| {
+                if let RoutineKind::Func(value) = r.kind {
+                    w.leaf(value, "name");
+                }
+                w.leaf(r.name, "name");
+                r.params.iter().for_each(|p| w.param(p));
+            });
+            w.stmts(&r.body);
+            for h in &r.handlers {
+                w.node(h.range, "handler", |w| {
+                    if let HandlerKind::Error(numbers) = &h.kind {
+                        numbers.iter().for_each(|e| w.expr(e));
+                    }
+                    w.stmts(&h.body);
+                });
+            }
+            r.end.iter().for_each(|e| w.leaf(*e, "end"));
+        });
+    }
+
+    fn param(&mut self, p: &Param) {
+        if p.range == p.name {
+            return self.leaf(p.range, "placeholder");
+        }
+        self.node(p.range, "parameter", |w| {
+            w.leaf(p.type_name, "name");
+            w.leaf(p.name, "name");
+        });
+    }
+
+    fn stmts(&mut self, stmts: &[Stmt]) {
+        stmts.iter().for_each(|s| self.stmt(s));
+    }
+
+    fn stmt(&mut self, s: &Stmt) {
+        match &s.kind {
+            StmtKind::Data(d) => self.data(d),
+            StmtKind::Assign { target, value } => self.node(s.range, "assignment", |w| {
+                w.expr(target);
+                w.expr(value);
+            }),
+            StmtKind::Call(call) => self.node(s.range, "call", |w| {
+                match &call.callee {
+                    Callee::Name(name) => w.leaf(*name, "name"),
+                    Callee::Late(expr) => w.expr(expr),
+                }
+                call.args.iter().for_each(|a| w.arg(a));
+            }),
+            StmtKind::If { arms, otherwise } => self.node(s.range, "if", |w| {
+                for (cond, body) in arms {
+                    w.expr(cond);
+                    w.stmts(body);
+                }
+                otherwise.iter().for_each(|body| w.stmts(body));
+            }),
+            StmtKind::CompactIf { cond, then } => self.node(s.range, "if", |w| {
+                w.expr(cond);
+                w.stmt(then);
+            }),
+            StmtKind::For { var, from, to, step, body } => self.node(s.range, "for", |w| {
+                w.leaf(*var, "name");
+                [from, to].into_iter().chain(step).for_each(|e| w.expr(e));
+                w.stmts(body);
+            }),
+            StmtKind::While { cond, body } => self.node(s.range, "while", |w| {
+                w.expr(cond);
+                w.stmts(body);
+            }),
+            StmtKind::Test { value, cases, default } => self.node(s.range, "test", |w| {
+                w.expr(value);
+                for (values, body) in cases {
+                    values.iter().for_each(|e| w.expr(e));
+                    w.stmts(body);
+                }
+                default.iter().for_each(|body| w.stmts(body));
+            }),
+            StmtKind::Label(name) => self.node(s.range, "label", |w| w.leaf(*name, "name")),
+            StmtKind::Goto(name) => self.node(s.range, "goto", |w| w.leaf(*name, "name")),
+            StmtKind::Return(value) => self.node(s.range, "return", |w| value.iter().for_each(|e| w.expr(e))),
+            StmtKind::Raise(value) => self.node(s.range, "raise", |w| value.iter().for_each(|e| w.expr(e))),
+            StmtKind::Connect { interrupt, trap } => self.node(s.range, "connect", |w| {
+                w.expr(interrupt);
+                w.leaf(*trap, "name");
+            }),
+            StmtKind::Retry => self.leaf(s.range, "retry"),
+            StmtKind::TryNext => self.leaf(s.range, "trynext"),
+            StmtKind::Exit => self.leaf(s.range, "exit"),
+            StmtKind::Empty => self.leaf(s.range, "empty"),
+            StmtKind::Placeholder => self.leaf(s.range, "placeholder"),
+            StmtKind::Comment => self.leaf(s.range, "comment"),
+            StmtKind::Opaque => self.leaf(s.range, "opaque"),
+        }
+    }
+
+    fn arg(&mut self, a: &Arg) {
+        match &a.kind {
+            ArgKind::Positional(e) => self.expr(e),
+            ArgKind::Named { name, value } => self.node(a.range, "option", |w| {
+                w.leaf(*name, "name");
+                value.iter().for_each(|e| w.expr(e));
+            }),
+            ArgKind::Conditional { name, param } => self.node(a.range, "option", |w| {
+                w.leaf(*name, "name");
+                w.leaf(*param, "name");
+            }),
+        }
+    }
+
+    fn exprs(&mut self, exprs: &[Expr]) {
+        exprs.iter().for_each(|e| self.expr(e));
+    }
+
+    fn expr(&mut self, e: &Expr) {
+        match &e.kind {
+            ExprKind::Number => self.leaf(e.range, "number"),
+            ExprKind::String => self.leaf(e.range, "string"),
+            ExprKind::Bool(_) => self.leaf(e.range, "bool"),
+            ExprKind::Name => self.leaf(e.range, "name"),
+            ExprKind::Placeholder => self.leaf(e.range, "placeholder"),
+            ExprKind::Opaque => self.leaf(e.range, "opaque"),
+            ExprKind::Field { base, name } => self.node(e.range, "component", |w| {
+                w.expr(base);
+                w.leaf(*name, "name");
+            }),
+            ExprKind::Index { base, indices } => self.node(e.range, "element", |w| {
+                w.expr(base);
+                indices.iter().for_each(|i| w.expr(i));
+            }),
+            ExprKind::Aggregate(parts) => self.node(e.range, "aggregate", |w| w.exprs(parts)),
+            ExprKind::Call { name, args } => self.node(e.range, "call", |w| {
+                w.leaf(*name, "name");
+                args.iter().for_each(|a| w.arg(a));
+            }),
+            ExprKind::Unary { operand, .. } => self.node(e.range, "unary", |w| w.expr(operand)),
+            ExprKind::Binary { lhs, rhs, .. } => self.node(e.range, "binary", |w| {
+                w.expr(lhs);
+                w.expr(rhs);
+            }),
+            ExprKind::Paren(inner) => self.node(e.range, "parentheses", |w| w.expr(inner)),
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! RAPID's reserved words and how names compare: without regard to case, over ASCII and ISO 8859-1.
+
+/// A reserved word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the word it is named for")]
+pub enum Word {
+    Alias,
+    And,
+    Backward,
+    Case,
+    Connect,
+    Const,
+    Default,
+    Div,
+    Do,
+    Else,
+    ElseIf,
+    EndFor,
+    EndFunc,
+    EndIf,
+    EndModule,
+    EndProc,
+    EndRecord,
+    EndTest,
+    EndTrap,
+    EndWhile,
+    Error,
+    Exit,
+    False,
+    For,
+    From,
+    Func,
+    Goto,
+    If,
+    InOut,
+    Local,
+    Mod,
+    Module,
+    NoStepIn,
+    Not,
+    NoView,
+    Or,
+    Pers,
+    Proc,
+    Raise,
+    ReadOnly,
+    Record,
+    Retry,
+    Return,
+    Step,
+    SysModule,
+    Test,
+    Then,
+    To,
+    Trap,
+    True,
+    TryNext,
+    Undo,
+    Var,
+    ViewOnly,
+    While,
+    With,
+    Xor,
+}
+
+const LONGEST: usize = 9;
+
+impl Word {
+    /// How many words end or divide a block inside a routine.
+    pub(super) const BLOCK_SLOTS: usize = 8;
+
+    /// The reserved word these bytes spell, in any case.
+    #[must_use]
+    pub fn of(name: &[u8]) -> Option<Self> {
+        use Word::*;
+        let mut lower = [0u8; LONGEST];
+        let lower = lower.get_mut(..name.len())?;
+        for (l, n) in lower.iter_mut().zip(name) {
+            *l = n | 0x20; // a letter's lower case; nothing else becomes a letter of a reserved word but '@'..'_', no name bytes but '_'
+        }
+        Some(match &*lower {
+            b"do" => Do,
+            b"if" => If,
+            b"or" => Or,
+            b"to" => To,
+            b"and" => And,
+            b"div" => Div,
+            b"for" => For,
+            b"mod" => Mod,
+            b"not" => Not,
+            b"var" => Var,
+            b"xor" => Xor,
+            b"case" => Case,
+            b"else" => Else,
+            b"exit" => Exit,
+            b"from" => From,
+            b"func" => Func,
+            b"goto" => Goto,
+            b"pers" => Pers,
+            b"proc" => Proc,
+            b"step" => Step,
+            b"test" => Test,
+            b"then" => Then,
+            b"trap" => Trap,
+            b"true" => True,
+            b"undo" => Undo,
+            b"with" => With,
+            b"alias" => Alias,
+            b"const" => Const,
+            b"endif" => EndIf,
+            b"error" => Error,
+            b"false" => False,
+            b"inout" => InOut,
+            b"local" => Local,
+            b"raise" => Raise,
+            b"retry" => Retry,
+            b"while" => While,
+            b"elseif" => ElseIf,
+            b"endfor" => EndFor,
+            b"module" => Module,
+            b"noview" => NoView,
+            b"record" => Record,
+            b"return" => Return,
+            b"connect" => Connect,
+            b"default" => Default,
+            b"endfunc" => EndFunc,
+            b"endproc" => EndProc,
+            b"endtest" => EndTest,
+            b"endtrap" => EndTrap,
+            b"trynext" => TryNext,
+            b"backward" => Backward,
+            b"endwhile" => EndWhile,
+            b"nostepin" => NoStepIn,
+            b"readonly" => ReadOnly,
+            b"viewonly" => ViewOnly,
+            b"endmodule" => EndModule,
+            b"endrecord" => EndRecord,
+            b"sysmodule" => SysModule,
+            _ => return None,
+        })
+    }
+
+    /// Which of the words that end or divide a block this is.
+    pub(super) fn block_slot(self) -> Option<usize> {
+        Some(match self {
+            Self::ElseIf => 0,
+            Self::Else => 1,
+            Self::EndIf => 2,
+            Self::EndFor => 3,
+            Self::EndWhile => 4,
+            Self::Case => 5,
+            Self::Default => 6,
+            Self::EndTest => 7,
+            _ => return None,
+        })
+    }
+
+    /// Ends a routine's statements wherever it stands.
+    pub(super) fn ends_statements(self) -> bool {
+        matches!(
+            self,
+            Self::EndProc
+                | Self::EndFunc
+                | Self::EndTrap
+                | Self::EndModule
+                | Self::Proc
+                | Self::Func
+                | Self::Trap
+                | Self::Local
+                | Self::Record
+                | Self::Alias
+                | Self::Module
+                | Self::Error
+                | Self::Undo
+                | Self::Backward
+        )
+    }
+
+    /// Stands inside a statement and never begins one.
+    pub(super) fn inside_statement(self) -> bool {
+        use Word::*;
+        matches!(
+            self,
+            And | Div | Do | False | From | InOut | Mod | Not | Or | Step | Then | To | True | With | Xor
+        )
+    }
+}
+
+/// Whether `name` is a reserved word, in any case.
+#[must_use]
+pub fn is_reserved(name: &[u8]) -> bool {
+    Word::of(name).is_some()
+}
+
+/// A name as it is compared: ASCII, ISO 8859-1 and (for RobotWare 7) the same letters in UTF-8 in lower case.
+#[must_use]
+pub fn fold(name: &[u8]) -> Vec<u8> {
+    folded(name).collect()
+}
+
+/// Whether two names are the same to RAPID.
+#[must_use]
+pub fn same_name(a: &[u8], b: &[u8]) -> bool {
+    a.len() == b.len() && folded(a).eq(folded(b))
+}
+
+fn folded(name: &[u8]) -> impl Iterator<Item = u8> + '_ {
+    name.iter().enumerate().map(|(i, &b)| {
+        let before = i.checked_sub(1).and_then(|p| name.get(p)).copied();
+        let after = name.get(i + 1).copied();
+        match b {
+            // À..Þ in UTF-8 are C3 80..9E; in ISO 8859-1 no letter follows 'Ã' as 80..BF
+            0xC3 if after.is_some_and(|a| (0x80..=0xBF).contains(&a)) => b,
+            0x80..=0x9E if before == Some(0xC3) && b != 0x97 => b + 0x20,
+            0xC0..=0xDE if b != 0xD7 => b + 0x20,
+            _ => b.to_ascii_lowercase(),
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reserved_words_are_known_in_any_case_and_only_they() {
+        assert_eq!(Word::of(b"EndProc"), Some(Word::EndProc));
+        assert_eq!(Word::of(b"VIEWONLY"), Some(Word::ViewOnly));
+        for no in [&b"MoveL"[..], b"z1", b"", b"endprocs", b"d_", b"I\x06", b"ENDMODULES"] {
+            assert!(!is_reserved(no), "{no:?}");
+        }
+    }
+
+    #[test]
+    fn names_compare_without_case_in_ascii_latin1_and_utf8() {
+        assert!(same_name(b"Tool_1", b"tOOL_1"));
+        assert!(!same_name(b"tool1", b"tool2"));
+        assert!(same_name(b"Gr\xD6\xDFe", b"gr\xF6\xDFe"), "Latin-1 Größe");
+        assert!(same_name("GRÖSSE".as_bytes(), "größe".replace('ß', "ss").as_bytes()), "UTF-8");
+        assert_eq!(fold(b"\xD7\xF7A"), b"\xD7\xF7a", "the signs of times and division are no letters");
+        assert_eq!(fold("ÀÞ".as_bytes()), "àþ".as_bytes());
+    }
+}
