@@ -3,3 +3,5 @@
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
 pub mod plan;
+pub mod tabulate;
+pub mod targets;

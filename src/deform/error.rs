@@ -1,6 +1,7 @@
 //! What can be wrong with a deformation table.
 
 use super::GrowthError;
+use crate::diagnostic::Diagnostic;
 use thiserror::Error;
 
 /// Why there is no deformation.
@@ -76,5 +77,11 @@ impl DeformError {
             Self::GrowthNotUsed => "deform::growth-not-used",
             Self::Growth(_) => "deform::growth",
         }
+    }
+}
+
+impl From<DeformError> for Diagnostic {
+    fn from(error: DeformError) -> Self {
+        Self::error(error.code(), error.to_string())
     }
 }

@@ -51,6 +51,13 @@ pub(crate) struct Pose {
 }
 
 impl Pose {
+    pub(crate) fn of(base_from_flange: &Isometry3<f64>) -> Self {
+        Self {
+            rotation: rows(&base_from_flange.rotation),
+            position_m: base_from_flange.translation.vector.into(),
+        }
+    }
+
     /// The twist in base axes that takes `other` here: metres, then the rotation vector in radians.
     #[inline]
     pub(crate) fn twist_from(&self, other: &Self) -> [f64; 6] {
@@ -137,6 +144,13 @@ impl Chain {
             frames[i] = matrix::isometry(&mul(rotation, turned_from_joint), position_m);
         });
         frames
+    }
+
+    /// How far the flange stands from `base_from_flange`: metres, and the angle in radians, exact where it is tiny.
+    #[must_use]
+    pub fn distance(&self, q_rad: &[f64; 6], base_from_flange: &Isometry3<f64>) -> (f64, f64) {
+        let [vx, vy, vz, wx, wy, wz] = Pose::of(base_from_flange).twist_from(&self.pose(q_rad));
+        (matrix::norm(&[vx, vy, vz]), matrix::norm(&[wx, wy, wz]))
     }
 
     /// `base_from_flange`.

@@ -29,6 +29,14 @@ pub struct Solution {
     pub configuration: Configuration,
 }
 
+impl Solution {
+    /// Sum of the squared joint differences from `q_rad`, rad².
+    #[must_use]
+    pub fn squared_distance(&self, q_rad: &[f64; 6]) -> f64 {
+        self.q_rad.iter().zip(q_rad).map(|(a, b)| (a - b) * (a - b)).sum()
+    }
+}
+
 /// A joint this little outside its range is on its limit, radians: rounding of a range written in degrees.
 const ON_LIMIT_RAD: f64 = 1e-9;
 
@@ -59,17 +67,15 @@ impl ClosedForm {
     /// The solution within the ranges with the least sum of squared joint differences from `q_rad`, the first of equals.
     #[must_use]
     pub fn nearest(&self, base_from_flange: &Isometry3<f64>, q_rad: &[f64; 6]) -> Option<Solution> {
-        nearest(self.solutions(base_from_flange), q_rad)
+        let solutions = self.solutions(base_from_flange).into_iter();
+        solutions.min_by(|a, b| a.squared_distance(q_rad).total_cmp(&b.squared_distance(q_rad)))
     }
 
     /// The joints of all eight branches in (-π, π], whatever the ranges; `None` where a branch does not reach the pose.
     /// Index: 4 · (wrist centre behind axis 1) + 2 · (wrist centre behind the lower arm) + (joint 5 negative), as cfx.
     #[must_use]
     pub fn branches(&self, base_from_flange: &Isometry3<f64>) -> [Option<[f64; 6]>; 8] {
-        let goal = Pose {
-            rotation: matrix::rows(&base_from_flange.rotation),
-            position_m: base_from_flange.translation.vector.into(),
-        };
+        let goal = Pose::of(base_from_flange);
         let s = &self.structure;
         let canonical_from_base = transpose(&s.base_from_canonical);
         let sixth = mul(&mul(&canonical_from_base, &goal.rotation), &transpose(&s.canonical6_from_flange));
@@ -178,14 +184,6 @@ struct TwoLinks {
     theta_23: f64,
     sin_23: f64,
     cos_23: f64,
-}
-
-/// The first of the solutions nearest to `q_rad`.
-fn nearest(solutions: Vec<Solution>, q_rad: &[f64; 6]) -> Option<Solution> {
-    let distance = |solution: &Solution| -> f64 {
-        solution.q_rad.iter().zip(q_rad).map(|(a, b)| (a - b) * (a - b)).sum()
-    };
-    solutions.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// The square root; a square that rounding made negative is zero, one that is truly negative has none.

@@ -3,7 +3,7 @@
 
 use super::chain::{Arm, Pose};
 use super::linear::{self, Vec6};
-use super::matrix::{self, norm};
+use super::matrix::norm;
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
 use std::f64::consts::FRAC_PI_2;
@@ -83,10 +83,7 @@ pub fn solve<A: Arm + ?Sized>(
     base_from_flange: &Isometry3<f64>,
     start_q_rad: &[f64; 6],
 ) -> Result<Solved, SolveError> {
-    let goal = Pose {
-        rotation: matrix::rows(&base_from_flange.rotation),
-        position_m: base_from_flange.translation.vector.into(),
-    };
+    let goal = Pose::of(base_from_flange);
     let finite =
         goal.rotation.iter().flatten().chain(&goal.position_m).chain(start_q_rad).all(|v| v.is_finite());
     if !finite {

@@ -7,6 +7,7 @@
 
 use super::chain::Chain;
 use super::matrix::{Mat3, Vec3, add, apply, cross, dot, mul, norm, scale, sub, transpose};
+use crate::diagnostic::Diagnostic;
 use thiserror::Error;
 
 /// Why the closed form does not apply.
@@ -15,6 +16,12 @@ use thiserror::Error;
     "the robot is no ortho-parallel arm with a spherical wrist, which the closed-form inverse kinematics needs: {0}"
 )]
 pub struct StructureError(pub(super) &'static str);
+
+impl From<StructureError> for Diagnostic {
+    fn from(error: StructureError) -> Self {
+        Self::error("robot::structure", error.to_string())
+    }
+}
 
 /// Largest deviation of axes, radians and metres: rounding of a file's numbers, not a real offset.
 const DEVIATION: f64 = 1e-8;

@@ -1,5 +1,6 @@
 //! What can be wrong with a robot: which place of the file, and what to do.
 
+use crate::diagnostic::Diagnostic;
 use thiserror::Error;
 
 /// Why there is no robot.
@@ -47,4 +48,23 @@ pub enum RobotError {
         /// All built-in names.
         known: &'static [&'static str],
     },
+}
+
+impl RobotError {
+    /// Stable code, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Toml { .. } => "robot::toml",
+            Self::Value { .. } => "robot::value",
+            Self::Refused { .. } => "robot::coupled",
+            Self::Unknown { .. } => "robot::unknown",
+        }
+    }
+}
+
+impl From<RobotError> for Diagnostic {
+    fn from(error: RobotError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
