@@ -149,3 +149,5 @@ impl fmt::Display for Diagnostic {
         write!(f, "{} [{}]", self.message, self.code)
     }
 }
+
+impl std::error::Error for Diagnostic {}

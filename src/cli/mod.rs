@@ -1,9 +1,66 @@
-//! Arguments, files, progress, exit codes; one file per subcommand.
+//! Arguments, files, progress, exit codes; one file per subcommand. No formulas.
+//!
+//! A subcommand is a file with `Args` (clap) and `run(&Args, &mut Console) -> anyhow::Result<Outcome>`,
+//! one variant of [`Command`] and one line of [`dispatch`].
+//! An error that leaves `run` is best a [`Diagnostic`](crate::diagnostic::Diagnostic): its help line is
+//! shown then, and its code stands in `docs/MESSAGES.md`.
 
+mod console;
+pub mod files;
+mod outcome;
+pub mod suggest;
+
+pub mod compensate;
+
+pub use console::Console;
+pub use outcome::Outcome;
+
+use clap::{Parser, Subcommand};
 use std::process::ExitCode;
+
+/// Drift compensation for ABB RAPID programs, and diagnosis of why a robot does not stand where its
+/// model says.
+///
+/// Exit codes: 0 done; 1 found a difference or out of tolerance; 2 could not, or refused.
+/// Results go to standard output, messages and progress to standard error.
+#[derive(Debug, Parser)]
+#[command(name = "driftpost", version, arg_required_else_help = true, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Compensate a RAPID program for thermal drift: RAPID in, RAPID out, and the difference to review.
+    Compensate(Box<compensate::Args>),
+}
+
+fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
+    match command {
+        Command::Compensate(args) => compensate::run(args, console),
+    }
+}
 
 /// Runs the program on the process's own arguments.
 #[must_use]
 pub fn run() -> ExitCode {
-    ExitCode::from(2)
+    let mut console = Console::of_process();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return console.usage(&error).into(),
+    };
+    let outcome = dispatch(&cli.command, &mut console).unwrap_or_else(|error| console.fail(&error));
+    outcome.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Cli::command().debug_assert();
+    }
 }

@@ -1,0 +1,144 @@
+//! The process's two outputs: results on standard output, messages on standard error.
+//!
+//! A reader that goes away (`driftpost ... | head`) is not an error: what is written to a closed pipe is
+//! dropped, the work goes on and the exit code is what it would have been.
+
+use super::Outcome;
+use crate::diagnostic::Diagnostic;
+use std::io::{self, IsTerminal, Write};
+
+/// Standard output and standard error.
+pub struct Console {
+    out: Sink<io::BufWriter<io::Stdout>>,
+    err: Sink<io::Stderr>,
+    /// Whether a person sees standard error.
+    err_is_terminal: bool,
+}
+
+impl Console {
+    /// The process's own.
+    #[must_use]
+    pub fn of_process() -> Self {
+        Self {
+            out: Sink::new(io::BufWriter::with_capacity(1 << 16, io::stdout())),
+            err: Sink::new(io::stderr()),
+            err_is_terminal: io::stderr().is_terminal(),
+        }
+    }
+
+    /// Where results go.
+    pub fn out(&mut self) -> &mut dyn Write {
+        &mut self.out
+    }
+
+    /// Where messages go.
+    pub fn err(&mut self) -> &mut dyn Write {
+        &mut self.err
+    }
+
+    /// Whether messages are read by a person at a terminal (colours, progress).
+    #[must_use]
+    pub fn is_interactive(&self) -> bool {
+        self.err_is_terminal
+    }
+
+    /// One line to standard error.
+    pub fn say(&mut self, line: impl std::fmt::Display) {
+        let _ = writeln!(self.err, "{line}"); // nobody is left to tell that standard error is gone
+    }
+
+    /// Says why a command could not do its work.
+    pub fn fail(&mut self, error: &anyhow::Error) -> Outcome {
+        let _ = self.out.flush();
+        match error.downcast_ref::<Diagnostic>() {
+            Some(d) => {
+                self.say(format_args!("error[{}]: {}", d.code, d.message));
+                if let Some(help) = &d.help {
+                    self.say(format_args!("  = help: {help}"));
+                }
+            }
+            None => self.say(format_args!("error: {error:#}")),
+        }
+        Outcome::Refused
+    }
+
+    /// Shows help, the version, or what is wrong with the arguments.
+    pub(super) fn usage(&mut self, error: &clap::Error) -> Outcome {
+        let _ = error.print(); // a closed pipe is not an error
+        if error.use_stderr() { Outcome::Refused } else { Outcome::Done }
+    }
+}
+
+/// A writer that drops everything once its reader has gone.
+struct Sink<W> {
+    inner: W,
+    closed: bool,
+}
+
+impl<W: Write> Sink<W> {
+    fn new(inner: W) -> Self {
+        Self { inner, closed: false }
+    }
+
+    fn forgive<T>(&mut self, result: io::Result<T>, instead: T) -> io::Result<T> {
+        match result {
+            Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
+                self.closed = true;
+                Ok(instead)
+            }
+            other => other,
+        }
+    }
+}
+
+impl<W: Write> Write for Sink<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.closed {
+            return Ok(bytes.len());
+        }
+        let result = self.inner.write(bytes);
+        self.forgive(result, bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        if self.closed {
+            return Ok(());
+        }
+        let result = self.inner.flush();
+        self.forgive(result, ())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Gone;
+
+    impl Write for Gone {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::BrokenPipe.into())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Err(io::ErrorKind::BrokenPipe.into())
+        }
+    }
+
+    struct Full;
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::StorageFull.into())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_closed_pipe_is_forgiven_and_a_full_disk_is_not() {
+        let mut gone = Sink::new(Gone);
+        assert!(gone.write_all(b"x").is_ok() && gone.flush().is_ok() && gone.closed);
+        assert_eq!(Sink::new(Full).write_all(b"x").unwrap_err().kind(), io::ErrorKind::StorageFull);
+    }
+}

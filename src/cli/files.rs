@@ -1,0 +1,104 @@
+//! Files: read with a message that says what to do, written whole or not at all.
+
+use crate::diagnostic::Diagnostic;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The bytes of `path`; `what` names the file's part in the work ("program", "deformation table").
+///
+/// # Errors
+/// `input::missing` or `input::unreadable`, naming the file.
+pub fn read(path: &Path, what: &str) -> Result<Vec<u8>, Diagnostic> {
+    fs::read(path).map_err(|cause| cannot_read(path, what, &cause))
+}
+
+/// The message for a file that cannot be read.
+pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
+    let shown = path.display();
+    if cause.kind() == io::ErrorKind::NotFound {
+        let mut said = Diagnostic::error("input::missing", format!("the {what} {shown} does not exist"));
+        said.help = Some(match similar_neighbour(path) {
+            Some(near) => format!("did you mean {}?", near.display()),
+            None => "check the path".to_owned(),
+        });
+        return said;
+    }
+    if path.is_dir() {
+        return Diagnostic::error("input::unreadable", format!("{shown} is a folder, not a {what}"))
+            .help("name a file");
+    }
+    Diagnostic::error("input::unreadable", format!("the {what} {shown} cannot be read: {cause}"))
+        .help("check its permissions")
+}
+
+/// A file beside `path` whose name is much like it.
+fn similar_neighbour(path: &Path) -> Option<PathBuf> {
+    let wanted = path.file_name()?.to_string_lossy().into_owned();
+    let folder = folder_of(path);
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .ok()?
+        .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
+        .collect();
+    names.sort();
+    let near = super::suggest::nearest(&wanted, names.iter().map(String::as_str))?;
+    Some(path.with_file_name(near))
+}
+
+/// A file that will be written: opened beside its place before the long work begins, so that a folder
+/// that cannot be written to is found at once, and renamed into its place when it is whole.
+pub struct Pending {
+    path: PathBuf,
+    file: tempfile::NamedTempFile,
+}
+
+impl Pending {
+    /// Makes sure that `path` can be written.
+    ///
+    /// # Errors
+    /// `output::unwritable`, naming the path.
+    pub fn new(path: &Path) -> Result<Self, Diagnostic> {
+        if path.is_dir() {
+            return Err(unwritable(path, "it is a folder"));
+        }
+        if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
+            return Err(unwritable(path, "it is write-protected"));
+        }
+        let folder = folder_of(path);
+        let there = folder.ancestors().find(|f| f.exists() || f.as_os_str().is_empty()).unwrap_or(folder);
+        let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
+        let file = builder().tempfile_in(there).map_err(|cause| unwritable(path, cause))?;
+        Ok(Self { path: path.to_path_buf(), file })
+    }
+
+    /// Writes the whole file and puts it in its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn write(mut self, bytes: &[u8]) -> Result<(), Diagnostic> {
+        let path = self.path;
+        fs::create_dir_all(folder_of(&path)).map_err(|cause| unwritable(&path, cause))?;
+        self.file.write_all(bytes).map_err(|cause| unwritable(&path, cause))?;
+        self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
+        Ok(())
+    }
+}
+
+/// The folder a path stands in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Temporary files get the permissions that any new file of the user's has.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".driftpost-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder
+}
+
+fn unwritable(path: &Path, cause: impl std::fmt::Display) -> Diagnostic {
+    Diagnostic::error("output::unwritable", format!("{} cannot be written: {cause}", path.display()))
+        .help("name another place for it, or give write permission; nothing was written")
+}
