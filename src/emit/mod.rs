@@ -1,1 +1,241 @@
-//! A plan in, edits over the source and bytes out.
+//! A plan in, edits over the source and bytes out; and the way back.
+//!
+//! What an emitted program keeps to: every token that is not the target of a compensated motion stays as
+//! it is. Added are one comment block after the MODULE line, data after the module's last data, routines
+//! before ENDMODULE, and calls of the tick. Corrected targets are new data; declarations of the source
+//! are never edited. Knows nothing of how the plan was found.
+
+mod clock;
+mod header;
+mod module;
+mod names;
+mod number;
+mod options;
+mod place;
+mod target;
+
+use std::collections::BTreeMap;
+
+pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance};
+
+use crate::compensate::plan::{Plan, Status, Tick};
+use crate::diagnostic::FileId;
+use crate::program::Program;
+use crate::syntax::tree::{FileItem, Module, ModuleItem};
+use crate::syntax::{Edit, SourceFile, apply};
+use clock::Law;
+use header::Record;
+use module::Change;
+use names::Names;
+use place::Style;
+
+/// Emits `program` with the targets of `plan`: the changed files, and `tcCore` where the core is separate.
+///
+/// Files in which nothing is compensated are not among them; a plan that compensates nothing gives none.
+/// Same input, same bytes.
+///
+/// # Errors
+/// [`EmitError`] says which rule of an emitted program could not be kept, and where.
+pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec<EmittedFile>, EmitError> {
+    if let Some((file, line)) = program.files.iter().find_map(|f| Some((f, compensated_at(f)?))) {
+        return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line });
+    }
+    check_plan(program, plan)?;
+    let law = Law::of(&options.clock)?;
+    let unnamed = Names::default();
+    let core_text =
+        [clock::data(&unnamed), clock::routines(law, &plan.schedule, &unnamed)].concat().join("\n");
+    let names = Names::new(program, [core_text.as_str(), "tcCore"].into_iter());
+
+    let changes = changes(program, plan)?;
+    if !changes.values().any(|c| !c.motions.is_empty()) {
+        return Ok(Vec::new());
+    }
+    let core = options.core.unwrap_or(if changes.len() > 1 { Core::Separate } else { Core::Embedded });
+    if core == Core::Embedded && changes.len() > 1 {
+        return Err(EmitError::EmbeddedInSeveral { modules: changes.len() });
+    }
+    let about = about(plan, options, core, &names);
+    let context = module::Context { program, plan, names: &names, law, core, about: &about };
+
+    let mut emitted: Vec<EmittedFile> = Vec::new();
+    let mut edits: BTreeMap<FileId, Vec<Edit>> = BTreeMap::new();
+    for (&(id, index), change) in &changes {
+        let file = program.file(id);
+        let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
+        edits.entry(id).or_default().extend(module::edits(&context, file, module, change)?);
+    }
+    for (id, mut edits) in edits {
+        let file = program.file(id);
+        edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
+        let bytes = apply(&file.bytes, &edits)
+            .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
+        emitted.push(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits });
+    }
+    if core == Core::Separate
+        && let Some((&(id, _), _)) = changes.first_key_value()
+    {
+        emitted.push(core_file(&context, program.file(id)));
+    }
+    Ok(emitted)
+}
+
+/// The line of the comment block that says that `file` holds a module of ours; `None` where none does.
+#[must_use]
+pub fn compensated_at(file: &SourceFile) -> Option<u32> {
+    let modules = file.tree.items.iter().filter_map(|item| match item {
+        FileItem::Module(module) => Some(module),
+        _ => None,
+    });
+    modules
+        .flat_map(|module| &module.items)
+        .take_while(|item| !matches!(item, ModuleItem::Routine(_)))
+        .find_map(|item| match item {
+            ModuleItem::Comment(range) if header::begins(file.text(*range)) => Some(file.line(*range)),
+            _ => None,
+        })
+}
+
+fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
+    let mismatch = |text: String| Err(EmitError::PlanMismatch(text));
+    if plan.motions.len() != program.motions.len() {
+        return mismatch(format!("{} motions, {} planned", program.motions.len(), plan.motions.len()));
+    }
+    if plan.schedule.buckets.is_empty() {
+        return mismatch("no bucket".to_owned());
+    }
+    for (motion, planned) in program.motions.iter().zip(&plan.motions) {
+        let wrong = match &planned.status {
+            Status::Kept(_) => None,
+            Status::Refused(why) => Some(why.reason.as_str()),
+            Status::Compensated if planned.targets.len() != motion.targets.len() => {
+                Some("targets are missing")
+            }
+            Status::Compensated
+                if planned.targets.iter().any(|t| t.corrected.len() != plan.schedule.buckets.len()) =>
+            {
+                Some("buckets are missing")
+            }
+            Status::Compensated => None,
+        };
+        if let Some(wrong) = wrong {
+            return mismatch(format!("{}:{}: {wrong}", program.file(motion.file).path, motion.line));
+        }
+    }
+    Ok(())
+}
+
+/// What is to be changed in each module, by file and position among the file's items.
+fn changes(program: &Program, plan: &Plan) -> Result<BTreeMap<(FileId, usize), Change>, EmitError> {
+    let mut changes: BTreeMap<(FileId, usize), Change> = BTreeMap::new();
+    let place = |id: FileId, offset: u32| {
+        let file = program.file(id);
+        let holds = |module: &Module| module.range.start <= offset && offset < module.range.end;
+        let index = file
+            .tree
+            .items
+            .iter()
+            .position(|item| matches!(item, FileItem::Module(m) if m.end.is_some() && holds(m)));
+        let line = file.lines.line(offset);
+        index.map(|i| (id, i)).ok_or_else(|| EmitError::NoModule { path: file.path.clone().into(), line })
+    };
+    for (index, (motion, planned)) in program.motions.iter().zip(&plan.motions).enumerate() {
+        if planned.status == Status::Compensated {
+            let key = place(motion.file, motion.range.start)?;
+            changes.entry(key).or_default().motions.push(index);
+        }
+    }
+    for tick in &plan.ticks {
+        let at = match *tick {
+            Tick::Routine(i) => program.routines.get(i).map(|r| (r.file, r.first_statement)),
+            Tick::Loop(i) => program.loops.get(i).map(|l| (l.file, l.first_statement)),
+            Tick::Motion(i) => program.motions.get(i).map(|m| (m.file, m.range.start)),
+        };
+        let (id, offset) = at.ok_or_else(|| EmitError::PlanMismatch(format!("{tick:?} is not there")))?;
+        changes.entry(place(id, offset)?).or_default().ticks.push(offset);
+    }
+    Ok(changes)
+}
+
+/// What the comment block tells people.
+fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<String> {
+    let input =
+        |what: &str, p: &Provenance| format!("{what} {}, SHA-256 {}", header::plain(&p.name), p.sha256);
+    let compensated = || plan.motions.iter().filter(|m| m.status == Status::Compensated);
+    let most =
+        |of: fn(&crate::compensate::plan::PlannedMotion) -> f64| compensated().map(of).fold(0.0, f64::max);
+    let edges: Vec<String> = plan.schedule.buckets.iter().map(|b| target::spelled(b.from_min)).collect();
+    let clock = match options.clock {
+        Clock::Elapsed => format!("elapsed: minutes since {}", names.core("tcColdStart")),
+        Clock::Warmth { growth, tau_cool_min, gap_min } => {
+            let growth = growth.map_or_else(|| "as in the table".to_owned(), |g| g.to_string());
+            let cool = tau_cool_min.map_or_else(|| "as warming".to_owned(), |t| format!("{t} min"));
+            format!(
+                "warmth: growth {growth}, time constant of cooling {cool}, pauses over {gap_min} min cool"
+            )
+        }
+    };
+    let mut about = vec![
+        input("Robot", &options.robot),
+        input("Deformation", &options.deformation),
+        format!("Form schedule, clock {clock}"),
+        format!("Buckets from warm-up minute {}; the last holds on", edges.join(", ")),
+        format!(
+            "Largest correction {:.4} mm, {:.5} deg",
+            crate::units::mm_from_m(most(|m| m.max_correction_m)),
+            crate::units::deg_from_rad(most(|m| m.max_correction_rad))
+        ),
+        if options.absolute_accuracy {
+            "Absolute Accuracy is declared to be on".to_owned()
+        } else {
+            "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
+        },
+        format!(
+            "Call {} when the robot is cold, {} when it is fully warm; before that the original targets are used",
+            names.core("tcColdStart"),
+            names.core("tcWarmStart")
+        ),
+        format!(
+            "{} -1 automatic, 0..{} that bucket, -2 the original targets; {} the bucket in use, -1 originals; \
+             {} the warm-up minute",
+            names.core("tcMode"),
+            plan.schedule.buckets.len() - 1,
+            names.core("tcBucket"),
+            names.core("tcMinute")
+        ),
+        "To remove: load the original file, or get it back with `driftpost restore`".to_owned(),
+    ];
+    if core == Core::Separate {
+        about.push(format!(
+            "Clock and index live in module {}, which must be loaded too",
+            names.core("tcCore")
+        ));
+    }
+    about
+}
+
+/// The module that several share.
+fn core_file(context: &module::Context, beside: &SourceFile) -> EmittedFile {
+    let name = context.names.core("tcCore");
+    let style =
+        Style { eol: place::majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
+    let mut bytes = format!("MODULE {name}").into_bytes();
+    bytes.extend_from_slice(style.eol);
+    let record = Record { is_core: true, ..Record::default() };
+    for line in header::lines(context.about, &record) {
+        style.push(&mut bytes, &format!("  {line}"));
+    }
+    for line in clock::data(context.names) {
+        style.push(&mut bytes, &line);
+    }
+    bytes.extend_from_slice(style.eol);
+    for line in clock::routines(context.law, &context.plan.schedule, context.names) {
+        style.push(&mut bytes, &line);
+    }
+    bytes.extend_from_slice(b"ENDMODULE");
+    bytes.extend_from_slice(style.eol);
+    let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
+    let lower = beside.path.to_ascii_lowercase();
+    let extension = if lower.ends_with(".modx") || lower.ends_with(".sysx") { "modx" } else { "mod" };
+    EmittedFile { source: None, path: format!("{folder}{name}.{extension}"), bytes, edits: Vec::new() }
+}

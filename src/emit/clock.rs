@@ -1,0 +1,263 @@
+//! The clock and the index as RAPID: data and routines that a compensated program is given.
+//!
+//! The RAPID stands in `clock/*.mod`, with `@NAME@` where a number goes. `num` is single precision, so
+//! time is kept as days and seconds of a day and differences are taken days first. Minutes since a
+//! start are exact; only where the robot stood still is the state carried on, so that rounding does not
+//! add up from tick to tick.
+
+use super::names::Names;
+use super::number::write_num;
+use super::options::{Clock, EmitError};
+use crate::deform::GrowthLaw;
+use crate::schedule::Schedule;
+
+const DATA: &str = include_str!("clock/data.mod");
+const COMMON: &str = include_str!("clock/common.mod");
+const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
+const ONE_LAG: &str = include_str!("clock/one_lag.mod");
+const LAGS: &str = include_str!("clock/lags.mod");
+const ELAPSED: &str = include_str!("clock/elapsed.mod");
+
+/// Longest line of a CASE list; well inside RAPID's 255 however deep the module is indented.
+const CASE_LINE: usize = 120;
+
+/// Which law the minute follows while the program runs and stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// Two equal lags in a row, warming and cooling with a time constant each, minutes.
+    TwoStage {
+        /// Warming.
+        tau_min: f64,
+        /// Cooling.
+        tau_cool_min: f64,
+        /// A longer pause than this is standing.
+        gap_min: f64,
+    },
+    /// One lag.
+    OneLag {
+        /// Warming.
+        tau_min: f64,
+        /// Cooling.
+        tau_cool_min: f64,
+        /// A longer pause than this is standing.
+        gap_min: f64,
+    },
+    /// Minutes since the start, standing or not.
+    Elapsed,
+}
+
+impl Law {
+    /// The law that a clock asks for.
+    ///
+    /// A scheduled table says how far the drift is at each minute but not how it falls back: its minute
+    /// runs as it is and cools as one lag with the given time constant.
+    ///
+    /// # Errors
+    /// [`EmitError::CoolingUnknown`] where nothing says how fast the robot cools,
+    /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number.
+    pub fn of(clock: &Clock) -> Result<Self, EmitError> {
+        let Clock::Warmth { growth, tau_cool_min, gap_min } = *clock else { return Ok(Self::Elapsed) };
+        let positive = |name: &'static str, value: f64| {
+            if value.is_finite() && value > 0.0 {
+                Ok(value)
+            } else {
+                Err(EmitError::BadTime { name, minutes: value })
+            }
+        };
+        let gap_min = positive("the longest pause that counts as running", gap_min)?;
+        let cool = |tau_min: f64| positive("the time constant of cooling", tau_cool_min.unwrap_or(tau_min));
+        let warm = |tau_min: f64| positive("the time constant of warming", tau_min);
+        Ok(match growth {
+            Some(GrowthLaw::TwoStage { tau_min }) => {
+                Self::TwoStage { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
+            }
+            Some(GrowthLaw::Exp { tau_min }) => {
+                Self::OneLag { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
+            }
+            Some(GrowthLaw::None) => Self::Elapsed,
+            None => {
+                let tau_min = cool(tau_cool_min.ok_or(EmitError::CoolingUnknown)?)?;
+                Self::OneLag { tau_min, tau_cool_min: tau_min, gap_min }
+            }
+        })
+    }
+}
+
+/// The core's data declarations, one a line, indented by two blanks a level.
+pub fn data(names: &Names) -> Vec<String> {
+    DATA.lines().map(|line| names.rename(line)).collect()
+}
+
+/// The core's routines, line by line, indented by two blanks a level, an empty line between two.
+pub fn routines(law: Law, schedule: &Schedule, names: &Names) -> Vec<String> {
+    let parts = match law {
+        Law::TwoStage { .. } => [COMMON, TWO_STAGE, LAGS].as_slice(),
+        Law::OneLag { .. } => &[COMMON, ONE_LAG, LAGS],
+        Law::Elapsed => &[COMMON, ELAPSED],
+    };
+    let numbers = numbers(law, schedule);
+    let mut lines = Vec::new();
+    for part in parts {
+        if !lines.is_empty() {
+            lines.push(String::new());
+        }
+        for line in part.lines() {
+            if line == "@CASES@" {
+                lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
+                continue;
+            }
+            let mut line = names.rename(line);
+            for (mark, text) in &numbers {
+                if line.contains('@') {
+                    line = line.replace(mark, text);
+                }
+            }
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+/// What stands for each `@NAME@`.
+fn numbers(law: Law, schedule: &Schedule) -> Vec<(&'static str, String)> {
+    let count = schedule.buckets.len();
+    let last_from_min = schedule.buckets.last().map_or(0.0, |b| b.from_min);
+    let (warm, second) = match law {
+        Law::TwoStage { .. } => ("1".to_owned(), "tcValue"),
+        Law::OneLag { .. } => ("1".to_owned(), "0"),
+        Law::Elapsed => (num(last_from_min.ceil() + 1.0), "0"),
+    };
+    let mut numbers = vec![
+        ("@EVERY_S@", if schedule.parts_per_min > 1 { "1" } else { "5" }.to_owned()),
+        (
+            "@PARTS@",
+            if schedule.parts_per_min > 1 { format!("{}*", schedule.parts_per_min) } else { String::new() },
+        ),
+        ("@COUNT@", count.to_string()),
+        ("@LAST@", count.saturating_sub(1).to_string()),
+        ("@WARM@", warm),
+        ("@SECOND@", second.to_owned()),
+    ];
+    if let Law::TwoStage { tau_min, tau_cool_min, gap_min } | Law::OneLag { tau_min, tau_cool_min, gap_min } =
+        law
+    {
+        numbers.push(("@TAU@", num(tau_min)));
+        numbers.push(("@TAU_COOL@", num(tau_cool_min)));
+        numbers.push(("@GAP@", num(gap_min)));
+    }
+    numbers
+}
+
+/// The CASEs of the TEST on the whole minute (or part of one), a bucket each, DEFAULT the last.
+fn cases(schedule: &Schedule) -> Vec<String> {
+    let parts = f64::from(schedule.parts_per_min);
+    let mut lines = Vec::new();
+    for (k, bucket) in schedule.buckets.iter().enumerate() {
+        match bucket.to_min {
+            Some(to_min) if k + 1 < schedule.buckets.len() => {
+                let from = (bucket.from_min * parts).round() as u64;
+                let to = (to_min * parts).round() as u64;
+                let mut line = String::from("        CASE ");
+                for part in from..to {
+                    if line.len() > CASE_LINE {
+                        lines.push(std::mem::replace(&mut line, String::from("          ")));
+                    }
+                    line.push_str(&part.to_string());
+                    line.push(if part + 1 < to { ',' } else { ':' });
+                }
+                lines.push(line);
+            }
+            _ => {
+                if k == 0 {
+                    lines.push("        CASE 0:".to_owned());
+                    lines.push("          tcK:=0;".to_owned());
+                }
+                lines.push("        DEFAULT:".to_owned());
+            }
+        }
+        lines.push(format!("          tcK:={k};"));
+    }
+    lines
+}
+
+fn num(value: f64) -> String {
+    let mut out = Vec::new();
+    write_num(&mut out, value);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schedule::Bucket;
+
+    fn schedule(edges: &[f64], parts_per_min: u32) -> Schedule {
+        let bucket =
+            |i: usize| Bucket { from_min: edges[i], to_min: edges.get(i + 1).copied(), at_min: edges[i] };
+        Schedule { buckets: (0..edges.len()).map(bucket).collect(), parts_per_min }
+    }
+
+    fn warmth(growth: Option<GrowthLaw>, tau_cool_min: Option<f64>) -> Clock {
+        Clock::Warmth { growth, tau_cool_min, gap_min: 5.0 }
+    }
+
+    #[test]
+    fn every_part_has_its_case_and_the_last_bucket_is_the_default() {
+        let lines = cases(&schedule(&[0.0, 2.5, 30.0, 180.0], 10));
+        let mut numbers = Vec::new();
+        let mut bucket_of = Vec::new();
+        for line in lines.iter().map(|l| l.trim()) {
+            if let Some(k) = line.strip_prefix("tcK:=") {
+                bucket_of.resize(numbers.len(), k.trim_end_matches(';').parse::<usize>().unwrap());
+            } else if line != "DEFAULT:" {
+                let list = line.trim_start_matches("CASE ").trim_end_matches([',', ':']);
+                numbers.extend(list.split(',').map(|n| n.parse::<u32>().unwrap()));
+            }
+        }
+        assert_eq!(numbers, (0..1800).collect::<Vec<u32>>());
+        assert_eq!((bucket_of[24], bucket_of[25], bucket_of[299], bucket_of[300]), (0, 1, 1, 2));
+        assert_eq!(lines[lines.len() - 2..], ["        DEFAULT:", "          tcK:=3;"]);
+        assert!(lines.iter().all(|l| l.len() < 140));
+    }
+
+    #[test]
+    fn one_bucket_is_a_test_too() {
+        let lines = cases(&schedule(&[0.0], 1));
+        let text: Vec<&str> = lines.iter().map(|l| l.trim()).collect();
+        assert_eq!(text, ["CASE 0:", "tcK:=0;", "DEFAULT:", "tcK:=0;"]);
+    }
+
+    #[test]
+    fn no_mark_is_left_and_names_begin_with_tc() {
+        let two = Some(GrowthLaw::TwoStage { tau_min: 46.0 });
+        for clock in [warmth(two, None), warmth(None, Some(30.0)), Clock::Elapsed] {
+            let names = Names::default();
+            let law = Law::of(&clock).unwrap();
+            let lines = routines(law, &schedule(&[0.0, 10.0, 60.0], 1), &names);
+            let text = lines.join("\n");
+            assert!(!text.contains('@') && text.is_ascii(), "{text}");
+            assert!(lines.iter().all(|l| l.len() <= 200));
+            for line in lines.iter().chain(&data(&names)) {
+                let words: Vec<&str> = line.split([' ', '(', '{', ':']).filter(|w| !w.is_empty()).collect();
+                if let Some(at) = words.iter().position(|w| ["PROC", "num", "string", "bool"].contains(w)) {
+                    assert!(words[at + 1].starts_with("tc"), "{line}");
+                }
+            }
+            for string in text.split('"').skip(1).step_by(2) {
+                assert!(string.len() <= 80, "{string}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_without_cooling_is_refused() {
+        assert_eq!(Law::of(&warmth(None, None)), Err(EmitError::CoolingUnknown));
+        let growth = Some(GrowthLaw::Exp { tau_min: 46.0 });
+        assert!(matches!(Law::of(&warmth(growth, Some(0.0))), Err(EmitError::BadTime { .. })));
+        assert!(matches!(
+            Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }),
+            Err(EmitError::BadTime { .. })
+        ));
+        assert_eq!(Law::of(&warmth(Some(GrowthLaw::None), None)), Ok(Law::Elapsed));
+    }
+}

@@ -1,0 +1,91 @@
+  PROC tcTick()
+    ! Brings the warm-up minute up to date and chooses the targets
+    VAR num tcK:=-1;
+    VAR bool tcGood:=FALSE;
+    tcNow;
+    IF tcMode=tcModeSeen AND tcDate=tcDateSeen AND tcSec>=tcSecSeen AND tcSec<tcSecSeen+@EVERY_S@ RETURN;
+    tcDay:=tcDayNumber();
+    tcGood:=tcUpdate();
+    tcModeSeen:=tcMode;
+    tcDateSeen:=tcDate;
+    tcSecSeen:=tcSec;
+    IF tcMode=-1 THEN
+      IF tcGood THEN
+        TEST Trunc(@PARTS@tcMinute)
+@CASES@
+        ENDTEST
+      ELSEIF tcState{3}=0 THEN
+        tcSay "Warm-up not known, call tcColdStart or tcWarmStart: original targets";
+      ELSE
+        tcSay "Warm-up state or date cannot be, call tcColdStart: original targets";
+      ENDIF
+    ELSEIF tcMode>=0 AND tcMode<@COUNT@ AND tcMode=Trunc(tcMode) THEN
+      tcK:=tcMode;
+    ELSEIF tcMode<>-2 THEN
+      tcSay "tcMode is none of -2..@LAST@: original targets";
+    ENDIF
+    IF tcK>=0 tcSaid:=FALSE;
+    tcBucket:=tcK;
+    tcI:=tcK+2;
+  ENDPROC
+
+  PROC tcColdStart()
+    ! To be called when the robot is cold
+    tcBegin 0;
+  ENDPROC
+
+  PROC tcWarmStart()
+    ! To be called when the robot is fully warm
+    tcBegin @WARM@;
+  ENDPROC
+
+  LOCAL PROC tcBegin(num tcValue)
+    tcNow;
+    tcDay:=tcDayNumber();
+    tcState:=[tcValue,@SECOND@,tcDay,tcSec,tcDay,tcSec];
+    tcDateSeen:="";
+    tcTick;
+  ENDPROC
+
+  LOCAL PROC tcSay(string tcText)
+    IF NOT tcSaid TPWrite tcText;
+    tcSaid:=TRUE;
+  ENDPROC
+
+  LOCAL PROC tcNow()
+    ! Date, time, and the date again: midnight may pass between the two
+    VAR string tcTime:="";
+    tcDate:=CDate();
+    tcTime:=CTime();
+    IF CDate()<>tcDate THEN
+      tcDate:=CDate();
+      tcTime:=CTime();
+    ENDIF
+    tcSec:=3600*tcNumber(tcTime,1,2)+60*tcNumber(tcTime,4,2)+tcNumber(tcTime,7,2);
+  ENDPROC
+
+  LOCAL FUNC num tcDayNumber()
+    ! Day 1 is 2000-01-01; a year is counted from March
+    VAR num tcYear:=0;
+    VAR num tcMonth:=0;
+    tcYear:=tcNumber(tcDate,1,4);
+    tcMonth:=tcNumber(tcDate,6,2);
+    IF tcYear<2000 OR tcMonth<1 OR tcMonth>12 RETURN -1;
+    IF tcMonth<3 THEN
+      tcYear:=tcYear-1;
+      tcMonth:=tcMonth+12;
+    ENDIF
+    RETURN tcNumber(tcDate,9,2)+(153*tcMonth-457) DIV 5+365*(tcYear-2000)
+        +tcYear DIV 4-tcYear DIV 100+tcYear DIV 400-425;
+  ENDFUNC
+
+  LOCAL FUNC num tcNumber(string tcText,num tcFrom,num tcLength)
+    VAR num tcValue:=0;
+    IF StrToVal(StrPart(tcText,tcFrom,tcLength),tcValue) RETURN tcValue;
+    RETURN -9999;
+  ENDFUNC
+
+  LOCAL FUNC num tcSpan(num tcDay0,num tcSec0,num tcDay1,num tcSec1)
+    ! Minutes; days first, so that single precision is enough
+    RETURN 1440*(tcDay1-tcDay0)+(tcSec1-tcSec0)/60;
+  ENDFUNC

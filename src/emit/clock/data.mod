@@ -1,0 +1,12 @@
+  PERS num tcMode:=-1;
+  PERS num tcBucket:=-1;
+  PERS num tcMinute:=0;
+  LOCAL PERS num tcState{6}:=[0,0,0,0,0,0];
+  VAR num tcI:=1;
+  LOCAL VAR num tcModeSeen:=-1;
+  LOCAL VAR string tcDateSeen:="";
+  LOCAL VAR num tcSecSeen:=-1;
+  LOCAL VAR bool tcSaid:=FALSE;
+  LOCAL VAR string tcDate:="";
+  LOCAL VAR num tcDay:=0;
+  LOCAL VAR num tcSec:=0;

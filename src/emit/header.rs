@@ -1,0 +1,256 @@
+//! The comment block of an emitted module: what made it, of what, how to take it out again.
+//!
+//! Lines `! driftpost ...` are read back by `restore`; the others are for people.
+
+use std::collections::BTreeMap;
+
+/// What every emitted module's comment block begins with.
+pub const MARK: &str = "! driftpost ";
+
+/// Longest line; RAPID takes 255.
+const WIDTH: usize = 160;
+
+/// What `restore` reads out of a comment block.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Record {
+    /// SHA-256 of the source file, hexadecimal.
+    pub source_sha256: String,
+    /// Name of the source file.
+    pub source_name: String,
+    /// The program's common module, which has no source.
+    pub is_core: bool,
+    /// How many arrays of targets were added.
+    pub targets: usize,
+    /// How many other data declarations.
+    pub data: usize,
+    /// How many routines.
+    pub routines: usize,
+    /// How many calls of the tick.
+    pub ticks: usize,
+    /// Name of the index.
+    pub index: String,
+    /// Name of the tick.
+    pub tick: String,
+    /// What stood in the motion in place of an array, where the array does not say so itself.
+    pub was: BTreeMap<String, Vec<u8>>,
+    /// Three letters for element 1 of each array, in their order.
+    pub checks: Vec<u8>,
+}
+
+/// The block's lines, without line ends: `about` for people, then what `restore` needs.
+#[must_use]
+pub fn lines(about: &[String], record: &Record) -> Vec<String> {
+    let mut lines = vec![format!(
+        "{MARK}{} made this module: targets corrected for thermal drift. Do not edit by hand.",
+        env!("CARGO_PKG_VERSION")
+    )];
+    for text in about {
+        wrap(&mut lines, "! ", "!   ", text);
+    }
+    let mut tell = |key: &str, text: &str| {
+        let first = format!("{MARK}{key}: ");
+        let mut rest = text;
+        let mut prefix = first.as_str();
+        let more = format!("{MARK}more: ");
+        loop {
+            let at = rest.len().min(WIDTH - prefix.len());
+            lines.push(format!("{prefix}{}", &rest[..at]));
+            rest = &rest[at..];
+            prefix = &more;
+            if rest.is_empty() {
+                break;
+            }
+        }
+    };
+    if record.is_core {
+        tell("core", "no source");
+    } else {
+        tell("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
+        tell(
+            "added",
+            &format!(
+                "{} targets, {} data, {} routines, {} ticks",
+                record.targets, record.data, record.routines, record.ticks
+            ),
+        );
+        tell("names", &format!("{} {}", record.index, record.tick));
+        for (name, text) in &record.was {
+            tell("was", &format!("{name} {}", escape(text)));
+        }
+        if !record.checks.is_empty() {
+            tell("check", &String::from_utf8_lossy(&record.checks));
+        }
+    }
+    lines.push(format!("{MARK}end"));
+    lines
+}
+
+/// Breaks `text` at blanks.
+fn wrap(lines: &mut Vec<String>, first: &str, next: &str, text: &str) {
+    let mut line = first.to_owned();
+    let mut empty = true;
+    for word in text.split(' ') {
+        if !empty && line.len() + 1 + word.len() > WIDTH {
+            lines.push(std::mem::replace(&mut line, next.to_owned()));
+            empty = true;
+        }
+        if !empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        empty = false;
+    }
+    lines.push(line);
+}
+
+/// ASCII for any bytes: what is not printable is written `\xNN`, and so are a backslash, and blanks at
+/// which a line could lose its end.
+#[must_use]
+pub fn escape(text: &[u8]) -> String {
+    let mut out = String::new();
+    for &byte in text {
+        if (0x21..0x7f).contains(&byte) && byte != b'\\' {
+            out.push(char::from(byte));
+        } else {
+            out.push_str(&format!("\\x{byte:02X}"));
+        }
+    }
+    out
+}
+
+/// The bytes that [`escape`] wrote; `None` where it did not.
+#[must_use]
+pub fn unescape(text: &[u8]) -> Option<Vec<u8>> {
+    let mut out = Vec::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((&byte, tail)) = rest.split_first() {
+        rest = tail;
+        if byte != b'\\' {
+            out.push(byte);
+            continue;
+        }
+        let (hex, tail) = rest.strip_prefix(b"x")?.split_at_checked(2)?;
+        out.push(u8::from_str_radix(std::str::from_utf8(hex).ok()?, 16).ok()?);
+        rest = tail;
+    }
+    Some(out)
+}
+
+/// A printable ASCII form of a file's name.
+#[must_use]
+pub fn plain(name: &str) -> String {
+    name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
+}
+
+/// Whether a comment is the first of a block of ours.
+#[must_use]
+pub fn begins(comment: &[u8]) -> bool {
+    let text = comment.strip_prefix(b"!").unwrap_or(comment).trim_ascii_start();
+    text.strip_prefix(b"driftpost ").is_some_and(|rest| rest.first().is_some_and(u8::is_ascii_digit))
+}
+
+/// Reads a block from its lines (any indentation, without line ends); gives the record and the number of
+/// lines up to and including the last, or what is wrong with it.
+///
+/// # Errors
+/// A sentence.
+pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize), String> {
+    let mut told: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
+    let mut count = 0;
+    let mut ended = false;
+    for line in lines {
+        let Some(comment) = line.trim_ascii().strip_prefix(b"!") else { break };
+        count += 1;
+        let Some(text) = comment.trim_ascii_start().strip_prefix(b"driftpost ") else { continue };
+        if text == b"end" {
+            ended = true;
+            break;
+        }
+        let Some(colon) = memchr::memmem::find(text, b": ") else { continue };
+        let (key, rest) = (&text[..colon], &text[colon + 2..]);
+        if key == b"more" {
+            if let Some((_, last)) = told.last_mut() {
+                last.extend_from_slice(rest);
+            }
+        } else {
+            told.push((key.to_vec(), rest.to_vec()));
+        }
+    }
+    if !ended {
+        return Err("the comment block after MODULE has no end".to_owned());
+    }
+    let mut record = Record::default();
+    for (key, text) in told {
+        let broken =
+            || format!("the line `{}` of the comment block is damaged", String::from_utf8_lossy(&key));
+        let utf8 = std::str::from_utf8(&text).map_err(|_| broken())?;
+        match key.as_slice() {
+            b"core" => record.is_core = true,
+            b"source" => {
+                let (sha256, name) =
+                    utf8.strip_prefix("SHA-256 ").and_then(|rest| rest.split_once(' ')).ok_or_else(broken)?;
+                sha256.clone_into(&mut record.source_sha256);
+                name.clone_into(&mut record.source_name);
+            }
+            b"added" => {
+                let mut numbers =
+                    utf8.split(", ").map(|part| part.split(' ').next().and_then(|n| n.parse().ok()));
+                let mut next = || numbers.next().flatten().ok_or_else(broken);
+                (record.targets, record.data) = (next()?, next()?);
+                (record.routines, record.ticks) = (next()?, next()?);
+            }
+            b"names" => {
+                let (index, tick) = utf8.split_once(' ').ok_or_else(broken)?;
+                (record.index, record.tick) = (index.to_owned(), tick.to_owned());
+            }
+            b"was" => {
+                let (name, was) = utf8.split_once(' ').ok_or_else(broken)?;
+                record.was.insert(name.to_owned(), unescape(was.as_bytes()).ok_or_else(broken)?);
+            }
+            b"check" => record.checks = text,
+            _ => {}
+        }
+    }
+    Ok((record, count))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read() {
+        let mut was = BTreeMap::new();
+        was.insert("tcp10_2".to_owned(), b"p10".to_vec());
+        was.insert("tc57".to_owned(), b"Offs(p\xE410,0,\r\n 0,  \\x) ".repeat(20));
+        let record = Record {
+            source_sha256: "ab".repeat(32),
+            source_name: "a program.mod".into(),
+            is_core: false,
+            targets: 46,
+            data: 12,
+            routines: 11,
+            ticks: 2,
+            index: "tcI_2".into(),
+            tick: "tcTick".into(),
+            was,
+            checks: b"ABCabc".repeat(90),
+        };
+        let about = vec!["Buckets from minute 0, ".to_owned() + &"12.5, ".repeat(100)];
+        let lines = lines(&about, &record);
+        assert!(lines.iter().all(|l| l.len() <= 200 && l.is_ascii() && l.starts_with('!')), "{lines:#?}");
+        assert!(begins(lines[0].as_bytes()) && !begins(b"! driftpost is good"));
+        let text: Vec<Vec<u8>> =
+            lines.iter().map(|l| [b"   ", l.as_bytes()].concat()).chain([b"PROC x()".to_vec()]).collect();
+        let (read, count) = read(text.iter().map(Vec::as_slice)).unwrap();
+        assert_eq!((read, count), (record, lines.len()));
+    }
+
+    #[test]
+    fn a_cut_or_damaged_block_is_an_error() {
+        let cut = [b"! driftpost 0.1.0".as_slice(), b"! driftpost source: aa", b"MODULE"];
+        assert!(read(cut.into_iter()).unwrap_err().contains("no end"));
+        let damaged = [b"! driftpost 0.1.0".as_slice(), b"! driftpost was: tc1", b"! driftpost end"];
+        assert!(read(damaged.into_iter()).unwrap_err().contains("was"));
+    }
+}

@@ -1,0 +1,224 @@
+//! The edits of one module: its arrays of targets, what the motions name instead, ticks, comment block.
+
+use std::borrow::Cow;
+use std::collections::{BTreeSet, HashMap};
+
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use super::header::{self, Record};
+use super::names::{MAX_NAME, Names};
+use super::options::{Core, EmitError};
+use super::place::{self, Style};
+use super::target::{TargetArray, check_letters, element1};
+use super::{Law, clock};
+use crate::compensate::plan::{Plan, PlannedTarget};
+use crate::diagnostic::{Span, TextRange};
+use crate::program::Program;
+use crate::program::motion::{Motion, Origin, Target};
+use crate::syntax::tree::{Module, ModuleItem};
+use crate::syntax::{Edit, SourceFile};
+
+/// What all modules of a program have in common.
+pub struct Context<'a> {
+    pub program: &'a Program,
+    pub plan: &'a Plan,
+    pub names: &'a Names,
+    pub law: Law,
+    pub core: Core,
+    pub about: &'a [String],
+}
+
+/// What is to be changed in a module.
+#[derive(Clone, Debug, Default)]
+pub struct Change {
+    /// The compensated motions: indices into [`Program::motions`].
+    pub motions: Vec<usize>,
+    /// Where the clock is brought up to date: before the statement at this byte.
+    pub ticks: Vec<u32>,
+}
+
+/// The edits of a module.
+pub fn edits(
+    context: &Context,
+    file: &SourceFile,
+    module: &Module,
+    change: &Change,
+) -> Result<Vec<Edit>, EmitError> {
+    let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
+    let end = place::routines(&file.bytes, module).ok_or_else(no_end)?;
+    let style = Style::of(&file.bytes, module);
+    let mut added = Arrays::collect(context, file, change)?;
+    let mut edits = std::mem::take(&mut added.edits);
+
+    let tick = format!("{};", context.names.core("tcTick"));
+    let ticks = tick_places(module, &change.ticks);
+    for &offset in &ticks {
+        let (at, text) = place::statement(&file.bytes, offset, &tick, style.eol);
+        edits.push(Edit { range: TextRange::empty(at), text });
+    }
+    let (data, routines) = match context.core {
+        Core::Separate => (Vec::new(), Vec::new()),
+        Core::Embedded => {
+            (clock::data(context.names), clock::routines(context.law, &context.plan.schedule, context.names))
+        }
+    };
+    let is_head = |line: &&String| line.starts_with("  PROC ") || line.starts_with("  LOCAL ");
+    let record = Record {
+        source_sha256: hex(&Sha256::digest(&file.bytes)),
+        source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
+        is_core: false,
+        targets: added.arrays.len(),
+        data: data.len(),
+        routines: routines.iter().filter(is_head).count(),
+        ticks: ticks.len(),
+        index: context.names.core("tcI").to_owned(),
+        tick: context.names.core("tcTick").to_owned(),
+        was: added.was,
+        checks: added.arrays.iter().flat_map(|a| check_letters(&a.element1)).collect(),
+    };
+    let mut block = Vec::new();
+    for line in header::lines(context.about, &record) {
+        style.push(&mut block, &format!("  {line}"));
+    }
+    let mut text = Vec::new();
+    for line in &data {
+        style.push(&mut text, line);
+    }
+    for part in written(&added.arrays, &style)? {
+        text.extend_from_slice(&part);
+    }
+    edits.insert(0, Edit { range: TextRange::empty(place::header(&file.bytes, module)), text: block });
+    edits.insert(1, Edit { range: TextRange::empty(place::data(&file.bytes, module)), text });
+    if !routines.is_empty() {
+        let mut text = style.eol.to_vec();
+        for line in &routines {
+            style.push(&mut text, line);
+        }
+        edits.push(Edit { range: TextRange::empty(end), text });
+    }
+    Ok(edits)
+}
+
+/// Where ticks go, each place once; never into a compact IF, which holds one statement only.
+fn tick_places(module: &Module, ticks: &[u32]) -> BTreeSet<u32> {
+    let ifs: Vec<TextRange> = module
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            ModuleItem::Routine(routine) => Some(routine),
+            _ => None,
+        })
+        .filter(|r| ticks.iter().any(|&t| r.range.start <= t && t < r.range.end))
+        .flat_map(place::compact_ifs)
+        .collect();
+    let outside = |tick: u32| {
+        let round = ifs.iter().find(|r| r.start <= tick && tick < r.end);
+        round.map_or(tick, |r| r.start)
+    };
+    ticks.iter().map(|&tick| outside(tick)).collect()
+}
+
+/// The text of each array, in order, made on all cores.
+fn written(arrays: &[TargetArray], style: &Style) -> Result<Vec<Vec<u8>>, EmitError> {
+    arrays
+        .par_chunks(64)
+        .map(|chunk| {
+            let mut text =
+                Vec::with_capacity(chunk.iter().map(|a| 160 * (a.planned.corrected.len() + 2)).sum());
+            chunk.iter().try_for_each(|array| array.write(&mut text, style)).map(|()| text)
+        })
+        .collect()
+}
+
+/// The arrays of a module, and the edits that name them.
+struct Arrays<'p> {
+    arrays: Vec<TargetArray<'p>>,
+    edits: Vec<Edit>,
+    was: std::collections::BTreeMap<String, Vec<u8>>,
+}
+
+impl<'p> Arrays<'p> {
+    fn collect(context: &Context<'p>, file: &'p SourceFile, change: &Change) -> Result<Self, EmitError> {
+        let mut names = context.names.clone();
+        let index = context.names.core("tcI");
+        let mut found =
+            Self { arrays: Vec::new(), edits: Vec::new(), was: std::collections::BTreeMap::new() };
+        let mut shared: HashMap<(Span, &[u8]), Vec<usize>> = HashMap::new();
+        for &number in &change.motions {
+            let (Some(motion), Some(planned)) =
+                (context.program.motions.get(number), context.plan.motions.get(number))
+            else {
+                continue;
+            };
+            for (target, planned) in motion.targets.iter().zip(&planned.targets) {
+                let argument = file.text(target.range);
+                let known = match &target.origin {
+                    Origin::Named { declaration, .. } => {
+                        Some(shared.entry((*declaration, argument)).or_default())
+                    }
+                    Origin::Inline | Origin::Expression => None,
+                };
+                let same = known.as_ref().and_then(|known| {
+                    known.iter().copied().find(|&a| same_values(found.arrays[a].planned, planned))
+                });
+                let array = match same {
+                    Some(array) => array,
+                    None => {
+                        let array = found.add(context, &mut names, file, motion, target, planned)?;
+                        if let Some(known) = known {
+                            known.push(array);
+                        }
+                        array
+                    }
+                };
+                let text = format!("{}{{{index}}}", found.arrays[array].name).into_bytes();
+                found.edits.push(Edit { range: target.range, text });
+            }
+        }
+        Ok(found)
+    }
+
+    fn add(
+        &mut self,
+        context: &Context<'p>,
+        names: &mut Names,
+        file: &'p SourceFile,
+        motion: &Motion,
+        target: &Target,
+        planned: &'p PlannedTarget,
+    ) -> Result<usize, EmitError> {
+        let argument = file.text(target.range);
+        let literal: Option<&'p [u8]> =
+            target.literal.map(|span| context.program.file(span.file).text(span.range));
+        let element1 = element1(literal, planned)?;
+        let by_name = match &target.origin {
+            Origin::Named { name, .. } if name.is_ascii() && name.len() + 2 <= MAX_NAME => {
+                names.claim(&format!("tc{name}"))
+            }
+            _ => None,
+        };
+        let name = by_name
+            .or_else(|| names.claim(&format!("tc{}", motion.line)))
+            .ok_or_else(|| EmitError::NoName { path: file.path.clone().into(), line: motion.line })?;
+        let tells_itself = match &target.origin {
+            Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
+            Origin::Inline => element1 == Cow::Borrowed(argument),
+            Origin::Expression => false,
+        };
+        if !tells_itself {
+            self.was.insert(name.clone(), argument.to_vec());
+        }
+        self.arrays.push(TargetArray { name, element1, planned });
+        Ok(self.arrays.len() - 1)
+    }
+}
+
+fn same_values(a: &PlannedTarget, b: &PlannedTarget) -> bool {
+    a.original == b.original && a.corrected == b.corrected
+}
+
+/// Hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
+}

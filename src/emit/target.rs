@@ -1,0 +1,337 @@
+//! Targets as constant arrays: element 1 the original, element k+1 that of bucket k.
+
+use std::borrow::Cow;
+
+use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
+use super::options::EmitError;
+use super::place::{Style, white};
+use crate::compensate::plan::{Corrected, PlannedTarget};
+use crate::program::data::{ExtJoint, RobTarget};
+use crate::program::motion::TargetValue;
+
+/// RAPID's longest line.
+pub const MAX_LINE: usize = 255;
+
+/// The text of element 1 of a target's array, on one line if it came so from the source.
+///
+/// The source's own spelling where that is nothing but numbers, so that it means the same wherever it
+/// stands; else the numbers.
+///
+/// # Errors
+/// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
+pub fn element1<'s>(literal: Option<&'s [u8]>, planned: &PlannedTarget) -> Result<Cow<'s, [u8]>, EmitError> {
+    if let Some(text) = literal.filter(|text| is_plain(text)) {
+        if text.len() < MAX_LINE / 2 + 80 && !text.iter().any(|&b| b == b'\n' || b == b'\r' || b == b'\t') {
+            return Ok(Cow::Borrowed(text));
+        }
+        return Ok(Cow::Owned(text.iter().copied().filter(|&b| !white(b)).collect()));
+    }
+    let mut out = Vec::new();
+    match &planned.original {
+        TargetValue::Rob(target) => {
+            let frame = &target.object_from_tcp;
+            let q = frame.rotation.quaternion();
+            out.push(b'[');
+            write_pos(&mut out, frame.translation.vector.into());
+            out.push(b',');
+            write_orient(&mut out, [q.w, q.i, q.j, q.k]);
+            write_rob_tail(&mut out, target);
+        }
+        TargetValue::Joint(target) => {
+            out.push(b'[');
+            write_robjoint(&mut out, target.q_rad);
+            write_joint_tail(&mut out, &target.ext);
+        }
+        TargetValue::FromJoints(_) => {
+            return Err(EmitError::PlanMismatch("a target given by joints has no pose".to_owned()));
+        }
+    }
+    Ok(Cow::Owned(out))
+}
+
+fn write_rob_tail(out: &mut Vec<u8>, target: &RobTarget) {
+    let conf = target.conf;
+    out.extend_from_slice(format!(",[{},{},{},{}]", conf.cf1, conf.cf4, conf.cf6, conf.cfx).as_bytes());
+    write_joint_tail(out, &target.ext);
+}
+
+fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
+    out.push(b',');
+    write_optional(out, *ext);
+    out.push(b']');
+}
+
+/// One array of a module.
+pub struct TargetArray<'p> {
+    /// Its name.
+    pub name: String,
+    /// Text of element 1.
+    pub element1: Cow<'p, [u8]>,
+    /// Where the buckets' numbers come from.
+    pub planned: &'p PlannedTarget,
+}
+
+impl TargetArray<'_> {
+    /// Whether the elements are jointtargets.
+    fn is_joint(&self) -> bool {
+        matches!(self.planned.original, TargetValue::Joint(_))
+    }
+
+    /// Appends the declaration, one element a line.
+    ///
+    /// # Errors
+    /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
+    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<(), EmitError> {
+        let joint = self.is_joint();
+        let tail = tail_of(&self.element1, if joint { 1 } else { 2 });
+        out.extend_from_slice(&style.indent);
+        out.extend_from_slice(b"LOCAL CONST ");
+        out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
+        out.extend_from_slice(self.name.as_bytes());
+        out.extend_from_slice(format!("{{{}}}:=[", self.planned.corrected.len() + 1).as_bytes());
+        out.extend_from_slice(style.eol);
+        let mut line = out.len();
+        out.extend_from_slice(&style.indent);
+        out.extend_from_slice(&style.unit);
+        out.extend_from_slice(&self.element1);
+        for (k, corrected) in self.planned.corrected.iter().enumerate() {
+            end_element(out, line, b",", style);
+            line = out.len();
+            out.extend_from_slice(&style.indent);
+            out.extend_from_slice(&style.unit);
+            match (corrected, joint) {
+                (Corrected::Pose { position_m, orientation_wxyz }, false) => {
+                    out.push(b'[');
+                    write_pos(out, *position_m);
+                    out.push(b',');
+                    write_orient(out, *orientation_wxyz);
+                }
+                (Corrected::Joints { q_rad }, true) => {
+                    out.push(b'[');
+                    write_robjoint(out, q_rad.map(Some));
+                }
+                _ => {
+                    return Err(EmitError::PlanMismatch(format!(
+                        "{}: bucket {k} is of another type than the original",
+                        self.name
+                    )));
+                }
+            }
+            out.push(b',');
+            out.extend_from_slice(tail);
+        }
+        end_element(out, line, b"];", style);
+        Ok(())
+    }
+}
+
+/// Ends the line that an element stands on, and breaks it at commas where it is too long for RAPID.
+fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &Style) {
+    out.extend_from_slice(end);
+    if out.len() - line > MAX_LINE {
+        let text = out.split_off(line);
+        let mut column = 0;
+        let mut from = 0;
+        while from < text.len() {
+            let to =
+                from + text[from..].iter().position(|&b| b == b',').map_or(text.len() - from, |at| at + 1);
+            if column > 0 && column + to - from > MAX_LINE {
+                out.extend_from_slice(style.eol);
+                column = 0;
+            }
+            out.extend_from_slice(&text[from..to]);
+            column += to - from;
+            from = to;
+        }
+    }
+    out.extend_from_slice(style.eol);
+}
+
+/// Everything of an aggregate's text from its component `from` on, closing bracket included.
+fn tail_of(text: &[u8], from: usize) -> &[u8] {
+    let (mut depth, mut commas) = (0_u32, 0_usize);
+    for (at, &byte) in text.iter().enumerate() {
+        match byte {
+            b'[' => depth += 1,
+            b']' => depth = depth.saturating_sub(1),
+            b',' if depth == 1 => {
+                commas += 1;
+                if commas == from {
+                    let tail = &text[at + 1..];
+                    return &tail[tail.iter().position(|&b| b != b' ').unwrap_or(0)..];
+                }
+            }
+            _ => {}
+        }
+    }
+    b"]"
+}
+
+/// Whether an aggregate's text is nothing but brackets, commas, blanks and signed decimal numbers.
+#[must_use]
+pub fn is_plain(text: &[u8]) -> bool {
+    let mut previous = b'[';
+    for &byte in text {
+        let fits = match byte {
+            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => true,
+            b'+' | b'-' => matches!(previous, b'[' | b',' | b'e' | b'E'),
+            b'e' | b'E' => previous.is_ascii_digit() || previous == b'.',
+            _ => white(byte),
+        };
+        if !fits {
+            return false;
+        }
+        if !white(byte) {
+            previous = byte;
+        }
+    }
+    text.first() == Some(&b'[') && text.last() == Some(&b']')
+}
+
+/// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
+#[must_use]
+pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
+    text.split(|&b| matches!(b, b'[' | b']' | b','))
+        .map(|part| part.iter().copied().filter(|&b| !white(b)).collect::<Vec<u8>>())
+        .filter(|part| !part.is_empty())
+        .map(|part| fast_float2::parse::<f64, _>(&part).ok().map(|v| v as f32))
+        .collect()
+}
+
+/// Three letters that an aggregate's numbers are recognised by, however they are spelled.
+///
+/// FNV-1a (Fowler, Noll, Vo) over the single-precision values, folded to 18 bits.
+#[must_use]
+pub fn check_letters(text: &[u8]) -> [u8; 3] {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for value in singles(text).unwrap_or_default() {
+        let value = if value == 0.0 { 0.0 } else { value };
+        for byte in value.to_bits().to_le_bytes() {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+    let folded = hash ^ (hash >> 18) ^ (hash >> 36);
+    [12, 6, 0].map(|shift| LETTERS[(folded >> shift & 63) as usize])
+}
+
+/// A number as the source would spell it, for a message.
+#[must_use]
+pub fn spelled(value: f64) -> String {
+    let mut out = Vec::new();
+    write_num(&mut out, value);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{m_from_mm, rad_from_deg};
+    use nalgebra::Isometry3;
+
+    const LITERAL: &[u8] = b"[[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]";
+
+    fn rob(corrected: Vec<Corrected>) -> PlannedTarget {
+        let target = RobTarget {
+            object_from_tcp: Isometry3::translation(0.4, 0.0, 0.25),
+            conf: crate::program::data::ConfData { cf1: 0, cf4: 0, cf6: -1, cfx: 1 },
+            ext: [None; 6],
+        };
+        PlannedTarget { original: TargetValue::Rob(target), nominal_q_rad: [0.0; 6], corrected }
+    }
+
+    fn pose(x_mm: f64) -> Corrected {
+        Corrected::Pose {
+            position_m: [m_from_mm(x_mm), 0.0, m_from_mm(250.0)],
+            orientation_wxyz: [1.0, 0.0, 0.0, 0.0],
+        }
+    }
+
+    fn style() -> Style {
+        Style { eol: b"\r\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
+    }
+
+    #[test]
+    fn an_array_of_robtargets() {
+        let planned = rob(vec![pose(400.125), pose(400.0625)]);
+        let element1 = element1(Some(LITERAL), &planned).unwrap();
+        let array = TargetArray { name: "tc57".into(), element1, planned: &planned };
+        let mut out = Vec::new();
+        array.write(&mut out, &style()).unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "  LOCAL CONST robtarget tc57{3}:=[\r\n\
+             \x20   [[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]],\r\n\
+             \x20   [[400.125,0,250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]],\r\n\
+             \x20   [[400.0625,0,250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]];\r\n"
+        );
+    }
+
+    #[test]
+    fn without_plain_spelling_the_numbers_stand() {
+        let planned = rob(vec![pose(400.0)]);
+        for literal in [None, Some(b"[[x,0,250],ori,conf,ext]".as_slice()), Some(b"p10")] {
+            let text = element1(literal, &planned).unwrap();
+            assert_eq!(
+                String::from_utf8_lossy(&text),
+                "[[400,0,250],[1,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+            );
+        }
+        let broken_over_lines = b"[[400.0,\r\n\t0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let text = element1(Some(broken_over_lines), &planned).unwrap();
+        assert_eq!(
+            String::from_utf8_lossy(&text),
+            "[[400.0,0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+        );
+    }
+
+    #[test]
+    fn joints_are_jointtargets() {
+        let target =
+            crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
+        let planned = PlannedTarget {
+            original: TargetValue::Joint(target),
+            nominal_q_rad: [0.0; 6],
+            corrected: vec![Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }],
+        };
+        let element1 = element1(None, &planned).unwrap();
+        let array = TargetArray { name: "tc3".into(), element1, planned: &planned };
+        let mut out = Vec::new();
+        array.write(&mut out, &style()).unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "  LOCAL CONST jointtarget tc3{2}:=[\r\n    \
+             [[90,90,90,90,90,90],[9E9,9E9,9E9,9E9,9E9,9E9]],\r\n    \
+             [[45,45,45,45,45,45],[9E9,9E9,9E9,9E9,9E9,9E9]]];\r\n"
+        );
+        let mixed = PlannedTarget { corrected: vec![pose(1.0)], ..planned.clone() };
+        let array = TargetArray { name: "tc3".into(), element1: Cow::Borrowed(b"[[],[]]"), planned: &mixed };
+        assert!(array.write(&mut Vec::new(), &style()).is_err());
+    }
+
+    #[test]
+    fn long_elements_are_broken_at_commas() {
+        let number = "1234567.123456789012";
+        let six = [number; 6].join(",");
+        let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
+        let planned = rob(vec![pose(400.0)]);
+        let element1 = element1(Some(literal.as_bytes()), &planned).unwrap();
+        let array = TargetArray { name: "tc3".into(), element1, planned: &planned };
+        let mut out = Vec::new();
+        let deep = Style { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
+        array.write(&mut out, &deep).unwrap();
+        assert!(out.split(|&b| b == b'\n').all(|line| line.len() <= MAX_LINE));
+        let joined: Vec<u8> = out.iter().copied().filter(|&b| !white(b)).collect();
+        assert!(String::from_utf8_lossy(&joined).contains(&literal));
+    }
+
+    #[test]
+    fn letters_follow_the_values_not_the_spelling() {
+        let same = b"[[400,-0.0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        assert_eq!(check_letters(LITERAL), check_letters(same));
+        let moved = b"[[400.01,0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        assert_ne!(check_letters(LITERAL), check_letters(moved));
+        assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
+        assert_eq!(singles(b"[[1,x]]"), None);
+    }
+}
