@@ -12,11 +12,13 @@ mod names;
 mod number;
 mod options;
 mod place;
+mod restore;
 mod target;
 
 use std::collections::BTreeMap;
 
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance};
+pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
 
 use crate::compensate::plan::{Plan, Status, Tick};
 use crate::diagnostic::FileId;

@@ -88,14 +88,23 @@ pub fn edits(
     for part in written(&added.arrays, &style)? {
         text.extend_from_slice(&part);
     }
-    edits.insert(0, Edit { range: TextRange::empty(place::header(&file.bytes, module)), text: block });
-    edits.insert(1, Edit { range: TextRange::empty(place::data(&file.bytes, module)), text });
+    let mut put = |at: u32, mut text: Vec<u8>| {
+        if !place::at_line_start(&file.bytes, at) {
+            let blanks = text.iter().position(|b| !place::white(*b)).unwrap_or(0);
+            text.drain(..blanks);
+        }
+        if !text.is_empty() {
+            edits.push(Edit { range: TextRange::empty(at), text });
+        }
+    };
+    put(place::header(&file.bytes, module), block);
+    put(place::data(&file.bytes, module), text);
     if !routines.is_empty() {
         let mut text = style.eol.to_vec();
         for line in &routines {
             style.push(&mut text, line);
         }
-        edits.push(Edit { range: TextRange::empty(end), text });
+        put(end, text);
     }
     Ok(edits)
 }

@@ -2,7 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::place::statements;
+use crate::diagnostic::TextRange;
 use crate::program::Program;
+use crate::syntax::SourceFile;
+use crate::syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
+
+/// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
+/// a file declares one itself it is taken.
+const PUBLIC: [&str; 5] = ["tcColdStart", "tcWarmStart", "tcMode", "tcBucket", "tcMinute"];
 
 /// RAPID's longest identifier.
 pub const MAX_NAME: usize = 32;
@@ -26,6 +34,11 @@ impl Names {
                     taken.insert(String::from_utf8_lossy(word).to_ascii_lowercase());
                 }
             });
+        }
+        for name in PUBLIC.map(str::to_ascii_lowercase) {
+            if taken.contains(&name) && !program.files.iter().any(|file| declares(file, &name)) {
+                taken.remove(&name);
+            }
         }
         let mut ours = BTreeSet::new();
         for text in core {
@@ -86,6 +99,36 @@ impl Names {
         }
         None
     }
+}
+
+/// Whether `file` gives something the name, which is in lower case.
+fn declares(file: &SourceFile, name: &str) -> bool {
+    let is = |range: TextRange| file.text(range).eq_ignore_ascii_case(name.as_bytes());
+    let in_routine = |routine: &Routine| {
+        is(routine.name)
+            || routine.params.iter().any(|p| is(p.name))
+            || statements(routine).iter().any(|stmt| match &stmt.kind {
+                StmtKind::Data(data) => is(data.name),
+                StmtKind::For { var, .. } => is(*var),
+                StmtKind::Label(label) => is(*label),
+                _ => false,
+            })
+    };
+    file.tree.items.iter().any(|item| match item {
+        FileItem::Module(module) => {
+            is(module.name)
+                || module.items.iter().any(|item| match item {
+                    ModuleItem::Data(data) => is(data.name),
+                    ModuleItem::Record(record) => {
+                        is(record.name) || record.components.iter().any(|(_, name)| is(*name))
+                    }
+                    ModuleItem::Alias(alias) => is(alias.name),
+                    ModuleItem::Routine(routine) => in_routine(routine),
+                    ModuleItem::Comment(_) | ModuleItem::Opaque(_) => false,
+                })
+        }
+        FileItem::Comment(_) | FileItem::Opaque(_) => false,
+    })
 }
 
 fn begins_with_tc(word: &[u8]) -> bool {

@@ -158,15 +158,16 @@ pub fn statement(source: &[u8], offset: u32, text: &str, eol: &[u8]) -> (u32, Ve
     (at as u32, out)
 }
 
-/// The compact IFs of a routine: before a statement inside one nothing can be put in.
+/// Every statement of a routine, in source order, those inside others included.
 #[must_use]
-pub fn compact_ifs(routine: &Routine) -> Vec<TextRange> {
+pub fn statements(routine: &Routine) -> Vec<&Stmt> {
     let mut found = Vec::new();
     let mut open: Vec<&Stmt> = routine.body.iter().collect();
     open.extend(routine.handlers.iter().flat_map(|h| &h.body));
     while let Some(stmt) = open.pop() {
+        found.push(stmt);
         match &stmt.kind {
-            StmtKind::CompactIf { .. } => found.push(stmt.range),
+            StmtKind::CompactIf { then, .. } => open.push(then),
             StmtKind::If { arms, otherwise } => {
                 open.extend(arms.iter().flat_map(|(_, body)| body));
                 open.extend(otherwise.iter().flatten());
@@ -179,8 +180,46 @@ pub fn compact_ifs(routine: &Routine) -> Vec<TextRange> {
             _ => {}
         }
     }
-    found.sort_unstable();
+    found.sort_unstable_by_key(|s| (s.range.start, std::cmp::Reverse(s.range.end)));
     found
+}
+
+/// The compact IFs of a routine: before a statement inside one nothing can be put in.
+#[must_use]
+pub fn compact_ifs(routine: &Routine) -> Vec<TextRange> {
+    let all = statements(routine).into_iter();
+    all.filter(|s| matches!(s.kind, StmtKind::CompactIf { .. })).map(|s| s.range).collect()
+}
+
+/// Whether `at` is the first byte of a line, so that whole lines can be put in there.
+#[must_use]
+pub fn at_line_start(source: &[u8], at: u32) -> bool {
+    line_start(source, at as usize) == at as usize
+}
+
+/// The range of what was put in as whole lines, or right before a token: from the beginning of the line
+/// where only blanks stand before `range`, to past the line end that follows it.
+#[must_use]
+pub fn whole_lines(source: &[u8], range: TextRange) -> TextRange {
+    let (start, end) = (range.start as usize, range.end as usize);
+    let line = line_start(source, start);
+    let from = if source[line..start].iter().all(|&b| blank(b)) { line } else { start };
+    let rest = source.get(end..).unwrap_or_default();
+    let token = end + rest.iter().position(|&b| !blank(b)).unwrap_or(rest.len());
+    TextRange::new(from as u32, past_eol(source, token) as u32)
+}
+
+/// The range with the empty line before it, where it begins a line and one is there.
+#[must_use]
+pub fn with_empty_line_before(source: &[u8], range: TextRange) -> TextRange {
+    let start = range.start as usize;
+    let before = match source.get(..start) {
+        Some([.., b'\r', b'\n']) => start - 2,
+        Some([.., b'\r' | b'\n']) => start - 1,
+        _ => return range,
+    };
+    let empty = line_start(source, before) == before;
+    if empty { TextRange::new(before as u32, range.end) } else { range }
 }
 
 #[cfg(test)]

@@ -20,7 +20,8 @@ pub const MAX_LINE: usize = 255;
 /// # Errors
 /// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
 pub fn element1<'s>(literal: Option<&'s [u8]>, planned: &PlannedTarget) -> Result<Cow<'s, [u8]>, EmitError> {
-    if let Some(text) = literal.filter(|text| is_plain(text)) {
+    let components = if matches!(planned.original, TargetValue::Joint(_)) { 2 } else { 4 };
+    if let Some(text) = literal.filter(|text| is_plain(text) && has_components(text, components)) {
         if text.len() < MAX_LINE / 2 + 80 && !text.iter().any(|&b| b == b'\n' || b == b'\r' || b == b'\t') {
             return Ok(Cow::Borrowed(text));
         }
@@ -165,6 +166,11 @@ fn tail_of(text: &[u8], from: usize) -> &[u8] {
         }
     }
     b"]"
+}
+
+/// Whether an aggregate has so many components.
+fn has_components(text: &[u8], count: usize) -> bool {
+    tail_of(text, count - 1) != b"]" && tail_of(text, count) == b"]"
 }
 
 /// Whether an aggregate's text is nothing but brackets, commas, blanks and signed decimal numbers.
