@@ -77,6 +77,18 @@ pub enum RestoreError {
     },
 }
 
+impl RestoreError {
+    /// Its stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotEmitted => "restore::not-emitted",
+            Self::IsCore => "restore::core",
+            Self::Damaged { .. } => "restore::damaged",
+        }
+    }
+}
+
 /// Gives the original of an emitted module.
 ///
 /// Byte for byte where nothing was changed since. Where element 1 of a target was touched up it takes
