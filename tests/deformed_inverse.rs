@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 use driftpost::deform::Deformation;
-use driftpost::kinematics::{Chain, ClosedForm, SolveError, solve};
+use driftpost::kinematics::{Arm, Chain, ClosedForm, PoseAndJacobian, SolveError, solve};
 use driftpost::robot::Robot;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
@@ -155,4 +155,35 @@ fn a_pose_of_another_branch_is_not_reached_through_a_singularity() {
     // The same joint 4 and 6, joint 5 past its singularity: reachable, but on the other branch.
     let other = [0.1, 0.2, 0.1, 0.3, -0.02, 0.2];
     assert!(matches!(solve(&chain, &chain.forward(&other), &start), Err(SolveError::LeftBranch { .. })));
+}
+
+/// An arm whose joint 2 sags by gravity: its frames move with the joints.
+struct Sagging {
+    chain: Chain,
+    sag_rad: f64,
+}
+
+impl Arm for Sagging {
+    fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
+        let mut sagged = *q_rad;
+        sagged[1] += self.sag_rad * (q_rad[1] + q_rad[2]).cos();
+        self.chain.pose_and_jacobian(&sagged)
+    }
+}
+
+#[test]
+fn an_arm_whose_frames_move_with_its_joints_is_solved_too() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let closed = ClosedForm::new(&robot).unwrap();
+    let chain = Chain::with_offsets(&robot, &Deformation::paper().settled());
+    let arm = Sagging { chain: chain.clone(), sag_rad: 2e-3 };
+    for target in targets() {
+        let start = nominal(&closed, &target);
+        let solved = solve(&arm, &target, &start).unwrap();
+        let mut sagged = solved.q_rad;
+        sagged[1] += 2e-3 * (sagged[1] + sagged[2]).cos();
+        let (mm, deg) = gap(&chain.forward(&sagged), &target);
+        assert!(mm <= 1e-9 && deg <= 1e-9, "{mm} {deg}");
+        assert!(solved.q_rad != solve(&chain, &target, &start).unwrap().q_rad);
+    }
 }
