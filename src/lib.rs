@@ -27,8 +27,6 @@ pub mod compensate;
 
 pub mod emit;
 
-pub mod exam;
-
 pub mod report;
 
 pub mod cli;

@@ -2,6 +2,197 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+mod correct;
+mod drift;
+mod figures;
+mod messages;
+mod minutes;
+mod model;
+mod nominal;
+mod options;
+mod path;
+mod placement;
 pub mod plan;
+mod rigid;
 pub mod tabulate;
 pub mod targets;
+mod ticks;
+mod track;
+
+pub use minutes::{MinuteJoints, joints_every_minute};
+pub use options::Options;
+
+use crate::deform::Deformation;
+use crate::diagnostic::Diagnostic;
+use crate::kinematics::StructureError;
+use crate::program::Program;
+use crate::program::motion::{Keep, Path};
+use crate::robot::Robot;
+use crate::schedule::{Moment, ScheduleError, choose};
+use correct::{Made, correct, kept};
+use drift::Points;
+use messages::Messages;
+use model::Model;
+use nominal::{Resolved, resolve};
+use plan::{Plan, PlannedMotion, Status};
+use rayon::prelude::*;
+
+/// Why there is no plan at all.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum CompensateError {
+    /// The robot's structure has no closed form.
+    #[error("the robot cannot be compensated: {0}")]
+    Structure(#[from] StructureError),
+    /// The deformation goes by temperature.
+    #[error("the deformation goes by temperature; a schedule by warm-up time needs a table with t_min")]
+    Temperature,
+    /// No schedule.
+    #[error("no schedule: {0}")]
+    Schedule(#[from] ScheduleError),
+    /// There is no motion.
+    #[error("the program holds no motion")]
+    NoMotion,
+    /// Every motion stays as it is.
+    #[error(
+        "none of the {motions} motions can be compensated; the first, in line {line}, is kept because {} [{}]",
+        first.reason, first.code
+    )]
+    NothingToCompensate {
+        /// How many there are.
+        motions: usize,
+        /// Line of the first.
+        line: u32,
+        /// Its reason.
+        first: Keep,
+        /// What there is to be said about all of them.
+        diagnostics: Vec<Diagnostic>,
+    },
+}
+
+impl CompensateError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Structure(_) => "robot::structure",
+            Self::Temperature => "schedule::temperature",
+            Self::Schedule(error) => error.code(),
+            Self::NoMotion => "compensate::no-motion",
+            Self::NothingToCompensate { .. } => "compensate::nothing",
+        }
+    }
+}
+
+/// What becomes of each of a program's motions when the arm deforms as it warms up.
+///
+/// A plan with a diagnostic of [`Severity::Error`](crate::diagnostic::Severity::Error) must not be emitted.
+///
+/// # Errors
+/// [`CompensateError`] where no motion can be compensated or no schedule meets the request.
+pub fn plan(
+    program: &Program,
+    robot: &Robot,
+    deformation: &Deformation,
+    options: &Options,
+) -> Result<Plan, CompensateError> {
+    let model = Model::new(robot, deformation)?;
+    let mut messages = Messages::default();
+    let mut resolved = resolve(program, &model, &mut messages);
+    keep_as_asked(program, options, &mut resolved);
+    keep_unfollowable(&model, &mut resolved);
+    let points = resolved.iter().flat_map(|resolved| resolved.points.iter().flatten()).collect();
+    let drift = Points { model: &model, points };
+    if drift.points.is_empty() {
+        return Err(nothing(program, |i| resolved[i].points.as_ref().err(), messages));
+    }
+    let chosen = choose(&drift, &options.request())?;
+    let warm = model.warm(&chosen.schedule);
+    let mut made: Vec<Made> = resolved
+        .par_iter()
+        .map(|resolved| match &resolved.points {
+            Ok(points) => correct(points, &warm, &model, options),
+            Err(why) => kept(why.clone()),
+        })
+        .collect();
+    figures::follow_paths(program, &resolved, &warm, &model, &mut made);
+    let summary = figures::summary(&model, &resolved, &made, &chosen);
+    let mut motions: Vec<PlannedMotion> = made.into_iter().map(|made| made.planned).collect();
+    let reason = |i: usize| match &motions[i].status {
+        Status::Kept(why) => Some(why),
+        Status::Compensated | Status::Refused(_) => None,
+    };
+    if (0..motions.len()).all(|i| reason(i).is_some()) {
+        return Err(nothing(program, reason, messages));
+    }
+    if options.strict {
+        motions.iter_mut().for_each(refuse_kept);
+    }
+    messages.add_statuses(program, &motions);
+    messages.add_paths(program, &motions, options);
+    messages.add_schedule(&chosen, &summary, options);
+    let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule);
+    Ok(Plan { schedule: chosen.schedule, motions, ticks, summary, diagnostics: messages.finish() })
+}
+
+/// Joint targets that the options leave alone.
+fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]) {
+    let why = if options.absolute_accuracy {
+        placement::keep(
+            "keep::absolute-accuracy",
+            "Absolute Accuracy is on, and what the controller makes of joint values is then not known",
+        )
+    } else if options.keep_moveabsj {
+        placement::keep("keep::moveabsj", "MoveAbsJ is to stay as it is")
+    } else {
+        return;
+    };
+    for (motion, resolved) in program.motions.iter().zip(resolved) {
+        if motion.path == Path::AbsJoint && resolved.points.is_ok() {
+            resolved.points = Err(why.clone());
+        }
+    }
+}
+
+/// Takes out what the settled arm cannot follow, so that no schedule is made for it.
+fn keep_unfollowable(model: &Model, resolved: &mut [Resolved]) {
+    let settled = model.chain(Moment::Settled);
+    resolved.par_iter_mut().for_each(|resolved| {
+        if let Ok(points) = &resolved.points
+            && let Some(why) = points.iter().find_map(|p| correct::warm_joints(p, &settled, &p.q_rad).err())
+        {
+            resolved.points = Err(why);
+        }
+    });
+}
+
+fn refuse_kept(motion: &mut PlannedMotion) {
+    if let Status::Kept(why) = &motion.status {
+        motion.status = Status::Refused(why.clone());
+    }
+}
+
+fn nothing<'a>(
+    program: &Program,
+    reason: impl Fn(usize) -> Option<&'a Keep>,
+    mut messages: Messages,
+) -> CompensateError {
+    let mut first = None;
+    for (i, motion) in program.motions.iter().enumerate() {
+        if let Some(why) = reason(i) {
+            messages.add_kept(motion, why);
+            first.get_or_insert((motion.line, why.clone()));
+        }
+    }
+    match first {
+        Some((line, first)) => CompensateError::NothingToCompensate {
+            motions: program.motions.len(),
+            line,
+            first,
+            diagnostics: messages.finish(),
+        },
+        None => CompensateError::NoMotion,
+    }
+}
+
+#[cfg(test)]
+mod tests;

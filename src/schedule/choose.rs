@@ -123,6 +123,22 @@ pub enum ScheduleError {
     },
 }
 
+impl ScheduleError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Tolerance { .. } => "schedule::tolerance",
+            Self::Until { .. } => "schedule::until",
+            Self::Width { .. } => "schedule::width",
+            Self::TooManyBuckets => "schedule::too-many",
+            Self::TooFast { .. } => "schedule::too-fast",
+            Self::NeverSettles => "schedule::never-settles",
+            Self::Unverified { .. } => "schedule::unverified",
+        }
+    }
+}
+
 /// The schedule for `request`: edges on whole minutes, or on tenths where whole minutes would cost more
 /// than one bucket over the fewest or cannot keep the tolerance.
 ///

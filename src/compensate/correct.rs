@@ -1,0 +1,213 @@
+//! One motion's correction: for each bucket the deformed arm's joints, what they look like to the nominal
+//! controller, and whether that may be sent.
+
+use super::Options;
+use super::model::{Model, WarmBucket};
+use super::nominal::Point;
+use super::placement::keep;
+use super::plan::{Corrected, PlannedMotion, PlannedTarget, Status};
+use crate::kinematics::{Chain, solve};
+use crate::program::motion::{Keep, TargetValue};
+use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use nalgebra::{Isometry3, Vector3};
+
+/// A joint that would change by more is near a singularity, degrees.
+const JOINT_CHANGE_DEG: f64 = 1.0;
+
+/// A motion's plan and what the summary needs of it.
+pub(super) struct Made {
+    pub(super) planned: PlannedMotion,
+    /// Largest step of the TCP where one bucket follows another, metres.
+    pub(super) switch_jump_m: f64,
+    /// The bucket with the largest correction.
+    pub(super) worst_bucket: usize,
+}
+
+/// The plan of a motion that stays as it is.
+pub(super) fn kept(why: Keep) -> Made {
+    let planned = PlannedMotion {
+        status: Status::Kept(why),
+        targets: Vec::new(),
+        max_correction_m: 0.0,
+        max_correction_rad: 0.0,
+        mid_path_m: None,
+        error_m: Vec::new(),
+    };
+    Made { planned, switch_jump_m: 0.0, worst_bucket: 0 }
+}
+
+/// Corrects a motion's points for all buckets.
+pub(super) fn correct(points: &[Point], warm: &[WarmBucket], model: &Model, options: &Options) -> Made {
+    let mut made = Made {
+        planned: PlannedMotion {
+            status: Status::Compensated,
+            targets: Vec::with_capacity(points.len()),
+            max_correction_m: 0.0,
+            max_correction_rad: 0.0,
+            mid_path_m: None,
+            error_m: vec![[0.0; 2]; warm.len()],
+        },
+        switch_jump_m: 0.0,
+        worst_bucket: 0,
+    };
+    let mut refusal = None;
+    for point in points {
+        let joints = match joints_per_bucket(point, warm, model) {
+            Ok(joints) => joints,
+            Err(Stop::Keep(why)) => return kept(why),
+            Err(Stop::Refuse(why)) => {
+                refusal.get_or_insert(why);
+                continue;
+            }
+        };
+        let corrected = made.add_target(point, &joints, model);
+        made.add_errors(point, &joints, warm);
+        made.planned.targets.push(PlannedTarget {
+            original: point.original,
+            nominal_q_rad: point.q_rad,
+            corrected,
+        });
+    }
+    if let Some(why) = refusal.or_else(|| over_cap(&made.planned, options)) {
+        made.planned.status = Status::Refused(why);
+        if made.planned.targets.len() < points.len() {
+            made.planned.targets.clear();
+        }
+    }
+    made
+}
+
+/// Why a target has no corrected joints.
+enum Stop {
+    Keep(Keep),
+    Refuse(Keep),
+}
+
+/// The deformed arm's joints for each bucket.
+fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Result<Vec<[f64; 6]>, Stop> {
+    let own = model.closed.configuration(&point.q_rad);
+    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
+    let mut refusal = None;
+    for bucket in warm {
+        let start = joints.last().unwrap_or(&point.q_rad);
+        let q_rad = warm_joints(point, &bucket.at, start).map_err(Stop::Keep)?;
+        if refusal.is_none() {
+            if let Err(out) = model.robot().within_range(&q_rad) {
+                refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
+            } else if model.closed.kept(&own, &q_rad) != own {
+                refusal = Some(keep(
+                    "refuse::configuration",
+                    "its correction would change the arm's configuration",
+                ));
+            }
+        }
+        joints.push(q_rad);
+    }
+    refusal.map_or(Ok(joints), |why| Err(Stop::Refuse(why)))
+}
+
+/// The joints with which `chain` stands where the point is meant to be, or why the point is kept.
+pub(super) fn warm_joints(point: &Point, chain: &Chain, start_q_rad: &[f64; 6]) -> Result<[f64; 6], Keep> {
+    let q_rad = solve(chain, &point.base_from_flange, start_q_rad)
+        .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
+        .q_rad;
+    let (joint, change_rad) = q_rad
+        .iter()
+        .zip(&point.q_rad)
+        .map(|(a, b)| (a - b).abs())
+        .enumerate()
+        .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
+    if change_rad > rad_from_deg(JOINT_CHANGE_DEG) {
+        return Err(keep(
+            "singular::joint-change",
+            format!(
+                "axis {} would change by {:.3} deg: too near a singularity",
+                joint + 1,
+                deg_from_rad(change_rad)
+            ),
+        ));
+    }
+    Ok(q_rad)
+}
+
+fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
+    if planned.max_correction_m > options.max_correction_m {
+        return Some(keep(
+            "refuse::correction",
+            format!(
+                "it would be moved by {:.4} mm, more than the {} mm allowed",
+                mm_from_m(planned.max_correction_m),
+                mm_from_m(options.max_correction_m)
+            ),
+        ));
+    }
+    (planned.max_correction_rad > options.max_correction_rad).then(|| {
+        keep(
+            "refuse::correction",
+            format!(
+                "it would be turned by {:.5} deg, more than the {} deg allowed",
+                deg_from_rad(planned.max_correction_rad),
+                deg_from_rad(options.max_correction_rad)
+            ),
+        )
+    })
+}
+
+impl Made {
+    /// What the nominal controller is to be told for each bucket.
+    fn add_target(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) -> Vec<Corrected> {
+        let mut corrected = Vec::with_capacity(joints.len());
+        for (k, q_rad) in joints.iter().enumerate() {
+            let object_from_tcp = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+            let moved_m =
+                (object_from_tcp.translation.vector - point.object_from_tcp.translation.vector).norm();
+            let turned_rad = point.object_from_tcp.rotation.angle_to(&object_from_tcp.rotation);
+            if moved_m > self.planned.max_correction_m {
+                self.planned.max_correction_m = moved_m;
+                self.worst_bucket = k;
+            }
+            self.planned.max_correction_rad = self.planned.max_correction_rad.max(turned_rad);
+            corrected.push(match point.original {
+                TargetValue::Joint(_) => Corrected::Joints { q_rad: *q_rad },
+                TargetValue::Rob(_) | TargetValue::FromJoints(_) => as_written(&object_from_tcp, point),
+            });
+        }
+        corrected
+    }
+
+    /// Distances over each bucket, before and after, and the steps between buckets.
+    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &[WarmBucket]) {
+        let far = |chain: &Chain, q_rad: &[f64; 6]| point.miss_m(chain, q_rad);
+        let mut before_from = warm.first().map_or(0.0, |bucket| far(&bucket.from, &point.q_rad).norm());
+        let mut ended: Option<Vector3<f64>> = None;
+        for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.planned.error_m) {
+            let start = far(&bucket.from, q_rad);
+            if let Some(ended) = ended {
+                self.switch_jump_m = self.switch_jump_m.max((start - ended).norm());
+            }
+            let end = far(&bucket.end, q_rad);
+            let before_end = far(&bucket.end, &point.q_rad).norm();
+            let mut before = f64::max(before_from, before_end);
+            let mut after = start.norm().max(end.norm());
+            for bend in &bucket.bends {
+                before = before.max(far(bend, &point.q_rad).norm());
+                after = after.max(far(bend, q_rad).norm());
+            }
+            *error_m = [error_m[0].max(before), error_m[1].max(after)];
+            before_from = before_end;
+            ended = Some(end);
+        }
+    }
+}
+
+/// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
+/// targets do not flip.
+fn as_written(object_from_tcp: &Isometry3<f64>, point: &Point) -> Corrected {
+    let q = object_from_tcp.rotation.quaternion();
+    let sign = if q.dot(point.object_from_tcp.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
+    let t = &object_from_tcp.translation.vector;
+    Corrected::Pose {
+        position_m: [t.x, t.y, t.z],
+        orientation_wxyz: [sign * q.w, sign * q.i, sign * q.j, sign * q.k],
+    }
+}

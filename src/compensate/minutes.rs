@@ -1,0 +1,89 @@
+//! The offline table: each compensated target's joints at every minute, streamed.
+
+use super::CompensateError;
+use super::messages::Messages;
+use super::model::Model;
+use super::nominal::{Point, resolve};
+use super::plan::{Plan, Status};
+use crate::deform::Deformation;
+use crate::kinematics::{Chain, solve};
+use crate::program::Program;
+use crate::robot::Robot;
+use crate::schedule::Moment;
+use rayon::prelude::*;
+
+/// Targets that are solved at one go: enough to share among cores, few enough to stay small.
+const AT_ONE_GO: usize = 256;
+
+/// One target at one minute.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MinuteJoints {
+    /// Index into [`Program::motions`].
+    pub motion: usize,
+    /// Which of the motion's targets.
+    pub target: usize,
+    /// Warm-up minute.
+    pub t_min: f64,
+    /// Joints of the warm arm, radians.
+    pub q_rad: [f64; 6],
+    /// Where its TCP then is, in the motion's work object, metres.
+    pub position_m: [f64; 3],
+    /// Distance from where it is meant to be, metres.
+    pub residual_m: f64,
+}
+
+/// Every compensated target at every whole minute from 0 to `until_min`, target by target.
+///
+/// A target that the warm arm does not reach at a minute has no row there.
+///
+/// # Errors
+/// As [`plan`](super::plan()).
+pub fn joints_every_minute(
+    program: &Program,
+    robot: &Robot,
+    deformation: &Deformation,
+    plan: &Plan,
+    until_min: f64,
+) -> Result<impl Iterator<Item = MinuteJoints>, CompensateError> {
+    let model = Model::new(robot, deformation)?;
+    let minutes: Vec<(f64, Chain)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
+        .map(|t| (f64::from(t), model.chain(Moment::Minute(f64::from(t)))))
+        .collect();
+    let points: Vec<(usize, usize, Point)> = resolve(program, &model, &mut Messages::default())
+        .into_iter()
+        .zip(&plan.motions)
+        .enumerate()
+        .filter(|(_, (_, planned))| planned.status == Status::Compensated)
+        .flat_map(|(i, (resolved, _))| {
+            resolved.points.into_iter().flatten().enumerate().map(move |(target, point)| (i, target, point))
+        })
+        .collect();
+    let starts = (0..points.len()).step_by(AT_ONE_GO);
+    Ok(starts.flat_map(move |start| {
+        let end = (start + AT_ONE_GO).min(points.len());
+        let rows: Vec<Vec<MinuteJoints>> = points[start..end]
+            .par_iter()
+            .map(|(motion, target, point)| over_minutes(*motion, *target, point, &minutes))
+            .collect();
+        rows.into_iter().flatten()
+    }))
+}
+
+fn over_minutes(motion: usize, target: usize, point: &Point, minutes: &[(f64, Chain)]) -> Vec<MinuteJoints> {
+    let mut start = point.q_rad;
+    let mut rows = Vec::with_capacity(minutes.len());
+    for (t_min, chain) in minutes {
+        let Ok(solved) = solve(chain, &point.base_from_flange, &start) else { continue };
+        start = solved.q_rad;
+        let reached = point.placement.object_from_tcp(&chain.forward(&solved.q_rad)).translation.vector;
+        rows.push(MinuteJoints {
+            motion,
+            target,
+            t_min: *t_min,
+            q_rad: solved.q_rad,
+            position_m: reached.into(),
+            residual_m: (reached - point.object_from_tcp.translation.vector).norm(),
+        });
+    }
+    rows
+}

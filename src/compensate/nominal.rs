@@ -1,0 +1,297 @@
+//! Where each motion is meant to go, and with which joints: the branch by confdata and by where the arm
+//! comes from.
+
+use super::messages::{Messages, place};
+use super::model::Model;
+use super::placement::{Placement, keep};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::kinematics::{Configuration, Solution};
+use crate::program::Program;
+use crate::program::data::{ConfData, JointTarget, RobTarget};
+use crate::program::motion::{Keep, Motion, Path, TargetValue};
+use crate::units::rad_from_deg;
+use nalgebra::{Isometry3, Vector3};
+
+/// Nearer to the wrist singularity than this a motion is kept, degrees.
+const WRIST_DEG: f64 = 2.0;
+/// Joints closer than this are the same solution, radians.
+const SAME_RAD: f64 = 1e-6;
+
+/// One target of a motion, placed.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    /// As programmed; a pose given by joints has become a pose.
+    pub(super) original: TargetValue,
+    pub(super) placement: Placement,
+    pub(super) object_from_tcp: Isometry3<f64>,
+    pub(super) base_from_flange: Isometry3<f64>,
+    /// The point carried by the flange, in the flange frame, and where in the base it is meant to be, metres.
+    pub(super) carried_m: Vector3<f64>,
+    pub(super) meant_m: Vector3<f64>,
+    /// Nominal joints on the branch that is meant, radians.
+    pub(super) q_rad: [f64; 6],
+}
+
+/// A motion as far as the nominal arm goes.
+#[derive(Clone, Debug)]
+pub(super) struct Resolved {
+    /// Its targets, or why it stays as it is.
+    pub(super) points: Result<Vec<Point>, Keep>,
+    /// Nominal joints after it, radians, where they are known well enough to tell the branch.
+    pub(super) exit_q_rad: Option<[f64; 6]>,
+    /// Where it ends, where that is known exactly: not so after program displacements, searches and the like.
+    pub(super) end: Option<Point>,
+}
+
+/// What is to be said about a choice of branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Note {
+    /// Confdata means another solution than the one the arm comes along.
+    Disagrees,
+    /// No solution of the branch the arm comes along: a straight line cannot get there.
+    BranchChange,
+    /// `[0,0,0,0]` and nothing to check it against.
+    Unset,
+}
+
+/// All motions of a program, in their order.
+pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages) -> Vec<Resolved> {
+    let motions = &program.motions;
+    let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
+    let mut waiting = vec![false; motions.len()];
+    let mut stack = Vec::new();
+    for first in 0..motions.len() {
+        stack.push(first);
+        while let Some(&i) = stack.last() {
+            if done[i].is_some() {
+                stack.pop();
+                continue;
+            }
+            let previous = motions[i].previous.filter(|&p| p < motions.len());
+            if let Some(p) = previous
+                && done[p].is_none()
+                && !waiting[p]
+            {
+                waiting[i] = true;
+                stack.push(p);
+                continue;
+            }
+            let history = previous.and_then(|p| done[p].as_ref()).and_then(|resolved| resolved.exit_q_rad);
+            done[i] = Some(resolve_motion(&motions[i], history, model, messages));
+            stack.pop();
+        }
+    }
+    done.into_iter().flatten().collect()
+}
+
+fn resolve_motion(
+    motion: &Motion,
+    history: Option<[f64; 6]>,
+    model: &Model,
+    messages: &mut Messages,
+) -> Resolved {
+    let points = place_targets(motion, history, model, messages);
+    let last = points.as_ref().ok().and_then(|points| points.last());
+    let exit_q_rad = last.map(|point| point.q_rad);
+    let end = last.filter(|_| motion.keep.is_none()).cloned();
+    let points = match (&motion.keep, points) {
+        (Some(why), _) => Err(why.clone()),
+        (None, Ok(points)) => well_posed(motion, points, model),
+        (None, Err(why)) => Err(why),
+    };
+    Resolved { points, exit_q_rad, end }
+}
+
+/// The points, where the arm can be corrected there at all.
+fn well_posed(motion: &Motion, points: Vec<Point>, model: &Model) -> Result<Vec<Point>, Keep> {
+    for point in &points {
+        if let Err(out) = model.robot().within_range(&point.q_rad) {
+            return Err(keep("reach::range", format!("its own target is out of range: {out}")));
+        }
+        if model.closed.posture(&point.q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG) {
+            return Err(keep(
+                "singular::wrist",
+                format!("axis 5 stands within {WRIST_DEG} deg of the wrist singularity"),
+            ));
+        }
+    }
+    if points.is_empty() {
+        return Err(keep(
+            "keep::no-target",
+            format!("{} has no target that could be corrected", motion.kind),
+        ));
+    }
+    Ok(points)
+}
+
+fn place_targets(
+    motion: &Motion,
+    history: Option<[f64; 6]>,
+    model: &Model,
+    messages: &mut Messages,
+) -> Result<Vec<Point>, Keep> {
+    let placement = Placement::of(motion)?;
+    let mut from = history;
+    let mut points = Vec::with_capacity(motion.targets.len());
+    for target in &motion.targets {
+        let Some(value) = target.value else {
+            return Err(keep("keep::unknown-target", "its target is only known at run time"));
+        };
+        let point = match value {
+            TargetValue::Joint(joints) => at_joints(&joints, value, placement, model)?,
+            TargetValue::FromJoints(joints) => {
+                let point = at_joints(&joints, value, placement, model)?;
+                let c = model.closed.configuration(&point.q_rad);
+                let conf = ConfData { cf1: c.cf1, cf4: c.cf4, cf6: c.cf6, cfx: c.cfx };
+                let pose = RobTarget { object_from_tcp: point.object_from_tcp, conf, ext: joints.ext };
+                Point { original: TargetValue::Rob(pose), ..point }
+            }
+            TargetValue::Rob(pose) => {
+                let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
+                let (q_rad, note) = branch(motion, &base_from_flange, &pose.conf, from, model)?;
+                if let Some(note) = note {
+                    say(motion, &pose.conf, note, messages);
+                }
+                point(value, placement, pose.object_from_tcp, base_from_flange, q_rad)
+            }
+        };
+        from = Some(point.q_rad);
+        points.push(point);
+    }
+    Ok(points)
+}
+
+fn at_joints(
+    joints: &JointTarget,
+    original: TargetValue,
+    placement: Placement,
+    model: &Model,
+) -> Result<Point, Keep> {
+    let mut q_rad = [0.0; 6];
+    for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
+        *q_rad = joint.ok_or_else(|| {
+            keep("keep::unused-axis", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
+        })?;
+    }
+    let base_from_flange = model.nominal.forward(&q_rad);
+    let object_from_tcp = placement.object_from_tcp(&base_from_flange);
+    Ok(point(original, placement, object_from_tcp, base_from_flange, q_rad))
+}
+
+fn point(
+    original: TargetValue,
+    placement: Placement,
+    object_from_tcp: Isometry3<f64>,
+    base_from_flange: Isometry3<f64>,
+    q_rad: [f64; 6],
+) -> Point {
+    let (carried_m, meant_m) = placement.points(&object_from_tcp);
+    Point { original, placement, object_from_tcp, base_from_flange, carried_m, meant_m, q_rad }
+}
+
+/// The joints that are meant.
+///
+/// A linear or circular move cannot change branch, so where the arm comes from decides and confdata is
+/// checked against it; a joint move goes where confdata says, or to the nearest joints under `ConfJ \Off`.
+fn branch(
+    motion: &Motion,
+    base_from_flange: &Isometry3<f64>,
+    conf: &ConfData,
+    from: Option<[f64; 6]>,
+    model: &Model,
+) -> Result<([f64; 6], Option<Note>), Keep> {
+    let solutions = model.closed.solutions(base_from_flange);
+    if solutions.is_empty() {
+        let anywhere = model.closed.branches(base_from_flange).iter().any(Option::is_some);
+        return Err(if anywhere {
+            keep("reach::range", "its target is reached only outside the joints' ranges")
+        } else {
+            keep("reach::none", "its target is out of the arm's reach")
+        });
+    }
+    let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
+    let by_conf = solutions.iter().find(|s| model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad);
+    let unset = *conf == ConfData::default();
+    let no_such = || {
+        let ConfData { cf1, cf4, cf6, cfx } = *conf;
+        keep(
+            "keep::configuration",
+            format!(
+                "no solution has its configuration [{cf1},{cf4},{cf6},{cfx}], and nothing says which is meant"
+            ),
+        )
+    };
+    if matches!(motion.path, Path::Joint | Path::AbsJoint) {
+        if motion.conf_monitored == Some(false) {
+            let near = from.and_then(|from| nearest(solutions.iter(), &from));
+            return near.or(by_conf).map(|q_rad| (q_rad, None)).ok_or_else(no_such);
+        }
+        let q_rad = by_conf.ok_or_else(no_such)?;
+        let elsewhere = from.is_some_and(|from| model.closed.configuration(&from).cfx != written.cfx);
+        return Ok((q_rad, (unset && elsewhere).then_some(Note::Unset)));
+    }
+    let along = from.and_then(|from| {
+        let near_wrist = model.closed.posture(&from).wrist_rad.abs() < rad_from_deg(WRIST_DEG);
+        let drop = u32::from(near_wrist);
+        let here = model.closed.configuration(&from).cfx >> drop;
+        nearest(solutions.iter().filter(|s| s.configuration.cfx >> drop == here), &from)
+    });
+    match (by_conf, along, from) {
+        (Some(written), Some(along), _) if same(&written, &along) => Ok((along, None)),
+        (_, Some(along), _) => Ok((along, Some(Note::Disagrees))),
+        (Some(written), None, Some(_)) => Ok((written, Some(Note::BranchChange))),
+        (Some(written), None, None) => Ok((written, unset.then_some(Note::Unset))),
+        (None, None, _) => Err(no_such()),
+    }
+}
+
+fn nearest<'a>(solutions: impl Iterator<Item = &'a Solution>, from: &[f64; 6]) -> Option<[f64; 6]> {
+    let far = |q: &[f64; 6]| q.iter().zip(from).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+    solutions.map(|s| s.q_rad).min_by(|a, b| far(a).total_cmp(&far(b)))
+}
+
+fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_RAD)
+}
+
+fn say(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Messages) {
+    let ConfData { cf1, cf4, cf6, cfx } = conf;
+    let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
+    let held = motion.conf_monitored != Some(false);
+    let span: Span = place(motion);
+    let message = match note {
+        Note::Disagrees if held => Diagnostic::warning(
+            "conf::disagrees",
+            format!(
+                "line {}: the configuration {written} is not the one a straight line ends in, and the controller is told \
+                 to check it",
+                motion.line
+            ),
+        )
+        .help("the arm was taken to stay on its branch; on the controller this move stops unless ConfL\\Off is in force"),
+        Note::Disagrees => Diagnostic::warning(
+            "conf::disagrees",
+            format!(
+                "line {}: the configuration {written} is not the one a straight line ends in; under ConfL\\Off the arm \
+                 stays on its branch",
+                motion.line
+            ),
+        )
+        .help("the branch the arm comes along was used; the source's numbers stay as they are"),
+        Note::BranchChange => Diagnostic::warning(
+            "conf::branch-change",
+            format!(
+                "line {}: the target cannot be reached on the branch the arm comes along; the configuration {written} \
+                 was used",
+                motion.line
+            ),
+        )
+        .help("a straight line cannot change branch: check that the move runs at all"),
+        Note::Unset => Diagnostic::warning(
+            "conf::unset",
+            format!("line {}: the configuration {written} looks like one that was never set", motion.line),
+        )
+        .help("it was believed, as nothing else says where the arm comes from; export with configurations, or with a joint move first"),
+    };
+    messages.add(Some(motion.routine), message.at(span));
+}

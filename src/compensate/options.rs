@@ -1,0 +1,51 @@
+//! What is asked of a compensation.
+
+use crate::schedule::{Request, Until, Width};
+use crate::units::{m_from_mm, rad_from_deg};
+
+/// The options of a compensation; [`Options::default`] is the reference paper's case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// No target is further off than this anywhere in its bucket, metres.
+    pub tolerance_m: f64,
+    /// Where the schedule ends.
+    pub until: Until,
+    /// Buckets by tolerance or of one width.
+    pub width: Width,
+    /// A correction that moves the TCP by more is refused, metres.
+    pub max_correction_m: f64,
+    /// A correction that turns the TCP by more is refused, radians.
+    pub max_correction_rad: f64,
+    /// A linear move that leaves its line by more is warned about, metres.
+    pub path_tolerance_m: f64,
+    /// MoveAbsJ stays as it is.
+    pub keep_moveabsj: bool,
+    /// The controller's own Absolute Accuracy is on: MoveAbsJ stays as it is, with a warning.
+    pub absolute_accuracy: bool,
+    /// Every kept motion counts as refused.
+    pub strict: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance_m: m_from_mm(0.005),
+            until: Until::Auto,
+            width: Width::Tolerance,
+            max_correction_m: m_from_mm(0.5),
+            max_correction_rad: rad_from_deg(0.1),
+            path_tolerance_m: m_from_mm(0.01),
+            keep_moveabsj: false,
+            absolute_accuracy: false,
+            strict: false,
+        }
+    }
+}
+
+impl Options {
+    /// What is asked of the schedule.
+    #[must_use]
+    pub fn request(&self) -> Request {
+        Request { tolerance_m: self.tolerance_m, until: self.until, width: self.width }
+    }
+}

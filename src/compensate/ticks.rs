@@ -1,0 +1,127 @@
+//! Where the clock is brought up to date: often enough that the bucket in use is no staler than half the
+//! narrowest bucket's width, and no more often than that asks for.
+
+use super::nominal::{Point, Resolved};
+use super::plan::{PlannedMotion, Status, Tick};
+use crate::program::Program;
+use crate::program::motion::{Motion, Path, Wait};
+use crate::schedule::Schedule;
+use std::collections::BTreeSet;
+
+/// Faster than this no move is believed to be, m/s and rad/s: estimates err on the long side.
+const FASTEST_M_S: f64 = 1.0;
+const FASTEST_RAD_S: f64 = 3.0;
+/// Where the speed is not known, m/s and rad/s.
+const UNKNOWN_M_S: f64 = 0.01;
+const UNKNOWN_RAD_S: f64 = 0.1;
+/// Where the way is not known: across the whole workspace, metres and radians.
+const UNKNOWN_WAY_M: f64 = 2.0;
+const UNKNOWN_WAY_RAD: f64 = 3.0;
+/// For getting up to speed and down again, as a factor, and per move in seconds (passing, stopping).
+const SLOWER: f64 = 1.5;
+const PASSING_S: f64 = 0.02;
+const STOPPING_S: f64 = 0.5;
+
+/// All places, in file order of what they stand before.
+pub(super) fn ticks(
+    program: &Program,
+    resolved: &[Resolved],
+    planned: &[PlannedMotion],
+    schedule: &Schedule,
+) -> Vec<Tick> {
+    let stale_s = schedule.narrowest_min().map_or(f64::INFINITY, |width_min| 0.5 * width_min * 60.0);
+    let times: Vec<Time> =
+        (0..program.motions.len()).map(|i| time(resolved, &program.motions[i], i)).collect();
+    let compensated = |i: usize| matches!(planned[i].status, Status::Compensated);
+    let mut ticks = BTreeSet::new();
+    let mut ticking = vec![false; program.loops.len()];
+    let passes = |l: usize| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64);
+    // How often a motion runs between ticks: the passes of the loops without one round it, up to loop `of`.
+    let repeats = |i: usize, of: Option<usize>, ticking: &[bool]| {
+        let inner = program.motions[i].loops.iter().rev().take_while(|&&l| Some(l) != of && !ticking[l]);
+        inner.map(|&l| passes(l)).product::<f64>()
+    };
+    let mut held = vec![Vec::new(); program.loops.len()];
+    let mut of_routine = vec![Vec::new(); program.routines.len()];
+    for (i, motion) in program.motions.iter().enumerate() {
+        motion.loops.iter().for_each(|&l| held[l].push(i));
+        of_routine[motion.routine].push(i);
+    }
+    // Inner loops stand after the loops round them.
+    for l in (0..program.loops.len()).rev().filter(|&l| held[l].iter().any(|&i| compensated(i))) {
+        let body_s: f64 = held[l].iter().map(|&i| times[i].all_s() * repeats(i, Some(l), &ticking)).sum();
+        if program.loops[l].unconditional || passes(l).is_infinite() || body_s * passes(l) > stale_s {
+            ticking[l] = true;
+            ticks.insert(Tick::Loop(l));
+        }
+    }
+    for (r, motions) in of_routine.iter().enumerate().filter(|(_, of)| of.iter().any(|&i| compensated(i))) {
+        ticks.insert(Tick::Routine(r));
+        let mut since_s = 0.0;
+        let mut inside: &[usize] = &[];
+        for &i in motions {
+            let loops = &program.motions[i].loops;
+            if loops.iter().any(|&l| ticking[l] && !inside.contains(&l)) {
+                since_s = 0.0;
+            }
+            inside = loops;
+            let repeats = repeats(i, None, &ticking);
+            since_s += times[i].all_s() * repeats;
+            if since_s > stale_s && compensated(i) {
+                ticks.insert(Tick::Motion(i));
+                since_s = times[i].move_s * repeats;
+            }
+        }
+    }
+    ticks.into_iter().collect()
+}
+
+/// How long a motion takes, seconds, estimated upward.
+struct Time {
+    wait_s: f64,
+    move_s: f64,
+}
+
+impl Time {
+    fn all_s(&self) -> f64 {
+        self.wait_s + self.move_s
+    }
+}
+
+fn time(resolved: &[Resolved], motion: &Motion, i: usize) -> Time {
+    let wait_s = match motion.wait_before {
+        Wait::None => 0.0,
+        Wait::Seconds(wait_s) => wait_s.max(0.0),
+        Wait::Unbounded => f64::INFINITY,
+    };
+    let points = |i: usize| resolved.get(i).and_then(|resolved| resolved.points.as_ref().ok());
+    let from = motion.previous.and_then(points).and_then(|points| points.last());
+    let (way_m, turn_rad) = match (from, points(i)) {
+        (Some(from), Some(points)) => way(from, points),
+        _ => (UNKNOWN_WAY_M, UNKNOWN_WAY_RAD),
+    };
+    let (v, w) = match motion.speed {
+        Some(speed) => {
+            (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
+        }
+        None => (UNKNOWN_M_S, UNKNOWN_RAD_S),
+    };
+    let stops =
+        motion.zone.is_none_or(|zone| zone.finep) || matches!(motion.path, Path::Joint | Path::AbsJoint);
+    let ends_s = if stops { STOPPING_S } else { PASSING_S };
+    Time { wait_s, move_s: SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s }
+}
+
+/// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.
+fn way(from: &Point, points: &[Point]) -> (f64, f64) {
+    let mut at = from;
+    let (mut way_m, mut turn_rad) = (0.0, 0.0);
+    for point in points {
+        let flange_m =
+            (point.base_from_flange.translation.vector - at.base_from_flange.translation.vector).norm();
+        way_m += flange_m.max((point.meant_m - at.meant_m).norm());
+        turn_rad += point.base_from_flange.rotation.angle_to(&at.base_from_flange.rotation);
+        at = point;
+    }
+    (if points.len() > 1 { way_m * std::f64::consts::FRAC_PI_2 } else { way_m }, turn_rad)
+}
