@@ -3,10 +3,10 @@
 use super::expression::expression;
 use super::input::{MAX_BLOCKS, Read, Text, place};
 use super::lexical::{
-    any_word, begins_name, blank, comment, in_name, line_ends_before, line_len, name, sign, string, white,
-    word,
+    any_word, begins_name, blank, comment, in_name, line_ends_before, line_len, name, past_name, sign,
+    string, white, word,
 };
-use super::recover::resync;
+use super::recover::{line_end, matching_end, resync, white_on_line};
 use super::statement::{simple_statement, statement};
 use super::tree::{Expr, ExprKind, Stmt, StmtKind};
 use super::word::Word;
@@ -92,49 +92,6 @@ fn in_block<'a>(i: Text<'a>, production: impl FnOnce(Text<'a>) -> Read<'a, Stmt>
         i.state.warn(range, "syntax::deep", message);
         Ok((end, Stmt { range, kind: StmtKind::Opaque }))
     })
-}
-
-/// Past the END word of the construct that begins here, by counting words; before what ends a routine.
-fn matching_end(start: Text<'_>) -> Text<'_> {
-    let mut i = start;
-    let mut open = 0usize;
-    let mut after_if = false;
-    let mut last = start;
-    loop {
-        let at = blank(i);
-        let Some(byte) = at.peek() else { return last };
-        i = match byte {
-            b'"' => string(at).map_or_else(|_| at.skip(line_len(at.rest)), |(i, _)| i),
-            b if begins_name(b) => match any_word(at) {
-                Some((_, w)) if w.ends_statements() => return last,
-                Some((rest, w)) => {
-                    match w {
-                        Word::If => after_if = true,
-                        Word::ElseIf => after_if = false,
-                        Word::Then => open += usize::from(std::mem::take(&mut after_if)),
-                        Word::For | Word::While | Word::Test => open += 1,
-                        Word::EndIf | Word::EndFor | Word::EndWhile | Word::EndTest => {
-                            open = open.saturating_sub(1);
-                        }
-                        _ => {}
-                    }
-                    rest
-                }
-                None => at.skip(at.rest.iter().position(|&b| !in_name(b)).unwrap_or(at.rest.len())),
-            },
-            _ => at.skip(1),
-        };
-        last = i;
-        let compact_end = byte == b';' && open == 0;
-        if compact_end
-            || (open == 0
-                && !after_if
-                && begins_name(byte)
-                && any_word(at).is_some_and(|(_, w)| w.block_slot().is_some()))
-        {
-            return i;
-        }
-    }
 }
 
 /// `if_statement = "IF" expression ( simple_statement | "THEN" block { elseif_arm } [ else_arm ] "ENDIF" ) ;`
@@ -227,33 +184,17 @@ fn head<'a>(i: Text<'a>, last: Word, spelled: &str) -> (Text<'a>, Expr) {
         }
     }
     condition_up_to(i, last).map_or_else(
-        || opaque_expr(i, line_end(i), spelled),
+        || opaque_expr(i, line_end(i)),
         |(rest, expr)| (word(last)(rest).map_or(rest, |(rest, _)| rest), expr),
     )
 }
 
-fn line_end(i: Text<'_>) -> Text<'_> {
-    let mut end = white_on_line(i);
-    while let Some(byte) = end.peek() {
-        match byte {
-            b'\n' | b'\r' | b';' | b'!' => break,
-            b'"' => end = string(end).map_or_else(|_| end.skip(line_len(end.rest)), |(end, _)| end),
-            _ => end = end.skip(1),
-        }
-    }
-    end
-}
-
-fn white_on_line(i: Text<'_>) -> Text<'_> {
-    i.skip(i.rest.iter().position(|&b| !matches!(b, b' ' | b'\t')).unwrap_or(i.rest.len()))
-}
-
-fn opaque_expr<'a>(i: Text<'a>, end: Text<'a>, spelled: &str) -> (Text<'a>, Expr) {
+fn opaque_expr<'a>(i: Text<'a>, end: Text<'a>) -> (Text<'a>, Expr) {
     let start = white_on_line(i);
     let trailing = start.bytes_until(end).iter().rev().take_while(|b| b.is_ascii_whitespace()).count();
     let len = start.bytes_until(end).len() - trailing;
     let range = start.until(start.skip(len));
-    i.state.warn(range, "syntax::expression", format!("no expression with its {spelled} is to be read here"));
+    i.state.warn(range, "syntax::expression", "this is no expression; it is kept as it is");
     (end, Expr { range, kind: ExprKind::Opaque })
 }
 
@@ -265,7 +206,7 @@ fn condition_up_to<'a>(i: Text<'a>, last: Word) -> Option<(Text<'a>, Expr)> {
         match at.peek()? {
             b'"' => at = string(at).ok()?.0,
             b if begins_name(b) => match any_word(at) {
-                Some((_, w)) if w == last => return Some(opaque_expr(i, at, "word")),
+                Some((_, w)) if w == last => return Some(opaque_expr(i, at)),
                 _ => at = past_name(at),
             },
             b if in_name(b) => at = past_name(at),
@@ -273,10 +214,6 @@ fn condition_up_to<'a>(i: Text<'a>, last: Word) -> Option<(Text<'a>, Expr)> {
         }
     }
     None
-}
-
-fn past_name(i: Text<'_>) -> Text<'_> {
-    i.skip(i.rest.iter().position(|&b| !in_name(b)).unwrap_or(i.rest.len()))
 }
 
 /// `for_statement = "FOR" name "FROM" expression "TO" expression [ "STEP" expression ] "DO" block "ENDFOR" ;`
@@ -374,7 +311,7 @@ fn case_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Case)> {
         break;
     }
     if values.is_empty() {
-        let (next, value) = opaque_expr(after, line_end(after), "colon");
+        let (next, value) = opaque_expr(after, line_end(after));
         values.push(value);
         rest = next;
     }

@@ -26,7 +26,7 @@ pub(super) fn scope<'a>(i: Text<'a>) -> (Text<'a>, Scope) {
     }
 }
 
-/// `data_declaration = scope ( "CONST" | "VAR" | "PERS" ) name name [ indices ] [ becomes expression ] ";" ;`
+/// `data_declaration = scope ( "CONST" | "VAR" | "PERS" ) declared_name declared_name [ indices ] [ becomes expression ] ";" ;`
 ///
 /// Its type, then its own name.
 pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
@@ -38,8 +38,9 @@ pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
         Some((rest, Word::Pers)) => (rest, DataKind::Pers),
         _ => return rest.unread(),
     };
-    let (rest, (type_name, name)) =
-        (alt((name, preceded_placeholder)), alt((name, preceded_placeholder))).parse(rest)?;
+    let (rest, type_name) = declared_name(rest)?;
+    let (rest, name) = declared_name(rest)?;
+    let (rest, name) = name_with_parentheses(rest, name);
     let (rest, dims) = match blank(rest).peek() {
         Some(b'{') => indices(rest)?,
         _ => (rest, Vec::new()),
@@ -55,8 +56,27 @@ pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
     Ok((rest, DataDecl { range, scope, kind, type_name, name, dims, init }))
 }
 
-fn preceded_placeholder<'a>(i: Text<'a>) -> Read<'a, TextRange> {
-    placeholder(blank(i))
+/// `declared_name = name | placeholder ;`
+fn declared_name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
+    let i = blank(i);
+    alt((name, placeholder)).parse(i)
+}
+
+/// RoboDK may declare `Gripper(Closed)`: the parentheses then belong to the name, which no controller takes.
+fn name_with_parentheses<'a>(rest: Text<'a>, name: TextRange) -> (Text<'a>, TextRange) {
+    if rest.peek() != Some(b'(') {
+        return (rest, name);
+    }
+    let close = rest.rest.iter().position(|b| matches!(b, b')' | b';' | b'"' | b'\n' | b'\r'));
+    let end = rest.skip(close.map_or(0, |n| n + 1));
+    match (close.and_then(|n| rest.peek_at(n)), blank(end).peek()) {
+        (Some(b')'), Some(b':' | b';' | b'{')) => {
+            let whole = name.cover(rest.until(end));
+            rest.state.warn(whole, "syntax::name", "no name has parentheses; no controller loads this");
+            (end, whole)
+        }
+        _ => (rest, name),
+    }
 }
 
 /// `record_declaration = scope "RECORD" name { name name ";" } "ENDRECORD" ;`
@@ -84,7 +104,7 @@ pub(super) fn alias_declaration<'a>(i: Text<'a>) -> Read<'a, AliasDecl> {
     Ok((rest, AliasDecl { range, scope, type_name, name }))
 }
 
-/// `routine = scope ( "PROC" name parameters | "FUNC" name name parameters | "TRAP" name ) block { handler } ( "ENDPROC" | "ENDFUNC" | "ENDTRAP" ) ;`
+/// `routine = scope ( "PROC" declared_name parameters | "FUNC" name declared_name parameters | "TRAP" declared_name ) block { handler } ( "ENDPROC" | "ENDFUNC" | "ENDTRAP" ) ;`
 pub(super) fn routine<'a>(i: Text<'a>) -> Read<'a, Routine> {
     let start = blank(i);
     let (rest, scope) = scope(start);
@@ -97,7 +117,7 @@ pub(super) fn routine<'a>(i: Text<'a>) -> Read<'a, Routine> {
         Some((rest, Word::Trap)) => (rest, RoutineKind::Trap, Word::EndTrap),
         _ => return rest.unread(),
     };
-    let (rest, name) = alt((name, preceded_placeholder)).parse(rest)?;
+    let (rest, name) = declared_name(rest)?;
     let (rest, params) = match blank(rest).peek() {
         Some(b'(') => parameters(rest)?,
         _ => {

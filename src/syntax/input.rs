@@ -44,7 +44,7 @@ pub(super) struct State {
 
 impl State {
     pub(super) fn new(source: &[u8]) -> Self {
-        Self { len: source.len() as u32, again: Cell::new(4 * source.len() + 4096), ..Self::default() }
+        Self { len: source.len() as u32, again: Cell::new(source.len() + 4096), ..Self::default() }
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {
@@ -72,6 +72,11 @@ impl State {
         let left = self.again.get().checked_sub(bytes);
         self.again.set(left.unwrap_or(0));
         left.is_some()
+    }
+
+    /// How many bytes may still be read again.
+    pub(super) fn allowance(&self) -> usize {
+        self.again.get()
     }
 
     /// Runs `inside` one expression deeper; `None` where that is too deep.

@@ -75,15 +75,16 @@ pub(super) fn identifier<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     let i = blank(i);
     match i.peek() {
         Some(b) if begins_name(b) => {
-            let end = name_end(i);
+            let end = past_name(i);
             Ok((end, i.until(end)))
         }
         _ => i.unread(),
     }
 }
 
+/// Past the bytes of a name.
 #[inline]
-fn name_end(i: Text<'_>) -> Text<'_> {
+pub(super) fn past_name(i: Text<'_>) -> Text<'_> {
     let len = i.rest.iter().position(|&b| !in_name(b));
     i.skip(len.unwrap_or(i.rest.len()))
 }
@@ -106,7 +107,7 @@ pub(super) fn any_word<'a>(i: Text<'a>) -> Option<(Text<'a>, Word)> {
     if !i.peek()?.is_ascii_alphabetic() {
         return None;
     }
-    let end = name_end(i);
+    let end = past_name(i);
     Some((end, Word::of(i.bytes_until(end))?))
 }
 

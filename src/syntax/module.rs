@@ -4,7 +4,7 @@ use super::declaration::{
     alias_declaration, broken_record_end, data_declaration, record_declaration, routine, scope,
 };
 use super::input::{Read, Text, place};
-use super::lexical::{any_word, blank, comment, is_space, line_len, name, sign, white, word};
+use super::lexical::{any_word, blank, comment, is_space, line_len, name, past_name, sign, white, word};
 use super::recover::resync;
 use super::tree::{FileItem, Module, ModuleItem, Tree};
 use super::word::Word;
@@ -85,6 +85,9 @@ fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
     let start = white(i);
     let (mut i, (name, attributes)) = module_head(start)?;
     let head = start.until(i);
+    if start.peek_at((name.start - start.at()) as usize).is_some_and(|b| b.is_ascii_digit()) {
+        start.state.warn(name, "syntax::name", "a name begins with a letter; no controller loads this");
+    }
     let mut items = Vec::new();
     let end = loop {
         let next = past_semicolons(i);
@@ -114,9 +117,9 @@ fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
     Ok((i, Module { range: start.until(i), head, name, attributes, items, end }))
 }
 
-/// `module_head = "MODULE" name [ "(" name { "," name } ")" ] ;`
+/// `module_head = "MODULE" module_name [ "(" name { "," name } ")" ] ;`
 fn module_head<'a>(i: Text<'a>) -> Read<'a, (TextRange, Vec<TextRange>)> {
-    let (rest, (_, own_name)) = (word(Word::Module), name).parse(i)?;
+    let (rest, (_, own_name)) = (word(Word::Module), module_name).parse(i)?;
     if blank(rest).peek() != Some(b'(') {
         return Ok((rest, (own_name, Vec::new())));
     }
@@ -124,6 +127,20 @@ fn module_head<'a>(i: Text<'a>) -> Read<'a, (TextRange, Vec<TextRange>)> {
     let (rest, attributes) =
         delimited(sign(b'('), list, sign(b')')).parse(rest).unwrap_or((rest, Vec::new()));
     Ok((rest, (own_name, attributes)))
+}
+
+/// `module_name = name | digit { letter | digit | "_" } ;`
+///
+/// The second is what some files have and no controller takes.
+fn module_name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
+    let start = blank(i);
+    match start.peek() {
+        Some(b'0'..=b'9') => {
+            let end = past_name(start);
+            Ok((end, start.until(end)))
+        }
+        _ => name(start),
+    }
 }
 
 /// Past white space and the semicolons some put after ENDPROC.

@@ -1,7 +1,9 @@
 //! Where to go on after text that was not understood.
 
 use super::input::Text;
-use super::lexical::{any_word, begins_name, blank, in_name, line_len, string, white};
+use super::lexical::{
+    any_word, begins_name, blank, in_name, line_ends_before, line_len, past_name, placeholder, string, white,
+};
 use super::word::Word;
 
 /// The end of a broken statement that begins at `start` and was read up to byte `reached`.
@@ -20,9 +22,9 @@ fn statement_end(start: Text<'_>) -> Text<'_> {
     let mut end = start; // after the last byte that is neither white space nor comment
     let mut first = true;
     loop {
-        let after = past_blanks(i);
+        let after = blank(i);
         let Some(byte) = after.peek() else { return end };
-        if !first && after.state_new_line(i) && begins_anew(after) {
+        if !first && line_ends_before(i, after) && begins_anew(after) {
             return end;
         }
         i = match byte {
@@ -43,20 +45,6 @@ fn statement_end(start: Text<'_>) -> Text<'_> {
     }
 }
 
-impl Text<'_> {
-    fn state_new_line(self, from: Self) -> bool {
-        super::lexical::line_ends_before(from, self)
-    }
-}
-
-fn past_blanks(i: Text<'_>) -> Text<'_> {
-    blank(i)
-}
-
-fn past_name(i: Text<'_>) -> Text<'_> {
-    i.skip(i.rest.iter().position(|&b| !in_name(b)).unwrap_or(i.rest.len()))
-}
-
 fn word_or_name(i: Text<'_>) -> (Text<'_>, Option<Word>) {
     match any_word(i) {
         Some((next, w)) => (next, Some(w)),
@@ -70,7 +58,7 @@ fn word_or_name(i: Text<'_>) -> (Text<'_>, Option<Word>) {
 /// name in a call, an assignment or a label.
 pub(super) fn begins_anew(i: Text<'_>) -> bool {
     let Some(byte) = i.peek() else { return true };
-    if matches!(byte, b'%' | b';') || super::lexical::placeholder(i).is_ok() {
+    if matches!(byte, b'%' | b';') || placeholder(i).is_ok() {
         return true;
     }
     if !begins_name(byte) {
@@ -82,10 +70,7 @@ pub(super) fn begins_anew(i: Text<'_>) -> bool {
     }
     let next = white(after);
     match next.peek() {
-        None | Some(b';' | b'"' | b'[' | b'{' | b'\\' | b'!' | b'%') => true,
-        Some(b'(') => true,
-        Some(b':') => true,
-        Some(b'.') => true,
+        None | Some(b';' | b'"' | b'[' | b'{' | b'(' | b'\\' | b'!' | b'%' | b':' | b'.') => true,
         Some(b) => (begins_name(b) || b.is_ascii_digit() || b == b'-') && next.at() > after.at(),
     }
 }
@@ -115,27 +100,96 @@ pub(super) fn element_end(start: Text<'_>) -> Text<'_> {
 }
 
 /// Past a balanced bracketed text that begins here, however deep; `None` where a semicolon or the end
-/// comes first.
+/// comes first, or where that would be looked for too long.
 pub(super) fn balanced(start: Text<'_>) -> Option<Text<'_>> {
+    let farthest = start.at() as usize + start.state.allowance();
     let mut i = start;
     let mut open = 0usize;
-    loop {
+    while (i.at() as usize) < farthest {
         i = blank(i);
-        i = match i.peek()? {
-            b';' => return None,
-            b'(' | b'[' | b'{' => {
+        i = match i.peek() {
+            None | Some(b';') => break,
+            Some(b'(' | b'[' | b'{') => {
                 open += 1;
                 i.skip(1)
             }
-            b')' | b']' | b'}' => {
-                open = open.checked_sub(1)?;
-                i.skip(1)
-            }
-            b'"' => string(i).ok()?.0,
-            _ => i.skip(1),
+            Some(b')' | b']' | b'}') => match open {
+                0 => break,
+                1 => return Some(i.skip(1)),
+                _ => {
+                    open -= 1;
+                    i.skip(1)
+                }
+            },
+            Some(b'"') => match string(i) {
+                Ok((rest, _)) => rest,
+                Err(_) => break,
+            },
+            Some(_) if open == 0 => break,
+            Some(_) => i.skip(1),
         };
-        if open == 0 {
-            return Some(i);
+    }
+    start.state.may_read_again(start.until(i).len() as usize);
+    None
+}
+
+/// Past the END word of the construct that begins here, by counting words; before what ends a routine.
+pub(super) fn matching_end(start: Text<'_>) -> Text<'_> {
+    let mut i = start;
+    let mut open = 0usize;
+    let mut after_if = false;
+    let mut last = start;
+    loop {
+        let at = blank(i);
+        let Some(byte) = at.peek() else { return last };
+        i = match byte {
+            b'"' => string(at).map_or_else(|_| at.skip(line_len(at.rest)), |(i, _)| i),
+            b if begins_name(b) => match any_word(at) {
+                Some((_, w)) if w.ends_statements() => return last,
+                Some((rest, w)) => {
+                    match w {
+                        Word::If => after_if = true,
+                        Word::ElseIf => after_if = false,
+                        Word::Then => open += usize::from(std::mem::take(&mut after_if)),
+                        Word::For | Word::While | Word::Test => open += 1,
+                        Word::EndIf | Word::EndFor | Word::EndWhile | Word::EndTest => {
+                            open = open.saturating_sub(1);
+                        }
+                        _ => {}
+                    }
+                    rest
+                }
+                None => past_name(at),
+            },
+            _ => at.skip(1),
+        };
+        last = i;
+        let compact_end = byte == b';' && open == 0;
+        if compact_end
+            || (open == 0
+                && !after_if
+                && begins_name(byte)
+                && any_word(at).is_some_and(|(_, w)| w.block_slot().is_some()))
+        {
+            return i;
         }
     }
+}
+
+/// Where the line or the statement ends, strings regarded.
+pub(super) fn line_end(i: Text<'_>) -> Text<'_> {
+    let mut end = white_on_line(i);
+    while let Some(byte) = end.peek() {
+        match byte {
+            b'\n' | b'\r' | b';' | b'!' => break,
+            b'"' => end = string(end).map_or_else(|_| end.skip(line_len(end.rest)), |(end, _)| end),
+            _ => end = end.skip(1),
+        }
+    }
+    end
+}
+
+/// Past white space on this line.
+pub(super) fn white_on_line(i: Text<'_>) -> Text<'_> {
+    i.skip(i.rest.iter().position(|&b| !matches!(b, b' ' | b'\t')).unwrap_or(i.rest.len()))
 }

@@ -3,7 +3,7 @@
 use super::block::{Ending, for_statement, if_statement, test_statement, while_statement};
 use super::declaration::data_declaration;
 use super::expression::{arguments, expression, variable};
-use super::input::{Read, Text};
+use super::input::{Read, Text, Unread, place};
 use super::lexical::{
     any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, white, word,
 };
@@ -14,38 +14,34 @@ use crate::diagnostic::TextRange;
 use nom::Parser;
 use nom::sequence::preceded;
 
-/// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration | placeholder ;`
+/// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration ;`
 pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     let i = white(i);
     match any_word(i) {
-        None => {}
-        Some((_, Word::If)) => return if_statement(i),
-        Some((_, Word::For)) => return for_statement(i),
-        Some((_, Word::While)) => return while_statement(i),
-        Some((_, Word::Test)) => return test_statement(i),
+        Some((_, Word::If)) => if_statement(i),
+        Some((_, Word::For)) => for_statement(i),
+        Some((_, Word::While)) => while_statement(i),
+        Some((_, Word::Test)) => test_statement(i),
         Some((_, Word::Var | Word::Const | Word::Pers)) => {
             let (rest, data) = data_declaration(i)?;
-            return Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }));
-        }
-        Some(_) => return simple_statement(i),
-    }
-    match i.peek() {
-        Some(b'<') => {
-            let (rest, range) = placeholder(i)?;
-            let rest = sign(b';')(rest).map_or(rest, |(rest, ())| rest);
-            Ok((rest, Stmt { range: range.cover(i.until(rest)), kind: StmtKind::Placeholder }))
+            Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }))
         }
         _ => simple_statement(i),
     }
 }
 
-/// `simple_statement = label | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ) ";" ;`
+/// `simple_statement = label | placeholder [ ";" ] | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ) ";" ;`
 pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     let i = white(i);
     let Some((after, first)) = any_word(i) else {
         return match i.peek() {
             Some(b';') => Ok((i.skip(1), Stmt { range: i.until(i.skip(1)), kind: StmtKind::Empty })),
             Some(b'%') => call(i),
+            Some(b'<') => {
+                let (rest, _) = placeholder(i)?;
+                let rest = sign(b';')(rest).map_or(rest, |(rest, ())| rest);
+                Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::Placeholder }))
+            }
             Some(b) if begins_name(b) => named_statement(i),
             _ => i.unread(),
         };
@@ -158,16 +154,19 @@ fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     }
     let (rest, args, parenthesised) = match ended_arguments(after) {
         Ok((rest, args)) => (rest, args, false),
-        Err(failure) => match (parenthesised_arguments(next), line_ends_before(after, next)) {
-            (Ok((rest, args)), _) => (rest, args, true),
-            (_, true) if begins_anew(next) => (after, Vec::new(), false),
-            _ => match end_of(after) {
-                Some(_) => (after, Vec::new(), false),
-                None => return Err(failure),
-            },
+        Err(failure) => match parenthesised_arguments(next) {
+            Ok((rest, args)) => (rest, args, true),
+            Err(_) if stands_alone(after, next, &failure) => (after, Vec::new(), false),
+            Err(_) => return Err(failure),
         },
     };
     finish_call(i, rest, CallStmt { callee, args, parenthesised, terminated: true })
+}
+
+/// Whether a procedure's name is a whole statement without its semicolon, what follows being no arguments.
+fn stands_alone(after: Text<'_>, next: Text<'_>, failure: &nom::Err<Unread>) -> bool {
+    let read = place(failure).saturating_sub(after.at()) as usize;
+    end_of(after).is_some() && (next.is_empty() || after.state.may_read_again(read))
 }
 
 fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<'a, Stmt> {
