@@ -1,9 +1,12 @@
-//! Real RAPID: every file of the folder `DRIFTPOST_CORPUS` names (and of `../shared/robodk`, where it stands)
-//! comes back byte for byte, and what was not understood is counted.
+//! Real RAPID: every file of the folder `DRIFTPOST_CORPUS` names, and of `../shared/robodk` where it stands,
+//! comes back byte for byte, its moves are read, and what was not understood is shown.
 
 #![allow(clippy::unwrap_used, reason = "a test stops where a file cannot be read")]
 
-use driftpost::diagnostic::{FileId, TextRange};
+mod tree_check;
+
+use driftpost::diagnostic::FileId;
+use driftpost::syntax::tree::{FileItem, ModuleItem};
 use driftpost::syntax::{SourceFile, walk};
 use std::path::{Path, PathBuf};
 
@@ -30,37 +33,72 @@ fn real_files_come_back_and_are_understood() {
     }
     let mut paths = Vec::new();
     folders.iter().for_each(|f| files_below(f, &mut paths));
-    let (mut opaque, mut warned) = (0, 0);
+    let (mut opaque, mut warned, mut moves) = (0, 0, 0);
     for path in &paths {
-        let bytes = std::fs::read(path).unwrap();
-        let file = SourceFile::read(FileId(0), path.display().to_string(), bytes);
-        let leaves = walk::leaves(&file.tree);
-        assert_eq!(reprinted(&file.bytes, leaves.iter().map(|n| n.range)), file.bytes, "{}", file.path);
-        let here: Vec<_> = leaves.iter().filter(|n| n.what == "opaque").collect();
-        for node in &here {
-            let text = String::from_utf8_lossy(file.text(node.range)).into_owned();
-            let short: String = text.chars().take(120).collect();
-            println!("{}:{}: opaque {short:?}", file.path, file.line(node.range));
+        let file = SourceFile::read(FileId(0), path.display().to_string(), std::fs::read(path).unwrap());
+        tree_check::check(&file.bytes).unwrap_or_else(|e| panic!("{}: {e}", file.path));
+        let unread = print_unread(&file);
+        if unread == 0 || file.bytes.windows(6).any(|w| w == b"RoboDK") {
+            assert_eq!(moves_read(&file), moves_seen(&file), "{}", file.path);
         }
-        for w in &file.warnings {
-            println!("{}:{}: {w}", file.path, w.span.map_or(0, |s| file.line(s.range)));
-        }
-        opaque += here.len();
+        moves += moves_read(&file);
+        opaque += unread;
         warned += usize::from(!file.warnings.is_empty());
     }
-    println!("{} files, {opaque} opaque nodes, {warned} files with warnings", paths.len());
+    println!("{} files, {moves} moves, {opaque} opaque nodes, {warned} files with warnings", paths.len());
 }
 
-/// The source again from its leaves and the gaps between them.
-fn reprinted(source: &[u8], leaves: impl Iterator<Item = TextRange>) -> Vec<u8> {
-    let mut out = Vec::new();
-    let mut at = 0;
-    for leaf in leaves {
-        assert!(leaf.start >= at, "leaves overlap at byte {}", leaf.start);
-        out.extend_from_slice(&source[at as usize..leaf.start as usize]);
-        out.extend_from_slice(leaf.of(source));
-        at = leaf.end;
+fn print_unread(file: &SourceFile) -> usize {
+    let unread: Vec<_> = walk::leaves(&file.tree).into_iter().filter(|n| n.what == "opaque").collect();
+    for node in &unread {
+        let text: String = String::from_utf8_lossy(file.text(node.range)).chars().take(120).collect();
+        println!("{}:{}: opaque {text:?}", file.path, file.line(node.range));
     }
-    out.extend_from_slice(&source[at as usize..]);
-    out
+    for w in &file.warnings {
+        println!("{}:{}: {w}", file.path, w.span.map_or(0, |s| file.line(s.range)));
+    }
+    unread.len()
+}
+
+const MOVES: [&[u8]; 4] = [b"movel", b"movej", b"movec", b"moveabsj"];
+
+/// Lines of the modules that begin with a move, by their text alone.
+fn moves_seen(file: &SourceFile) -> usize {
+    let in_routine = |at: u32| {
+        file.tree.items.iter().any(|item| match item {
+            FileItem::Module(m) => m.items.iter().any(|i| {
+                matches!(i, ModuleItem::Routine(_)) && (i.range().start..i.range().end).contains(&at)
+            }),
+            _ => false,
+        })
+    };
+    let mut at = 0;
+    let mut seen = 0;
+    for line in file.bytes.split_inclusive(|&b| b == b'\n' || b == b'\r') {
+        let text = line.trim_ascii_start().to_ascii_lowercase();
+        let word = text.split(|b| !b.is_ascii_alphanumeric() && *b != b'_').next().unwrap_or_default();
+        let after = text.get(word.len()).copied();
+        seen += usize::from(
+            MOVES.contains(&word) && matches!(after, Some(b' ' | b'\t' | b'\\')) && in_routine(at),
+        );
+        at += line.len() as u32;
+    }
+    seen
+}
+
+/// Calls of the tree that begin a line and name a move.
+fn moves_read(file: &SourceFile) -> usize {
+    let nodes = walk::nodes(&file.tree);
+    let begins_line = |at: u32| {
+        let before = &file.bytes[..at as usize];
+        let blanks = before.iter().rev().take_while(|b| **b == b' ' || **b == b'\t').count();
+        before[..before.len() - blanks].last().is_none_or(|b| *b == b'\n' || *b == b'\r')
+    };
+    nodes
+        .windows(2)
+        .filter(|w| {
+            w[0].what == "call" && w[0].range.start == w[1].range.start && begins_line(w[0].range.start)
+        })
+        .filter(|w| MOVES.contains(&&*file.text(w[1].range).to_ascii_lowercase()))
+        .count()
 }

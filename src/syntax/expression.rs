@@ -100,6 +100,7 @@ fn operator<'a>(i: Text<'a>) -> Option<(Text<'a>, BinaryOp)> {
         [b'<', b'=', ..] => (2, Le),
         [b'<', b'>', ..] => (2, Ne),
         [b'>', b'=', ..] => (2, Ge),
+        [b'<', ..] if placeholder(i).is_ok() => return None,
         [b'<', ..] => (1, Lt),
         [b'>', ..] => (1, Gt),
         [b'=', ..] => (1, Eq),
