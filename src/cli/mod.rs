@@ -7,10 +7,13 @@
 
 mod console;
 pub mod files;
+pub mod minutes;
+pub mod model;
 mod outcome;
 pub mod suggest;
 
 pub mod compensate;
+pub mod tabulate;
 
 pub use console::Console;
 pub use outcome::Outcome;
@@ -34,11 +37,14 @@ struct Cli {
 enum Command {
     /// Compensate a RAPID program for thermal drift: RAPID in, RAPID out, and the difference to review.
     Compensate(Box<compensate::Args>),
+    /// Joints of a list of targets at every minute of warm-up, as CSV.
+    Tabulate(Box<tabulate::Args>),
 }
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Compensate(args) => compensate::run(args, console),
+        Command::Tabulate(args) => tabulate::run(args, console),
     }
 }
 

@@ -38,6 +38,55 @@ pub struct Row {
     pub uncompensated_rad: f64,
 }
 
+/// How far the targets are missed at a minute.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MinuteMiss {
+    /// Warm-up minute.
+    pub t_min: f64,
+    /// With the nominal joints.
+    pub before: Miss,
+    /// With the joints of the table.
+    pub after: Miss,
+}
+
+/// Distances from targets.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Miss {
+    /// Largest distance, metres.
+    pub max_m: f64,
+    /// Root of the mean square of the distances, metres.
+    pub rms_m: f64,
+    /// Largest angle, radians.
+    pub max_rad: f64,
+}
+
+impl Miss {
+    fn of(distances: impl Iterator<Item = (f64, f64)>) -> Self {
+        let (mut miss, mut sum, mut n) = (Self::default(), 0.0, 0.0);
+        for (m, rad) in distances {
+            miss.max_m = miss.max_m.max(m);
+            miss.max_rad = miss.max_rad.max(rad);
+            sum += m * m;
+            n += 1.0;
+        }
+        Self { rms_m: if n > 0.0 { (sum / n).sqrt() } else { 0.0 }, ..miss }
+    }
+}
+
+impl Table {
+    /// For each minute how far the targets are missed.
+    #[must_use]
+    pub fn misses(&self) -> Vec<MinuteMiss> {
+        let minutes = self.rows.chunk_by(|a, b| a.target < b.target);
+        let miss = |rows: &[Row]| MinuteMiss {
+            t_min: rows.first().map_or(0.0, |row| row.t_min),
+            before: Miss::of(rows.iter().map(|row| (row.uncompensated_m, row.uncompensated_rad))),
+            after: Miss::of(rows.iter().map(|row| (row.residual_m, row.residual_rad))),
+        };
+        minutes.map(miss).collect()
+    }
+}
+
 /// Why there is no table.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TabulateError {
@@ -236,6 +285,8 @@ mod tests {
             assert!((deg_from_rad(*q_rad) - published).abs() < 0.005);
         }
         assert!(table.nominal.iter().all(|s| s.configuration.cfx == 1));
+        let misses = table.misses();
+        assert_eq!((misses.len(), misses[0].before, misses[180].t_min), (181, misses[0].after, 180.0));
         // Two equal lags of 46 minutes: at 180 minutes 1 - (1 + x) e^-x of 0.193 mm, x = 180/46.
         let worst_mm =
             table.rows[8100..].iter().map(|row| mm_from_m(row.uncompensated_m)).fold(0.0, f64::max);

@@ -69,7 +69,7 @@ impl Robot {
         }
         let nearest = NAMES
             .iter()
-            .map(|known| (edit_distance(&squeezed(known), &wanted), *known))
+            .map(|known| (strsim::levenshtein(&squeezed(known), &wanted), *known))
             .min()
             .filter(|(distance, _)| *distance <= 3)
             .map(|(_, known)| known);
@@ -82,21 +82,6 @@ fn squeezed(name: &str) -> String {
     let text: String = name.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '.').collect();
     let text = text.to_ascii_lowercase();
     text.strip_prefix("abb").unwrap_or(&text).to_owned()
-}
-
-/// Levenshtein's distance between two names.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = i;
-        row[0] = i + 1;
-        for (j, y) in b.chars().enumerate() {
-            let replaced = diagonal + usize::from(x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row.last().copied().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -1,0 +1,78 @@
+//! The robot and its deformation, as the options name them.
+
+use super::files;
+use crate::deform::{DeformError, Deformation, GrowthLaw};
+use crate::diagnostic::Diagnostic;
+use crate::robot::Robot;
+use std::path::Path;
+
+/// The robot that `--robot` names: a built-in one, or a file.
+///
+/// # Errors
+/// What is wrong with the name or the file.
+pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
+    if let Some(robot) = Robot::built_in(name) {
+        return Ok(robot);
+    }
+    let path = Path::new(name);
+    let looks_like_a_path =
+        path.components().count() > 1 || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    if !path.exists() && !looks_like_a_path {
+        return Ok(Robot::by_name(name)?);
+    }
+    let bytes = files::read(path, "robot file")?;
+    let text = std::str::from_utf8(&bytes).map_err(|error| {
+        Diagnostic::error("robot::toml", format!("{name}: not UTF-8 text after byte {}", error.valid_up_to()))
+    })?;
+    Robot::from_toml(text).map_err(|error| in_file(name, error.into()))
+}
+
+/// The deformation that `--deformation` and `--growth` name; without both the reference paper's.
+///
+/// # Errors
+/// What is wrong with the table or the growth law.
+pub fn deformation(file: Option<&Path>, growth: Option<&str>) -> Result<Deformation, Diagnostic> {
+    let growth = growth.map(str::parse::<GrowthLaw>).transpose().map_err(DeformError::from)?;
+    match (file, growth) {
+        (None, None) => Ok(Deformation::paper()),
+        (None, Some(growth)) => Ok(Deformation::from_static(Deformation::paper().settled(), growth)),
+        (Some(path), growth) => {
+            let bytes = files::read(path, "deformation table")?;
+            Deformation::from_csv(&bytes, growth)
+                .map_err(|error| in_file(&path.display().to_string(), error.into()))
+        }
+    }
+}
+
+/// The same message with the file's name before it.
+pub fn in_file(name: &str, mut diagnostic: Diagnostic) -> Diagnostic {
+    diagnostic.message = format!("{name}: {}", diagnostic.message);
+    diagnostic
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_paths_are_told_apart() {
+        assert_eq!(robot("irb120").unwrap().name, "ABB IRB 120-3/0.58");
+        assert_eq!(robot("src/robot/built_in/irb120.toml").unwrap().name, "ABB IRB 120-3/0.58");
+        assert_eq!(robot("irb121").unwrap_err().code, "robot::unknown");
+        assert_eq!(robot("mine.toml").unwrap_err().code, "input::missing");
+        assert_eq!(robot("IRB 2400").unwrap_err().code, "robot::coupled");
+    }
+
+    #[test]
+    fn without_options_it_is_the_papers_deformation() {
+        assert_eq!(deformation(None, None).unwrap(), Deformation::paper());
+        let grown = deformation(None, Some("none")).unwrap();
+        assert_eq!(grown.offsets_at(0.0), Deformation::paper().settled());
+        let table = Path::new("fixtures/paper/table2_deformation.csv");
+        let error = deformation(Some(table), None).unwrap_err();
+        assert_eq!(error.code, "deform::no-growth");
+        assert!(error.message.starts_with("fixtures/paper/table2_deformation.csv: "), "{error}");
+        assert_eq!(deformation(Some(table), Some("two-stage:46")).unwrap(), Deformation::paper());
+        assert_eq!(deformation(None, Some("linear")).unwrap_err().code, "deform::growth");
+    }
+}

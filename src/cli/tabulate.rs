@@ -1,0 +1,231 @@
+//! `driftpost tabulate`: joints of a list of targets at every minute of warm-up.
+
+use super::files::{self, Pending};
+use super::minutes::Minutes;
+use super::{Console, Outcome, model};
+use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
+use crate::compensate::targets::{self, Target};
+use crate::diagnostic::Diagnostic;
+use crate::kinematics::Configuration;
+use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use anyhow::Context;
+use nalgebra::UnitQuaternion;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Options of `tabulate`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Targets (CSV): name,x_mm,y_mm,z_mm[,rx_deg,ry_deg,rz_deg], or RoboDK's No. point,X[mm],Y[mm],Z[mm][,Ox[deg],Oy[deg],Oz[deg]].
+    #[arg(value_name = "TARGETS.csv")]
+    pub targets: PathBuf,
+
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Roll, pitch, yaw of the flange about fixed axes, where the targets have positions only.
+    #[arg(long, value_name = "RX,RY,RZ", value_parser = three, allow_hyphen_values = true)]
+    pub orient_deg: Option<[f64; 3]>,
+
+    /// The branch for all targets: cfx, and the whole turns nearest to the quadrants [default: nearest to the previous
+    /// target's joints, the first nearest to zero].
+    #[arg(long, value_name = "CF1,CF4,CF6,CFX", value_parser = confdata, allow_hyphen_values = true)]
+    pub confdata: Option<Configuration>,
+
+    /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
+    #[arg(long, value_name = "FILE")]
+    pub deformation: Option<PathBuf>,
+
+    /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU
+    /// [default: two-stage:46 for the built-in table; required with a static table of yours].
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    pub growth: Option<String>,
+
+    /// Warm-up minutes: FROM:TO:STEP, or a list such as 0,5,37.5.
+    #[arg(long, value_name = "MINUTES", default_value = "0:180:1", allow_hyphen_values = true)]
+    pub minutes: Minutes,
+
+    /// The joints, as CSV; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub joints_csv: Option<PathBuf>,
+
+    /// How far the targets are missed before and after, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `tabulate`.
+///
+/// # Errors
+/// A file that cannot be read or written, or a target that the arm cannot stand on; nothing is written then.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let file = args.targets.display().to_string();
+    let robot = model::robot(&args.robot)?;
+    let deformation = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
+    let orientation = args.orient_deg.map(|rpy_deg| {
+        let [roll, pitch, yaw] = rpy_deg.map(rad_from_deg);
+        UnitQuaternion::from_euler_angles(roll, pitch, yaw)
+    });
+    let bytes = files::read(&args.targets, "file of targets")?;
+    let targets = targets::read(&bytes, orientation.as_ref())
+        .map_err(|error| model::in_file(&file, Diagnostic::from(error)))?;
+    let joints_csv = Output::new(args.joints_csv.as_deref())?;
+    let json = Output::new(args.json.as_deref())?;
+
+    let table = tabulate(&robot, &deformation, &targets, args.confdata.as_ref(), &args.minutes.0)
+        .map_err(|error| model::in_file(&file, Diagnostic::from(error)))?;
+    let misses = table.misses();
+
+    let takes_standard_output = [&joints_csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
+    joints_csv.write(console, || joints_text(&file, &targets, &table))?;
+    json.write(console, || Ok(format!("{:#}\n", summary_json(&targets, &table, &misses)).into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    summarise(to, &targets, &table, &misses)?;
+    Ok(Outcome::Done)
+}
+
+/// Where a result goes.
+enum Output {
+    Nowhere,
+    Standard,
+    File(Pending),
+}
+
+impl Output {
+    fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
+        match path {
+            None => Ok(Self::Nowhere),
+            Some(path) if path == Path::new("-") => Ok(Self::Standard),
+            Some(path) => Pending::new(path).map(Self::File),
+        }
+    }
+
+    fn write(
+        self,
+        console: &mut Console,
+        bytes: impl FnOnce() -> anyhow::Result<Vec<u8>>,
+    ) -> anyhow::Result<()> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Standard => Ok(console.out().write_all(&bytes()?)?),
+            Self::File(pending) => Ok(pending.write(&bytes()?)?),
+        }
+    }
+}
+
+/// One line for each target and minute. Joints have 12 decimals, so that they alone give the residual.
+fn joints_text(file: &str, targets: &[Target], table: &Table) -> anyhow::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "target",
+        "file",
+        "line",
+        "t_min",
+        "q1_deg",
+        "q2_deg",
+        "q3_deg",
+        "q4_deg",
+        "q5_deg",
+        "q6_deg",
+        "x_mm",
+        "y_mm",
+        "z_mm",
+        "residual_mm",
+    ])?;
+    for row in &table.rows {
+        let Some(target) = targets.get(row.target) else { continue };
+        writer.write_field(&target.name)?;
+        writer.write_field(file)?;
+        writer.write_field(target.line.to_string())?;
+        writer.write_field(row.t_min.to_string())?;
+        for q_rad in row.q_rad {
+            writer.write_field(format!("{:.12}", deg_from_rad(q_rad)))?;
+        }
+        for position_m in row.position_m {
+            writer.write_field(format!("{:.9}", mm_from_m(position_m)))?;
+        }
+        writer.write_field(format!("{:.3e}", mm_from_m(row.residual_m)))?;
+        writer.write_record(None::<&[u8]>)?;
+    }
+    writer.into_inner().map_err(|error| error.into_error()).context("the table of joints")
+}
+
+fn summary_json(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> Value {
+    let miss = |miss: &Miss| json!({ "max_mm": mm_from_m(miss.max_m), "rms_mm": mm_from_m(miss.rms_m), "max_deg": deg_from_rad(miss.max_rad) });
+    let minute = |minute: &MinuteMiss| {
+        json!({
+            "t_min": minute.t_min, "n": targets.len(), "before": miss(&minute.before), "after": miss(&minute.after),
+        })
+    };
+    let target = |(target, nominal): (&Target, &crate::kinematics::Solution)| {
+        let c = nominal.configuration;
+        json!({
+            "target": target.name, "line": target.line, "q_deg": nominal.q_rad.map(deg_from_rad),
+            "confdata": [c.cf1, c.cf4, c.cf6, c.cfx],
+        })
+    };
+    json!({
+        "rows": table.rows.len(),
+        "targets": targets.iter().zip(&table.nominal).map(target).collect::<Vec<_>>(),
+        "minutes": misses.iter().map(minute).collect::<Vec<_>>(),
+    })
+}
+
+fn summarise(
+    to: &mut dyn Write,
+    targets: &[Target],
+    table: &Table,
+    misses: &[MinuteMiss],
+) -> std::io::Result<()> {
+    writeln!(to, "{} targets x {} minutes = {} rows", targets.len(), misses.len(), table.rows.len())?;
+    let worst =
+        |of: fn(&MinuteMiss) -> &Miss| misses.iter().max_by(|a, b| of(a).max_m.total_cmp(&of(b).max_m));
+    if let Some(worst) = worst(|minute| &minute.before) {
+        let Miss { max_m, rms_m, max_rad } = worst.before;
+        writeln!(
+            to,
+            "before: missed by up to {:.3} mm (rms {:.3} mm) and {:.3} deg, at minute {}",
+            mm_from_m(max_m),
+            mm_from_m(rms_m),
+            deg_from_rad(max_rad),
+            worst.t_min
+        )?;
+    }
+    if let Some(worst) = worst(|minute| &minute.after) {
+        let Miss { max_m, max_rad, .. } = worst.after;
+        writeln!(
+            to,
+            "after: missed by up to {:.1e} mm and {:.1e} deg",
+            mm_from_m(max_m),
+            deg_from_rad(max_rad)
+        )?;
+    }
+    Ok(())
+}
+
+fn three(text: &str) -> Result<[f64; 3], String> {
+    let fields: Vec<f64> = numbers(text)?;
+    if fields.iter().any(|v| !v.is_finite()) {
+        return Err("angles are finite numbers".to_owned());
+    }
+    fields
+        .try_into()
+        .map_err(|fields: Vec<f64>| format!("three angles are needed, there are {}", fields.len()))
+}
+
+fn confdata(text: &str) -> Result<Configuration, String> {
+    match numbers::<i32>(text)?[..] {
+        [cf1, cf4, cf6, cfx] if (0..8).contains(&cfx) => Ok(Configuration { cf1, cf4, cf6, cfx }),
+        [_, _, _, cfx] => Err(format!("cfx is 0 to 7, not {cfx}")),
+        ref other => Err(format!("four whole numbers are needed, there are {}", other.len())),
+    }
+}
+
+fn numbers<T: std::str::FromStr>(text: &str) -> Result<Vec<T>, String> {
+    let number = |field: &str| {
+        field.trim().parse().map_err(|_| format!("`{}` is not a number of this kind", field.trim()))
+    };
+    text.split(',').map(number).collect()
+}
