@@ -27,6 +27,8 @@ pub mod compensate;
 
 pub mod emit;
 
+pub mod exam;
+
 pub mod report;
 
 pub mod cli;

@@ -5,11 +5,45 @@
 //! deformation.
 
 pub mod data;
+pub mod module_facts;
 pub mod motion;
+pub mod pgf;
+
+mod convert;
+mod draft;
+mod flow;
+mod fold;
+mod followed;
+mod functions;
+mod index;
+mod instructions;
+mod lower;
+mod names;
+mod order;
+mod overrides;
+mod predefined;
+mod read;
+mod record;
+mod state;
+mod value;
+mod writes;
+
+pub use pgf::modules_of_pgf;
 
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::syntax::SourceFile;
+use module_facts::Facts;
 use motion::{Loop, Motion, RoutineInfo};
+
+/// Tools and work objects given from outside, for names that no given module declares: name, and value
+/// as RAPID writes it, `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Overrides {
+    /// `--tool`.
+    pub tools: Vec<(String, String)>,
+    /// `--wobj`.
+    pub wobjs: Vec<(String, String)>,
+}
 
 /// A program: all given files, read and understood together.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +56,8 @@ pub struct Program {
     pub loops: Vec<Loop>,
     /// Every motion instruction, in file order.
     pub motions: Vec<Motion>,
+    /// Modules, names that are taken, entries and so on.
+    pub facts: Facts,
     /// What a reader of the program should know.
     pub diagnostics: Vec<Diagnostic>,
 }

@@ -1,0 +1,137 @@
+//! Which poses are measured, in which order, and how the robot got there.
+
+use super::arm::{Arm, Disturbance};
+use super::draw::Draw;
+use super::effect::Moment;
+use crate::robot::Robot;
+use crate::units::rad_from_deg;
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// How the poses are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "snake_case")]
+pub enum Spread {
+    /// All over the arm's reach.
+    Wide,
+    /// In a box of 0.3 × 0.6 × 0.3 m before the robot.
+    Cube,
+    /// A few degrees round one posture.
+    Narrow,
+    /// One joint at a time.
+    Sweeps,
+}
+
+/// What a data set records besides joints and points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Recorded {
+    /// `t_min`
+    pub time: bool,
+    /// `dir1` ...
+    pub direction: bool,
+    /// `payload_kg`
+    pub payload: bool,
+    /// `temp_j1_c` ...
+    pub temperature: bool,
+    /// `qw` ...
+    pub orientation: bool,
+}
+
+/// Half the width, in degrees, that each joint moves over where its range is wider.
+const WIDEST_DEG: [f64; 6] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0];
+/// The middle of a small arm's working posture, degrees.
+const POSTURE_DEG: [f64; 6] = [10.0, 20.0, 5.0, 25.0, 45.0, -20.0];
+
+fn joints(robot: &Robot, draw: &mut Draw, spread: Spread, k: usize, n: usize) -> [f64; 6] {
+    let limit = |i: usize| {
+        let wide = rad_from_deg(WIDEST_DEG[i]);
+        robot.joints[i]
+            .range_rad
+            .map_or([-wide, wide], |[lo, hi]| [lo.max(-wide) * 0.95, hi.min(wide) * 0.95])
+    };
+    let posture = POSTURE_DEG.map(rad_from_deg);
+    match spread {
+        Spread::Wide | Spread::Cube => std::array::from_fn(|i| {
+            let [low, high] = limit(i);
+            draw.uniform(low, high)
+        }),
+        Spread::Narrow => std::array::from_fn(|i| posture[i] + draw.uniform(-1.0, 1.0) * rad_from_deg(12.0)),
+        Spread::Sweeps => {
+            let joint = (6 * k / n.max(1)).min(5);
+            let mut q = posture;
+            let [low, high] = limit(joint);
+            q[joint] = draw.uniform(low, high);
+            q
+        }
+    }
+}
+
+/// Whether the pose can be measured: above the floor, in front of the cell where a cube is asked for.
+fn fits(point_m: &Vector3<f64>, spread: Spread) -> bool {
+    match spread {
+        Spread::Cube => {
+            (0.4..0.7).contains(&point_m.x) && point_m.y.abs() < 0.3 && (0.25..0.55).contains(&point_m.z)
+        }
+        Spread::Wide | Spread::Sweeps => point_m.z > 0.05,
+        Spread::Narrow => true,
+    }
+}
+
+/// A measurement run as it is planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// How the poses are spread.
+    pub spread: Spread,
+    /// Rows.
+    pub n: usize,
+    /// Of these, the last so many come back to the first poses.
+    pub repeats: usize,
+    /// The measured point in the flange frame, metres.
+    pub tool_m: Vector3<f64>,
+    /// Payloads in turn, kg.
+    pub payloads_kg: [f64; 2],
+}
+
+/// The moments of a measurement run.
+#[must_use]
+pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Moment> {
+    let Run { spread, n, repeats, tool_m, payloads_kg } = *run;
+    let payload_at_m = Point3::new(0.02, 0.0, 0.09);
+    let minutes_each = draw.uniform(0.5, 3.0);
+    let heat_k: [f64; 6] = std::array::from_fn(|_| draw.uniform(5.0, 25.0));
+    // a joint's motor warms it quickly, the casting slowly: two time constants, each joint its own
+    let quick_min: [f64; 6] = std::array::from_fn(|_| draw.uniform(15.0, 45.0));
+    let slow_min: [f64; 6] = std::array::from_fn(|_| draw.uniform(80.0, 200.0));
+    let mut out: Vec<Moment> = Vec::with_capacity(n);
+    let distinct = n - repeats.min(n / 2);
+    for k in 0..n {
+        let (q_rad, point_m) = if k >= distinct {
+            (out[k - distinct].q_rad, out[k - distinct].point_m)
+        } else {
+            let mut tries = 0;
+            loop {
+                let q = joints(robot, draw, spread, k, distinct);
+                let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(tool_m)).coords;
+                tries += 1;
+                if fits(&point_m, spread) || tries > 5_000 {
+                    break (q, point_m);
+                }
+            }
+        };
+        let t_min = minutes_each * k as f64;
+        let payload_kg = payloads_kg[k % 2];
+        out.push(Moment {
+            q_rad,
+            t_min,
+            direction: std::array::from_fn(|_| draw.sign() as i8),
+            payload_kg,
+            payload_at_m,
+            warmer_k: std::array::from_fn(|j| {
+                heat_k[j] * (1.0 - 0.6 * (-t_min / quick_min[j]).exp() - 0.4 * (-t_min / slow_min[j]).exp())
+            }),
+            torque_n_m: arm.gravity_torque_n_m(&q_rad, payload_kg, &payload_at_m),
+            point_m,
+        });
+    }
+    out
+}

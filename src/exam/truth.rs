@@ -1,0 +1,81 @@
+//! The sealed truth of a data set, and the seal.
+
+use super::effect::Effect;
+use super::poses::{Recorded, Spread};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+/// What kind of question a data set asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// One effect of the library, its channel recorded.
+    One,
+    /// Two effects.
+    Two,
+    /// No effect.
+    None,
+    /// An effect that no library has.
+    Outside,
+    /// An effect of the library whose channel is not recorded.
+    MissingChannel,
+    /// A fault of the file.
+    Fault,
+}
+
+/// One effect as it was put in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PutIn {
+    /// Which.
+    #[serde(flatten)]
+    pub effect: Effect,
+    /// Its amplitude in SI units.
+    pub amplitude: f64,
+    /// Its rms at the measured point after registration, mm.
+    pub rms_mm: f64,
+    /// The same over the rms of the noise.
+    pub rho: f64,
+}
+
+/// All that is withheld about one data set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Truth {
+    /// The data set's folder.
+    pub name: String,
+    /// What kind of question it is.
+    pub kind: Kind,
+    /// What was put in.
+    pub effects: Vec<PutIn>,
+    /// Number of rows.
+    pub n: usize,
+    /// Standard deviation of the noise in each coordinate, mm.
+    pub sigma_mm: f64,
+    /// How the poses are spread.
+    pub spread: Spread,
+    /// What is recorded.
+    pub recorded: Recorded,
+    /// The noise is slow (each row's like the one before).
+    pub slow_noise: bool,
+    /// Share of rows that are grossly wrong.
+    pub outliers: f64,
+    /// rms of the error with registration only, mm.
+    pub before_rms_mm: f64,
+    /// rms once every effect that was put in is taken out, mm: what an oracle reaches.
+    pub oracle_rms_mm: f64,
+}
+
+/// Everything of one exam that the diagnosis may not see.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sealed {
+    /// The seed it was drawn from.
+    pub seed: u64,
+    /// One for each data set.
+    pub sets: Vec<Truth>,
+}
+
+/// The SHA-256 of the sealed file, in hexadecimal: written beside the sets, so that a truth that was changed
+/// afterwards is seen.
+#[must_use]
+pub fn seal(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}

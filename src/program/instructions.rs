@@ -1,0 +1,424 @@
+//! What the controller's own instructions do, as far as motion goes: which argument of a move is which,
+//! which instructions write an argument, which ones wait, and which are known not to matter.
+//!
+//! Names are in lower case; positions count the arguments without a backslash, from 0, as ABB's
+//! reference manual orders them.
+
+use super::motion::Path;
+use Path::{AbsJoint, Circular, Joint, Linear};
+use Special::Search;
+
+/// A move instruction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MoveForm {
+    /// In its usual spelling.
+    pub(super) name: &'static str,
+    pub(super) path: Path,
+    /// Positions of the targets: circle point, end point.
+    pub(super) targets: &'static [usize],
+    pub(super) speed: usize,
+    pub(super) zone: Option<usize>,
+    pub(super) tool: Option<usize>,
+    pub(super) special: Special,
+}
+
+/// What sets a move instruction apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Special {
+    /// Nothing.
+    Plain,
+    /// It searches: where it stops is what the program wants to know.
+    Search,
+    /// It moves external axes only.
+    External,
+    /// It is known to move the arm, not how its targets are used.
+    Unsupported,
+}
+
+/// The move instruction of a name in lower case.
+pub(super) fn move_form(name: &str) -> Option<&'static MoveForm> {
+    MOVES.binary_search_by(|(n, _)| (*n).cmp(name)).ok().map(|at| &MOVES[at].1)
+}
+
+const fn form(
+    name: &'static str,
+    path: Path,
+    targets: &'static [usize],
+    speed: usize,
+    zone: Option<usize>,
+    tool: usize,
+) -> MoveForm {
+    MoveForm { name, path, targets, speed, zone, tool: Some(tool), special: Special::Plain }
+}
+
+/// ToPoint, Speed, Zone, Tool.
+const fn simple(name: &'static str, path: Path) -> MoveForm {
+    form(name, path, &[0], 1, Some(2), 3)
+}
+
+/// CirPoint, ToPoint, Speed, Zone, Tool.
+const fn circle(name: &'static str) -> MoveForm {
+    form(name, Circular, &[0, 1], 2, Some(3), 4)
+}
+
+/// ToPoint, Speed, Seam, Weld, Zone, Tool.
+const fn arc_line(name: &'static str) -> MoveForm {
+    form(name, Linear, &[0], 1, Some(4), 5)
+}
+
+/// CirPoint, ToPoint, Speed, Seam, Weld, Zone, Tool.
+const fn arc_circle(name: &'static str) -> MoveForm {
+    form(name, Circular, &[0, 1], 2, Some(5), 6)
+}
+
+const fn special(form: MoveForm, special: Special) -> MoveForm {
+    MoveForm { special, ..form }
+}
+
+const fn external(name: &'static str, target: &'static [usize], speed: usize) -> MoveForm {
+    let (path, special) = (AbsJoint, Special::External);
+    MoveForm { name, path, targets: target, speed, zone: None, tool: None, special }
+}
+
+const fn unsupported(name: &'static str, path: Path) -> MoveForm {
+    let special = Special::Unsupported;
+    MoveForm { name, path, targets: &[], speed: 1, zone: None, tool: None, special }
+}
+
+/// Sorted by name.
+const MOVES: &[(&str, MoveForm)] = &[
+    ("arcc", arc_circle("ArcC")),
+    ("arcc1", arc_circle("ArcC1")),
+    ("arcc1end", arc_circle("ArcC1End")),
+    ("arcc1start", arc_circle("ArcC1Start")),
+    ("arcc2", arc_circle("ArcC2")),
+    ("arcc2end", arc_circle("ArcC2End")),
+    ("arcc2start", arc_circle("ArcC2Start")),
+    ("arccend", arc_circle("ArcCEnd")),
+    ("arccstart", arc_circle("ArcCStart")),
+    ("arcl", arc_line("ArcL")),
+    ("arcl1", arc_line("ArcL1")),
+    ("arcl1end", arc_line("ArcL1End")),
+    ("arcl1start", arc_line("ArcL1Start")),
+    ("arcl2", arc_line("ArcL2")),
+    ("arcl2end", arc_line("ArcL2End")),
+    ("arcl2start", arc_line("ArcL2Start")),
+    ("arclend", arc_line("ArcLEnd")),
+    ("arclstart", arc_line("ArcLStart")),
+    ("capc", unsupported("CapC", Circular)),
+    ("capl", unsupported("CapL", Linear)),
+    ("contactl", unsupported("ContactL", Linear)),
+    ("dispc", unsupported("DispC", Circular)),
+    ("displ", unsupported("DispL", Linear)),
+    ("egmmovec", unsupported("EGMMoveC", Circular)),
+    ("egmmovel", unsupported("EGMMoveL", Linear)),
+    ("fcpressc", unsupported("FCPressC", Circular)),
+    ("fcpressl", unsupported("FCPressL", Linear)),
+    ("moveabsj", simple("MoveAbsJ", AbsJoint)),
+    ("movec", circle("MoveC")),
+    ("movecao", circle("MoveCAO")),
+    ("movecdo", circle("MoveCDO")),
+    ("movecgo", circle("MoveCGO")),
+    ("movecsync", circle("MoveCSync")),
+    ("moveextj", external("MoveExtJ", &[0], 1)),
+    ("movej", simple("MoveJ", Joint)),
+    ("movejao", simple("MoveJAO", Joint)),
+    ("movejdo", simple("MoveJDO", Joint)),
+    ("movejgo", simple("MoveJGO", Joint)),
+    ("movejsync", simple("MoveJSync", Joint)),
+    ("movel", simple("MoveL", Linear)),
+    ("movelao", simple("MoveLAO", Linear)),
+    ("moveldo", simple("MoveLDO", Linear)),
+    ("movelgo", simple("MoveLGO", Linear)),
+    ("movelsync", simple("MoveLSync", Linear)),
+    ("movepnp", unsupported("MovePnP", Joint)),
+    ("paintc", unsupported("PaintC", Circular)),
+    ("paintl", unsupported("PaintL", Linear)),
+    ("searchc", special(form("SearchC", Circular, &[2, 3], 4, None, 5), Search)),
+    ("searchextj", external("SearchExtJ", &[2], 3)),
+    ("searchl", special(form("SearchL", Linear, &[2], 3, None, 4), Search)),
+    ("spotj", unsupported("SpotJ", Joint)),
+    ("spotl", unsupported("SpotL", Linear)),
+    ("spotmj", unsupported("SpotMJ", Joint)),
+    ("spotml", unsupported("SpotML", Linear)),
+    ("triggabsj", form("TriggAbsJ", AbsJoint, &[0], 1, Some(3), 4)),
+    ("triggc", form("TriggC", Circular, &[0, 1], 2, Some(4), 5)),
+    ("triggj", form("TriggJ", Joint, &[0], 1, Some(3), 4)),
+    ("triggjios", simple("TriggJIOs", Joint)),
+    ("triggl", form("TriggL", Linear, &[0], 1, Some(3), 4)),
+    ("trigglios", simple("TriggLIOs", Linear)),
+];
+
+/// Positions of the arguments that an instruction writes.
+pub(super) fn written_arguments(name: &str) -> &'static [usize] {
+    match name {
+        "incr" | "decr" | "add" | "clear" | "bitset" | "bitclear" | "getsysdata" | "tpreadfk"
+        | "tpreadnum" | "tpreaddnum" => &[0],
+        "searchl" | "searchc" | "searchextj" | "getdataval" | "readanybin" | "readvararr"
+        | "rmqgetmsgdata" | "packrawbytes" | "packdnheader" | "sortdata" => &[1],
+        "readcfgdata" | "matrixsolve" | "stoolrotcalib" | "unpackrawbytes" => &[2],
+        "mtooltcpcalib" | "stooltcpcalib" => &[4, 5, 6],
+        "mtoolrotcalib" => &[2, 3],
+        "loadid" => &[2],
+        "fitcircle" => &[1, 2, 3],
+        _ => &[],
+    }
+}
+
+/// Arguments with a backslash that an instruction or function writes.
+pub(super) fn is_written_option(name: &str) -> bool {
+    matches!(
+        name,
+        "breakflag"
+            | "errornumber"
+            | "timeflag"
+            | "result"
+            | "str"
+            | "rawdata"
+            | "data"
+            | "getdata"
+            | "breaklist"
+    )
+}
+
+/// Positions of the arguments that a function writes.
+pub(super) fn written_by_function(name: &str) -> &'static [usize] {
+    match name {
+        "strtoval" => &[1],
+        "getnextsym" => &[0, 1],
+        "bitset" => &[0],
+        _ => &[],
+    }
+}
+
+/// Whether an instruction waits for something of unknown length.
+pub(super) fn waits(name: &str) -> bool {
+    name.starts_with("wait")
+        || name.starts_with("tpread")
+        || name.starts_with("ui")
+        || name.starts_with("socket")
+        || matches!(
+            name,
+            "load"
+                | "stop"
+                | "break"
+                | "systemstopaction"
+                | "stopmove"
+                | "rmqreadwait"
+                | "callbyvar"
+                | "spymovement"
+                | "startmoveretry"
+                | "actunit"
+                | "deactunit"
+                | "testsigndefine"
+        )
+}
+
+/// Whether an instruction is the controller's own and leaves tool, work object and place alone.
+pub(super) fn harmless(name: &str) -> bool {
+    HARMLESS_STARTS.iter().any(|start| name.starts_with(start)) || HARMLESS.binary_search(&name).is_ok()
+}
+
+/// Whole families whose names no user's routine is likely to begin with.
+const HARMLESS_STARTS: &[&str] =
+    &["wait", "tp", "ui", "socket", "rmq", "isignal", "clk", "wz", "corr", "egm", "matrix", "cam", "trigg"];
+
+const HARMLESS: &[&str] = &[
+    "accset",
+    "actevent",
+    "actunit",
+    "add",
+    "aliasio",
+    "aliasioreset",
+    "bitclear",
+    "bitset",
+    "bookerrno",
+    "brakecheck",
+    "break",
+    "callbyvar",
+    "cancelload",
+    "checkprogref",
+    "cirpathmode",
+    "clear",
+    "clearpath",
+    "clearrawbytes",
+    "close",
+    "closedir",
+    "confj",
+    "confl",
+    "connect",
+    "copyfile",
+    "copyrawbytes",
+    "cyclicbrakecheck",
+    "deactevent",
+    "deactunit",
+    "decr",
+    "dropsensor",
+    "dropwobj",
+    "eoffsoff",
+    "eoffson",
+    "eoffsset",
+    "erasemodule",
+    "errlog",
+    "errraise",
+    "errwrite",
+    "exit",
+    "exitcycle",
+    "fitcircle",
+    "getdataval",
+    "getsysdata",
+    "gettorquemargin",
+    "gettrapdata",
+    "gripload",
+    "hollowwristreset",
+    "idelete",
+    "idisable",
+    "ienable",
+    "ierror",
+    "incr",
+    "indreset",
+    "invertdo",
+    "iobusstart",
+    "iobusstate",
+    "iodisable",
+    "ioenable",
+    "ipers",
+    "irmqmessage",
+    "isleep",
+    "itimer",
+    "ivarvalue",
+    "iwatch",
+    "load",
+    "loadid",
+    "makedir",
+    "mechunitload",
+    "motionplannermode",
+    "motionprocessmodeset",
+    "motionsup",
+    "mtoolrotcalib",
+    "mtooltcpcalib",
+    "open",
+    "opendir",
+    "packdnheader",
+    "packrawbytes",
+    "pathacclim",
+    "pathlengthreset",
+    "pathlengthstart",
+    "pathlengthstop",
+    "pathrecstart",
+    "pathrecstop",
+    "pathresol",
+    "pdispoff",
+    "pdispon",
+    "pdispset",
+    "performancemode",
+    "procerrrecovery",
+    "pulsedo",
+    "raise",
+    "readanybin",
+    "readblock",
+    "readcfgdata",
+    "readerrdata",
+    "readrawbytes",
+    "readvararr",
+    "removedir",
+    "removefile",
+    "renamefile",
+    "reset",
+    "resetaxisdistance",
+    "resetaxismovetime",
+    "resetppmoved",
+    "resetretrycount",
+    "restopath",
+    "rewind",
+    "save",
+    "set",
+    "setalldataval",
+    "setao",
+    "setdatasearch",
+    "setdataval",
+    "setdo",
+    "setgo",
+    "setsysdata",
+    "setuiostate",
+    "singarea",
+    "softact",
+    "softdeact",
+    "sortdata",
+    "speedlimaxis",
+    "speedlimcheckpoint",
+    "speedrefresh",
+    "spystart",
+    "spystop",
+    "startload",
+    "startmove",
+    "startmoveretry",
+    "stepbwdpath",
+    "stoolrotcalib",
+    "stooltcpcalib",
+    "stop",
+    "stopmove",
+    "stopmovereset",
+    "storepath",
+    "supsyncsensoroff",
+    "supsyncsensoron",
+    "syncmoveoff",
+    "syncmoveon",
+    "syncmoveresume",
+    "syncmovesuspend",
+    "syncmoveundo",
+    "synctosensor",
+    "systemstopaction",
+    "testsigndefine",
+    "testsignreset",
+    "texttabinstall",
+    "tunereset",
+    "tuneservo",
+    "unload",
+    "unpackrawbytes",
+    "velset",
+    "warmstart",
+    "worldacclim",
+    "write",
+    "writeanybin",
+    "writebin",
+    "writeblock",
+    "writecfgdata",
+    "writerawbytes",
+    "writestrbin",
+    "writevar",
+    "writevararr",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moves_are_sorted_and_named_as_they_are_looked_up() {
+        assert!(MOVES.is_sorted_by(|a, b| a.0 < b.0));
+        for (name, form) in MOVES {
+            assert_eq!(*name, form.name.to_lowercase());
+            assert_eq!(move_form(name), Some(form));
+        }
+        assert_eq!(move_form("move"), None);
+        assert!(HARMLESS.is_sorted());
+    }
+
+    /// Argument orders as ABB's reference manual gives them.
+    #[test]
+    fn arguments_stand_where_the_manual_says() {
+        let at = |name| {
+            let form = move_form(name).unwrap();
+            (form.targets, form.speed, form.zone, form.tool)
+        };
+        assert_eq!(at("movel"), (&[0][..], 1, Some(2), Some(3)));
+        assert_eq!(at("movec"), (&[0, 1][..], 2, Some(3), Some(4)));
+        assert_eq!(at("triggl"), (&[0][..], 1, Some(3), Some(4)));
+        assert_eq!(at("triggc"), (&[0, 1][..], 2, Some(4), Some(5)));
+        assert_eq!(at("arcl"), (&[0][..], 1, Some(4), Some(5)));
+        assert_eq!(at("arccend"), (&[0, 1][..], 2, Some(5), Some(6)));
+        assert_eq!(at("searchl"), (&[2][..], 3, None, Some(4)));
+        assert_eq!(at("searchc"), (&[2, 3][..], 4, None, Some(5)));
+    }
+}

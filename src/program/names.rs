@@ -1,0 +1,83 @@
+//! Names without regard to case, each known by a small number.
+//!
+//! RAPID's letters are those of ISO 8859-1; newer controllers write UTF-8. A name is read as UTF-8 where
+//! it is that, else as Latin-1, so `ÄRM` and `ärm` are one name in either.
+
+use std::collections::HashMap;
+
+/// A name, whatever its case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Sym(u32);
+
+/// All names of a program.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Names {
+    by_text: HashMap<Box<str>, Sym>,
+    texts: Vec<Box<str>>,
+}
+
+/// The name in lower case.
+pub(super) fn lower_case(name: &[u8]) -> String {
+    match std::str::from_utf8(name) {
+        Ok(text) => text.to_lowercase(),
+        Err(_) => name.iter().map(|&b| char::from(b)).flat_map(char::to_lowercase).collect(),
+    }
+}
+
+/// The name as text, its case kept.
+pub(super) fn as_text(name: &[u8]) -> String {
+    match std::str::from_utf8(name) {
+        Ok(text) => text.to_owned(),
+        Err(_) => name.iter().map(|&b| char::from(b)).collect(),
+    }
+}
+
+impl Names {
+    /// The number of a name, new where it was not seen before.
+    pub(super) fn intern(&mut self, name: &[u8]) -> Sym {
+        if let Some(sym) = self.find(name) {
+            return sym;
+        }
+        let text: Box<str> = lower_case(name).into();
+        let sym = Sym(self.texts.len() as u32);
+        self.texts.push(text.clone());
+        self.by_text.insert(text, sym);
+        sym
+    }
+
+    /// The number of a name that was seen before.
+    pub(super) fn find(&self, name: &[u8]) -> Option<Sym> {
+        let mut lower = [0; 64];
+        if let Some(lower) = lower.get_mut(..name.len())
+            && name.is_ascii()
+        {
+            lower.copy_from_slice(name);
+            lower.make_ascii_lowercase();
+            return std::str::from_utf8(lower).ok().and_then(|text| self.by_text.get(text).copied());
+        }
+        self.by_text.get(lower_case(name).as_str()).copied()
+    }
+
+    /// The name in lower case.
+    pub(super) fn text(&self, sym: Sym) -> &str {
+        self.texts.get(sym.0 as usize).map_or("", |t| t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn case_does_not_count_in_ascii_latin_1_and_utf_8() {
+        let mut names = Names::default();
+        let p = names.intern(b"pHome");
+        assert_eq!(names.intern(b"PHOME"), p);
+        let latin = names.intern(b"\xC4rm"); // Ä
+        assert_eq!(names.intern(b"\xE4RM"), latin);
+        assert_eq!(names.intern("ÄRM".as_bytes()), latin);
+        assert_ne!(names.intern(b"\xE5rm"), latin);
+        assert_eq!(names.text(latin), "ärm");
+        assert_eq!(names.find(b"nowhere"), None);
+    }
+}

@@ -1,0 +1,395 @@
+//! [`Program::read`]: from files to motions with all that the text says of them.
+
+use super::convert;
+use super::draft::{Draft, Drafts};
+use super::flow::HOLDS;
+use super::fold::{Constant, Folder, Followed, Found, why};
+use super::followed::FollowedData;
+use super::index::{Ctx, Index};
+use super::instructions::Special;
+use super::lower::Lowered;
+use super::module_facts::facts;
+use super::motion::{Keep, Motion, Origin, Path, Target, TargetValue};
+use super::names::{as_text, lower_case};
+use super::order::order;
+use super::predefined::guessed;
+use super::state::{State, View, states_at_motions};
+use super::value::{DataName, Value, Why};
+use super::writes::Writes;
+use super::{Overrides, Program};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::syntax::SourceFile;
+use crate::syntax::tree::{Expr, ExprKind, UnaryOp};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+impl Program {
+    /// Reads files together: resolves names across them, follows tools and work objects, and says for
+    /// each motion whether it can be compensated as far as the text tells.
+    ///
+    /// The files' ids must be their positions. Never fails: what cannot be understood stands in
+    /// [`Motion::keep`] and in the diagnostics.
+    #[must_use]
+    pub fn read(files: Vec<SourceFile>, overrides: &Overrides) -> Self {
+        let mut diagnostics = Vec::new();
+        let given = super::overrides::given(overrides, &mut diagnostics);
+        let index = Index::new(&files);
+        let writes = Writes::new(&index);
+        let mut folder = Folder::new(&index, &writes);
+        folder.given = given;
+        super::overrides::unused(&folder, overrides, &mut diagnostics);
+        let drafts = Drafts::new(&mut folder);
+        let followed = FollowedData::new(&index, &writes, &drafts);
+        let lowered = Lowered::new(&mut folder, &drafts, &followed);
+        let states = states_at_motions(&mut folder, &drafts, &lowered, &followed);
+        let order = order(&index, &drafts, &lowered);
+        let facts = facts(&index, &lowered.called());
+        let Drafts { motions: drafts, loops, routines, .. } = drafts;
+        let mut finish =
+            Finish { folder, followed: &followed, kept_over: BTreeMap::new(), guesses: BTreeMap::new() };
+        let mut motions = Vec::with_capacity(drafts.len());
+        for ((draft, state), (previous, wait)) in drafts.into_iter().zip(states).zip(order) {
+            let mut motion = finish.motion(draft, state.as_ref());
+            motion.previous = previous;
+            motion.wait_before = wait;
+            motions.push(motion);
+        }
+        diagnostics.extend(finish.folder.elsewhere_warnings());
+        diagnostics.extend(finish.kept_over.into_values());
+        diagnostics.extend(finish.guesses.into_values());
+        for (name, at) in &lowered.not_given {
+            let text = format!("{name} is not among the given files");
+            diagnostics.push(
+                Diagnostic::warning("resolve::routine-not-given", text)
+                    .at(*at)
+                    .help("it is taken to leave tools, work objects and displacements as they are"),
+            );
+        }
+        diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        Self { files, routines, loops, motions, facts, diagnostics }
+    }
+}
+
+struct Finish<'f, 'a> {
+    folder: Folder<'a>,
+    followed: &'f FollowedData,
+    /// PERS that motions use before the program sets them, once each.
+    kept_over: BTreeMap<usize, Diagnostic>,
+    /// Speeds and zones that are not predefined, once each.
+    guesses: BTreeMap<String, Diagnostic>,
+}
+
+type Failed = Keep;
+
+impl<'a> Finish<'_, 'a> {
+    fn motion(&mut self, draft: Draft<'a>, state: Option<&State>) -> Motion {
+        let Draft { mut motion, ctx, form, args } = draft;
+        let at = Span { file: ctx.file, range: motion.range };
+        let mut first: Option<Keep> = None;
+        let mut fail = |keep: Keep| {
+            first.get_or_insert(keep);
+        };
+        if let Some(keep) = special(form.special, form.name) {
+            fail(keep);
+        }
+        if args.targets.len() < form.targets.len() {
+            fail(keep("keep::not-read", format!("{} has too few arguments", form.name)));
+        }
+        match state {
+            None => fail(keep("keep::unreachable", "no way through the program leads here".into())),
+            Some(state) => {
+                if args.has("id") {
+                    fail(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
+                }
+                for (hold, held) in HOLDS.iter().zip(&state.holds) {
+                    if let Some(why) = held {
+                        let code = match hold {
+                            super::flow::Hold::Displacement => "keep::displacement",
+                            super::flow::Hold::ExternalOffset => "keep::external-offset",
+                            super::flow::Hold::SoftServo => "keep::soft-servo",
+                            super::flow::Hold::MultiMove => "keep::multimove",
+                        };
+                        fail(Keep { code, reason: why.reason.clone(), because: why.because });
+                    }
+                }
+            }
+        }
+        if args.has("corr") {
+            fail(keep("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
+        }
+        let known: &dyn Followed = match state {
+            Some(state) => &View { state, followed: self.followed },
+            None => &Constant,
+        };
+        let joints_wanted = motion.path == Path::AbsJoint;
+        let mut reached = Vec::new();
+        for expr in &args.targets {
+            let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            motion.targets.push(target);
+            reached.extend(calc);
+            if let Some(keep) = failed {
+                fail(keep);
+            }
+        }
+        if let Some(state) = state {
+            motion.conf_monitored = match motion.path {
+                Path::Linear | Path::Circular => state.conf_l,
+                Path::Joint => state.conf_j,
+                Path::AbsJoint => Some(false),
+            };
+        }
+        motion.speed = self.speed(&args, ctx, known);
+        motion.zone = self.zone(&args, ctx, known);
+        let is_joint = joints_wanted;
+        match self.tool(&args, ctx, known) {
+            Ok(tool) => motion.tool = Some(tool),
+            Err(_) if is_joint => {}
+            Err(keep) => fail(keep),
+        }
+        match self.wobj(&args, ctx, known) {
+            Ok(wobj) => motion.wobj = Some(wobj),
+            Err(_) if is_joint => {}
+            Err(keep) => fail(keep),
+        }
+        if !is_joint && let (Some(tool), Some(wobj)) = (&motion.tool, &motion.wobj) {
+            if tool.robhold == wobj.robhold {
+                let text = if tool.robhold {
+                    "the robot is said to hold both the tool and the work object"
+                } else {
+                    "the robot is said to hold neither the tool nor the work object"
+                };
+                fail(keep("keep::robhold", text.into()));
+            }
+            if !wobj.ufprog || !wobj.ufmec.is_empty() {
+                let unit = if wobj.ufmec.is_empty() { "another unit" } else { &wobj.ufmec };
+                fail(keep("keep::wobj-moved", format!("{unit} moves the work object")));
+            }
+        }
+        if !reached.is_empty() {
+            let own_tool = args.tool.and_then(|t| self.folder.data_name(t, ctx));
+            let own_wobj = match args.wobj {
+                Some(wobj) => self.folder.data_name(wobj, ctx),
+                None => Some(DataName::Predefined("wobj0".into())),
+            };
+            let same = |(tool, wobj)| Some(tool) == own_tool.as_ref() && Some(wobj) == own_wobj.as_ref();
+            if !reached.iter().all(|r| same((&r.tool, &r.wobj))) {
+                let text = "CalcRobT names another tool or work object than its motion";
+                fail(keep("keep::calc-frame", text.into()));
+            }
+        }
+        if let Some(state) = state {
+            self.note_kept_over(state, &args, ctx, at);
+        }
+        motion.keep = first;
+        motion
+    }
+
+    fn target(
+        &mut self,
+        expr: &'a Expr,
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> (Target, Option<Failed>, Option<Rc<super::value::Reached>>) {
+        let (origin, literal) = self.origin(expr, ctx);
+        let mut calc = None;
+        let folded = self.folder.fold(expr, ctx, &Constant).and_then(|typed| {
+            let value = typed.value;
+            let converted = match (&value, joints_wanted) {
+                (Value::Reached(reached), false) => {
+                    calc = Some(reached.clone());
+                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+                }
+                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
+                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
+            };
+            converted.map_err(|(code, reason)| {
+                let because = match &origin {
+                    Origin::Named { declaration, .. } => Some(*declaration),
+                    Origin::Inline | Origin::Expression => None,
+                };
+                Rc::new(Keep { code, reason, because })
+            })
+        });
+        let unused_axis = |v: &TargetValue| match v {
+            TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
+            TargetValue::Rob(_) => false,
+        };
+        let target = |value, literal| Target { range: expr.range, origin: origin.clone(), value, literal };
+        match folded {
+            Ok(value) if unused_axis(&value) => {
+                let text = "an axis of the arm is written 9E9: it stays where it is";
+                (target(Some(value), literal), Some(keep("keep::axis-unused", text.into())), calc)
+            }
+            Ok(value) => (target(Some(value), literal), None, calc),
+            Err(why) => (target(None, None), Some((*why).clone()), calc),
+        }
+    }
+
+    fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {
+        let literal =
+            |expr: &Expr, ctx: Ctx| is_literal(expr).then_some(Span { file: ctx.file, range: expr.range });
+        match &expr.kind {
+            ExprKind::Aggregate(_) => (Origin::Inline, literal(expr, ctx)),
+            ExprKind::Name => {
+                let name = as_text(self.folder.index.text(ctx.file, expr.range));
+                let here = Span { file: ctx.file, range: expr.range };
+                match self.folder.resolve(expr.range, ctx) {
+                    Ok(Found::Datum(datum)) => {
+                        let entry = &self.folder.index.data[datum];
+                        let literal = entry.init.and_then(|init| literal(init, entry.ctx));
+                        let declaration = self.folder.index.declaration(datum);
+                        (Origin::Named { name, declaration }, literal)
+                    }
+                    Ok(Found::Predefined(_)) | Err(_) => (Origin::Named { name, declaration: here }, None),
+                }
+            }
+            _ => (Origin::Expression, None),
+        }
+    }
+
+    fn tool(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Result<super::data::ToolData, Failed> {
+        let Some(expr) = args.tool else {
+            return Err(keep("keep::tool-unknown", "it names no tool".into()));
+        };
+        let written = as_text(self.folder.index.text(ctx.file, expr.range));
+        let folded = self.folder.fold(expr, ctx, known);
+        let tool =
+            folded.and_then(|t| convert::tooldata(&t.value).map_err(|(code, reason)| why(code, reason)));
+        tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
+    }
+
+    fn wobj(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Result<super::data::WobjData, Failed> {
+        if args.conditional.iter().any(|name| name == "wobj") {
+            let text = "its work object is handed to the routine, if present".into();
+            return Err(keep("keep::wobj-unknown", text));
+        }
+        let Some(expr) = args.wobj else { return Ok(super::data::WobjData::wobj0()) };
+        let written = as_text(self.folder.index.text(ctx.file, expr.range));
+        let folded = self.folder.fold(expr, ctx, known);
+        let wobj =
+            folded.and_then(|t| convert::wobjdata(&t.value).map_err(|(code, reason)| why(code, reason)));
+        wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written, &why))
+    }
+
+    fn speed(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Option<super::data::SpeedData> {
+        if args.has("t") {
+            return None; // the time is given, not the speed
+        }
+        let value = self.guess(args.speed?, ctx, known, "speeddata")?;
+        let mut speed = convert::speeddata(&value).ok()?;
+        if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "v") {
+            let Value::Num(v) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            speed.v_tcp_m_s = crate::units::m_from_mm(v);
+        }
+        Some(speed)
+    }
+
+    fn zone(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Option<super::data::ZoneData> {
+        let value = self.guess(args.zone?, ctx, known, "zonedata")?;
+        let mut zone = convert::zonedata(&value).ok()?;
+        if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "z") {
+            let Value::Num(z) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            zone.pzone_tcp_m = crate::units::m_from_mm(z);
+        }
+        Some(zone)
+    }
+
+    /// A speed or zone; one such as RoboDK's `v83`, which nobody declares, is guessed from its name.
+    fn guess(&mut self, expr: &Expr, ctx: Ctx, known: &dyn Followed, type_name: &str) -> Option<Value> {
+        let why = match self.folder.fold(expr, ctx, known) {
+            Ok(typed) => return Some(typed.value),
+            Err(why) => why,
+        };
+        if why.code != "keep::not-declared" || !matches!(expr.kind, ExprKind::Name) {
+            return None;
+        }
+        let name = lower_case(self.folder.index.text(ctx.file, expr.range));
+        let (_, value) = guessed(&name).filter(|(guessed, _)| *guessed == type_name)?;
+        let at = Span { file: ctx.file, range: expr.range };
+        self.guesses.entry(name.clone()).or_insert_with(|| {
+            let text = format!("{name} is neither predefined nor declared in the given files");
+            Diagnostic::warning("resolve::not-predefined", text)
+                .at(at)
+                .help("its value is taken from its name; a controller does not load the module like this")
+        });
+        Some(value)
+    }
+
+    /// A PERS that is used before the program sets it keeps its value from run to run.
+    fn note_kept_over(&mut self, state: &State, args: &super::draft::MoveArgs<'a>, ctx: Ctx, at: Span) {
+        for expr in [args.tool, args.wobj].into_iter().flatten() {
+            let Some(DataName::Declared(datum)) = self.folder.data_name(expr, ctx) else { continue };
+            let Some(slot) = self.followed.slot(datum).and_then(|slot| state.slots.get(slot)) else {
+                continue;
+            };
+            if !slot.declared || slot.value.unknown().is_some() || self.kept_over.contains_key(&datum) {
+                continue;
+            }
+            let name = self.folder.name_of(datum);
+            let text = format!("{name} is used here before the program sets it");
+            let mut warning = Diagnostic::warning("state::pers-kept", text).at(at).help(
+                "its declared value is used; a PERS keeps the value of the last run, so the first motions may differ",
+            );
+            if let Some(write) = self.folder.writes.first(datum) {
+                warning = warning.label(write.at, "set here");
+            }
+            self.kept_over.insert(datum, warning);
+        }
+    }
+}
+
+fn special(special: Special, name: &str) -> Option<Keep> {
+    match special {
+        Special::Plain => None,
+        Special::Search => Some(keep(
+            "keep::search",
+            format!("{name} searches: where it stops is what the program wants to know"),
+        )),
+        Special::External => Some(keep("keep::external-axes", format!("{name} moves external axes only"))),
+        Special::Unsupported => Some(keep(
+            "keep::instruction",
+            format!("{name} is not among the instructions that are understood"),
+        )),
+    }
+}
+
+fn keep(code: &'static str, reason: String) -> Keep {
+    Keep { code, reason, because: None }
+}
+
+fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> Keep {
+    let reason = format!("the {what} {name} is not known: {}", why.reason);
+    Keep { code, reason, because: why.because }
+}
+
+/// Whether an expression is made of literals alone.
+fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::String | ExprKind::Bool(_) => true,
+        ExprKind::Aggregate(parts) => parts.iter().all(is_literal),
+        ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => {
+            matches!(operand.kind, ExprKind::Number)
+        }
+        _ => false,
+    }
+}

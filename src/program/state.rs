@@ -1,0 +1,462 @@
+//! What is in force where: the values of the data that are followed, ConfL and ConfJ, displacements,
+//! carried through every routine in the order of its statements and into the routines it calls.
+//!
+//! A routine is walked once for each state it is called with; a routine called with many is from then
+//! on walked with what they have in common. What a motion sees is what all its visits have in common.
+
+use super::draft::Drafts;
+use super::flow::{Binding, Carried, HOLDS, Hold, Step, every_step, walk};
+use super::fold::{Constant, Folder, Followed};
+use super::followed::FollowedData;
+use super::index::{Ctx, DatumId, DatumKind, RoutineId};
+use super::lower::Lowered;
+use super::motion::Keep;
+use super::names::Sym;
+use super::value::{Value, Why};
+use crate::diagnostic::Span;
+use crate::syntax::tree::{DataKind, Expr, RoutineKind};
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// States a routine is walked with one by one; behind it only what they have in common counts.
+const MOST_STATES: usize = 16;
+/// Calls nested deeper are not followed.
+const DEEPEST_CALL: usize = 100;
+/// Steps in all, behind which everything counts as not known.
+const MOST_STEPS: u64 = 30_000_000;
+
+/// A followed datum at one place.
+#[derive(Clone, Debug)]
+pub(super) struct SlotState {
+    pub(super) value: Value,
+    /// It is still the declared value on some way that leads here.
+    pub(super) declared: bool,
+    set_at: Option<Span>,
+}
+
+/// What is in force at one place.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub(super) slots: Vec<SlotState>,
+    pub(super) conf_l: Option<bool>,
+    pub(super) conf_j: Option<bool>,
+    /// In the order of [`HOLDS`]: why it is, or may be, in force.
+    pub(super) holds: [Option<Why>; 4],
+}
+
+/// A state as the values of the data that are followed.
+pub(super) struct View<'s> {
+    pub(super) state: &'s State,
+    pub(super) followed: &'s FollowedData,
+}
+
+impl Followed for View<'_> {
+    fn value(&self, datum: DatumId) -> Option<Value> {
+        let slot = self.followed.slot(datum)?;
+        self.state.slots.get(slot).map(|s| s.value.clone())
+    }
+}
+
+/// What each motion sees; `None` where no way leads to it.
+pub(super) fn states_at_motions<'a>(
+    folder: &mut Folder<'a>,
+    drafts: &Drafts<'a>,
+    lowered: &Lowered<'a>,
+    followed: &FollowedData,
+) -> Vec<Option<State>> {
+    let routines = lowered.ways.len();
+    let mut walker = Walker {
+        at_motions: vec![None; drafts.motions.len()],
+        walked: vec![Vec::new(); routines],
+        common: vec![None; routines],
+        busy: Vec::new(),
+        steps: 0,
+        touched: touched(lowered),
+        folder,
+        lowered,
+        followed,
+    };
+    walker.run();
+    walker.at_motions
+}
+
+struct Walker<'w, 'a> {
+    folder: &'w mut Folder<'a>,
+    lowered: &'w Lowered<'a>,
+    followed: &'w FollowedData,
+    at_motions: Vec<Option<State>>,
+    walked: Vec<Vec<(State, Option<State>)>>,
+    common: Vec<Option<State>>,
+    busy: Vec<RoutineId>,
+    steps: u64,
+    touched: Vec<Touched>,
+}
+
+/// What a routine and those it calls may change.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Touched {
+    slots: BTreeSet<usize>,
+    conf_l: bool,
+    conf_j: bool,
+    holds: BTreeSet<Hold>,
+    calls: BTreeSet<RoutineId>,
+}
+
+impl Walker<'_, '_> {
+    fn run(&mut self) {
+        let index = self.folder.index;
+        let called: BTreeSet<RoutineId> = self.touched.iter().flat_map(|t| t.calls.iter().copied()).collect();
+        let declared = self.declared();
+        let trap = |id: RoutineId| index.routines[id].tree.kind == RoutineKind::Trap;
+        let ids = 0..self.lowered.ways.len();
+        for id in ids.clone() {
+            if trap(id) {
+                let anything = self.anything("a trap may run at any time");
+                self.call(id, anything);
+            } else if !called.contains(&id) {
+                self.call(id, declared.clone());
+            }
+        }
+        for id in ids {
+            if self.walked[id].is_empty() {
+                self.call(id, declared.clone()); // it is called in a circle only
+            }
+        }
+        if self.steps > MOST_STEPS {
+            let anything = self.anything("there are too many ways through the program to follow");
+            for at in 0..self.at_motions.len() {
+                self.see(at, &anything);
+            }
+        }
+        self.at_any_time();
+    }
+
+    /// ConfL and the like in traps and handlers may come into force anywhere.
+    fn at_any_time(&mut self) {
+        let index = self.folder.index;
+        let mut any = Touched::default();
+        for (id, ways) in self.lowered.ways.iter().enumerate() {
+            if index.routines[id].tree.kind == RoutineKind::Trap {
+                add(&mut any, &self.touched[id]);
+            }
+            for handler in &ways.handlers {
+                let mut own = Touched::default();
+                every_step(handler, &mut |step| touch(&mut own, step));
+                for callee in &own.calls {
+                    add(&mut any, &self.touched[*callee]);
+                }
+                add(&mut any, &own);
+            }
+        }
+        for state in self.at_motions.iter_mut().flatten() {
+            state.conf_l = state.conf_l.filter(|_| !any.conf_l);
+            state.conf_j = state.conf_j.filter(|_| !any.conf_j);
+            for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
+                if any.holds.contains(hold) && held.is_none() {
+                    *held = Some(unknown("a trap or an error handler may put it in force"));
+                }
+            }
+        }
+    }
+
+    /// The state a program starts with: declared values, everything else off.
+    fn declared(&mut self) -> State {
+        let mut slots = Vec::with_capacity(self.followed.data.len());
+        for &datum in &self.followed.data {
+            let kind = self.folder.index.data[datum].kind;
+            let persistent = kind == DatumKind::Declared(DataKind::Pers);
+            let value = match kind {
+                DatumKind::Declared(_) => self.folder.initial(datum),
+                DatumKind::Param { .. } | DatumKind::LoopVariable => self.folder.datum(datum, &Constant),
+            };
+            let value = value.unwrap_or_else(Value::Unknown);
+            slots.push(SlotState { value, declared: persistent, set_at: None });
+        }
+        State { slots, conf_l: Some(true), conf_j: Some(true), holds: [const { None }; 4] }
+    }
+
+    /// A state of which nothing is known that the program changes.
+    fn anything(&mut self, reason: &str) -> State {
+        let mut state = self.declared();
+        let mut all = Touched::default();
+        for touched in &self.touched {
+            add(&mut all, touched);
+        }
+        lose(&mut state, &all, &unknown(reason));
+        state
+    }
+
+    /// What a motion sees on one more visit.
+    fn see(&mut self, motion: usize, state: &State) {
+        let seen = self.at_motions.get_mut(motion).and_then(Option::take);
+        let seen = match seen {
+            None => state.clone(),
+            Some(mut seen) => {
+                self.join(&mut seen, state);
+                seen
+            }
+        };
+        if let Some(at) = self.at_motions.get_mut(motion) {
+            *at = Some(seen);
+        }
+    }
+
+    /// The state after a routine that is called in `entry`; `None` where it never comes back.
+    fn call(&mut self, routine: RoutineId, mut entry: State) -> Option<State> {
+        if self.busy.contains(&routine) {
+            let unknown_now = self.anything("a routine calls itself");
+            if self.walked[routine].iter().any(|(known, _)| same(known, &unknown_now)) {
+                return Some(unknown_now); // it is being walked with that already
+            }
+            entry = unknown_now;
+        }
+        if let Some((_, exit)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+            return exit.clone();
+        }
+        if self.busy.len() >= DEEPEST_CALL {
+            self.steps = MOST_STEPS + 1;
+            return Some(entry);
+        }
+        if self.walked[routine].len() >= MOST_STATES {
+            let common = self.common[routine].take();
+            if let Some(mut common) = common {
+                self.join(&mut common, &entry);
+                entry = common;
+            }
+            self.common[routine] = Some(entry.clone());
+            if let Some((_, exit)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+                return exit.clone();
+            }
+        }
+        // Entered before it is walked: a call of itself further down finds it.
+        let place = self.walked[routine].len();
+        self.walked[routine].push((entry.clone(), Some(entry.clone())));
+        self.busy.push(routine);
+        let lowered = self.lowered;
+        let ways = &lowered.ways[routine];
+        let mut exit = walk(self, &ways.body, &entry);
+        if !ways.handlers.is_empty() {
+            let mut failed = entry;
+            let reason = unknown("an error may come before or after it is set");
+            lose(&mut failed, &self.touched[routine], &reason);
+            for handler in &ways.handlers {
+                if let Some(handled) = walk(self, handler, &failed) {
+                    exit = Some(match exit {
+                        None => handled,
+                        Some(mut exit) => {
+                            self.join(&mut exit, &handled);
+                            exit
+                        }
+                    });
+                }
+            }
+        }
+        self.busy.pop();
+        if let Some(walked) = self.walked[routine].get_mut(place) {
+            walked.1.clone_from(&exit);
+        }
+        exit
+    }
+
+    fn call_any(
+        &mut self,
+        routines: &[RoutineId],
+        bindings: &[Binding<'_>],
+        maybe: bool,
+        ctx: Ctx,
+        state: &State,
+    ) -> Option<State> {
+        let mut entry = state.clone();
+        for binding in bindings {
+            let value = match binding.value {
+                Some(expr) => self.value(expr, ctx, state),
+                None => self.folder.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
+            };
+            if let Some(slot) = entry.slots.get_mut(binding.slot) {
+                *slot = SlotState { value, declared: false, set_at: None };
+            }
+        }
+        let mut out = maybe.then(|| state.clone());
+        for &routine in routines {
+            let exit = self.call(routine, entry.clone());
+            out = match (out, exit) {
+                (Some(mut out), Some(exit)) => {
+                    self.join(&mut out, &exit);
+                    Some(out)
+                }
+                (out, exit) => out.or(exit),
+            };
+        }
+        out
+    }
+
+    fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {
+        let view = View { state, followed: self.followed };
+        self.folder.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
+    }
+
+    /// The value with the component at `path` replaced.
+    fn with_component(&self, value: &Value, type_name: Sym, path: &[Sym], new: Value) -> Value {
+        let Some((name, rest)) = path.split_first() else { return new };
+        let components = self.folder.index.components(type_name).unwrap_or_default();
+        let Some(at) = components.iter().position(|(n, _)| n == name) else {
+            return Value::Unknown(unknown("a component that its type does not have is set"));
+        };
+        let mut parts: Vec<Value> = match value {
+            Value::Parts(parts) if parts.len() == components.len() => parts.to_vec(),
+            Value::Unknown(why) => vec![Value::Unknown(why.clone()); components.len()],
+            _ => return Value::Unknown(unknown("its value is not that of its type")),
+        };
+        if let Some(part) = parts.get_mut(at) {
+            *part = self.with_component(part, components[at].1, rest, new);
+        }
+        Value::parts(parts)
+    }
+}
+
+impl<'a> Carried<'a> for Walker<'_, 'a> {
+    type State = State;
+
+    fn join(&mut self, into: &mut State, other: &State) -> bool {
+        let before = into.clone();
+        let index = self.folder.index;
+        for (a, b) in into.slots.iter_mut().zip(&other.slots) {
+            let at = b.set_at.max(a.set_at);
+            let why = || {
+                let place = at.map_or(String::new(), |at| format!(": {}", index.place(at)));
+                let reason = format!("it is changed on one of the ways that lead here{place}");
+                Rc::new(Keep { code: "keep::runtime-target", reason, because: at })
+            };
+            a.value = a.value.join(&b.value, &why);
+            a.declared |= b.declared;
+            a.set_at = at;
+        }
+        into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
+        into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
+        for (a, b) in into.holds.iter_mut().zip(&other.holds) {
+            if a.is_none() {
+                a.clone_from(b);
+            }
+        }
+        !same(&before, into)
+    }
+
+    fn step(&mut self, step: &Step<'a>, mut state: State) -> Option<State> {
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            return None;
+        }
+        match step {
+            Step::Motion(motion) => self.see(*motion, &state),
+            Step::Assign { slot, path, value, ctx, at } => {
+                let new = self.value(value, *ctx, &state);
+                let type_name =
+                    self.followed.data.get(*slot).map(|&datum| self.folder.index.data[datum].type_name);
+                if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
+                    let value = self.with_component(&old.value, type_name, path, new);
+                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                }
+            }
+            Step::Lose { slot, why, at } => {
+                if let Some(old) = state.slots.get_mut(*slot) {
+                    let value = Value::Unknown(why.clone());
+                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                }
+            }
+            Step::ConfL(on) => state.conf_l = *on,
+            Step::ConfJ(on) => state.conf_j = *on,
+            Step::Hold(hold, why) => {
+                for (known, held) in HOLDS.iter().zip(&mut state.holds) {
+                    if known == hold {
+                        held.clone_from(why);
+                    }
+                }
+            }
+            Step::Call { routines, bindings, maybe, ctx } => {
+                return self.call_any(routines, bindings, *maybe, *ctx, &state);
+            }
+            Step::Away | Step::Wait(_) => {}
+        }
+        Some(state)
+    }
+}
+
+fn same(a: &State, b: &State) -> bool {
+    a.conf_l == b.conf_l
+        && a.conf_j == b.conf_j
+        && a.holds.iter().zip(&b.holds).all(|(a, b)| a.is_some() == b.is_some())
+        && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
+}
+
+fn lose(state: &mut State, touched: &Touched, why: &Why) {
+    for &slot in &touched.slots {
+        if let Some(slot) = state.slots.get_mut(slot) {
+            slot.value = Value::Unknown(why.clone());
+        }
+    }
+    state.conf_l = state.conf_l.filter(|_| !touched.conf_l);
+    state.conf_j = state.conf_j.filter(|_| !touched.conf_j);
+    for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
+        if touched.holds.contains(hold) {
+            *held = Some(why.clone());
+        }
+    }
+}
+
+/// What each routine and those it calls may change.
+fn touched(lowered: &Lowered<'_>) -> Vec<Touched> {
+    let mut all: Vec<Touched> = Vec::with_capacity(lowered.ways.len());
+    for ways in &lowered.ways {
+        let mut own = Touched::default();
+        for nodes in std::iter::once(&ways.body).chain(&ways.handlers) {
+            every_step(nodes, &mut |step| touch(&mut own, step));
+        }
+        all.push(own);
+    }
+    loop {
+        let mut changed = false;
+        for id in 0..all.len() {
+            let mut own = all[id].clone();
+            for callee in all[id].calls.clone() {
+                if let Some(callee) = all.get(callee) {
+                    add(&mut own, callee);
+                }
+            }
+            own.calls.clone_from(&all[id].calls);
+            changed |= own != all[id];
+            all[id] = own;
+        }
+        if !changed {
+            return all;
+        }
+    }
+}
+
+fn touch(touched: &mut Touched, step: &Step<'_>) {
+    match step {
+        Step::Assign { slot, .. } | Step::Lose { slot, .. } => {
+            touched.slots.insert(*slot);
+        }
+        Step::ConfL(_) => touched.conf_l = true,
+        Step::ConfJ(_) => touched.conf_j = true,
+        Step::Hold(hold, Some(_)) => {
+            touched.holds.insert(*hold);
+        }
+        Step::Call { routines, bindings, .. } => {
+            touched.calls.extend(routines);
+            touched.slots.extend(bindings.iter().map(|b| b.slot));
+        }
+        Step::Motion(_) | Step::Hold(_, None) | Step::Away | Step::Wait(_) => {}
+    }
+}
+
+fn add(into: &mut Touched, other: &Touched) {
+    into.slots.extend(&other.slots);
+    into.conf_l |= other.conf_l;
+    into.conf_j |= other.conf_j;
+    into.holds.extend(&other.holds);
+}
+
+fn unknown(reason: &str) -> Why {
+    Rc::new(Keep { code: "keep::runtime-target", reason: reason.into(), because: None })
+}

@@ -1,0 +1,185 @@
+//! What an expression is worth, without type: numbers, truth values, strings, and records or arrays of
+//! them, in the units they are written in. A part may be unknown, with the reason.
+
+use super::index::DatumId;
+use super::motion::Keep;
+use std::rc::Rc;
+
+/// Why something is not known.
+pub(super) type Why = Rc<Keep>;
+
+/// A value.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// num or dnum; finite.
+    Num(f64),
+    /// bool.
+    Bool(bool),
+    /// string: the bytes between the quotes, `""` and `\\` resolved.
+    Text(Rc<[u8]>),
+    /// A record, an array or an aggregate: its parts in order.
+    Parts(Rc<[Value]>),
+    /// The pose that joints reach, seen with a tool in a work object: `CalcRobT`.
+    Reached(Rc<Reached>),
+    /// Not known.
+    Unknown(Why),
+}
+
+/// `CalcRobT` of known joints.
+#[derive(Clone, Debug)]
+pub(super) struct Reached {
+    /// The jointtarget.
+    pub(super) joints: Value,
+    /// The tool named in the call.
+    pub(super) tool: DataName,
+    /// The work object named in the call; `None` is wobj0.
+    pub(super) wobj: DataName,
+}
+
+/// Which tool or work object a name means.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum DataName {
+    /// Declared in the given files.
+    Declared(DatumId),
+    /// Predefined or given from outside: the name in lower case.
+    Predefined(String),
+}
+
+impl Value {
+    /// A record of numbers.
+    pub(super) fn numbers(numbers: &[f64]) -> Self {
+        Self::Parts(numbers.iter().map(|&n| Self::Num(n)).collect())
+    }
+
+    /// A record or array of parts.
+    pub(super) fn parts(parts: impl IntoIterator<Item = Self>) -> Self {
+        Self::Parts(parts.into_iter().collect())
+    }
+
+    /// Whether both are known to be the same in every part; what is unknown equals what is unknown,
+    /// whatever the reasons.
+    pub(super) fn same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Num(a), Self::Num(b)) => a == b,
+            (Self::Bool(a), Self::Bool(b)) => a == b,
+            (Self::Text(a), Self::Text(b)) => a == b,
+            (Self::Parts(a), Self::Parts(b)) => {
+                Rc::ptr_eq(a, b) || a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| a.same(b))
+            }
+            (Self::Reached(a), Self::Reached(b)) => {
+                a.tool == b.tool && a.wobj == b.wobj && a.joints.same(&b.joints)
+            }
+            (Self::Unknown(_), Self::Unknown(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// What is known where either of the two may be the case; parts that differ become unknown because
+    /// of `why`.
+    pub(super) fn join(&self, other: &Self, why: &dyn Fn() -> Why) -> Self {
+        match (self, other) {
+            (Self::Unknown(_), _) => self.clone(),
+            (_, Self::Unknown(_)) => other.clone(),
+            (a, b) if a.same(b) => a.clone(),
+            (Self::Parts(a), Self::Parts(b)) if a.len() == b.len() => {
+                Self::Parts(a.iter().zip(b.iter()).map(|(a, b)| a.join(b, why)).collect())
+            }
+            _ => Self::Unknown(why()),
+        }
+    }
+
+    /// The reason of the first part that is not known.
+    pub(super) fn unknown(&self) -> Option<&Why> {
+        match self {
+            Self::Unknown(why) => Some(why),
+            Self::Parts(parts) => parts.iter().find_map(Self::unknown),
+            Self::Reached(reached) => reached.joints.unknown(),
+            _ => None,
+        }
+    }
+}
+
+/// The number that a numeric literal spells; `None` where it is none or overflows.
+pub(super) fn number(text: &[u8]) -> Option<f64> {
+    let radix = match text.get(..2) {
+        Some(b"0x" | b"0X") => 16,
+        Some(b"0o" | b"0O") => 8,
+        Some(b"0b" | b"0B") => 2,
+        _ => return fast_float2::parse::<f64, _>(text).ok().filter(|n| n.is_finite()),
+    };
+    let digits = std::str::from_utf8(&text[2..]).ok()?;
+    u64::from_str_radix(digits, radix).ok().map(|n| n as f64)
+}
+
+/// The bytes that a string literal, quotes included, stands for.
+pub(super) fn string(literal: &[u8]) -> Vec<u8> {
+    let inner = literal.strip_prefix(b"\"").unwrap_or(literal);
+    let inner = inner.strip_suffix(b"\"").unwrap_or(inner);
+    let mut out = Vec::with_capacity(inner.len());
+    let mut rest = inner;
+    while let Some((&first, tail)) = rest.split_first() {
+        let hex = |range| std::str::from_utf8(tail.get(range)?).ok();
+        let code = hex(0..2).and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        rest = match (first, tail.first(), code) {
+            (b'"', Some(b'"'), _) | (b'\\', Some(b'\\'), _) => {
+                out.push(first);
+                &tail[1..]
+            }
+            (b'\\', _, Some(code)) => {
+                out.push(code);
+                &tail[2..]
+            }
+            _ => {
+                out.push(first);
+                tail
+            }
+        };
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_every_spelling() {
+        for (text, value) in [
+            ("1", 1.0),
+            ("1.", 1.0),
+            (".5", 0.5),
+            ("1e2", 100.0),
+            ("1.E+2", 100.0),
+            ("9E9", 9e9),
+            ("9E+09", 9e9),
+            ("0x1F", 31.0),
+            ("0o7", 7.0),
+            ("0b11", 3.0),
+            ("0.1234567890123456", 0.123_456_789_012_345_6),
+        ] {
+            assert_eq!(number(text.as_bytes()), Some(value), "{text}");
+        }
+        for text in ["", "abc", "1e400", "0x", "nan", "inf", "0b2"] {
+            assert_eq!(number(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn strings_lose_quotes_and_escapes() {
+        assert_eq!(string(br#""a""b\\c\0Dd""#), b"a\"b\\c\rd");
+        assert_eq!(string(b"\"\""), b"");
+        assert_eq!(string(b"\"\\\""), b"\\");
+    }
+
+    #[test]
+    fn what_differs_becomes_unknown_part_by_part() {
+        let why = || Rc::new(Keep { code: "keep::runtime-target", reason: String::new(), because: None });
+        let a = Value::parts([Value::numbers(&[1.0, 2.0]), Value::Bool(true)]);
+        let b = Value::parts([Value::numbers(&[1.0, 3.0]), Value::Bool(true)]);
+        let Value::Parts(joined) = a.join(&b, &why) else { panic!("a record stays a record") };
+        let Value::Parts(numbers) = &joined[0] else { panic!("a record stays a record") };
+        assert!(matches!(numbers[0], Value::Num(1.0)) && matches!(numbers[1], Value::Unknown(_)));
+        assert!(matches!(joined[1], Value::Bool(true)));
+        assert!(a.same(&a.clone()) && !a.same(&b));
+    }
+}
