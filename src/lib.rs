@@ -27,6 +27,8 @@ pub mod compensate;
 
 pub mod emit;
 
+pub mod simulate;
+
 pub mod exam;
 
 pub mod report;

@@ -1,0 +1,238 @@
+//! Move instructions: arguments by position, tool and work object as they are at that moment.
+
+use super::Known;
+use crate::simulate::call::Args;
+use crate::simulate::controller::Controller;
+use crate::simulate::frame::{self, Setup};
+use crate::simulate::ir::{Expr, ExprKind};
+use crate::simulate::motion::{Move, Solved};
+use crate::simulate::outcome::{Fault, fatal};
+use crate::simulate::path::PathKind;
+use crate::simulate::value::{Type, Value};
+use crate::units::{m_from_mm, rad_from_deg};
+
+/// Where the arguments of a move stand.
+struct Form {
+    path: PathKind,
+    /// First target; an arc's circle point, its end point follows.
+    target: usize,
+    speed: usize,
+    tool: usize,
+    /// A procedure's name, called at the target.
+    procedure: Option<usize>,
+}
+
+/// The form of a move instruction by its name in lower case.
+fn form(name: &str) -> Option<Form> {
+    use PathKind::{AbsJoint, Circular, Joint, Linear};
+    let (path, target, tool) = match name {
+        "movel" | "moveldo" | "movelao" | "movelgo" | "movelsync" => (Linear, 0, 3),
+        "movej" | "movejdo" | "movejao" | "movejgo" | "movejsync" => (Joint, 0, 3),
+        "moveabsj" => (AbsJoint, 0, 3),
+        "movec" | "movecdo" | "movecao" | "movecgo" | "movecsync" => (Circular, 0, 4),
+        "triggl" => (Linear, 0, 4),
+        "triggj" => (Joint, 0, 4),
+        "triggc" => (Circular, 0, 5),
+        "arcl" | "arclstart" | "arclend" => (Linear, 0, 5),
+        "arcc" | "arccstart" | "arccend" => (Circular, 0, 6),
+        "searchl" => (Linear, 2, 4),
+        "searchc" => (Circular, 2, 5),
+        _ => return None,
+    };
+    let targets = if path == Circular { 2 } else { 1 };
+    let procedure = name.ends_with("sync").then_some(tool + 1);
+    Some(Form { path, target, speed: target + targets, tool, procedure })
+}
+
+/// Fastest joint, for the time a joint move takes, deg/s: data sheets give 200 and more.
+const JOINT_SPEED_DEG_S: f64 = 200.0;
+
+impl Controller {
+    pub(in crate::simulate) fn move_instruction(&mut self, name: &str, args: &Args<'_>) -> Known<()> {
+        if let Some(form) = form(name) {
+            return self.execute_move(name, &form, args).map(Some);
+        }
+        match name {
+            "confl" | "confj" => {
+                let on = !args.has("off");
+                if let Some(arm) = &mut self.arm {
+                    *(if name == "confl" { &mut arm.conf_l } else { &mut arm.conf_j }) = on;
+                }
+            }
+            "pdispset" => {
+                let ty = self.types.pose.clone();
+                let pose = frame::isometry(&self.eval_as(args.at(0)?, &ty)?)?;
+                if let Some(arm) = &mut self.arm {
+                    arm.displacement = pose;
+                }
+            }
+            "pdispoff" => {
+                if let Some(arm) = &mut self.arm {
+                    arm.displacement = nalgebra::Isometry3::identity();
+                }
+            }
+            _ => return Ok(None),
+        }
+        Ok(Some(()))
+    }
+
+    fn execute_move(&mut self, name: &str, form: &Form, args: &Args<'_>) -> Result<(), Fault> {
+        let ty = match form.path {
+            PathKind::AbsJoint => self.types.jointtarget.clone(),
+            _ => self.types.robtarget.clone(),
+        };
+        let mut targets = Vec::with_capacity(2);
+        for at in form.target..form.speed {
+            targets.push(self.eval_as(args.at(at)?, &ty)?.numbers());
+        }
+        let (tool, wobj) = self.tool_and_object(args.at(form.tool)?, args.named("wobj"))?;
+        let setup = setup(&tool, &wobj)?;
+        let start = self.arm.as_ref().and_then(|arm| arm.q_rad());
+        let solved = match &self.arm {
+            Some(arm) => match arm.solve(form.path, &targets, &setup)? {
+                Ok(solved) => Some(solved),
+                Err(why) => {
+                    self.tell("controller", format!("the move is not made: {why}"));
+                    None
+                }
+            },
+            None => None,
+        };
+        if let Some(solved) = &solved {
+            let time_s = self.move_time_s(args, form, solved, start)?;
+            self.calendar.advance_s(time_s);
+            if let Some(complaint) = &solved.complaint {
+                self.tell("controller", complaint.clone());
+            }
+        }
+        let at = self.here();
+        let frame = self.frames.last();
+        let routine = frame.and_then(|f| self.memory.routines.get(f.routine));
+        let done = Move {
+            at,
+            routine: routine.map_or_else(String::new, |r| r.name.to_string()),
+            instruction: name.to_owned(),
+            target: self.spelt(args.at(form.speed - 1)?),
+            path: form.path,
+            setup,
+            start_q_rad: start,
+            via_q_rad: solved.as_ref().and_then(|s| s.via_q_rad),
+            q_rad: solved.as_ref().map(|s| s.q_rad),
+            steady_s: self.calendar.steady_s(),
+        };
+        if let Some(arm) = &mut self.arm {
+            arm.record(done, tool, wobj);
+        }
+        if let Some(procedure) = form.procedure {
+            let procedure = self.eval_as(args.at(procedure)?, &Type::Str)?;
+            self.call_by_name(procedure.string().unwrap_or_default())?;
+        }
+        Ok(())
+    }
+
+    /// A target as it stands in the program: its name, or nothing where it is an aggregate.
+    fn spelt(&self, expr: &Expr) -> String {
+        match &expr.kind {
+            ExprKind::Name(_, spelt) => spelt.to_string(),
+            ExprKind::Index(base, _) | ExprKind::Field(base, _) => self.spelt(base),
+            _ => String::new(),
+        }
+    }
+
+    /// How long a move takes: `\T`, else distance over speed, else what the joints can do.
+    fn move_time_s(
+        &mut self,
+        args: &Args<'_>,
+        form: &Form,
+        solved: &Solved,
+        start: Option<[f64; 6]>,
+    ) -> Result<f64, Fault> {
+        if let Some(e) = args.named("t") {
+            return self.eval_num(e).map(|t| f64::from(t).clamp(0.0, 3600.0));
+        }
+        let (mut v_mm_s, ori_deg_s) = self.speed(args.at(form.speed)?)?;
+        if let Some(e) = args.named("v") {
+            v_mm_s = f64::from(self.eval_num(e)?);
+        }
+        let line = solved.length_m / m_from_mm(v_mm_s.max(0.1));
+        let turn = solved.turn_rad / rad_from_deg(ori_deg_s.max(0.1));
+        let joints = start.map_or(0.0, |start| {
+            let far = start.iter().zip(&solved.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            far / rad_from_deg(JOINT_SPEED_DEG_S)
+        });
+        Ok(line.max(turn).max(joints).min(3600.0))
+    }
+
+    /// TCP speed (mm/s) and reorientation speed (deg/s); a name like v83 that is declared nowhere says
+    /// its own.
+    fn speed(&mut self, expr: &Expr) -> Result<(f64, f64), Fault> {
+        if let ExprKind::Name(name, spelt) = &expr.kind
+            && self.memory.datum(self.scope.0, name).is_none()
+            && crate::simulate::predefined::constant(&self.types, name).is_none()
+        {
+            self.tell("controller", format!("speed {spelt} is declared nowhere"));
+            let v = name.strip_prefix('v').and_then(|v| v.parse().ok()).unwrap_or(100.0);
+            return Ok((v, 500.0));
+        }
+        let ty = self.types.speeddata.clone();
+        let numbers = self.eval_as(expr, &ty)?.numbers();
+        Ok((numbers.first().copied().unwrap_or(100.0), numbers.get(1).copied().unwrap_or(500.0)))
+    }
+
+    /// Tool and work object as values; both must be persistent data.
+    fn tool_and_object(&mut self, tool: &Expr, wobj: Option<&Expr>) -> Result<(Value, Value), Fault> {
+        let tool = self.frame_data(tool, "tool0")?;
+        let wobj = match wobj {
+            Some(e) => self.frame_data(e, "wobj0")?,
+            None => self.plain("wobj0"),
+        };
+        Ok((tool, wobj))
+    }
+
+    fn plain(&self, name: &str) -> Value {
+        crate::simulate::predefined::constant(&self.types, name).unwrap_or(Value::Num(0.0))
+    }
+
+    fn frame_data(&mut self, expr: &Expr, plain: &str) -> Result<Value, Fault> {
+        let ty = match plain {
+            "tool0" => self.types.tooldata.clone(),
+            _ => self.types.wobjdata.clone(),
+        };
+        if let ExprKind::Name(name, spelt) = &expr.kind
+            && self.memory.datum(self.scope.0, name).is_none()
+            && crate::simulate::predefined::constant(&self.types, name).is_none()
+        {
+            // Data of another module may be LOCAL there: RoboDK's pages use what the first one declares.
+            if let Some(datum) = self.memory.datum_anywhere(name) {
+                self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+                return self.read(&crate::simulate::place::Place::data(datum));
+            }
+            self.tell("controller", format!("{spelt} is declared nowhere; taken as {plain}"));
+            return Ok(self.plain(plain));
+        }
+        let value = self.eval_as(expr, &ty)?;
+        if let Some((place, _)) = self.place(expr)?
+            && self.access(&place) != crate::simulate::place::Access::Persistent
+            && matches!(place.root, crate::simulate::place::Root::Data(_))
+        {
+            return fatal("a tool or work object must be PERS");
+        }
+        Ok(value)
+    }
+
+    /// Who holds what for a tool and a work object argument.
+    pub(super) fn setup_of(&mut self, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
+        let (tool, wobj) = self.tool_and_object(tool, wobj)?;
+        setup(&tool, &wobj)
+    }
+}
+
+fn setup(tool: &Value, wobj: &Value) -> Result<Setup, Fault> {
+    let object = wobj.numbers();
+    Ok(Setup {
+        tool_held: tool.parts().first().and_then(Value::boolean).unwrap_or(true),
+        frame_from_tcp: frame::isometry_of(&tool.numbers())?,
+        frame_from_object: frame::isometry_of(&object)?
+            * frame::isometry_of(object.get(7..14).unwrap_or_default())?,
+    })
+}

@@ -1,0 +1,137 @@
+//! Date, time of day and a steady clock; all advance only when told to.
+
+/// The controller's time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Calendar {
+    /// Seconds since the controller's first start: never set back.
+    steady_s: f64,
+    /// Date and time shown, in seconds since 1970-01-01 00:00:00, where `steady_s` is 0.
+    zero_s: f64,
+    /// What every operation takes, so that midnight can fall between two of them.
+    pub step_s: f64,
+    /// Date and time stand still (moves and waits do not advance them).
+    pub held: bool,
+}
+
+impl Default for Calendar {
+    /// 2026-06-15 (a Monday) 08:00:00; operations take no time.
+    fn default() -> Self {
+        let zero_s = days_from_civil(2026, 6, 15) as f64 * 86_400.0 + 8.0 * 3600.0;
+        Self { steady_s: 0.0, zero_s, step_s: 0.0, held: false }
+    }
+}
+
+/// Days since 1970-01-01 of a date of the Gregorian calendar (Hinnant 2014, `days_from_civil`).
+fn days_from_civil(year: i64, month: u32, day: u32) -> i64 {
+    let y = if month <= 2 { year - 1 } else { year };
+    let era = y.div_euclid(400);
+    let yoe = y - era * 400;
+    let doy = (153 * (i64::from(month) + if month > 2 { -3 } else { 9 }) + 2) / 5 + i64::from(day) - 1;
+    let doe = yoe * 365 + yoe / 4 - yoe / 100 + doy;
+    era * 146_097 + doe - 719_468
+}
+
+/// The date of days since 1970-01-01: year, month, day (Hinnant 2014, `civil_from_days`).
+fn civil_from_days(days: i64) -> (i64, u32, u32) {
+    let z = days + 719_468;
+    let era = z.div_euclid(146_097);
+    let doe = z - era * 146_097;
+    let yoe = (doe - doe / 1460 + doe / 36_524 - doe / 146_096) / 365;
+    let doy = doe - (365 * yoe + yoe / 4 - yoe / 100);
+    let mp = (5 * doy + 2) / 153;
+    let day = (doy - (153 * mp + 2) / 5 + 1) as u32;
+    let month = (if mp < 10 { mp + 3 } else { mp - 9 }) as u32;
+    (yoe + era * 400 + i64::from(month <= 2), month, day)
+}
+
+impl Calendar {
+    /// Set date and time; the steady clock goes on.
+    pub fn set(&mut self, date: (i64, u32, u32), time: (u32, u32, f64)) {
+        let days = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) as f64;
+        let seconds = f64::from(time.0) * 3600.0 + f64::from(time.1) * 60.0 + time.2;
+        self.zero_s = days * 86_400.0 + seconds - self.steady_s;
+    }
+
+    /// Move date and time by minutes (back where negative); the steady clock goes on.
+    pub fn shift_min(&mut self, minutes_min: f64) {
+        self.zero_s += minutes_min * 60.0;
+    }
+
+    /// Let time pass.
+    pub fn advance_s(&mut self, seconds_s: f64) {
+        if seconds_s.is_finite() && seconds_s > 0.0 {
+            self.steady_s += seconds_s;
+            if self.held {
+                self.zero_s -= seconds_s;
+            }
+        }
+    }
+
+    /// Let minutes pass, also where date and time are held against moves and waits.
+    pub fn advance_min(&mut self, minutes_min: f64) {
+        let held = std::mem::replace(&mut self.held, false);
+        self.advance_s(minutes_min * 60.0);
+        self.held = held;
+    }
+
+    /// The steady clock, seconds.
+    #[must_use]
+    pub fn steady_s(&self) -> f64 {
+        self.steady_s
+    }
+
+    /// Date and time shown, in whole seconds since 1970-01-01.
+    fn shown_s(&self) -> i64 {
+        // A microsecond keeps a sum of minutes from falling short of its second.
+        (self.zero_s + self.steady_s + 1e-6).floor() as i64
+    }
+
+    /// Year, month, day.
+    #[must_use]
+    pub fn date(&self) -> (i64, u32, u32) {
+        civil_from_days(self.shown_s().div_euclid(86_400))
+    }
+
+    /// Hour, minute, second.
+    #[must_use]
+    pub fn time(&self) -> (u32, u32, u32) {
+        let s = self.shown_s().rem_euclid(86_400) as u32;
+        (s / 3600, s / 60 % 60, s % 60)
+    }
+
+    /// 1 Monday ... 7 Sunday.
+    #[must_use]
+    pub fn weekday(&self) -> u32 {
+        (self.shown_s().div_euclid(86_400) + 3).rem_euclid(7) as u32 + 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        let mut c = Calendar::default();
+        assert_eq!((c.date(), c.time(), c.weekday()), ((2026, 6, 15), (8, 0, 0), 1));
+        c.set((2023, 12, 31), (23, 59, 59.0)); // a Sunday
+        assert_eq!(c.weekday(), 7);
+        c.advance_s(1.0);
+        assert_eq!((c.date(), c.time(), c.weekday()), ((2024, 1, 1), (0, 0, 0), 1));
+        c.set((2024, 2, 28), (12, 0, 0.0));
+        c.advance_min(24.0 * 60.0);
+        assert_eq!(c.date(), (2024, 2, 29));
+        c.shift_min(-60.0);
+        assert_eq!(c.time(), (11, 0, 0));
+        assert_eq!(c.steady_s(), 86_401.0);
+    }
+
+    #[test]
+    fn held_time_stands_but_the_steady_clock_runs() {
+        let mut c = Calendar { held: true, ..Calendar::default() };
+        c.advance_s(30.0);
+        assert_eq!((c.time(), c.steady_s()), ((8, 0, 0), 30.0));
+        c.advance_min(1.0);
+        assert_eq!(c.time(), (8, 1, 0));
+    }
+}

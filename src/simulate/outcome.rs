@@ -1,0 +1,106 @@
+//! How a run ends, what a controller shows, and what it refuses.
+
+/// What a controller refuses, or cannot do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SimulateError {
+    /// The module does not load.
+    #[error("{path} does not load: {why}")]
+    Load {
+        /// The file.
+        path: String,
+        /// Why.
+        why: String,
+    },
+    /// There is no routine of this name.
+    #[error("there is no routine {0} in the modules that are loaded")]
+    NoRoutine(String),
+    /// There are no data of this name.
+    #[error("there are no data {0} in the modules that are loaded")]
+    NoData(String),
+    /// The value is not of the data's type, or cannot be found.
+    #[error("{name}: {why}")]
+    Value {
+        /// The data.
+        name: String,
+        /// Why.
+        why: String,
+    },
+    /// The arm has no closed-form inverse kinematics.
+    #[error("the controller's kinematics of this arm is not known: {0}")]
+    Arm(String),
+    /// A scenario that cannot be read or carried out.
+    #[error("scenario: {0}")]
+    Scenario(String),
+}
+
+/// Where in the program something happened.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Place {
+    /// The file as the user knows it.
+    pub file: String,
+    /// Line, from 1.
+    pub line: u32,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// The routine returned.
+    Finished,
+    /// The outermost endless loop was passed as often as asked for.
+    Passes,
+    /// `EXIT`
+    Exited,
+    /// More steps than allowed: the program does not end.
+    OutOfSteps,
+    /// An error that no handler took, or text no controller would run.
+    Failed {
+        /// RAPID's name of the error, where it has one.
+        error: Option<&'static str>,
+        /// What is the matter.
+        message: String,
+        /// Where.
+        at: Place,
+    },
+}
+
+impl Outcome {
+    /// Ended as programs should.
+    #[must_use]
+    pub fn is_good(&self) -> bool {
+        matches!(self, Self::Finished | Self::Passes | Self::Exited)
+    }
+}
+
+/// Something the controller shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// `TPWrite`, `ErrWrite`, `Stop` ... or `controller` for the controller's own.
+    pub source: &'static str,
+    /// What it says.
+    pub text: String,
+    /// Which statement.
+    pub at: Place,
+}
+
+/// Why an operation did not do what it should.
+#[derive(Clone, Debug)]
+pub(super) enum Fault {
+    /// An error that an ERROR handler can take.
+    Raised { number: f32, text: String, at: Option<Place> },
+    /// Nothing a program could go on from.
+    Fatal(String),
+    /// The run is over.
+    Ended(Outcome),
+}
+
+/// An error a handler can take.
+pub(super) fn raise<T>(name: &str, text: impl Into<String>) -> Result<T, Fault> {
+    let number = super::predefined::error_number(name).unwrap_or(0.0);
+    Err(Fault::Raised { number, text: text.into(), at: None })
+}
+
+/// An error nothing can take.
+pub(super) fn fatal<T>(text: impl Into<String>) -> Result<T, Fault> {
+    Err(Fault::Fatal(text.into()))
+}
