@@ -1,5 +1,6 @@
 //! Files: read with a message that says what to do, written whole or not at all.
 
+use super::Console;
 use crate::diagnostic::Diagnostic;
 use std::fs;
 use std::io::{self, Write};
@@ -81,6 +82,46 @@ impl Pending {
         self.file.write_all(bytes).map_err(|cause| unwritable(&path, cause))?;
         self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
         Ok(())
+    }
+}
+
+/// Where a result goes.
+pub enum Output {
+    /// Nobody asked for it.
+    Nowhere,
+    /// Standard output.
+    Standard,
+    /// A file.
+    File(Pending),
+}
+
+impl Output {
+    /// The place that an option names: `-` is standard output, nothing is nowhere.
+    ///
+    /// # Errors
+    /// `output::unwritable`, naming the path.
+    pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
+        match path {
+            None => Ok(Self::Nowhere),
+            Some(path) if path == Path::new("-") => Ok(Self::Standard),
+            Some(path) => Pending::new(path).map(Self::File),
+        }
+    }
+
+    /// Writes what `bytes` makes; it is not called where nobody asked.
+    ///
+    /// # Errors
+    /// What `bytes` says, or `output::unwritable`.
+    pub fn write(
+        self,
+        console: &mut Console,
+        bytes: impl FnOnce() -> anyhow::Result<Vec<u8>>,
+    ) -> anyhow::Result<()> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Standard => Ok(console.out().write_all(&bytes()?)?),
+            Self::File(pending) => Ok(pending.write(&bytes()?)?),
+        }
     }
 }
 

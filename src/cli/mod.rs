@@ -13,6 +13,7 @@ mod outcome;
 pub mod suggest;
 
 pub mod compensate;
+pub mod synth;
 pub mod tabulate;
 
 pub use console::Console;
@@ -37,6 +38,8 @@ struct Cli {
 enum Command {
     /// Compensate a RAPID program for thermal drift: RAPID in, RAPID out, and the difference to review.
     Compensate(Box<compensate::Args>),
+    /// Make measurement sets of a virtual robot with effects of your choice, the truth sealed beside them.
+    Synth(synth::Args),
     /// Joints of a list of targets at every minute of warm-up, as CSV.
     Tabulate(Box<tabulate::Args>),
 }
@@ -44,6 +47,7 @@ enum Command {
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Compensate(args) => compensate::run(args, console),
+        Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
     }
 }

@@ -1,6 +1,6 @@
 //! `driftpost tabulate`: joints of a list of targets at every minute of warm-up.
 
-use super::files::{self, Pending};
+use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::{Console, Outcome, model};
 use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
@@ -12,7 +12,7 @@ use anyhow::Context;
 use nalgebra::UnitQuaternion;
 use serde_json::{Value, json};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Options of `tabulate`.
 #[derive(Debug, clap::Args)]
@@ -84,35 +84,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     summarise(to, &targets, &table, &misses)?;
     Ok(Outcome::Done)
-}
-
-/// Where a result goes.
-enum Output {
-    Nowhere,
-    Standard,
-    File(Pending),
-}
-
-impl Output {
-    fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
-        match path {
-            None => Ok(Self::Nowhere),
-            Some(path) if path == Path::new("-") => Ok(Self::Standard),
-            Some(path) => Pending::new(path).map(Self::File),
-        }
-    }
-
-    fn write(
-        self,
-        console: &mut Console,
-        bytes: impl FnOnce() -> anyhow::Result<Vec<u8>>,
-    ) -> anyhow::Result<()> {
-        match self {
-            Self::Nowhere => Ok(()),
-            Self::Standard => Ok(console.out().write_all(&bytes()?)?),
-            Self::File(pending) => Ok(pending.write(&bytes()?)?),
-        }
-    }
 }
 
 /// One line for each target and minute. Joints have 12 decimals, so that they alone give the residual.

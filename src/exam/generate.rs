@@ -141,7 +141,7 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
     for (effect, rho) in &recipe.effects {
         let unscaled = matches!(effect, Effect::JointRounding | Effect::SwappedAxes);
         let amplitude = if unscaled { 1.0 } else { amplitude(&scene, *effect, rho * noise_rms_m)? };
-        if amplitude > 20.0 * effect.usual()[1] {
+        if amplitude > 4.0 * effect.usual()[1] {
             return None;
         }
         effects.push((*effect, amplitude));

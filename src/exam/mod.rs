@@ -7,6 +7,7 @@
 //! diagnosis only as the JSON that any script would read.
 
 pub mod arm;
+pub mod choose;
 pub mod draw;
 pub mod effect;
 pub mod generate;
@@ -14,4 +15,5 @@ pub mod mixture;
 pub mod poses;
 pub mod registration;
 
+pub mod score;
 pub mod truth;

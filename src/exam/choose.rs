@@ -1,0 +1,131 @@
+//! Effects as a user names them: `joint_compliance:2`, `gear_mesh:3:20`, `joint_coupling:5:6`.
+
+use super::draw::Draw;
+use super::effect::Effect;
+use std::f64::consts::TAU;
+
+/// Names that can be asked for, with what may follow them.
+pub const NAMES: [(&str, &str); 25] = [
+    ("joint_offset", "JOINT"),
+    ("link_geometry", "JOINT"),
+    ("joint_compliance", "JOINT"),
+    ("link_bending", "LINK"),
+    ("base_tilt", ""),
+    ("gear_eccentricity", "JOINT"),
+    ("gear_second_harmonic", "JOINT"),
+    ("gear_mesh", "JOINT:N"),
+    ("joint_gain", "JOINT"),
+    ("joint_coupling", "JOINT:DRIVEN_JOINT"),
+    ("backlash", "JOINT"),
+    ("thermal_link_growth", "LINK"),
+    ("thermal_joint_drift", "JOINT"),
+    ("base_drift", ""),
+    ("base_step", "MINUTE"),
+    ("tool_drift", ""),
+    ("tool_step", "MINUTE"),
+    ("instrument_scale", ""),
+    ("payload_mass", ""),
+    ("joint_rounding", ""),
+    ("swapped_axes", ""),
+    ("square_wave", "JOINT:N"),
+    ("cable_pull", ""),
+    ("local_bump", ""),
+    ("cross_term", "JOINT"),
+];
+
+/// What is wrong with an effect as it was named.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ChooseError {
+    /// No effect has this name.
+    #[error("there is no effect named {0}")]
+    Unknown(String),
+    /// A number is missing, is none or lies outside what it may be.
+    #[error("{name} is written {name}:{form}, with joints from 1 to 6; {given} is not")]
+    Form {
+        /// The effect.
+        name: &'static str,
+        /// What follows its name.
+        form: &'static str,
+        /// What was written.
+        given: String,
+    },
+}
+
+/// The effect that `text` names; what it leaves open (phases, directions) is drawn.
+///
+/// # Errors
+/// [`ChooseError`], naming what was written and what would be right.
+pub fn effect(text: &str, draw: &mut Draw) -> Result<Effect, ChooseError> {
+    let mut parts = text.split(':');
+    let wanted = parts.next().unwrap_or_default().trim();
+    let (name, form) = NAMES
+        .into_iter()
+        .find(|(name, _)| *name == wanted)
+        .ok_or_else(|| ChooseError::Unknown(wanted.to_owned()))?;
+    let wrong = || ChooseError::Form { name, form, given: text.to_owned() };
+    let numbers: Vec<u32> = parts.map(|p| p.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+    let expected = if form.is_empty() { 0 } else { form.split(':').count() };
+    if numbers.len() != expected {
+        return Err(wrong());
+    }
+    let joint =
+        |k: usize| numbers.get(k).filter(|j| (1..=6).contains(*j)).map(|j| *j as usize).ok_or_else(wrong);
+    let n = |k: usize| numbers.get(k).filter(|n| (1..=320).contains(*n)).copied().ok_or_else(wrong);
+    let phase_rad = draw.uniform(0.0, TAU);
+    let raw: [f64; 6] = std::array::from_fn(|_| draw.normal());
+    let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let direction = raw.map(|x| x / norm);
+    let across = [0.6, 0.48, 0.64];
+    Ok(match name {
+        "joint_offset" => Effect::JointOffset { joint: joint(0)? },
+        "link_geometry" => Effect::LinkGeometry { joint: joint(0)?, direction },
+        "joint_compliance" => Effect::JointCompliance { joint: joint(0)? },
+        "link_bending" if joint(0)? == 6 => return Err(wrong()),
+        "link_bending" => Effect::LinkBending { joint: joint(0)? },
+        "base_tilt" => Effect::BaseTilt,
+        "gear_eccentricity" => Effect::GearEccentricity { joint: joint(0)?, phase_rad },
+        "gear_second_harmonic" => Effect::GearSecondHarmonic { joint: joint(0)?, phase_rad },
+        "gear_mesh" => Effect::GearMesh { joint: joint(0)?, n: n(1)?, phase_rad },
+        "joint_gain" => Effect::JointGain { joint: joint(0)? },
+        "joint_coupling" => Effect::JointCoupling { joint: joint(0)?, joint_b: joint(1)? },
+        "backlash" => Effect::Backlash { joint: joint(0)?, holding_n_m: draw.log_uniform(2.0, 200.0) },
+        "thermal_link_growth" => Effect::ThermalLinkGrowth { joint: joint(0)? },
+        "thermal_joint_drift" => Effect::ThermalJointDrift { joint: joint(0)? },
+        "base_drift" => Effect::BaseDrift { direction },
+        "base_step" => Effect::BaseStep { t0_min: f64::from(numbers[0]), direction },
+        "tool_drift" => Effect::ToolDrift { direction },
+        "tool_step" => Effect::ToolStep { t0_min: f64::from(numbers[0]), direction },
+        "instrument_scale" => Effect::InstrumentScale,
+        "payload_mass" => Effect::PayloadMass,
+        "joint_rounding" => Effect::JointRounding,
+        "swapped_axes" => Effect::SwappedAxes,
+        "square_wave" => Effect::SquareWave { joint: joint(0)?, n: n(1)?, phase_rad },
+        "cable_pull" => Effect::CablePull { direction: across },
+        "local_bump" => Effect::LocalBump { center_m: [0.5, 0.1, 0.4], radius_m: 0.18, direction: across },
+        _ => Effect::CrossTerm { joint: joint(0)?, a: 2, b: 3 },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_is_understood_with_its_numbers_and_no_other() {
+        let mut draw = Draw::new(0, 0);
+        for (name, form) in NAMES {
+            let numbers: String = form.split(':').filter(|f| !f.is_empty()).map(|_| ":3").collect();
+            let chosen = effect(&format!("{name}{numbers}"), &mut draw).unwrap();
+            if let Some(official) = chosen.name() {
+                assert_eq!(official, name);
+            }
+            assert!(matches!(
+                effect(&format!("{name}{numbers}:1"), &mut draw),
+                Err(ChooseError::Form { .. })
+            ));
+        }
+        assert!(matches!(effect("joint_ofset:2", &mut draw), Err(ChooseError::Unknown(_))));
+        assert!(matches!(effect("joint_offset:7", &mut draw), Err(ChooseError::Form { .. })));
+        assert!(matches!(effect("joint_offset:two", &mut draw), Err(ChooseError::Form { .. })));
+    }
+}
