@@ -135,7 +135,7 @@ fn place_targets(
     let mut points = Vec::with_capacity(motion.targets.len());
     for target in &motion.targets {
         let Some(value) = target.value else {
-            return Err(keep("keep::unknown-target", "its target is only known at run time"));
+            return Err(keep("keep::runtime-target", "its target is only known at run time"));
         };
         let point = match value {
             TargetValue::Joint(joints) => at_joints(&joints, value, placement, model)?,
@@ -170,7 +170,7 @@ fn at_joints(
     let mut q_rad = [0.0; 6];
     for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
         *q_rad = joint.ok_or_else(|| {
-            keep("keep::unused-axis", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
+            keep("keep::axis-unused", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
         })?;
     }
     let base_from_flange = model.nominal.forward(&q_rad);

@@ -27,15 +27,15 @@ impl Placement {
         match (&motion.tool, wobj) {
             (Some(tool), Some(wobj)) => Self::of_data(tool, wobj),
             _ if motion.path == Path::AbsJoint => Self::of_data(&ToolData::tool0(), &wobj0),
-            (None, _) => Err(keep("keep::unknown-tool", "its tool is not known")),
-            (_, None) => Err(keep("keep::unknown-wobj", "its work object is not known")),
+            (None, _) => Err(keep("keep::tool-unknown", "its tool is not known")),
+            (_, None) => Err(keep("keep::wobj-unknown", "its work object is not known")),
         }
     }
 
     fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, Keep> {
         if !wobj.ufprog {
             return Err(keep(
-                "keep::moved-wobj",
+                "keep::wobj-moved",
                 "its work object is moved by a mechanical unit, so where it stands is not known",
             ));
         }
@@ -148,6 +148,6 @@ mod tests {
         let wobj = WobjData { robhold: true, ..WobjData::wobj0() };
         assert_eq!(Placement::of_data(&ToolData::tool0(), &wobj).unwrap_err().code, "keep::robhold");
         let moved = WobjData { ufprog: false, ..WobjData::wobj0() };
-        assert_eq!(Placement::of_data(&ToolData::tool0(), &moved).unwrap_err().code, "keep::moved-wobj");
+        assert_eq!(Placement::of_data(&ToolData::tool0(), &moved).unwrap_err().code, "keep::wobj-moved");
     }
 }

@@ -66,7 +66,7 @@ pub(super) fn ticks(
             }
             inside = loops;
             let repeats = repeats(i, None, &ticking);
-            since_s += times[i].all_s() * repeats;
+            since_s += (times[i].all_s() + called_s(program, i, &of_routine, &times)) * repeats;
             if since_s > stale_s && compensated(i) {
                 ticks.insert(Tick::Motion(i));
                 since_s = times[i].move_s * repeats;
@@ -74,6 +74,18 @@ pub(super) fn ticks(
         }
     }
     ticks.into_iter().collect()
+}
+
+/// Where the arm comes back from a called routine: what that one's motions take, seconds.
+fn called_s(program: &Program, i: usize, of_routine: &[Vec<usize>], times: &[Time]) -> f64 {
+    let motion = &program.motions[i];
+    let called = motion.previous.and_then(|p| program.motions.get(p)).map(|previous| previous.routine);
+    match called {
+        Some(called) if called != motion.routine && motion.wait_since_entry.is_none() => {
+            of_routine[called].iter().map(|&i| times[i].all_s()).sum()
+        }
+        _ => 0.0,
+    }
 }
 
 /// How long a motion takes, seconds, estimated upward.
@@ -89,7 +101,8 @@ impl Time {
 }
 
 fn time(resolved: &[Resolved], motion: &Motion, i: usize) -> Time {
-    let wait_s = match motion.wait_before {
+    // The routine's own tick stands at its entry: what came before that does not count.
+    let wait_s = match motion.wait_since_entry.unwrap_or(motion.wait_before) {
         Wait::None => 0.0,
         Wait::Seconds(wait_s) => wait_s.max(0.0),
         Wait::Unbounded => f64::INFINITY,

@@ -203,6 +203,7 @@ impl<'a> Walk<'_, 'a> {
             conf_monitored: None,
             previous: None,
             wait_before: Wait::None,
+            wait_since_entry: None,
             keep: None,
         };
         self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());

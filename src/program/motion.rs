@@ -56,6 +56,9 @@ pub struct Motion {
     pub previous: Option<usize>,
     /// Time that other instructions between the previous motion and this one may take.
     pub wait_before: Wait,
+    /// Where no motion runs between the entry of its routine and this one: the time that other
+    /// instructions of the routine may take before it.
+    pub wait_since_entry: Option<Wait>,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
     pub keep: Option<Keep>,
 }

@@ -28,12 +28,13 @@ struct Came {
 
 const ANYWHERE: Came = Came { from: From::Anywhere, wait: Wait::Unbounded };
 
-/// For each motion the one before it and the waiting between.
+/// For each motion the one before it, the waiting between, and the waiting since its routine was entered
+/// where that is where the arm comes from.
 pub(super) fn order(
     index: &Index<'_>,
     drafts: &Drafts<'_>,
     lowered: &Lowered<'_>,
-) -> Vec<(Option<usize>, Wait)> {
+) -> Vec<(Option<usize>, Wait, Option<Wait>)> {
     let routines = lowered.ways.len();
     let mut walker = Walker {
         drafts,
@@ -51,11 +52,13 @@ pub(super) fn order(
     for (at, draft) in walker.at_motions.iter().zip(&drafts.motions) {
         let came = at.unwrap_or(ANYWHERE);
         let entry = draft.ctx.routine.and_then(|r| entries.get(r).copied().flatten()).unwrap_or(ANYWHERE);
+        let since_entry = (came.from == From::Entry).then_some(came.wait);
         let came = resolve(came, entry);
-        out.push(match came.from {
-            From::Motion(previous) => (Some(previous), came.wait),
-            From::Entry | From::Anywhere => (None, came.wait),
-        });
+        let previous = match came.from {
+            From::Motion(previous) => Some(previous),
+            From::Entry | From::Anywhere => None,
+        };
+        out.push((previous, came.wait, since_entry));
     }
     out
 }

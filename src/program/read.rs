@@ -48,10 +48,11 @@ impl Program {
         let mut finish =
             Finish { folder, followed: &followed, kept_over: BTreeMap::new(), guesses: BTreeMap::new() };
         let mut motions = Vec::with_capacity(drafts.len());
-        for ((draft, state), (previous, wait)) in drafts.into_iter().zip(states).zip(order) {
+        for ((draft, state), (previous, wait, since_entry)) in drafts.into_iter().zip(states).zip(order) {
             let mut motion = finish.motion(draft, state.as_ref());
             motion.previous = previous;
             motion.wait_before = wait;
+            motion.wait_since_entry = since_entry;
             motions.push(motion);
         }
         diagnostics.extend(finish.folder.elsewhere_warnings());

@@ -125,6 +125,7 @@ impl Reader<'_> {
             conf_monitored: None,
             previous: None,
             wait_before: Wait::None,
+            wait_since_entry: None,
             keep: None,
         });
     }

@@ -131,9 +131,9 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
             "singular::wrist",
             "reach::none",
             "reach::range",
-            "keep::unused-axis",
+            "keep::axis-unused",
             "keep::displaced",
-            "keep::unknown-tool",
+            "keep::tool-unknown",
             "compensated"
         ]
     );

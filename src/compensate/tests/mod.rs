@@ -67,6 +67,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         conf_monitored: Some(false),
         previous: None,
         wait_before: Wait::None,
+        wait_since_entry: None,
         keep: None,
     }
 }
