@@ -320,6 +320,9 @@ impl<'a> Index<'a> {
             every_statement(body, &mut |stmt| match &stmt.kind {
                 StmtKind::Data(decl) => self.add_data(file, decl, ctx, task),
                 StmtKind::For { var, .. } => loop_variables.push(*var),
+                StmtKind::Label(label) => {
+                    self.names.intern(file.text(*label));
+                }
                 _ => {}
             });
         }

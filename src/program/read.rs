@@ -259,8 +259,7 @@ impl<'a> Finish<'_, 'a> {
         };
         let written = as_text(self.folder.index.text(ctx.file, expr.range));
         let folded = self.folder.fold(expr, ctx, known);
-        let tool =
-            folded.and_then(|t| convert::tooldata(&t.value).map_err(|(code, reason)| why(code, reason)));
+        let tool = folded.and_then(|t| whole(&t.value, convert::tooldata));
         tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
     }
 
@@ -277,8 +276,7 @@ impl<'a> Finish<'_, 'a> {
         let Some(expr) = args.wobj else { return Ok(super::data::WobjData::wobj0()) };
         let written = as_text(self.folder.index.text(ctx.file, expr.range));
         let folded = self.folder.fold(expr, ctx, known);
-        let wobj =
-            folded.and_then(|t| convert::wobjdata(&t.value).map_err(|(code, reason)| why(code, reason)));
+        let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));
         wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written, &why))
     }
 
@@ -376,6 +374,14 @@ fn special(special: Special, name: &str) -> Option<Keep> {
 
 fn keep(code: &'static str, reason: String) -> Keep {
     Keep { code, reason, because: None }
+}
+
+/// A value converted; the reason of a part that is not known keeps its place.
+fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -> Result<T, Why> {
+    match value.unknown() {
+        Some(why) => Err(why.clone()),
+        None => convert(value).map_err(|(code, reason)| why(code, reason)),
+    }
 }
 
 fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> Keep {

@@ -1,0 +1,257 @@
+//! Tool, work object and what else is in force, followed through the program.
+
+use super::{at, because_line, code, codes, main_of, module, program, tool, tools_mm, warnings};
+
+fn data() -> String {
+    format!(
+        "PERS tooldata t:={};\nPERS wobjdata w:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+CONST robtarget p:={};",
+        tool(1),
+        at(5, 5, 5)
+    )
+}
+
+const MOVE: &str = "MoveL p,v100,fine,t\\WObj:=w;\n";
+
+#[test]
+fn assignments_count_from_their_line_on() {
+    let body = format!(
+        "{MOVE}t:={};\n{MOVE}t.tframe:=[[3,0,0],[1,0,0,0]];\n{MOVE}t.tframe.trans.x:=4;\n{MOVE}w.uframe.trans:=[0,0,10];\n{MOVE}",
+        tool(2)
+    );
+    let read = main_of(&data(), &body);
+    assert_eq!(tools_mm(&read), [Some(1), Some(2), Some(3), Some(4), Some(4)]);
+    assert_eq!(read.motions[4].wobj.as_ref().unwrap().uframe.translation.z, 0.01);
+    assert_eq!(read.motions[3].wobj.as_ref().unwrap().uframe.translation.z, 0.0);
+    // Both are used before the program sets them: a PERS remembers the last run.
+    assert_eq!(warnings(&read), ["state::pers-kept"; 2]);
+}
+
+#[test]
+fn a_tool_made_of_other_values_that_the_program_sets() {
+    let body = format!("VAR num len:=7;\nlen:=len+1;\nt.tframe.trans:=[len,0,0];\n{MOVE}");
+    assert_eq!(tools_mm(&main_of(&data(), &body)), [Some(8)]);
+}
+
+#[test]
+fn a_branch_that_changes_the_tool_leaves_it_unknown_and_the_reason_names_the_line() {
+    let body =
+        format!("t:={};\nIF DI1=1 THEN\nt.tframe.trans.x:=9;\nENDIF\n{MOVE}t:={};\n{MOVE}", tool(2), tool(3));
+    let read = main_of(&data(), &body);
+    assert_eq!(codes(&read), ["keep::tool-unknown", "-"]);
+    assert_eq!(because_line(&read, 0), 8);
+    assert_eq!(tools_mm(&read)[1], Some(3));
+    // Both ways set the same: known.
+    let body = format!("IF DI1=1 THEN\nt:={};\nELSE\nt:={};\nENDIF\n{MOVE}", tool(6), tool(6));
+    assert_eq!(tools_mm(&main_of(&data(), &body)), [Some(6)]);
+    // What differs is one component, and that one is set again behind the branch.
+    let body = format!("IF DI1=1 t.tframe.trans.x:=9;\nt.tframe.trans:=[4,0,0];\n{MOVE}");
+    assert_eq!(tools_mm(&main_of(&data(), &body)), [Some(4)]);
+    let body = format!("TEST n\nCASE 1:\nt:={};\nDEFAULT:\nt:={};\nENDTEST\n{MOVE}", tool(6), tool(7));
+    assert_eq!(codes(&main_of(&data(), &body)), ["keep::tool-unknown"]);
+}
+
+#[test]
+fn a_loop_that_changes_the_tool_leaves_it_unknown_at_its_head() {
+    let body = format!("t:={};\nWHILE TRUE DO\n{MOVE}t:={};\n{MOVE}ENDWHILE", tool(2), tool(3));
+    let read = main_of(&data(), &body);
+    assert_eq!(codes(&read), ["keep::tool-unknown", "-"]);
+    assert_eq!(tools_mm(&read)[1], Some(3));
+    let body = format!("t:={};\nFOR i FROM 1 TO 3 DO\n{MOVE}t:={};\nENDFOR\n{MOVE}", tool(2), tool(2));
+    assert_eq!(tools_mm(&main_of(&data(), &body)), [Some(2), Some(2)]);
+    let body = format!("t:={};\nback:\n{MOVE}t:={};\nIF DI1=1 GOTO back;\n{MOVE}", tool(2), tool(3));
+    let read = main_of(&data(), &body);
+    assert_eq!(codes(&read), ["keep::tool-unknown", "-"]);
+    // A counter that no fixed point has: unknown, and no endless work.
+    let body = format!("FOR i FROM 1 TO 3 DO\nt.tframe.trans.x:=t.tframe.trans.x+1;\n{MOVE}ENDFOR");
+    assert_eq!(codes(&main_of(&data(), &body)), ["keep::tool-unknown"]);
+}
+
+#[test]
+fn calls_carry_the_state_in_and_out() {
+    let text = format!(
+        "{}\nPROC main()\nt:={};\npage1;\nsetTool;\npage2;\nENDPROC
+PROC page1()\n{MOVE}ENDPROC\nPROC page2()\n{MOVE}ENDPROC\nPROC setTool()\nt:={};\nENDPROC",
+        data(),
+        tool(2),
+        tool(3)
+    );
+    let read = module(&text);
+    assert_eq!(tools_mm(&read), [Some(2), Some(3)]);
+    assert!(warnings(&read).is_empty(), "{:?}", read.diagnostics);
+}
+
+#[test]
+fn a_routine_called_with_different_tools_does_not_know_its_tool() {
+    let text = format!(
+        "{}\nPROC main()\nt:={};\nsub;\nt:={};\nsub;\n{MOVE}ENDPROC\nPROC sub()\n{MOVE}ENDPROC",
+        data(),
+        tool(2),
+        tool(3)
+    );
+    let read = module(&text);
+    assert_eq!(codes(&read), ["-", "keep::tool-unknown"]);
+    assert_eq!(tools_mm(&read)[0], Some(3));
+}
+
+#[test]
+fn a_tool_handed_to_a_routine() {
+    let text = |second| {
+        format!(
+            "{}\nPERS tooldata t2:={};\nPROC main()\npick t;\npick {second};\nENDPROC
+PROC pick(PERS tooldata gun)\nMoveL p,v100,fine,gun;\nENDPROC",
+            data(),
+            tool(2)
+        )
+    };
+    assert_eq!(tools_mm(&module(&text("t"))), [Some(1)]);
+    assert_eq!(codes(&module(&text("t2"))), ["keep::tool-unknown"]);
+}
+
+#[test]
+fn traps_and_handlers_make_what_they_set_unknown_everywhere() {
+    let text =
+        format!("{}\nPROC main()\nt:={};\n{MOVE}ERROR\nt:={};\nRETRY;\nENDPROC", data(), tool(2), tool(3));
+    assert_eq!(codes(&module(&text)), ["keep::tool-unknown"]);
+    let text = format!(
+        "{}\nPROC main()\nt:={};\n{MOVE}t:={};\nENDPROC\nTRAP stop1\n{MOVE}ENDTRAP",
+        data(),
+        tool(2),
+        tool(3)
+    );
+    assert_eq!(codes(&module(&text)), ["-", "keep::tool-unknown"]);
+    // A handler's own motion sees what no error can have come before.
+    let text = format!(
+        "{}\nPROC main()\nt:={};\nsub;\nENDPROC\nPROC sub()\n{MOVE}ERROR\n{MOVE}RETURN;\nENDPROC",
+        data(),
+        tool(2)
+    );
+    assert_eq!(tools_mm(&module(&text)), [Some(2), Some(2)]);
+}
+
+#[test]
+fn recursion_ends() {
+    let text = format!(
+        "{}\nPROC main()\nt:={};\na;\nENDPROC\nPROC a()\n{MOVE}t.tframe.trans.x:=t.tframe.trans.x+1;\nIF DI1=1 b;\nENDPROC\nPROC b()\na;\nENDPROC",
+        data(),
+        tool(2)
+    );
+    assert_eq!(codes(&module(&text)), ["keep::tool-unknown"]);
+    let alone = format!("{}\nPROC a()\n{MOVE}b;\nENDPROC\nPROC b()\na;\nENDPROC", data());
+    assert_eq!(tools_mm(&module(&alone)), [Some(1)]);
+}
+
+#[test]
+fn late_binding_leads_into_the_routines_that_fit() {
+    let text = format!(
+        "{}\nPROC main()\nt:={};\n%\"sub\"+ValToStr(n)%;\n{MOVE}ENDPROC
+PROC sub1()\n{MOVE}t:={};\nENDPROC\nPROC other()\nENDPROC",
+        data(),
+        tool(2),
+        tool(3)
+    );
+    let read = module(&text);
+    assert_eq!(codes(&read), ["keep::tool-unknown", "-"]);
+    assert_eq!(tools_mm(&read)[1], Some(2), "sub1 inherits the tool of its caller");
+    let text = text.replace("\"sub\"+ValToStr(n)", "\"M:Sub1\"");
+    assert_eq!(tools_mm(&module(&text)), [Some(3), Some(2)]);
+}
+
+#[test]
+fn displacements_keep_motion_until_they_are_off() {
+    for (on, off, expected) in [
+        ("PDispOn p,tool0;", "PDispOff;", "keep::displacement"),
+        ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispOff;", "keep::displacement"),
+        ("EOffsSet [1,0,0,0,0,0];", "EOffsOff;", "keep::external-offset"),
+        ("SoftAct 1,50;", "SoftDeact;", "keep::soft-servo"),
+        ("SyncMoveOn sync1,tasks;", "SyncMoveOff sync2;", "keep::multimove"),
+    ] {
+        let body = format!("{MOVE}{on}\n{MOVE}{off}\n{MOVE}");
+        assert_eq!(codes(&main_of(&data(), &body)), ["-", expected, "-"], "{on}");
+        let body = format!("IF DI1=1 {on}\n{MOVE}");
+        assert_eq!(codes(&main_of(&data(), &body)), [expected], "{on}");
+    }
+}
+
+#[test]
+fn confl_and_confj() {
+    let body = format!(
+        "{MOVE}ConfL\\Off;\n{MOVE}MoveJ p,v100,fine,t;\nConfJ \\Off;\nMoveJ p,v100,fine,t;\nConfL\\On;\n{MOVE}IF DI1=1 ConfL\\Off;\n{MOVE}"
+    );
+    let read = main_of(&data(), &body);
+    let conf: Vec<_> = read.motions.iter().map(|m| m.conf_monitored).collect();
+    assert_eq!(conf, [Some(true), Some(false), Some(true), Some(false), Some(true), None]);
+}
+
+#[test]
+fn who_holds_what() {
+    let wobj = |robhold: &str, ufprog: &str, unit: &str| {
+        format!("[{robhold},{ufprog},\"{unit}\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]")
+    };
+    let held = tool(1);
+    let stationary = held.replace("TRUE", "FALSE");
+    for (tool, wobj, expected) in [
+        (&held, wobj("FALSE", "TRUE", ""), "-"),
+        (&stationary, wobj("TRUE", "TRUE", ""), "-"),
+        (&held, wobj("TRUE", "TRUE", ""), "keep::robhold"),
+        (&stationary, wobj("FALSE", "TRUE", ""), "keep::robhold"),
+        (&held, wobj("FALSE", "FALSE", "STN1"), "keep::wobj-moved"),
+        (&held, wobj("FALSE", "TRUE", "STN1"), "keep::wobj-moved"),
+        (&held, wobj("FALSE", "FALSE", ""), "keep::wobj-moved"),
+    ] {
+        let data = format!(
+            "PERS tooldata t:={tool};\nPERS wobjdata w:={wobj};\nCONST robtarget p:={};",
+            at(1, 1, 1)
+        );
+        assert_eq!(codes(&main_of(&data, MOVE)), [expected], "{tool} {wobj}");
+    }
+}
+
+#[test]
+fn what_cannot_be_followed_is_unknown() {
+    // An element of an array of tools, set at run time; a tool that an instruction writes.
+    let data = format!("{}\nPERS tooldata ts{{2}}:=[{},{}];", data(), tool(1), tool(2));
+    let body = format!("ts{{n}}:=t;\nMoveL p,v100,fine,ts{{1}};\nMToolTCPCalib j1,j2,j3,j4,t,e1,e2;\n{MOVE}");
+    assert_eq!(codes(&main_of(&data, &body)), ["keep::tool-unknown"; 2]);
+    // Without the assignment the element is a constant.
+    assert_eq!(tools_mm(&main_of(&data, "MoveL p,v100,fine,ts{2};")), [Some(2)]);
+}
+
+#[test]
+fn text_after_the_end_is_never_reached() {
+    let read = main_of(&data(), &format!("RETURN;\n{MOVE}"));
+    assert_eq!(codes(&read), ["keep::unreachable"]);
+    let read = main_of(&data(), &format!("GOTO over;\n{MOVE}over:\n{MOVE}EXIT;"));
+    assert_eq!(codes(&read), ["keep::unreachable", "-"]);
+}
+
+#[test]
+fn pages_in_several_files_inherit_from_the_page_that_calls() {
+    let main = "MODULE Main\nPROC main()\nPage1()\nPage2()\nENDPROC\nENDMODULE";
+    let one = format!(
+        "MODULE P1\nLOCAL PERS tooldata t:={};\nPROC Page1()\nt:={};\nENDPROC\nENDMODULE",
+        tool(1),
+        tool(2)
+    );
+    let two = format!("MODULE P2\nPROC Page2()\nMoveL {},v100,fine,t;\nENDPROC\nENDMODULE", at(1, 1, 1));
+    let read = program(&[("Main.mod", main), ("P1.mod", &one), ("P2.mod", &two)]);
+    assert_eq!(tools_mm(&read), [Some(2)]);
+    assert_eq!(code(&read.motions[0]), None);
+    assert_eq!(read.facts.entries.iter().map(|e| e.name.as_str()).collect::<Vec<_>>(), ["main"]);
+}
+
+/// Twenty routines, each calling the next twice with another tool: two to the twentieth ways.
+#[test]
+fn many_ways_take_little_time() {
+    let mut text = data();
+    for i in 0..20 {
+        let next = if i < 19 { format!("r{}", i + 1) } else { "last".into() };
+        text += &format!(
+            "\nPROC r{i}()\nt.tframe.trans.x:=t.tframe.trans.x+1;\n{next};\nt.tframe.trans.y:=t.tframe.trans.y*2+1;\n{next};\nENDPROC"
+        );
+    }
+    text += &format!("\nPROC last()\n{MOVE}ENDPROC");
+    let start = std::time::Instant::now();
+    assert_eq!(codes(&module(&text)), ["keep::tool-unknown"]);
+    assert!(start.elapsed().as_secs() < 10);
+}
