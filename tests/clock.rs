@@ -231,7 +231,7 @@ fn a_short_pause_counts_as_running_and_a_longer_one_does_not() {
 #[test]
 fn program_pointer_to_main_starts_with_the_original_and_goes_on_where_it_was() {
     let mut cell = Cell::two_stage().cold();
-    cell.run(70.0);
+    cell.run(73.0);
     assert_eq!(cell.number("tcBucket"), 7.0);
     cell.controller.pp_to_main();
     assert_eq!(cell.number("tcI"), 1.0);

@@ -410,38 +410,3 @@ fn a_tick_never_goes_into_a_compact_if() {
 fn the_same_input_gives_the_same_bytes() {
     assert_eq!(lone(NAMED), lone(NAMED));
 }
-
-#[test]
-fn zz_time() {
-    let dir = Path::new("/work/shared/robodk/mill20000");
-    let files: Vec<(String, Vec<u8>)> = ["", "1", "2", "3", "4"]
-        .iter()
-        .map(|n| (format!("Mill20000{n}.mod"), std::fs::read(dir.join(format!("Mill20000{n}.mod"))).unwrap()))
-        .collect();
-    let refs: Vec<(&str, &[u8])> = files.iter().map(|(p, b)| (p.as_str(), b.as_slice())).collect();
-    let program = toy::program(&refs);
-    let mut plan = toy::plan(&program, 20, &[], |_| 0.0);
-    for m in &mut plan.motions {
-        for t in &mut m.targets {
-            for c in &mut t.corrected {
-                if let driftpost::compensate::plan::Corrected::Pose { position_m, orientation_wxyz } = c {
-                    for x in position_m {
-                        *x *= 1.000012345;
-                    }
-                    *orientation_wxyz = [0.5123, 0.6123, 0.3456, 0.00123];
-                }
-            }
-        }
-    }
-    for _ in 0..3 {
-        let t = std::time::Instant::now();
-        let out = emit(&program, &plan, &options()).unwrap();
-        println!(
-            "{} motions, {} files, {} MB, {:?}",
-            program.motions.len(),
-            out.len(),
-            out.iter().map(|f| f.bytes.len()).sum::<usize>() as f64 / 1e6,
-            t.elapsed()
-        );
-    }
-}
