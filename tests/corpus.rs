@@ -1,7 +1,11 @@
 //! Real RAPID: every file of the folder `DRIFTPOST_CORPUS` names, and of `../shared/robodk` where it stands,
 //! comes back byte for byte, its moves are read, and what was not understood is shown.
 
-#![allow(clippy::unwrap_used, reason = "a test stops where a file cannot be read")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test stops where a file cannot be read, and says what it saw"
+)]
 
 mod tree_check;
 

@@ -175,7 +175,7 @@ fn handler<'a>(i: Text<'a>) -> Option<(Text<'a>, Handler)> {
     Some((rest, Handler { range: start.until(rest), kind, body }))
 }
 
-/// `parameters = "(" [ [ "," ] parameter { ( "," | "|" | ) parameter } ] ")" ;`
+/// `parameters = "(" [ [ "," ] parameter { ( "," | "|" | ? nothing ? ) parameter } ] ")" ;`
 ///
 /// The comma before an optional parameter may be left out.
 fn parameters<'a>(i: Text<'a>) -> Read<'a, Vec<Param>> {

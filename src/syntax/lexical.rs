@@ -28,7 +28,7 @@ pub(super) fn in_name(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
 }
 
-/// `comment = "!" { any byte but a line end } ;`
+/// `comment = "!" { ? any byte but a line end ? } ;`
 pub(super) fn comment<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     if i.peek() != Some(b'!') {
         return i.unread();
@@ -42,7 +42,7 @@ pub(super) fn line_len(rest: &[u8]) -> usize {
     memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())
 }
 
-/// `blank = { white space | comment } ;`
+/// `blank = { ? white space ? | comment } ;`
 #[inline]
 pub(super) fn blank(i: Text<'_>) -> Text<'_> {
     match i.rest {
@@ -89,7 +89,9 @@ pub(super) fn past_name(i: Text<'_>) -> Text<'_> {
     i.skip(len.unwrap_or(i.rest.len()))
 }
 
-/// `name = identifier ;` that is no reserved word.
+/// `name = identifier ;`
+///
+/// That is no reserved word.
 #[inline]
 pub(super) fn name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     let i = blank(i);
@@ -111,7 +113,9 @@ pub(super) fn any_word<'a>(i: Text<'a>) -> Option<(Text<'a>, Word)> {
     Some((end, Word::of(i.bytes_until(end))?))
 }
 
-/// `word = identifier ;` that is the given reserved word.
+/// `word = identifier ;`
+///
+/// That is the given reserved word, in any case.
 pub(super) fn word<'a>(expected: Word) -> impl Fn(Text<'a>) -> Read<'a, TextRange> + Copy {
     move |i| {
         let i = blank(i);
@@ -131,7 +135,9 @@ pub(super) fn sign<'a>(expected: u8) -> impl Fn(Text<'a>) -> Read<'a, ()> + Copy
     }
 }
 
-/// `becomes = ":" "=" ;` also with blanks between.
+/// `becomes = ":" "=" ;`
+///
+/// Also with blanks between.
 pub(super) fn becomes<'a>(i: Text<'a>) -> Read<'a, ()> {
     let (i, ()) = sign(b':')(i)?;
     sign(b'=')(i)
@@ -195,7 +201,7 @@ fn digits<'a>(i: Text<'a>, is_digit: impl Fn(&u8) -> bool) -> Read<'a, ()> {
     Ok((i, ()))
 }
 
-/// `string = '"' { any byte but '"' and a line end | '""' } '"' ;`
+/// `string = '"' { ? any byte but a quote and a line end ? | '""' } '"' ;`
 ///
 /// On one line; a backslash does not hide a quote.
 pub(super) fn string<'a>(i: Text<'a>) -> Read<'a, TextRange> {

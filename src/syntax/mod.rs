@@ -7,11 +7,13 @@
 //! One function per production of `grammar/rapid.ebnf`, named as there.
 
 mod block;
+pub mod comments;
 mod declaration;
 pub mod edit;
 mod expression;
 mod input;
 mod lexical;
+pub mod literal;
 mod module;
 mod recover;
 pub mod source;
@@ -21,6 +23,7 @@ pub mod walk;
 pub mod word;
 
 pub use edit::{Edit, EditError, apply};
+pub use literal::{number_value, string_value};
 pub use source::{LineIndex, SourceFile};
 pub use word::{Word, fold, is_reserved, same_name};
 

@@ -65,7 +65,7 @@ fn without_trailing_space<'a>(start: Text<'a>, end: Text<'a>) -> Text<'a> {
     start.skip(len)
 }
 
-/// `header = "%%%" any bytes "%%%" ;`
+/// `header = "%%%" { ? any byte ? } "%%%" ;`
 ///
 /// At the file's start only.
 fn header<'a>(i: Text<'a>) -> Read<'a, TextRange> {
@@ -80,7 +80,7 @@ fn header<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     }
 }
 
-/// `module = module_head { data_declaration | record_declaration | alias_declaration | routine | comment } "ENDMODULE" ;`
+/// `module = module_head { data_declaration | record_declaration | alias_declaration | routine | comment | ";" } "ENDMODULE" ;`
 fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
     let start = white(i);
     let (mut i, (name, attributes)) = module_head(start)?;

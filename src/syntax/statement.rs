@@ -30,7 +30,7 @@ pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     }
 }
 
-/// `simple_statement = label | placeholder [ ";" ] | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ) ";" ;`
+/// `simple_statement = label | placeholder [ ";" ] | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ? nothing ? ) ";" ;`
 pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     let i = white(i);
     let Some((after, first)) = any_word(i) else {
@@ -125,7 +125,7 @@ fn goto_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
     Ok((rest, StmtKind::Goto(target)))
 }
 
-/// `connect_statement = "CONNECT" ( variable | placeholder ) "WITH" name ;`
+/// `connect_statement = "CONNECT" variable "WITH" name ;`
 fn connect_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
     let (rest, (_, interrupt, _, trap)) = (word(Word::Connect), variable, word(Word::With), name).parse(i)?;
     Ok((rest, StmtKind::Connect { interrupt, trap }))
