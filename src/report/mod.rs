@@ -1,1 +1,18 @@
-//! Diffs, tables, JSON: what people and scripts read. Computes nothing.
+//! Diffs, tables, messages, JSON: what people and scripts read of a plan.
+//!
+//! Computes nothing: every figure comes from the plan; here it gets its unit and its place. Knows nothing
+//! of files and terminals: everything is written to a [`std::io::Write`].
+
+mod diff;
+mod joints;
+mod json;
+mod message;
+mod review;
+mod table;
+
+pub use diff::{Cut, write_created, write_edits, write_texts};
+pub use joints::write_joints;
+pub use json::{compensation, messages, refusal, rounded};
+pub use message::{Look, write_message, write_messages};
+pub use review::{Review, write_review};
+pub use table::{Align, Table};

@@ -1,0 +1,347 @@
+//! Unified diffs: from known edits without searching, or of two texts.
+
+use crate::syntax::Edit;
+use similar::TextDiff;
+use std::io::{self, Write};
+use std::time::Duration;
+
+/// Unchanged lines shown round a change.
+const CONTEXT: usize = 3;
+
+/// The diff of `source` and what `edits` make of it, for a tool like `patch`.
+///
+/// Every changed line stands beside what it becomes. `edits` must be in source order and not overlap, as
+/// those of an emitted file are. Costs no search: the hunks are where the edits are.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_edits(
+    out: &mut dyn Write,
+    old_path: &str,
+    new_path: &str,
+    source: &[u8],
+    edits: &[Edit],
+) -> io::Result<()> {
+    let lines = Lines::new(source);
+    let changes = changes(source, &lines, edits);
+    if changes.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "--- {old_path}\n+++ {new_path}")?;
+    let mut grown = 0_isize; // lines of the new text minus lines of the old, before the hunk
+    let mut rest = changes.as_slice();
+    while let Some(first) = rest.first() {
+        let apart = rest.windows(2).position(|w| w[1].from > w[0].to + 2 * CONTEXT);
+        let (hunk, later) = rest.split_at(apart.map_or(rest.len(), |at| at + 1));
+        let to = hunk.last().map_or(first.to, |change| change.to);
+        let (from, to) = (first.from.saturating_sub(CONTEXT), (to + CONTEXT).min(lines.count()));
+        let added: usize = hunk.iter().map(|c| c.new.len()).sum();
+        let removed: usize = hunk.iter().map(|c| c.to - c.from).sum();
+        let old = Side { start: from, lines: to - from };
+        let new = Side { start: from.saturating_add_signed(grown), lines: to - from + added - removed };
+        writeln!(out, "@@ -{old} +{new} @@")?;
+        let mut at = from;
+        for change in hunk {
+            write_lines(out, b' ', (at..change.from).map(|i| lines.of(source, i)))?;
+            write_lines(out, b'-', (change.from..change.to).map(|i| lines.of(source, i)))?;
+            write_lines(out, b'+', change.new.iter().map(Vec::as_slice))?;
+            at = change.to;
+        }
+        write_lines(out, b' ', (at..to).map(|i| lines.of(source, i)))?;
+        grown += added as isize - removed as isize;
+        rest = later;
+    }
+    Ok(())
+}
+
+/// The diff that creates a file.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_created(out: &mut dyn Write, new_path: &str, bytes: &[u8]) -> io::Result<()> {
+    let lines = Lines::new(bytes);
+    writeln!(out, "--- /dev/null\n+++ {new_path}\n@@ -0,0 +1,{} @@", lines.count())?;
+    write_lines(out, b'+', (0..lines.count()).map(|i| lines.of(bytes, i)))
+}
+
+/// The diff of two texts; nothing where they are equal.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_texts(
+    out: &mut dyn Write,
+    old_path: &str,
+    new_path: &str,
+    old: &[u8],
+    new: &[u8],
+) -> io::Result<()> {
+    if old == new {
+        return Ok(());
+    }
+    let diff: TextDiff<'_, '_, [u8]> =
+        TextDiff::configure().timeout(Duration::from_secs(20)).diff_lines(old, new);
+    diff.unified_diff().context_radius(CONTEXT).header(old_path, new_path).to_writer(out)
+}
+
+/// `start,lines` as a hunk's header writes it: lines are counted from 1, an empty side names the line before.
+struct Side {
+    start: usize,
+    lines: usize,
+}
+
+impl std::fmt::Display for Side {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let start = if self.lines == 0 { self.start } else { self.start + 1 };
+        if self.lines == 1 { write!(f, "{start}") } else { write!(f, "{start},{}", self.lines) }
+    }
+}
+
+/// Lines `from..to` of the source (from 0) become `new`.
+struct Change {
+    from: usize,
+    to: usize,
+    new: Vec<Vec<u8>>,
+}
+
+/// The edits by lines, in order: neighbouring changes stay apart, so that each changed line stands beside
+/// what it becomes.
+fn changes(source: &[u8], lines: &Lines, edits: &[Edit]) -> Vec<Change> {
+    let mut changes: Vec<Change> = Vec::new();
+    let mut rest = edits;
+    while let Some(first) = rest.first() {
+        let (from, mut to) = lines.touched(first);
+        let mut count = 1;
+        while let Some(next) = rest.get(count) {
+            let (next_from, next_to) = lines.touched(next);
+            if next_from >= to {
+                break;
+            }
+            to = to.max(next_to);
+            count += 1;
+        }
+        let (these, later) = rest.split_at(count);
+        changes.extend(change(source, lines, from, to, these));
+        rest = later;
+    }
+    changes
+}
+
+/// What the lines `from..to` become; what stays equal at either end is left out.
+fn change(source: &[u8], lines: &Lines, mut from: usize, mut to: usize, edits: &[Edit]) -> Option<Change> {
+    let mut text = Vec::new();
+    let mut at = lines.start(from);
+    for edit in edits {
+        let (start, end) = (edit.range.start as usize, edit.range.end as usize);
+        text.extend_from_slice(source.get(at..start).unwrap_or_default());
+        text.extend_from_slice(&edit.text);
+        at = end;
+    }
+    text.extend_from_slice(source.get(at..lines.start(to)).unwrap_or_default());
+    let new_lines = Lines::new(&text);
+    let mut new: Vec<Vec<u8>> = (0..new_lines.count()).map(|i| new_lines.of(&text, i).to_vec()).collect();
+    while from < to && new.last().is_some_and(|n| n == lines.of(source, to - 1)) {
+        new.pop();
+        to -= 1;
+    }
+    let equal = (from..to).zip(&new).take_while(|(i, n)| lines.of(source, *i) == n.as_slice()).count();
+    new.drain(..equal);
+    from += equal;
+    (from < to || !new.is_empty()).then_some(Change { from, to, new })
+}
+
+/// Where lines begin, by LF alone as in every tool that reads diffs.
+struct Lines {
+    starts: Vec<usize>,
+    end: usize,
+}
+
+impl Lines {
+    fn new(text: &[u8]) -> Self {
+        let mut starts = vec![0];
+        starts.extend(memchr::memchr_iter(b'\n', text).map(|at| at + 1));
+        if starts.last() == Some(&text.len()) {
+            starts.pop();
+        }
+        Self { starts, end: text.len() }
+    }
+
+    fn count(&self) -> usize {
+        self.starts.len()
+    }
+
+    fn start(&self, line: usize) -> usize {
+        self.starts.get(line).copied().unwrap_or(self.end)
+    }
+
+    fn of<'t>(&self, text: &'t [u8], line: usize) -> &'t [u8] {
+        text.get(self.start(line)..self.start(line + 1)).unwrap_or_default()
+    }
+
+    /// The lines an edit changes: `from..to`, empty where whole lines are put in between two.
+    fn touched(&self, edit: &Edit) -> (usize, usize) {
+        let (start, end) = (edit.range.start as usize, edit.range.end as usize);
+        let holding = |at: usize| self.starts.partition_point(|&s| s <= at).saturating_sub(1);
+        let from = holding(start);
+        if start == end && self.start(from) == start && edit.text.last() == Some(&b'\n') {
+            return (from, from);
+        }
+        (from, (holding(end) + 1).min(self.count()))
+    }
+}
+
+fn write_lines<'t>(
+    out: &mut dyn Write,
+    sign: u8,
+    lines: impl Iterator<Item = &'t [u8]>,
+) -> io::Result<()> {
+    for line in lines {
+        out.write_all(&[sign])?;
+        out.write_all(line)?;
+        if line.last() != Some(&b'\n') {
+            out.write_all(b"\n\\ No newline at end of file\n")?;
+        }
+    }
+    Ok(())
+}
+
+/// Passes on so many lines and counts the rest.
+pub struct Cut<'w> {
+    out: &'w mut dyn Write,
+    left: usize,
+    /// Lines that were not passed on.
+    pub dropped: usize,
+}
+
+impl<'w> Cut<'w> {
+    /// Passes `lines` lines on to `out`.
+    pub fn new(out: &'w mut dyn Write, lines: usize) -> Self {
+        Self { out, left: lines, dropped: 0 }
+    }
+}
+
+impl Write for Cut<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let mut passed = 0;
+        while self.left > 0 && passed < bytes.len() {
+            let end = memchr::memchr(b'\n', &bytes[passed..]).map_or(bytes.len(), |at| passed + at + 1);
+            self.out.write_all(&bytes[passed..end])?;
+            if bytes[end - 1] == b'\n' {
+                self.left -= 1;
+            }
+            passed = end;
+        }
+        self.dropped += memchr::memchr_iter(b'\n', &bytes[passed..]).count();
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::TextRange;
+    use crate::syntax::apply;
+    use proptest::prelude::*;
+
+    fn edit(start: u32, end: u32, text: &str) -> Edit {
+        Edit { range: TextRange::new(start, end), text: text.as_bytes().to_vec() }
+    }
+
+    fn diff(source: &str, edits: &[Edit]) -> String {
+        let mut out = Vec::new();
+        write_edits(&mut out, "a", "b", source.as_bytes(), edits).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    /// What `patch` does, strictly: every context and removed line must be where the hunk says.
+    fn patched(source: &[u8], diff: &[u8]) -> Vec<u8> {
+        let old: Vec<&[u8]> = source.split_inclusive(|b| *b == b'\n').collect();
+        let (mut new, mut at) = (Vec::new(), 0);
+        let mut lines = diff.split_inclusive(|b| *b == b'\n').skip(2).peekable();
+        while let Some(line) = lines.next() {
+            let whole = lines.next_if(|next| next.starts_with(b"\\")).is_none();
+            let body = if whole { &line[1..] } else { &line[1..line.len() - 1] };
+            match line[0] {
+                b'@' => {
+                    let text = std::str::from_utf8(line).unwrap();
+                    let side = text.split(' ').nth(1).unwrap().trim_start_matches('-');
+                    let (start, count) = side.split_once(',').unwrap_or((side, "1"));
+                    let start = start.parse::<usize>().unwrap() - usize::from(count != "0");
+                    new.extend(old[at..start].concat());
+                    at = start;
+                }
+                b' ' => {
+                    assert_eq!(old[at], body);
+                    new.extend_from_slice(body);
+                    at += 1;
+                }
+                b'-' => {
+                    assert_eq!(old[at], body);
+                    at += 1;
+                }
+                _ => new.extend_from_slice(body),
+            }
+        }
+        new.extend(old[at..].concat());
+        new
+    }
+
+    #[test]
+    fn each_changed_line_stands_beside_what_it_becomes() {
+        let source = "0\n1\n2\n3\nMoveL p;\nMoveL q;\n6\n7\n8\n9\n10\n11\n12\n13\nend";
+        let edits = [edit(8, 8, "tick;\n"), edit(14, 15, "P"), edit(23, 24, "Q"), edit(50, 50, "!")];
+        let expected = "--- a\n+++ b\n@@ -2,8 +2,9 @@\n 1\n 2\n 3\n+tick;\n-MoveL p;\n+MoveL P;\n-MoveL q;\n+MoveL Q;\n 6\n 7\n 8\n@@ -12,4 +13,4 @@\n 11\n 12\n 13\n-end\n\\ No newline at end of file\n+end!\n\\ No newline at end of file\n";
+        assert_eq!(diff(source, &edits), expected);
+        assert_eq!(diff(source, &[]), "");
+    }
+
+    #[test]
+    fn a_new_file_is_all_additions() {
+        let mut out = Vec::new();
+        write_created(&mut out, "tcCore.mod", b"MODULE tcCore\nENDMODULE\n").unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "--- /dev/null\n+++ tcCore.mod\n@@ -0,0 +1,2 @@\n+MODULE tcCore\n+ENDMODULE\n"
+        );
+    }
+
+    #[test]
+    fn what_is_cut_is_counted() {
+        let mut out = Vec::new();
+        let mut cut = Cut::new(&mut out, 2);
+        cut.write_all(b"a\nb").unwrap();
+        cut.write_all(b"c\nd\ne\n").unwrap();
+        assert_eq!(cut.dropped, 2);
+        assert_eq!(out, b"a\nbc\n");
+    }
+
+    proptest! {
+        #[test]
+        fn the_diff_applied_to_the_source_gives_what_the_edits_give(
+            source in "[ab\n]{0,80}",
+            places in proptest::collection::vec((0_u32..80, 0_u32..6, "[xa\n]{0,4}"), 0..6),
+        ) {
+            let mut edits: Vec<Edit> = Vec::new();
+            let mut free = 0;
+            let mut places = places;
+            places.sort();
+            for (start, length, text) in places {
+                let start = start.max(free);
+                let end = (start + length).min(source.len() as u32);
+                if start > end { continue; }
+                edits.push(edit(start, end, &text));
+                free = end;
+            }
+            let made = apply(source.as_bytes(), &edits).unwrap();
+            let shown = diff(&source, &edits);
+            if shown.is_empty() {
+                prop_assert_eq!(source.as_bytes(), made.as_slice());
+            } else {
+                prop_assert_eq!(patched(source.as_bytes(), shown.as_bytes()), made);
+            }
+        }
+    }
+}

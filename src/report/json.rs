@@ -1,0 +1,139 @@
+//! The JSON that scripts rely on; its keys and units are part of the contract, more may be added.
+
+use super::review::target_name;
+use crate::compensate::plan::{Plan, Status};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::program::Program;
+use crate::syntax::SourceFile;
+use crate::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+
+/// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
+#[must_use]
+pub fn rounded(value: f64) -> f64 {
+    const PARTS: f64 = 1e9;
+    let rounded = (value * PARTS).round() / PARTS;
+    if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+/// What `compensate` found and did.
+#[must_use]
+pub fn compensation(program: &Program, plan: &Plan, messages: &[Diagnostic]) -> Value {
+    let mm = |m: f64| rounded(mm_from_m(m));
+    let motions: Vec<Value> = program
+        .motions
+        .iter()
+        .zip(&plan.motions)
+        .enumerate()
+        .map(|(index, (motion, planned))| {
+            let (status, why) = match &planned.status {
+                Status::Compensated => ("compensated", None),
+                Status::Kept(why) => ("kept", Some(why)),
+                Status::Refused(why) => ("refused", Some(why)),
+            };
+            json!({
+                "file": program.file(motion.file).path,
+                "line": motion.line,
+                "routine": program.routines.get(motion.routine).map(|r| &r.name),
+                "index": index,
+                "kind": motion.kind,
+                "target": target_name(motion),
+                "status": status,
+                "reason": why.map(|w| &w.reason),
+                "code": why.map(|w| w.code),
+                "max_correction_mm": mm(planned.max_correction_m),
+                "max_correction_deg": rounded(deg_from_rad(planned.max_correction_rad)),
+                "mid_path_mm": planned.mid_path_m.map(mm),
+            })
+        })
+        .collect();
+    let buckets: Vec<Value> = plan
+        .schedule
+        .buckets
+        .iter()
+        .enumerate()
+        .map(|(index, b)| {
+            json!({
+                "index": index,
+                "from_min": rounded(b.from_min),
+                "to_min": b.to_min.map(rounded),
+                "at_min": rounded(b.at_min),
+            })
+        })
+        .collect();
+    let s = &plan.summary;
+    let others: Vec<Value> = s
+        .other_tolerances
+        .iter()
+        .map(|(tolerance_m, buckets)| json!({"tolerance_mm": mm(*tolerance_m), "buckets": buckets}))
+        .collect();
+    json!({
+        "motions": motions,
+        "buckets": buckets,
+        "worst_before_mm": mm(s.worst_before_m),
+        "worst_after_mm": mm(s.worst_after_m),
+        "worst_switch_jump_mm": mm(s.worst_switch_jump_m),
+        "rigid_shift_worst_mm": mm(s.rigid_shift_worst_m),
+        "until_min": rounded(s.until_min),
+        "other_tolerances": others,
+        "warnings": of_severity(messages, &program.files, |s| s != Severity::Error),
+        "errors": of_severity(messages, &program.files, |s| s == Severity::Error),
+    })
+}
+
+/// The same keys for a program for which there is no plan.
+#[must_use]
+pub fn refusal(files: &[SourceFile], list: &[Diagnostic]) -> Value {
+    json!({
+        "motions": [],
+        "buckets": [],
+        "worst_before_mm": null,
+        "worst_after_mm": null,
+        "worst_switch_jump_mm": null,
+        "rigid_shift_worst_mm": null,
+        "until_min": null,
+        "other_tolerances": [],
+        "warnings": of_severity(list, files, |s| s != Severity::Error),
+        "errors": of_severity(list, files, |s| s == Severity::Error),
+    })
+}
+
+/// Messages as `{"code","file","line","message","help"}`; `file` and `line` are null where a message is
+/// about the whole run.
+#[must_use]
+pub fn messages(list: &[Diagnostic], files: &[SourceFile]) -> Value {
+    of_severity(list, files, |_| true)
+}
+
+fn of_severity(list: &[Diagnostic], files: &[SourceFile], is: fn(Severity) -> bool) -> Value {
+    let one = |d: &Diagnostic| {
+        let file = d.span.and_then(|span| Some((files.get(span.file.0 as usize)?, span)));
+        json!({
+            "code": d.code,
+            "file": file.map(|(f, _)| &f.path),
+            "line": file.map(|(f, span)| f.line(span.range)),
+            "message": d.message,
+            "help": d.help,
+        })
+    };
+    list.iter().filter(|d| is(d.severity)).map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_rounded_and_never_minus_zero() {
+        assert_eq!(rounded(0.1 + 0.2), 0.3);
+        assert_eq!(rounded(-1e-12).to_string(), "0");
+    }
+
+    #[test]
+    fn a_message_without_a_place_has_null_for_it() {
+        let list = [Diagnostic::warning("a::b", "w"), Diagnostic::error("c::d", "e").help("h")];
+        let value = refusal(&[], &list);
+        assert_eq!(value["warnings"][0], json!({"code":"a::b","file":null,"line":null,"message":"w","help":null}));
+        assert_eq!(value["errors"][0]["help"], "h");
+    }
+}

@@ -1,0 +1,226 @@
+//! Messages with excerpts of the source they are about.
+
+use crate::diagnostic::{Diagnostic, FileId, Severity, Span};
+use crate::syntax::SourceFile;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::ops::Range;
+
+/// Whether messages may be coloured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// Text alone.
+    Plain,
+    /// Colours, for a terminal.
+    Coloured,
+}
+
+/// Excerpts wider than this are cut round the place that is meant.
+const WIDTH: usize = 140;
+
+/// Bytes of a line that are shown on either side of a place.
+const REACH: u32 = 400;
+
+/// How many messages of one code are shown in full before the rest is only counted.
+const SHOWN_OF_A_CODE: usize = 5;
+
+/// Writes messages in their order; of each code the first few in full, the rest as a count, or all.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_messages(
+    out: &mut dyn Write,
+    messages: &[Diagnostic],
+    files: &[SourceFile],
+    look: Look,
+    all: bool,
+) -> io::Result<()> {
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    for message in messages {
+        let count = seen.entry(message.code).or_default();
+        *count += 1;
+        if all || *count <= SHOWN_OF_A_CODE {
+            write_message(out, message, files, look)?;
+        }
+    }
+    for (code, count) in seen {
+        if !all && count > SHOWN_OF_A_CODE {
+            let more = count - SHOWN_OF_A_CODE;
+            writeln!(out, "... and {more} more of {code}; --all shows every one")?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes one message, with the lines of source it points at where it points at any.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_message(
+    out: &mut dyn Write,
+    message: &Diagnostic,
+    files: &[SourceFile],
+    look: Look,
+) -> io::Result<()> {
+    let renderer = match look {
+        Look::Plain => Renderer::plain(),
+        Look::Coloured => Renderer::styled(),
+    }
+    .term_width(WIDTH);
+    let level = match message.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
+    };
+    let excerpts = excerpts(message, files);
+    let title = level.primary_title(message.message.as_str()).id(message.code);
+    let snippets = excerpts.iter().map(|excerpt| {
+        Snippet::source(excerpt.text.as_str())
+            .line_start(excerpt.line as usize)
+            .path(excerpt.path)
+            .annotations(excerpt.marks.iter().map(|(range, label, kind)| {
+                let mark = kind.span(range.clone());
+                if label.is_empty() { mark } else { mark.label(*label) }
+            }))
+    });
+    let mut group: Group = title.elements(snippets);
+    if let Some(help) = &message.help {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    writeln!(out, "{}", renderer.render(&[group]))
+}
+
+/// Some lines of one file, as text, and what is to be seen there.
+struct Excerpt<'m> {
+    path: &'m str,
+    line: u32,
+    text: String,
+    marks: Vec<(Range<usize>, &'m str, AnnotationKind)>,
+}
+
+fn excerpts<'m>(message: &'m Diagnostic, files: &'m [SourceFile]) -> Vec<Excerpt<'m>> {
+    let primary = message.span.iter().map(|span| (*span, "", AnnotationKind::Primary));
+    let further = message.labels.iter().map(|(span, text)| (*span, text.as_str(), AnnotationKind::Context));
+    let mut lines: BTreeMap<(bool, FileId, u32), Vec<_>> = BTreeMap::new();
+    for (span, label, kind) in primary.chain(further) {
+        let Some(file) = files.get(span.file.0 as usize) else { continue };
+        // the file that the message is about comes first
+        let elsewhere = message.span.is_some_and(|first| first.file != span.file);
+        lines.entry((elsewhere, span.file, file.lines.line(span.range.start))).or_default().push((
+            span,
+            label,
+            kind,
+        ));
+    }
+    lines
+        .into_iter()
+        .filter_map(|((_, id, line), marks)| excerpt(files.get(id.0 as usize)?, line, marks))
+        .collect()
+}
+
+/// The line on which all of `marks` begin; what a mark covers of further lines is left out.
+fn excerpt<'m>(
+    file: &'m SourceFile,
+    line: u32,
+    marks: Vec<(Span, &'m str, AnnotationKind)>,
+) -> Option<Excerpt<'m>> {
+    let start = file.lines.start_of(line);
+    let rest = file.bytes.get(start as usize..)?;
+    let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+    let first = marks.iter().map(|(span, ..)| span.range.start).min()?;
+    let from = first.saturating_sub(REACH).max(start);
+    let last = marks.iter().map(|(span, ..)| span.range.end).max()?;
+    let to = last.saturating_add(REACH).min(start + length as u32).max(from);
+    let shown = file.bytes.get(from as usize..to as usize)?;
+    let text = Shown::new(shown);
+    let marks = marks
+        .into_iter()
+        .map(|(span, label, kind)| {
+            let at = |byte: u32| text.at[(byte.clamp(from, to) - from) as usize];
+            (at(span.range.start)..at(span.range.end), label, kind)
+        })
+        .collect();
+    Some(Excerpt { path: &file.path, line, text: text.text, marks })
+}
+
+/// Bytes as text: UTF-8 where they are that, else one character a byte as in ISO 8859-1.
+struct Shown {
+    text: String,
+    /// Where each byte of the source begins in the text, and the text's end.
+    at: Vec<usize>,
+}
+
+impl Shown {
+    fn new(bytes: &[u8]) -> Self {
+        if let Ok(text) = std::str::from_utf8(bytes) {
+            let at = (0..=bytes.len()).map(|i| text.floor_char_boundary(i)).collect();
+            return Self { text: text.to_owned(), at };
+        }
+        let mut text = String::with_capacity(bytes.len() + 16);
+        let mut at = Vec::with_capacity(bytes.len() + 1);
+        for &byte in bytes {
+            at.push(text.len());
+            text.push(if byte.is_ascii_control() { '\u{fffd}' } else { char::from(byte) });
+        }
+        at.push(text.len());
+        Self { text, at }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::TextRange;
+    use crate::syntax::LineIndex;
+    use crate::syntax::tree::Tree;
+
+    fn file(bytes: &[u8]) -> SourceFile {
+        SourceFile {
+            id: FileId(0),
+            path: "cell/prog.mod".to_owned(),
+            bytes: bytes.to_vec(),
+            lines: LineIndex::new(bytes),
+            tree: Tree::default(),
+            warnings: Vec::new(),
+        }
+    }
+
+    fn plain(message: &Diagnostic, files: &[SourceFile]) -> String {
+        let mut out = Vec::new();
+        write_message(&mut out, message, files, Look::Plain).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn a_message_shows_its_line_of_latin_1_source_and_the_place_in_it() {
+        let files = [file(b"MODULE m\r\n! gr\xfc\xdfe\r\n  ! \xfcber MoveL p1,v5;\r\nENDMODULE")];
+        let at = Span { file: FileId(0), range: TextRange::new(31, 33) };
+        assert_eq!(files[0].text(at.range), b"p1");
+        let shown = plain(&Diagnostic::warning("keep::x", "no target").at(at).help("teach it"), &files);
+        let expected = "warning[keep::x]: no target\n --> cell/prog.mod:3:16\n  |\n3 |   ! \u{fc}ber MoveL p1,v5;\n  |                ^^\n  |\n  = help: teach it\n";
+        assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn a_very_long_line_is_cut_round_the_place() {
+        let mut bytes = vec![b'x'; 5000];
+        bytes.extend_from_slice(b" here ");
+        bytes.extend(vec![b'y'; 5000]);
+        let at = Span { file: FileId(0), range: TextRange::new(5001, 5005) };
+        let shown = plain(&Diagnostic::error("a::b", "m").at(at), &[file(&bytes)]);
+        assert!(shown.contains(" here ") && shown.len() < 1500, "{}", shown.len());
+    }
+
+    #[test]
+    fn many_messages_of_one_code_are_counted_and_a_place_that_is_not_there_is_left_out() {
+        let outside = Span { file: FileId(7), range: TextRange::new(1, 2) };
+        let many: Vec<Diagnostic> = (0..9).map(|i| Diagnostic::warning("a::b", format!("m{i}"))).collect();
+        let mut out = Vec::new();
+        write_messages(&mut out, &many, &[], Look::Plain, false).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        assert!(text.contains("m4") && !text.contains("m5"), "{text}");
+        assert!(text.contains("4 more of a::b"), "{text}");
+        assert_eq!(plain(&Diagnostic::error("a::b", "m").at(outside), &[]), "error[a::b]: m\n");
+    }
+}
