@@ -5,6 +5,8 @@
 
 use super::Outcome;
 use crate::diagnostic::Diagnostic;
+use crate::report::{self, Look};
+use crate::syntax::SourceFile;
 use std::io::{self, IsTerminal, Write};
 
 /// Standard output and standard error.
@@ -42,6 +44,24 @@ impl Console {
         self.err_is_terminal
     }
 
+    /// Does long work; a person at a terminal sees that something goes on.
+    pub fn while_busy<T>(&mut self, what: &'static str, work: impl FnOnce() -> T) -> T {
+        if !self.err_is_terminal {
+            return work();
+        }
+        let bar = indicatif::ProgressBar::new_spinner().with_message(what);
+        bar.enable_steady_tick(std::time::Duration::from_millis(300));
+        let result = work();
+        bar.finish_and_clear();
+        result
+    }
+
+    /// Messages to standard error, with excerpts of the files they are about.
+    pub fn explain(&mut self, messages: &[Diagnostic], files: &[SourceFile], all: bool) {
+        let look = if self.err_is_terminal { Look::Coloured } else { Look::Plain };
+        let _ = report::write_messages(&mut self.err, messages, files, look, all); // as in `say`
+    }
+
     /// One line to standard error.
     pub fn say(&mut self, line: impl std::fmt::Display) {
         let _ = writeln!(self.err, "{line}"); // nobody is left to tell that standard error is gone
@@ -51,12 +71,7 @@ impl Console {
     pub fn fail(&mut self, error: &anyhow::Error) -> Outcome {
         let _ = self.out.flush();
         match error.downcast_ref::<Diagnostic>() {
-            Some(d) => {
-                self.say(format_args!("error[{}]: {}", d.code, d.message));
-                if let Some(help) = &d.help {
-                    self.say(format_args!("  = help: {help}"));
-                }
-            }
+            Some(message) => self.explain(std::slice::from_ref(message), &[], true),
             None => self.say(format_args!("error: {error:#}")),
         }
         Outcome::Refused

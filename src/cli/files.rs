@@ -3,7 +3,7 @@
 use super::Console;
 use crate::diagnostic::Diagnostic;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The bytes of `path`; `what` names the file's part in the work ("program", "deformation table").
@@ -72,16 +72,85 @@ impl Pending {
         Ok(Self { path: path.to_path_buf(), file })
     }
 
+    /// Its path.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the whole file, still beside its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
+        let failed = |cause| unwritable(&self.path, cause);
+        io::copy(from, &mut self.file).map_err(failed)?;
+        fs::create_dir_all(folder_of(&self.path)).map_err(failed)
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn place(self) -> Result<(), Diagnostic> {
+        let path = self.path;
+        self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
+        Ok(())
+    }
+
     /// Writes the whole file and puts it in its place.
     ///
     /// # Errors
     /// `output::unwritable`; the file at the path is then as it was.
-    pub fn write(mut self, bytes: &[u8]) -> Result<(), Diagnostic> {
-        let path = self.path;
-        fs::create_dir_all(folder_of(&path)).map_err(|cause| unwritable(&path, cause))?;
-        self.file.write_all(bytes).map_err(|cause| unwritable(&path, cause))?;
-        self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
-        Ok(())
+    pub fn write(mut self, mut bytes: &[u8]) -> Result<(), Diagnostic> {
+        self.fill(&mut bytes)?;
+        self.place()
+    }
+}
+
+/// Where a result goes: nowhere, to standard output, or to a file.
+pub enum Output {
+    /// It was not asked for.
+    Nowhere,
+    /// `-`
+    Standard,
+    /// A file.
+    File(Pending),
+}
+
+impl Output {
+    /// The output that an option names; a file is made sure of.
+    ///
+    /// # Errors
+    /// As [`Pending::new`].
+    pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
+        match path {
+            None => Ok(Self::Nowhere),
+            Some(path) if path == Path::new("-") => Ok(Self::Standard),
+            Some(path) => Pending::new(path).map(Self::File),
+        }
+    }
+
+    /// Whether it is standard output.
+    #[must_use]
+    pub fn is_standard(&self) -> bool {
+        matches!(self, Self::Standard)
+    }
+
+    /// Writes what `bytes` gives, which is not called where nothing is wanted.
+    ///
+    /// # Errors
+    /// Those of `bytes`, and whatever keeps the result from being written.
+    pub fn write(
+        self,
+        console: &mut Console,
+        bytes: impl FnOnce() -> anyhow::Result<Vec<u8>>,
+    ) -> anyhow::Result<()> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Standard => Ok(console.out().write_all(&bytes()?)?),
+            Self::File(pending) => Ok(pending.write(&bytes()?)?),
+        }
     }
 }
 

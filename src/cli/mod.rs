@@ -6,7 +6,9 @@
 //! shown then, and its code stands in `docs/MESSAGES.md`.
 
 mod console;
+mod destination;
 pub mod files;
+pub mod given;
 pub mod minutes;
 pub mod model;
 mod outcome;

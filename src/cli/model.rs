@@ -1,10 +1,63 @@
 //! The robot and its deformation, as the options name them.
 
-use super::files;
+use super::{files, suggest};
 use crate::deform::{DeformError, Deformation, GrowthLaw};
 use crate::diagnostic::Diagnostic;
+use crate::emit::Provenance;
 use crate::robot::Robot;
+use sha2::{Digest, Sha256};
 use std::path::Path;
+
+/// The reference paper's Table 2 as a file: what the built-in deformation's SHA-256 is that of.
+const PAPER: &[u8] = include_bytes!("../../fixtures/paper/table2_deformation.csv");
+
+/// A model and where it comes from.
+#[derive(Clone, Debug)]
+pub struct Named<T> {
+    /// The model.
+    pub model: T,
+    /// Its name and SHA-256.
+    pub source: Provenance,
+}
+
+impl<T> Named<T> {
+    fn new(model: T, name: impl Into<String>, bytes: &[u8]) -> Self {
+        let sha256 = Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect();
+        Self { model, source: Provenance { name: name.into(), sha256 } }
+    }
+}
+
+/// As [`robot`], with what the header of an emitted program says of it.
+///
+/// # Errors
+/// As [`robot`].
+pub fn robot_with_source(name: &str) -> Result<Named<Robot>, Diagnostic> {
+    let model = robot(name)?;
+    Ok(match Robot::built_in_file(name) {
+        Some(text) => Named::new(model, name, text.as_bytes()),
+        None => Named::new(model, file_name(Path::new(name)), &files::read(Path::new(name), "robot file")?),
+    })
+}
+
+/// As [`deformation`], with what the header of an emitted program says of it.
+///
+/// # Errors
+/// As [`deformation`].
+pub fn deformation_with_source(
+    file: Option<&Path>,
+    growth: Option<&str>,
+) -> Result<Named<Deformation>, Diagnostic> {
+    let model = deformation(file, growth)?;
+    Ok(match file {
+        None => Named::new(model, "paper, Table 2", PAPER),
+        Some(path) => Named::new(model, file_name(path), &files::read(path, "deformation table")?),
+    })
+}
+
+/// The last part of a path: what an emitted program calls a file, wherever it stood.
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
 
 /// The robot that `--robot` names: a built-in one, or a file.
 ///
@@ -32,7 +85,7 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
 /// # Errors
 /// What is wrong with the table or the growth law.
 pub fn deformation(file: Option<&Path>, growth: Option<&str>) -> Result<Deformation, Diagnostic> {
-    let growth = growth.map(str::parse::<GrowthLaw>).transpose().map_err(DeformError::from)?;
+    let growth = growth.map(growth_law).transpose()?;
     match (file, growth) {
         (None, None) => Ok(Deformation::paper()),
         (None, Some(growth)) => Ok(Deformation::from_static(Deformation::paper().settled(), growth)),
@@ -42,6 +95,16 @@ pub fn deformation(file: Option<&Path>, growth: Option<&str>) -> Result<Deformat
                 .map_err(|error| in_file(&path.display().to_string(), error.into()))
         }
     }
+}
+
+fn growth_law(text: &str) -> Result<GrowthLaw, Diagnostic> {
+    text.parse().map_err(|error| {
+        let word = text.split(':').next().unwrap_or_default();
+        let mut said = Diagnostic::from(DeformError::Growth(error));
+        let near = suggest::nearest(word, ["none", "exp", "two-stage"]).filter(|near| *near != word);
+        said.help = near.map(|near| format!("did you mean `{near}`?"));
+        said
+    })
 }
 
 /// The same message with the file's name before it.

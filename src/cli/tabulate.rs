@@ -78,7 +78,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         .map_err(|error| model::in_file(&file, Diagnostic::from(error)))?;
     let misses = table.misses();
 
-    let takes_standard_output = [&joints_csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
+    let takes_standard_output = [&joints_csv, &json].into_iter().any(Output::is_standard);
     joints_csv.write(console, || joints_text(&file, &targets, &table))?;
     json.write(console, || Ok(format!("{:#}\n", summary_json(&targets, &table, &misses)).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

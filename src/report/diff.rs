@@ -189,11 +189,7 @@ impl Lines {
     }
 }
 
-fn write_lines<'t>(
-    out: &mut dyn Write,
-    sign: u8,
-    lines: impl Iterator<Item = &'t [u8]>,
-) -> io::Result<()> {
+fn write_lines<'t>(out: &mut dyn Write, sign: u8, lines: impl Iterator<Item = &'t [u8]>) -> io::Result<()> {
     for line in lines {
         out.write_all(&[sign])?;
         out.write_all(line)?;

@@ -133,7 +133,10 @@ mod tests {
     fn a_message_without_a_place_has_null_for_it() {
         let list = [Diagnostic::warning("a::b", "w"), Diagnostic::error("c::d", "e").help("h")];
         let value = refusal(&[], &list);
-        assert_eq!(value["warnings"][0], json!({"code":"a::b","file":null,"line":null,"message":"w","help":null}));
+        assert_eq!(
+            value["warnings"][0],
+            json!({"code":"a::b","file":null,"line":null,"message":"w","help":null})
+        );
         assert_eq!(value["errors"][0]["help"], "h");
     }
 }

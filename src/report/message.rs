@@ -107,11 +107,10 @@ fn excerpts<'m>(message: &'m Diagnostic, files: &'m [SourceFile]) -> Vec<Excerpt
         let Some(file) = files.get(span.file.0 as usize) else { continue };
         // the file that the message is about comes first
         let elsewhere = message.span.is_some_and(|first| first.file != span.file);
-        lines.entry((elsewhere, span.file, file.lines.line(span.range.start))).or_default().push((
-            span,
-            label,
-            kind,
-        ));
+        lines
+            .entry((elsewhere, span.file, file.lines.line(span.range.start)))
+            .or_default()
+            .push((span, label, kind));
     }
     lines
         .into_iter()

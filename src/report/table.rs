@@ -21,7 +21,7 @@ impl Table {
     #[must_use]
     pub fn new(columns: &[(&str, Align)]) -> Self {
         let mut table = comfy_table::Table::new();
-        table.load_style(presets::NOTHING).force_no_tty();
+        table.load_style(presets::NOTHING);
         table.set_header(columns.iter().map(|(name, _)| (*name).to_owned()).collect::<Vec<String>>());
         for (column, (_, align)) in table.column_iter_mut().zip(columns) {
             column.set_padding((0, 2)).set_cell_alignment(match align {

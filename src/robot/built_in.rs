@@ -37,9 +37,14 @@ impl Robot {
     /// The built-in robot of that name; case, blanks and hyphens do not matter.
     #[must_use]
     pub fn built_in(name: &str) -> Option<Self> {
+        Self::from_toml(Self::built_in_file(name)?).ok()
+    }
+
+    /// The robot file (TOML) of the built-in robot of that name.
+    #[must_use]
+    pub fn built_in_file(name: &str) -> Option<&'static str> {
         let wanted = squeezed(name);
-        let (_, text) = FILES.iter().find(|(known, _)| squeezed(known) == wanted)?;
-        Self::from_toml(text).ok()
+        FILES.iter().find(|(known, _)| squeezed(known) == wanted).map(|(_, text)| *text)
     }
 
     /// The names of all built-in robots.

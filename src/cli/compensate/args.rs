@@ -1,0 +1,266 @@
+//! The options of `driftpost compensate`, and what they say to the library.
+
+use crate::cli::model::{self, Named};
+use crate::compensate::Options;
+use crate::deform::Deformation;
+use crate::diagnostic::Diagnostic;
+use crate::emit::{Clock, Core, EmitOptions};
+use crate::program::Overrides;
+use crate::robot::Robot;
+use crate::schedule::{Until, Width};
+use crate::units::{m_from_mm, rad_from_deg};
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// Options of `compensate`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// RAPID modules, a folder of them, or a .pgf; names are resolved across all of them.
+    #[arg(required = true, value_name = "PROGRAM")]
+    pub program: Vec<PathBuf>,
+
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
+    #[arg(long, value_name = "FILE")]
+    pub deformation: Option<PathBuf>,
+
+    /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU
+    /// [default: two-stage:46 for the built-in table; required with a static table of yours].
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    pub growth: Option<String>,
+
+    /// End of the schedule in minutes, or auto: where what is still to come is under the tolerance.
+    #[arg(long, value_name = "MIN|auto", default_value = "auto", value_parser = until, allow_negative_numbers = true)]
+    pub until: Until,
+
+    /// No target is further off than this anywhere in its bucket.
+    #[arg(long, value_name = "MM", default_value_t = 0.005, allow_negative_numbers = true)]
+    pub tolerance_mm: f64,
+
+    /// Buckets of this fixed width instead of a tolerance.
+    #[arg(long, value_name = "MIN", conflicts_with = "tolerance_mm", allow_negative_numbers = true)]
+    pub bucket_min: Option<f64>,
+
+    /// How the corrected targets are held.
+    #[arg(long, value_enum, default_value_t = FormName::Schedule)]
+    pub form: FormName,
+
+    /// What the bucket follows: the robot's warm-up minute, or minutes since tcColdStart.
+    #[arg(long, value_enum, default_value_t = ClockName::Warmth)]
+    pub clock: ClockName,
+
+    /// Time constant of cooling while the program stands, minutes [default: the growth law's].
+    #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
+    pub tau_cool: Option<f64>,
+
+    /// A pause longer than this counts as standing, minutes.
+    #[arg(long, value_name = "MIN", default_value_t = 5.0, allow_negative_numbers = true)]
+    pub gap_min: f64,
+
+    /// Where clock and index live: in the module, or once in tcCore.mod
+    /// [default: embedded for one module, separate for more].
+    #[arg(long, value_enum)]
+    pub core: Option<CoreName>,
+
+    /// Value of a tool that no given module declares, e.g. 'tGrip=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]'.
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
+    pub tool: Vec<(String, String)>,
+
+    /// Value of a work object that no given module declares.
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
+    pub wobj: Vec<(String, String)>,
+
+    /// A larger correction than this is refused.
+    #[arg(long, value_name = "MM", default_value_t = 0.5, allow_negative_numbers = true)]
+    pub max_correction_mm: f64,
+
+    /// A larger correction than this is refused.
+    #[arg(long, value_name = "DEG", default_value_t = 0.1, allow_negative_numbers = true)]
+    pub max_correction_deg: f64,
+
+    /// A linear move that leaves its line by more than this at mid-path is warned about.
+    #[arg(long, value_name = "MM", default_value_t = 0.01, allow_negative_numbers = true)]
+    pub path_tolerance_mm: f64,
+
+    /// Leave MoveAbsJ as it is (RoboDK writes MoveJ so; it is corrected otherwise).
+    #[arg(long)]
+    pub keep_moveabsj: bool,
+
+    /// Accept a program that RoboDK says was not made with nominal kinematics.
+    #[arg(long)]
+    pub allow_non_nominal: bool,
+
+    /// The controller's own Absolute Accuracy is on: MoveAbsJ is kept.
+    #[arg(long)]
+    pub absolute_accuracy: bool,
+
+    /// Refuse the program where a motion would be kept.
+    #[arg(long)]
+    pub strict: bool,
+
+    /// Where the result goes [default: STEM_tc.EXT beside one file, folder NAME_tc/ for more].
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+
+    /// Overwrite the input.
+    #[arg(long, conflicts_with = "output")]
+    pub in_place: bool,
+
+    /// Unified diff to this file, or none [default: standard output, cut after 2,000 lines].
+    #[arg(long, value_name = "FILE|none")]
+    pub diff: Option<PathBuf>,
+
+    /// Joints solved at every minute, as CSV.
+    #[arg(long, value_name = "FILE")]
+    pub joints_csv: Option<PathBuf>,
+
+    /// Show every motion and every message, however many there are.
+    #[arg(long)]
+    pub all: bool,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// How the corrected targets are held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormName {
+    /// Arrays of targets in the module itself, one index chosen by the clock.
+    Schedule,
+}
+
+/// What the bucket follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ClockName {
+    /// The robot's own warm-up minute: runs while the program runs, falls back while it stands.
+    Warmth,
+    /// Minutes since tcColdStart.
+    Elapsed,
+}
+
+/// Where clock and index live.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CoreName {
+    /// In the module.
+    Embedded,
+    /// Once in tcCore.mod.
+    Separate,
+}
+
+impl Args {
+    /// What is asked of the compensation.
+    #[must_use]
+    pub fn options(&self) -> Options {
+        Options {
+            tolerance_m: m_from_mm(self.tolerance_mm),
+            until: self.until,
+            width: self.bucket_min.map_or(Width::Tolerance, |width_min| Width::Fixed { width_min }),
+            max_correction_m: m_from_mm(self.max_correction_mm),
+            max_correction_rad: rad_from_deg(self.max_correction_deg),
+            path_tolerance_m: m_from_mm(self.path_tolerance_mm),
+            keep_moveabsj: self.keep_moveabsj,
+            absolute_accuracy: self.absolute_accuracy,
+            strict: self.strict,
+        }
+    }
+
+    /// The robot and its deformation.
+    ///
+    /// # Errors
+    /// What is wrong with a name or a file.
+    pub fn model(&self) -> Result<(Named<Robot>, Named<Deformation>), Diagnostic> {
+        let robot = model::robot_with_source(&self.robot)?;
+        let deformation =
+            model::deformation_with_source(self.deformation.as_deref(), self.growth.as_deref())?;
+        Ok((robot, deformation))
+    }
+
+    /// How the program is emitted.
+    #[must_use]
+    pub fn emit_options(&self, robot: &Named<Robot>, deformation: &Named<Deformation>) -> EmitOptions {
+        let clock = match self.clock {
+            ClockName::Elapsed => Clock::Elapsed,
+            ClockName::Warmth => Clock::Warmth {
+                growth: deformation.model.growth().copied(),
+                tau_cool_min: self.tau_cool,
+                gap_min: self.gap_min,
+            },
+        };
+        EmitOptions {
+            clock,
+            core: self.core.map(|core| match core {
+                CoreName::Embedded => Core::Embedded,
+                CoreName::Separate => Core::Separate,
+            }),
+            robot: robot.source.clone(),
+            deformation: deformation.source.clone(),
+            absolute_accuracy: self.absolute_accuracy,
+        }
+    }
+
+    /// Tools and work objects given as options.
+    #[must_use]
+    pub fn overrides(&self) -> Overrides {
+        Overrides { tools: self.tool.clone(), wobjs: self.wobj.clone() }
+    }
+
+    /// Refuses numbers that make no sense before any work is done.
+    ///
+    /// # Errors
+    /// `option::number`, naming the option.
+    pub fn check(&self) -> Result<(), Diagnostic> {
+        let numbers = [
+            ("--max-correction-mm", self.max_correction_mm),
+            ("--max-correction-deg", self.max_correction_deg),
+            ("--path-tolerance-mm", self.path_tolerance_mm),
+            ("--gap-min", self.gap_min),
+            ("--tau-cool", self.tau_cool.unwrap_or(1.0)),
+        ];
+        match numbers.iter().find(|(_, value)| !value.is_finite() || *value <= 0.0) {
+            None => Ok(()),
+            Some((name, value)) => Err(Diagnostic::error(
+                "option::number",
+                format!("{name} must be more than 0 and finite, not {value}"),
+            )
+            .help("leave it out for the default")),
+        }
+    }
+}
+
+fn until(text: &str) -> Result<Until, String> {
+    if text == "auto" {
+        return Ok(Until::Auto);
+    }
+    let minutes = text.parse().map_err(|_| "write minutes, e.g. 180, or auto".to_owned())?;
+    Ok(Until::Minutes(minutes))
+}
+
+/// `NAME=VALUE`.
+fn name_and_value(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok((name.trim_end_matches(':').trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write NAME=VALUE, the value as RAPID does".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_forms_of_small_values() {
+        assert_eq!(until("auto"), Ok(Until::Auto));
+        assert_eq!(until("37.5"), Ok(Until::Minutes(37.5)));
+        assert!(until("autto").is_err());
+        let given = ("tGrip".to_owned(), "[TRUE,[[-1,0,0]]]".to_owned());
+        assert_eq!(name_and_value("tGrip=[TRUE,[[-1,0,0]]]"), Ok(given.clone()));
+        assert_eq!(name_and_value("tGrip := [TRUE,[[-1,0,0]]]"), Ok(given));
+        assert!(name_and_value("tGrip").is_err());
+    }
+}

@@ -1,0 +1,99 @@
+//! `driftpost compensate`: the main job.
+
+mod args;
+mod work;
+
+pub use args::{Args, ClockName, CoreName, FormName};
+pub(in crate::cli) use work::{Job, Made, Refusal};
+
+use super::destination::Destination;
+use super::files::{Output, Pending};
+use super::given::Given;
+use super::{Console, Outcome};
+use crate::diagnostic::Diagnostic;
+use crate::report;
+use std::path::Path;
+
+/// A diff on standard output is cut after so many lines.
+const DIFF_LINES: usize = 2000;
+
+/// Runs `compensate`.
+///
+/// # Errors
+/// A JSON file or standard output that cannot be written; everything else is a refusal, which says why.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    match work(args, console, json.is_standard()) {
+        Ok(made) => {
+            json.write(console, || pretty(&made.json()))?;
+            Ok(Outcome::Done)
+        }
+        Err(refusal) => {
+            console.explain(&refusal.messages, refusal.files(), args.all);
+            console.say("nothing was written");
+            json.write(console, || pretty(&refusal.json()))?;
+            Ok(Outcome::Refused)
+        }
+    }
+}
+
+fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Refusal>> {
+    args.check()?;
+    let given = Given::read(&args.program)?;
+    let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
+    let job = Job::new(args)?;
+    destination.open()?;
+    let diff_file = diff_file(args)?;
+    let joints_file = args.joints_csv.as_deref().map(Pending::new).transpose()?;
+
+    let made = console.while_busy("compensating", || job.make(&given))?;
+
+    let joints = joints_file.map(|file| Ok((file, job.joints(&made)?))).transpose();
+    let joints = joints.map_err(|message| made.refuse(message))?;
+    let diff = diff_file.map(|file| Ok((file, made.diff(&given, &destination)?))).transpose();
+    let diff = diff.map_err(|message| made.refuse(message))?;
+    console.explain(&made.messages, &made.program.files, args.all);
+    let written = destination.write(&given, &made.emitted).map_err(|message| made.refuse(message))?;
+    for (file, bytes) in joints.into_iter().chain(diff) {
+        file.write(&bytes).map_err(|message| made.refuse(message))?;
+    }
+    if !quiet {
+        show(args, console, &made, &given, &destination).map_err(|cause| made.refuse(no_output(&cause)))?;
+    }
+    for (path, size) in written {
+        console.say(format_args!("wrote {} ({size} bytes)", path.display()));
+    }
+    Ok(made)
+}
+
+/// The review and the diff, on standard output.
+fn show(
+    args: &Args,
+    console: &mut Console,
+    made: &Made,
+    given: &Given,
+    destination: &Destination,
+) -> std::io::Result<()> {
+    made.write_review(console.out(), args.all)?;
+    if args.diff.is_none() {
+        let mut cut = report::Cut::new(console.out(), DIFF_LINES);
+        made.write_diff(&mut cut, given, destination)?;
+        if cut.dropped > 0 {
+            let more = cut.dropped;
+            writeln!(console.out(), "... and {more} more lines; --diff FILE writes all of them")?;
+        }
+    }
+    console.out().flush()
+}
+
+fn diff_file(args: &Args) -> Result<Option<Pending>, Diagnostic> {
+    args.diff.as_deref().filter(|path| *path != Path::new("none")).map(Pending::new).transpose()
+}
+
+fn no_output(cause: &std::io::Error) -> Diagnostic {
+    Diagnostic::error("output::unwritable", format!("standard output cannot be written: {cause}"))
+}
+
+fn pretty(value: &serde_json::Value) -> anyhow::Result<Vec<u8>> {
+    Ok(format!("{value:#}\n").into_bytes())
+}

@@ -1,0 +1,265 @@
+//! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
+
+use super::Args;
+use crate::cli::destination::Destination;
+use crate::cli::given::{self, Given};
+use crate::cli::model::Named;
+use crate::compensate::plan::Plan;
+use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
+use crate::deform::Deformation;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::emit::{EmitOptions, EmittedFile, emit};
+use crate::program::{Overrides, Program};
+use crate::report::{self, Review};
+use crate::robot::Robot;
+use crate::syntax::SourceFile;
+use std::io::{self, Write};
+
+/// What is to be done, all names resolved.
+pub struct Job {
+    robot: Named<Robot>,
+    deformation: Named<Deformation>,
+    options: Options,
+    emit: EmitOptions,
+    overrides: Overrides,
+    allow_non_nominal: bool,
+}
+
+/// A compensated program.
+#[derive(Debug)]
+pub struct Made {
+    /// As read.
+    pub program: Program,
+    /// What becomes of it.
+    pub plan: Plan,
+    /// The changed files.
+    pub emitted: Vec<EmittedFile>,
+    /// All warnings.
+    pub messages: Vec<Diagnostic>,
+    provenance: Vec<(&'static str, String)>,
+}
+
+/// Why nothing is written.
+#[derive(Debug, Default)]
+pub struct Refusal {
+    /// As far as it was read.
+    pub program: Program,
+    /// As far as it was made.
+    pub plan: Option<Plan>,
+    /// Warnings, and at least one error.
+    pub messages: Vec<Diagnostic>,
+}
+
+impl Job {
+    /// Resolves what the options name.
+    ///
+    /// # Errors
+    /// What is wrong with the robot or the deformation.
+    pub fn new(args: &Args) -> Result<Self, Diagnostic> {
+        let (robot, deformation) = args.model()?;
+        Ok(Self {
+            options: args.options(),
+            emit: args.emit_options(&robot, &deformation),
+            overrides: args.overrides(),
+            allow_non_nominal: args.allow_non_nominal,
+            robot,
+            deformation,
+        })
+    }
+
+    /// Reads, plans and emits.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn make(&self, given: &Given) -> Result<Made, Box<Refusal>> {
+        let files = given.sources();
+        if let Err(message) = given::check_modules(&files) {
+            return Err(Refusal::of(Program { files, ..Program::default() }, None, vec![message]));
+        }
+        let program = Program::read(files, &self.overrides);
+        let mut messages = self.about_program(&program);
+        if messages.iter().any(is_error) {
+            return Err(Refusal::of(program, None, messages));
+        }
+        let plan = match plan(&program, &self.robot.model, &self.deformation.model, &self.options) {
+            Ok(plan) => plan,
+            Err(error) => {
+                messages.extend(why_no_plan(error));
+                return Err(Refusal::of(program, None, messages));
+            }
+        };
+        messages.extend(plan.diagnostics.iter().cloned());
+        if messages.iter().any(is_error) {
+            return Err(Refusal::of(program, Some(plan), messages));
+        }
+        match emit(&program, &plan, &self.emit) {
+            Ok(emitted) => {
+                let provenance = self.provenance(given);
+                Ok(Made { program, plan, emitted, messages, provenance })
+            }
+            Err(error) => {
+                messages.push(Diagnostic::error(error.code(), error.to_string()));
+                Err(Refusal::of(program, Some(plan), messages))
+            }
+        }
+    }
+
+    /// The table of joints at every minute, as CSV.
+    ///
+    /// # Errors
+    /// Those of the plan.
+    pub fn joints(&self, made: &Made) -> Result<Vec<u8>, Diagnostic> {
+        let until_min = made.plan.summary.until_min;
+        let rows = joints_every_minute(
+            &made.program,
+            &self.robot.model,
+            &self.deformation.model,
+            &made.plan,
+            until_min,
+        )
+        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+        in_memory(|out| report::write_joints(out, &made.program, rows))
+    }
+
+    /// What the program's text says against compensating it, and its warnings.
+    fn about_program(&self, program: &Program) -> Vec<Diagnostic> {
+        let mut messages: Vec<Diagnostic> =
+            program.files.iter().flat_map(|file| file.warnings.iter().cloned()).collect();
+        messages.extend(program.diagnostics.iter().cloned());
+        for module in &program.facts.modules {
+            if let Some(range) = module.compensated {
+                let text = format!("module {} is already compensated", module.name);
+                messages.push(
+                    Diagnostic::error("refuse::already-compensated", text)
+                        .at(program.file(module.file).span(range))
+                        .help("give the original, or get it back with `driftpost restore`"),
+                );
+            }
+        }
+        for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
+            let text = format!("made with {} kinematics, not with nominal ones", remark.word);
+            let (severity, help) = if self.allow_non_nominal {
+                (Severity::Warning, "what the targets already correct is corrected twice")
+            } else {
+                (
+                    Severity::Error,
+                    "export from RoboDK with nominal kinematics; --allow-non-nominal takes the program as it is",
+                )
+            };
+            messages.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
+        }
+        messages
+    }
+
+    fn provenance(&self, given: &Given) -> Vec<(&'static str, String)> {
+        let named = |name: &str, sha256: &str| format!("{name}, SHA-256 {sha256}");
+        let program = given.places.iter().map(|p| p.display().to_string()).collect::<Vec<_>>();
+        let growth = self.deformation.model.growth().map(|law| format!("growth {law}; "));
+        let deformation = named(&self.deformation.source.name, &self.deformation.source.sha256);
+        let robot = named(&self.robot.source.name, &self.robot.source.sha256);
+        vec![
+            ("program", program.join(", ")),
+            ("robot", format!("{}; {robot}", self.robot.model.name)),
+            ("deformation", format!("{}{deformation}", growth.unwrap_or_default())),
+        ]
+    }
+}
+
+fn is_error(message: &Diagnostic) -> bool {
+    message.severity == Severity::Error
+}
+
+fn why_no_plan(error: CompensateError) -> Vec<Diagnostic> {
+    let (code, text) = (error.code(), error.to_string());
+    let mut messages = match error {
+        CompensateError::NothingToCompensate { diagnostics, .. } => diagnostics,
+        _ => Vec::new(),
+    };
+    messages.push(Diagnostic::error(code, text));
+    messages
+}
+
+impl Made {
+    /// What happened, for scripts.
+    pub fn json(&self) -> serde_json::Value {
+        report::compensation(&self.program, &self.plan, &self.messages)
+    }
+
+    /// The table of motions and its summary.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        let (program, plan, provenance) = (&self.program, &self.plan, self.provenance.as_slice());
+        report::write_review(out, &Review { program, plan, provenance, all })
+    }
+
+    /// The diff of all changed files.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_diff(
+        &self,
+        out: &mut dyn Write,
+        given: &Given,
+        destination: &Destination,
+    ) -> io::Result<()> {
+        for file in &self.emitted {
+            let path = destination.path_of(file, given).display().to_string();
+            match file.source {
+                Some(id) => {
+                    let source = self.program.file(id);
+                    report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)?;
+                }
+                None => report::write_created(out, &path, &file.bytes)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The same, in memory.
+    ///
+    /// # Errors
+    /// None that memory knows.
+    pub fn diff(&self, given: &Given, destination: &Destination) -> Result<Vec<u8>, Diagnostic> {
+        in_memory(|out| self.write_diff(out, given, destination))
+    }
+
+    /// The refusal of what is made but cannot be written.
+    pub fn refuse(&self, message: Diagnostic) -> Box<Refusal> {
+        Refusal::of(self.program.clone(), Some(self.plan.clone()), vec![message])
+    }
+}
+
+fn in_memory(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Vec<u8>, Diagnostic> {
+    let mut bytes = Vec::new();
+    match write(&mut bytes) {
+        Ok(()) => Ok(bytes),
+        Err(cause) => Err(Diagnostic::error("output::unwritable", cause.to_string())),
+    }
+}
+
+impl Refusal {
+    fn of(program: Program, plan: Option<Plan>, messages: Vec<Diagnostic>) -> Box<Self> {
+        Box::new(Self { program, plan, messages })
+    }
+
+    /// The files that the messages are about.
+    pub fn files(&self) -> &[SourceFile] {
+        &self.program.files
+    }
+
+    /// What was found, for scripts.
+    pub fn json(&self) -> serde_json::Value {
+        match &self.plan {
+            Some(plan) => report::compensation(&self.program, plan, &self.messages),
+            None => report::refusal(&self.program.files, &self.messages),
+        }
+    }
+}
+
+impl From<Diagnostic> for Box<Refusal> {
+    fn from(message: Diagnostic) -> Self {
+        Refusal::of(Program::default(), None, vec![message])
+    }
+}

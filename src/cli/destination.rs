@@ -1,0 +1,155 @@
+//! Where the files of a result go.
+
+use super::files::Pending;
+use super::given::{Given, Shape};
+use crate::diagnostic::{Diagnostic, FileId};
+use crate::emit::EmittedFile;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// For each given file, where what becomes of it goes.
+pub struct Destination {
+    /// By [`FileId`].
+    modules: Vec<PathBuf>,
+    /// Files that are copied as they are: from, to.
+    others: Vec<(PathBuf, PathBuf)>,
+    /// All modules are written, also unchanged ones; otherwise only what is changed.
+    whole: bool,
+}
+
+impl Destination {
+    /// Without `output`: beside the input, with `_tc` in the name.
+    ///
+    /// # Errors
+    /// `output::is-input` where an input would be overwritten and `in_place` does not say so.
+    pub fn new(given: &Given, output: Option<&Path>, in_place: bool) -> Result<Self, Diagnostic> {
+        if in_place {
+            return Ok(Self { modules: given.paths.clone(), others: Vec::new(), whole: false });
+        }
+        let destination = match given.shape {
+            Shape::One => {
+                let own = with_tc(&given.name, true);
+                let path = match output {
+                    Some(folder) if folder.is_dir() => folder.join(own.file_name().unwrap_or_default()),
+                    Some(path) => path.to_path_buf(),
+                    None => own,
+                };
+                Self { modules: vec![path], others: Vec::new(), whole: true }
+            }
+            Shape::Several => {
+                let folder = output.map_or_else(|| with_tc(&given.name, false), Path::to_path_buf);
+                Self {
+                    modules: given.places.iter().map(|place| folder.join(place)).collect(),
+                    others: given
+                        .others
+                        .iter()
+                        .map(|(path, place)| (path.clone(), folder.join(place)))
+                        .collect(),
+                    whole: true,
+                }
+            }
+        };
+        destination.check(given)?;
+        Ok(destination)
+    }
+
+    fn check(&self, given: &Given) -> Result<(), Diagnostic> {
+        let inputs: Vec<PathBuf> =
+            given.paths.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
+        for path in self.modules.iter().chain(self.others.iter().map(|(_, to)| to)) {
+            if fs::canonicalize(path).is_ok_and(|path| inputs.contains(&path)) {
+                let text = format!("{} is an input and would be overwritten", path.display());
+                return Err(Diagnostic::error("output::is-input", text)
+                    .help("name another place with -o, or say --in-place"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes sure that everything can be written, before the long work.
+    ///
+    /// # Errors
+    /// `output::unwritable`, naming the path.
+    pub fn open(&self) -> Result<(), Diagnostic> {
+        let others = self.others.iter().map(|(_, to)| to);
+        self.modules.iter().chain(others).try_for_each(|path| Pending::new(path).map(drop))
+    }
+
+    /// Where an emitted file goes; a new one goes beside the modules it belongs to.
+    #[must_use]
+    pub fn path_of(&self, emitted: &EmittedFile, given: &Given) -> PathBuf {
+        let own = emitted.source.and_then(|FileId(id)| self.modules.get(id as usize));
+        if let Some(path) = own {
+            return path.clone();
+        }
+        let path = Path::new(&emitted.path);
+        let beside = given.paths.iter().position(|p| p.parent() == path.parent()).unwrap_or(0);
+        let folder = self.modules.get(beside).and_then(|p| p.parent()).unwrap_or(Path::new(""));
+        folder.join(path.file_name().unwrap_or_default())
+    }
+
+    /// Writes the emitted files, and beside them what stays as it is; all are written before any is put in
+    /// its place. Gives the paths of the emitted ones with their sizes.
+    ///
+    /// # Errors
+    /// `output::unwritable` or `input::unreadable`.
+    pub fn write(&self, given: &Given, emitted: &[EmittedFile]) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
+        let mut pending = Vec::new();
+        let mut add = |path: &Path, from: &mut dyn std::io::Read| -> Result<(), Diagnostic> {
+            let mut file = Pending::new(path)?;
+            file.fill(from)?;
+            pending.push(file);
+            Ok(())
+        };
+        let mut written = Vec::new();
+        for file in emitted {
+            let path = self.path_of(file, given);
+            add(&path, &mut file.bytes.as_slice())?;
+            written.push((path, file.bytes.len()));
+        }
+        if self.whole {
+            for (id, (path, bytes)) in (0..).zip(self.modules.iter().zip(&given.bytes)) {
+                if !emitted.iter().any(|file| file.source == Some(FileId(id))) {
+                    add(path, &mut bytes.as_slice())?;
+                }
+            }
+        }
+        for (from, to) in &self.others {
+            let mut file =
+                fs::File::open(from).map_err(|cause| super::files::cannot_read(from, "file", &cause))?;
+            add(to, &mut file)?;
+        }
+        pending.into_iter().try_for_each(Pending::place)?;
+        Ok(written)
+    }
+}
+
+/// `prog.mod` → `prog_tc.mod`; a folder or a `.pgf` → folder `NAME_tc`.
+fn with_tc(path: &Path, keep_extension: bool) -> PathBuf {
+    let absolute =
+        path.components().next_back().is_none_or(|last| !matches!(last, std::path::Component::Normal(_)));
+    let named = if absolute { fs::canonicalize(path).unwrap_or_default() } else { path.to_path_buf() };
+    let whole_name = named.is_dir();
+    let stem = if whole_name { named.file_name() } else { named.file_stem() };
+    let mut name = stem.unwrap_or_default().to_os_string();
+    name.push("_tc");
+    if let (true, Some(extension)) = (keep_extension, path.extension()) {
+        name.push(".");
+        name.push(extension);
+    }
+    named.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_get_tc_before_the_extension() {
+        assert_eq!(with_tc(Path::new("a/Cube45.MOD"), true), PathBuf::from("a/Cube45_tc.MOD"));
+        assert_eq!(with_tc(Path::new("a/cell.pgf"), false), PathBuf::from("a/cell_tc"));
+        assert_eq!(with_tc(Path::new("src"), false), PathBuf::from("src_tc"));
+        let here = with_tc(Path::new("."), false);
+        assert!(here.is_absolute() && here.to_string_lossy().ends_with("_tc"), "{}", here.display());
+    }
+}

@@ -1,0 +1,248 @@
+//! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
+
+use super::files;
+use crate::diagnostic::{Diagnostic, FileId};
+use crate::program::modules_of_pgf;
+use crate::syntax::SourceFile;
+use crate::syntax::tree::FileItem;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+/// Extensions of RAPID modules, in lower case.
+const MODULES: [&str; 5] = ["mod", "sys", "prg", "modx", "sysx"];
+
+/// What was given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One module.
+    One,
+    /// Several modules, a folder or a `.pgf`.
+    Several,
+}
+
+/// The files of a program.
+#[derive(Debug)]
+pub struct Given {
+    /// One file or more.
+    pub shape: Shape,
+    /// What the result is called after: a module's file, a folder or a `.pgf`.
+    pub name: PathBuf,
+    /// Where each file stands, as the user knows it; [`FileId`] is the position.
+    pub paths: Vec<PathBuf>,
+    /// Its place in the result: relative to the folder that all stand in.
+    pub places: Vec<PathBuf>,
+    /// Its bytes.
+    pub bytes: Vec<Vec<u8>>,
+    /// Files that are no modules: path and place. They are copied as they are.
+    pub others: Vec<(PathBuf, PathBuf)>,
+}
+
+impl Given {
+    /// Finds and reads what `arguments` name.
+    ///
+    /// # Errors
+    /// `input::*`, naming the file.
+    pub fn read(arguments: &[PathBuf]) -> Result<Self, Diagnostic> {
+        let mut given = match arguments {
+            [one] if one.is_dir() => Self::folder(one)?,
+            [one] if has_extension(one, &["pgf"]) => Self::pgf(one)?,
+            [one] => Self::list(Shape::One, one, std::slice::from_ref(one)),
+            several => Self::several(several)?,
+        };
+        for path in &given.paths {
+            let bytes = files::read(path, "program")?;
+            check(path, &bytes)?;
+            given.bytes.push(bytes);
+        }
+        Ok(given)
+    }
+
+    /// The files, parsed.
+    #[must_use]
+    pub fn sources(&self) -> Vec<SourceFile> {
+        let named = self.paths.iter().map(|path| slashed(path));
+        let files = named.zip(&self.bytes).zip(0..);
+        files.map(|((path, bytes), id)| SourceFile::read(FileId(id), path, bytes.clone())).collect()
+    }
+
+    fn list(shape: Shape, name: &Path, paths: &[PathBuf]) -> Self {
+        let common = common_folder(paths);
+        let place = |path: &PathBuf| path.strip_prefix(&common).unwrap_or(path).to_path_buf();
+        Self {
+            shape,
+            name: name.to_path_buf(),
+            places: paths.iter().map(place).collect(),
+            paths: paths.to_vec(),
+            bytes: Vec::new(),
+            others: Vec::new(),
+        }
+    }
+
+    fn several(arguments: &[PathBuf]) -> Result<Self, Diagnostic> {
+        let mut paths: Vec<PathBuf> = Vec::new();
+        for path in arguments {
+            if path.is_dir() || has_extension(path, &["pgf"]) {
+                let text = format!("{} stands beside other files on the command line", path.display());
+                return Err(Diagnostic::error("input::mixed", text)
+                    .help("give one folder, one .pgf, or modules alone"));
+            }
+            if !paths.contains(path) {
+                paths.push(path.clone());
+            }
+        }
+        let Some(first) = paths.first().cloned() else {
+            return Err(Diagnostic::error("input::no-module", "no file is given").help("name a module"));
+        };
+        Ok(Self::list(if paths.len() == 1 { Shape::One } else { Shape::Several }, &first, &paths))
+    }
+
+    fn folder(folder: &Path) -> Result<Self, Diagnostic> {
+        let mut found = Vec::new();
+        walk(folder, &mut found)?;
+        let (modules, others): (Vec<PathBuf>, Vec<PathBuf>) =
+            found.into_iter().partition(|path| has_extension(path, &MODULES));
+        if modules.is_empty() {
+            let text = format!("the folder {} holds no RAPID module", folder.display());
+            return Err(Diagnostic::error("input::no-modules", text).help(
+                "modules end in .mod, .sys, .prg, .modx or .sysx; files that end in _tc are not read",
+            ));
+        }
+        let place = |path: &PathBuf| path.strip_prefix(folder).unwrap_or(path).to_path_buf();
+        Ok(Self {
+            shape: Shape::Several,
+            name: folder.to_path_buf(),
+            places: modules.iter().map(place).collect(),
+            others: others.iter().map(|path| (path.clone(), place(path))).collect(),
+            paths: modules,
+            bytes: Vec::new(),
+        })
+    }
+
+    fn pgf(pgf: &Path) -> Result<Self, Diagnostic> {
+        let listed = modules_of_pgf(&files::read(pgf, "program")?);
+        if listed.is_empty() {
+            let text = format!("{} lists no module", pgf.display());
+            return Err(Diagnostic::error("input::no-modules", text).help("give the modules themselves"));
+        }
+        let folder = pgf.parent().unwrap_or(Path::new(""));
+        let paths: Vec<PathBuf> = listed.iter().map(|name| folder.join(name)).collect();
+        let mut all = paths.clone();
+        all.push(pgf.to_path_buf());
+        let mut given = Self::list(Shape::Several, pgf, &all);
+        let own = given.places.pop().unwrap_or_default();
+        given.paths.pop();
+        given.others.push((pgf.to_path_buf(), own));
+        Ok(given)
+    }
+}
+
+/// Refuses what no parser needs to see: nothing, or no text.
+fn check(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    let shown = path.display();
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(Diagnostic::error("input::empty", format!("{shown} is empty")).help("export it again"));
+    }
+    if u32::try_from(bytes.len()).is_err() {
+        return Err(Diagnostic::error("input::too-large", format!("{shown} is larger than 4 GB"))
+            .help("split the program"));
+    }
+    if let Some(at) = memchr::memchr(0, bytes) {
+        let text = format!("{shown} is no text: byte {at} is zero");
+        return Err(Diagnostic::error("input::binary", text)
+            .help("give a RAPID module as text; one in UTF-16 must be saved as UTF-8 or Latin-1 first"));
+    }
+    Ok(())
+}
+
+/// Refuses files that hold no module, or one that ends before its ENDMODULE.
+///
+/// # Errors
+/// `input::no-module` or `input::truncated`, at their place.
+pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
+    for file in files {
+        let modules = file.tree.items.iter().filter_map(|item| match item {
+            FileItem::Module(module) => Some(module),
+            _ => None,
+        });
+        let mut count = 0;
+        for module in modules {
+            count += 1;
+            if module.end.is_none() {
+                let name = String::from_utf8_lossy(file.text(module.name)).into_owned();
+                let text = format!("{}: module {name} has no ENDMODULE: the file is cut off", file.path);
+                return Err(Diagnostic::error("input::truncated", text)
+                    .at(file.span(module.head))
+                    .help("export or copy the file again"));
+            }
+        }
+        if count == 0 {
+            let text = format!("{} holds no RAPID module", file.path);
+            return Err(Diagnostic::error("input::no-module", text)
+                .help("a module begins with MODULE NAME and ends with ENDMODULE"));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a file's extension is one of `known` (lower case).
+fn has_extension(path: &Path, known: &[&str]) -> bool {
+    path.extension().is_some_and(|e| known.contains(&e.to_string_lossy().to_ascii_lowercase().as_str()))
+}
+
+/// All files under a folder in order of name; what ends in `_tc` is left out: it is a result.
+fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
+    let entries = fs::read_dir(folder).map_err(|cause| files::cannot_read(folder, "folder", &cause))?;
+    let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    for path in paths {
+        let is_result = path.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("_tc"));
+        if is_result {
+            continue;
+        }
+        let kind = fs::symlink_metadata(&path).map_err(|c| files::cannot_read(&path, "file", &c))?;
+        if kind.is_dir() {
+            walk(&path, found)?;
+        } else if path.is_file() {
+            found.push(path);
+        }
+    }
+    Ok(())
+}
+
+/// The folder that all of `paths` stand in.
+fn common_folder(paths: &[PathBuf]) -> PathBuf {
+    let mut common: Vec<Component> =
+        paths.first().and_then(|p| p.parent()).map_or_else(Vec::new, |p| p.components().collect());
+    for path in paths {
+        let shared = common.iter().zip(path.components()).take_while(|(a, b)| *a == b).count();
+        common.truncate(shared);
+    }
+    common.iter().collect()
+}
+
+/// A path with `/` between folders, as messages and JSON show it.
+fn slashed(path: &Path) -> String {
+    path.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_relative_to_the_folder_that_all_stand_in() {
+        let paths = ["cell/a/x.mod", "cell/b/y.mod"].map(PathBuf::from);
+        let given = Given::list(Shape::Several, &paths[0], &paths);
+        assert_eq!(given.places, ["a/x.mod", "b/y.mod"].map(PathBuf::from));
+        let given = Given::list(Shape::One, &paths[0], &paths[..1]);
+        assert_eq!(given.places, [PathBuf::from("x.mod")]);
+    }
+
+    #[test]
+    fn nothing_and_no_text_are_refused() {
+        let code = |bytes: &[u8]| check(Path::new("x.mod"), bytes).map_err(|d| d.code);
+        assert_eq!(code(b" \r\n"), Err("input::empty"));
+        assert_eq!(code(b"M\0O\0D\0"), Err("input::binary"));
+        assert_eq!(code(b"MODULE \xfc ENDMODULE"), Ok(()));
+    }
+}
