@@ -77,6 +77,14 @@ impl Console {
         Outcome::Refused
     }
 
+    /// Brings out what is still to be written; a full disk is found here at the latest.
+    pub(super) fn finish(&mut self, outcome: Outcome) -> Outcome {
+        match self.out.flush() {
+            Ok(()) => outcome,
+            Err(cause) => self.fail(&anyhow::Error::new(cause).context("standard output cannot be written")),
+        }
+    }
+
     /// Shows help, the version, or what is wrong with the arguments.
     pub(super) fn usage(&mut self, error: &clap::Error) -> Outcome {
         let _ = error.print(); // a closed pipe is not an error

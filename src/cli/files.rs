@@ -154,46 +154,6 @@ impl Output {
     }
 }
 
-/// Where a result goes.
-pub enum Output {
-    /// Nobody asked for it.
-    Nowhere,
-    /// Standard output.
-    Standard,
-    /// A file.
-    File(Pending),
-}
-
-impl Output {
-    /// The place that an option names: `-` is standard output, nothing is nowhere.
-    ///
-    /// # Errors
-    /// `output::unwritable`, naming the path.
-    pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
-        match path {
-            None => Ok(Self::Nowhere),
-            Some(path) if path == Path::new("-") => Ok(Self::Standard),
-            Some(path) => Pending::new(path).map(Self::File),
-        }
-    }
-
-    /// Writes what `bytes` makes; it is not called where nobody asked.
-    ///
-    /// # Errors
-    /// What `bytes` says, or `output::unwritable`.
-    pub fn write(
-        self,
-        console: &mut Console,
-        bytes: impl FnOnce() -> anyhow::Result<Vec<u8>>,
-    ) -> anyhow::Result<()> {
-        match self {
-            Self::Nowhere => Ok(()),
-            Self::Standard => Ok(console.out().write_all(&bytes()?)?),
-            Self::File(pending) => Ok(pending.write(&bytes()?)?),
-        }
-    }
-}
-
 /// The folder a path stands in.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))

@@ -15,6 +15,9 @@ mod outcome;
 pub mod suggest;
 
 pub mod compensate;
+pub mod golden;
+pub mod inspect;
+pub mod restore;
 pub mod synth;
 pub mod tabulate;
 
@@ -40,6 +43,12 @@ struct Cli {
 enum Command {
     /// Compensate a RAPID program for thermal drift: RAPID in, RAPID out, and the difference to review.
     Compensate(Box<compensate::Args>),
+    /// Compare a folder of cases with what is expected of them; --update rewrites the expected files.
+    Golden(golden::Args),
+    /// List a program's motions: targets, tools, work objects, what can be compensated, and why not.
+    Inspect(inspect::Args),
+    /// Get the original of a compensated module back.
+    Restore(restore::Args),
     /// Make measurement sets of a virtual robot with effects of your choice, the truth sealed beside them.
     Synth(synth::Args),
     /// Joints of a list of targets at every minute of warm-up, as CSV.
@@ -49,6 +58,9 @@ enum Command {
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Compensate(args) => compensate::run(args, console),
+        Command::Golden(args) => golden::run(args, console),
+        Command::Inspect(args) => inspect::run(args, console),
+        Command::Restore(args) => restore::run(args, console),
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
     }
@@ -63,7 +75,7 @@ pub fn run() -> ExitCode {
         Err(error) => return console.usage(&error).into(),
     };
     let outcome = dispatch(&cli.command, &mut console).unwrap_or_else(|error| console.fail(&error));
-    outcome.into()
+    console.finish(outcome).into()
 }
 
 #[cfg(test)]

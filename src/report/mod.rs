@@ -4,6 +4,7 @@
 //! of files and terminals: everything is written to a [`std::io::Write`].
 
 mod diff;
+mod inspect;
 mod joints;
 mod json;
 mod message;
@@ -11,6 +12,7 @@ mod review;
 mod table;
 
 pub use diff::{Cut, write_created, write_edits, write_texts};
+pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::write_joints;
 pub use json::{compensation, messages, refusal, rounded};
 pub use message::{Look, write_message, write_messages};

@@ -1,0 +1,197 @@
+//! `driftpost golden`: a folder of cases, each a program with its options and the result that is expected.
+//!
+//! `CASE/source/` holds the modules, `CASE/options.toml` the options of `compensate` by their names
+//! (`tolerance-mm = 0.05`, `strict = true`, `tool = ["t=[...]"]`; files are relative to the case), and
+//! `CASE/expected/` the emitted files, `review.txt`, `changes.diff` and `messages.txt`.
+
+use super::compensate::{self, Job, Refusal};
+use super::destination::Destination;
+use super::files::{self, Output, Pending};
+use super::given::Given;
+use super::{Console, Outcome};
+use crate::diagnostic::Diagnostic;
+use crate::report::{self, Look};
+use crate::syntax::SourceFile;
+use clap::{Args as _, FromArgMatches};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Options of `golden`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Folder of cases.
+    #[arg(value_name = "DIR")]
+    pub dir: PathBuf,
+
+    /// Write what comes out as what is expected from now on.
+    #[arg(long)]
+    pub update: bool,
+
+    /// Which cases are the same, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Files by their place under `expected/`, `/` between folders.
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// Runs `golden`: differences are shown as diffs from what is expected to what came out.
+///
+/// # Errors
+/// A case that cannot be read or written.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    let mut cases = Vec::new();
+    for case in cases_of(&args.dir)? {
+        let actual = result_of(&case)?;
+        let folder = case.join("expected");
+        let expected = if folder.is_dir() { read_all(&folder)? } else { Files::new() };
+        let same = actual == expected;
+        if !same && args.update {
+            write_all(&folder, &expected, &actual)?;
+            console.say(format_args!("{}: updated", case.display()));
+        } else if !same && !json.is_standard() {
+            show(console, &folder, &expected, &actual)?;
+        }
+        cases.push((case, same));
+    }
+    let different = cases.iter().filter(|(_, same)| !same).count();
+    console.say(format_args!("{} cases, {different} different", cases.len()));
+    json.write(console, || {
+        let list: Vec<_> = cases
+            .iter()
+            .map(|(case, same)| json!({"case": case.display().to_string(), "same": same}))
+            .collect();
+        Ok(format!("{:#}\n", json!({"cases": list, "updated": args.update})).into_bytes())
+    })?;
+    Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
+}
+
+/// Folders that hold a `source` folder, in order of name.
+fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
+    let entries = fs::read_dir(dir).map_err(|cause| files::cannot_read(dir, "folder of cases", &cause))?;
+    let mut cases: Vec<PathBuf> = entries
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.join("source").is_dir())
+        .collect();
+    cases.sort();
+    if cases.is_empty() {
+        let text = format!("{} holds no case", dir.display());
+        return Err(Diagnostic::error("golden::no-case", text)
+            .help("a case is a folder with CASE/source/ and, if needed, CASE/options.toml"));
+    }
+    Ok(cases)
+}
+
+/// What `compensate` makes of a case.
+fn result_of(case: &Path) -> anyhow::Result<Files> {
+    let args = options(case)?;
+    let mut given = Given::read(&args.program)?;
+    let destination = Destination::new(&given, Some(Path::new("expected")), false)?;
+    // what comes out must not depend on where the folder of cases stands
+    for (path, place) in given.paths.iter_mut().zip(&given.places) {
+        *path = Path::new("source").join(place);
+    }
+    let mut result = Files::new();
+    let look = Look::Plain;
+    let mut said = Vec::new();
+    let (messages, sources): (Vec<Diagnostic>, Vec<SourceFile>) = match Job::new(&args)?.make(&given) {
+        Ok(made) => {
+            let mut text = Vec::new();
+            made.write_review(&mut text, true)?;
+            result.insert("review.txt".to_owned(), text);
+            result.insert("changes.diff".to_owned(), made.diff(&given, &destination)?);
+            for file in &made.emitted {
+                let path = destination.path_of(file, &given);
+                let place = path.strip_prefix("expected").unwrap_or(&path);
+                result.insert(place.to_string_lossy().replace('\\', "/"), file.bytes.clone());
+            }
+            (made.messages, made.program.files)
+        }
+        Err(refusal) => {
+            let Refusal { program, messages, .. } = *refusal;
+            (messages, program.files)
+        }
+    };
+    report::write_messages(&mut said, &messages, &sources, look, true)?;
+    if !said.is_empty() {
+        result.insert("messages.txt".to_owned(), said);
+    }
+    Ok(result)
+}
+
+/// The options of a case, read by the same rules as the command line.
+fn options(case: &Path) -> Result<compensate::Args, Diagnostic> {
+    let path = case.join("options.toml");
+    let wrong = |text: String| Diagnostic::error("golden::options", format!("{}: {text}", path.display()));
+    let text = if path.exists() { files::read(&path, "file of options")? } else { Vec::new() };
+    let text = String::from_utf8(text).map_err(|error| wrong(error.to_string()))?;
+    let table: toml::Table = toml::from_str(&text).map_err(|error| wrong(error.message().to_owned()))?;
+    let mut words = vec!["compensate".to_owned()];
+    for (name, value) in &table {
+        let values = match value {
+            toml::Value::Array(list) => list.as_slice(),
+            one => std::slice::from_ref(one),
+        };
+        for value in values {
+            match value {
+                toml::Value::Boolean(true) => words.push(format!("--{name}")),
+                toml::Value::Boolean(false) => {}
+                toml::Value::String(text) => {
+                    let file = case.join(text);
+                    let text = if file.is_file() { file.display().to_string() } else { text.clone() };
+                    words.push(format!("--{name}={text}"));
+                }
+                number => words.push(format!("--{name}={number}")),
+            }
+        }
+    }
+    words.push(case.join("source").display().to_string());
+    let command = compensate::Args::augment_args(clap::Command::new("compensate"));
+    let matches = command.try_get_matches_from(words).map_err(|error| wrong(error.to_string()))?;
+    compensate::Args::from_arg_matches(&matches).map_err(|error| wrong(error.to_string()))
+}
+
+fn read_all(folder: &Path) -> Result<Files, Diagnostic> {
+    let mut files = Files::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(at) = folders.pop() {
+        let entries = fs::read_dir(&at).map_err(|cause| files::cannot_read(&at, "folder", &cause))?;
+        for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let place = path.strip_prefix(folder).unwrap_or(&path).to_string_lossy().replace('\\', "/");
+                files.insert(place, files::read(&path, "expected file")?);
+            }
+        }
+    }
+    Ok(files)
+}
+
+fn write_all(folder: &Path, old: &Files, new: &Files) -> Result<(), Diagnostic> {
+    for place in old.keys().filter(|place| !new.contains_key(*place)) {
+        let path = folder.join(place);
+        fs::remove_file(&path).map_err(|cause| files::cannot_read(&path, "expected file", &cause))?;
+    }
+    for (place, bytes) in new.iter().filter(|(place, bytes)| old.get(*place) != Some(bytes)) {
+        Pending::new(&folder.join(place))?.write(bytes)?;
+    }
+    Ok(())
+}
+
+fn show(console: &mut Console, folder: &Path, expected: &Files, actual: &Files) -> std::io::Result<()> {
+    let none = Vec::new();
+    let mut places: Vec<&String> = expected.keys().chain(actual.keys()).collect();
+    places.sort();
+    places.dedup();
+    for place in places {
+        let path = folder.join(place).display().to_string();
+        let old = expected.get(place).unwrap_or(&none);
+        let new = actual.get(place).unwrap_or(&none);
+        report::write_texts(console.out(), &path, "what comes out", old, new)?;
+    }
+    console.out().flush()
+}

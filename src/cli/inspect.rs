@@ -1,0 +1,69 @@
+//! `driftpost inspect`: what a program's motions are, and which can be compensated.
+
+use super::files::Output;
+use super::given::{self, Given};
+use super::{Console, Outcome};
+use crate::diagnostic::Diagnostic;
+use crate::program::{Overrides, Program};
+use crate::report;
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// Options of `inspect`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// RAPID modules, a folder of them, or a .pgf; names are resolved across all of them.
+    #[arg(required = true, value_name = "PROGRAM")]
+    pub program: Vec<PathBuf>,
+
+    /// Form of the list.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    /// Show every motion and every message, however many there are.
+    #[arg(long)]
+    pub all: bool,
+
+    /// The list as JSON, beside what --format gives; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Form of a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// A table for people.
+    Text,
+    /// For scripts.
+    Json,
+    /// For spreadsheets.
+    Csv,
+}
+
+/// Runs `inspect`.
+///
+/// # Errors
+/// Files that cannot be read, or hold no module.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    let given = Given::read(&args.program)?;
+    let files = given.sources();
+    if let Err(message) = given::check_modules(&files) {
+        console.explain(&[message], &files, true);
+        return Ok(Outcome::Refused);
+    }
+    let program = Program::read(files, &Overrides::default());
+    let mut messages: Vec<Diagnostic> = program.files.iter().flat_map(|file| file.warnings.clone()).collect();
+    messages.extend(program.diagnostics.iter().cloned());
+    console.explain(&messages, &program.files, args.all);
+    let pretty = || format!("{:#}\n", report::inspection(&program, &messages)).into_bytes();
+    if !json.is_standard() {
+        match args.format {
+            Format::Text => report::write_inspection(console.out(), &program, args.all)?,
+            Format::Csv => report::write_inspection_csv(console.out(), &program)?,
+            Format::Json => console.out().write_all(&pretty())?,
+        }
+    }
+    json.write(console, || Ok(pretty()))?;
+    Ok(Outcome::Done)
+}

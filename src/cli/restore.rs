@@ -1,0 +1,110 @@
+//! `driftpost restore`: emitted modules in, their originals out.
+
+use super::files::{self, Output, Pending};
+use super::{Console, Outcome};
+use crate::diagnostic::Diagnostic;
+use crate::emit::{RestoreError, Restored, TouchedInto, restore};
+use serde_json::json;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Options of `restore`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Modules that `compensate` wrote.
+    #[arg(required = true, value_name = "EMITTED")]
+    pub emitted: Vec<PathBuf>,
+
+    /// Where the original goes: a file, or a folder for several
+    /// [default: beside each, under the name that its header gives].
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+
+    /// What was restored, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `restore`.
+///
+/// # Errors
+/// A file that is none of ours, was edited beyond touched-up targets, or cannot be written; nothing is
+/// written then.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    let mut results: Vec<(&Path, Restored, Pending)> = Vec::new();
+    for path in &args.emitted {
+        let bytes = files::read(path, "emitted module")?;
+        let restored = match restore(&bytes) {
+            Err(RestoreError::IsCore) if args.emitted.len() > 1 => {
+                console.say(format_args!("{}: the common module, it has no original", path.display()));
+                continue;
+            }
+            result => result.map_err(|error| said(path, &error))?,
+        };
+        let mut pending = Pending::new(&place(path, &restored, args)?)?;
+        pending.fill(&mut restored.bytes.as_slice())?;
+        results.push((path, restored, pending));
+    }
+    json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
+    for (path, restored, pending) in results {
+        for touched in &restored.touched {
+            let into = match touched.into {
+                TouchedInto::Motion => "the motion",
+                TouchedInto::Declaration => "the declaration",
+            };
+            console.say(format_args!(
+                "{}:{}: {} was touched up on the controller; its new value is in {into}",
+                path.display(),
+                touched.line,
+                touched.target
+            ));
+        }
+        let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
+        let to = pending.path().to_path_buf();
+        pending.place()?;
+        console.say(format_args!("wrote {} ({how})", to.display()));
+    }
+    Ok(Outcome::Done)
+}
+
+/// Where an original goes.
+fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagnostic> {
+    let to = match &args.output {
+        Some(folder) if args.emitted.len() > 1 || folder.is_dir() => folder.join(&restored.source_name),
+        Some(file) => file.clone(),
+        None => path.with_file_name(&restored.source_name),
+    };
+    if args.output.is_none() && to.exists() {
+        let text = format!("{} exists", to.display());
+        return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
+    }
+    let same =
+        fs::canonicalize(&to).ok().is_some_and(|to| fs::canonicalize(path).is_ok_and(|path| path == to));
+    if same {
+        let text = format!("{} is the input and would be overwritten", to.display());
+        return Err(Diagnostic::error("output::is-input", text).help("name another place with -o"));
+    }
+    Ok(to)
+}
+
+fn said(path: &Path, error: &RestoreError) -> Diagnostic {
+    Diagnostic::error(error.code(), format!("{}: {error}", path.display()))
+}
+
+fn summary(results: &[(&Path, Restored, Pending)]) -> serde_json::Value {
+    let one = |(path, restored, pending): &(&Path, Restored, Pending)| {
+        let touched: Vec<_> = restored
+            .touched
+            .iter()
+            .map(|t| json!({"line": t.line, "target": t.target, "value": t.value}))
+            .collect();
+        json!({
+            "file": path.display().to_string(),
+            "output": pending.path().display().to_string(),
+            "exact": restored.exact,
+            "touched": touched,
+        })
+    };
+    json!({ "files": results.iter().map(one).collect::<Vec<_>>() })
+}

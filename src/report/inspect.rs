@@ -1,0 +1,203 @@
+//! What a program's motions are, as far as its text tells, and which can be compensated.
+
+use super::json::messages;
+use super::{Align, Table, rounded};
+use crate::diagnostic::Diagnostic;
+use crate::program::Program;
+use crate::program::motion::{Motion, Origin, Target, TargetValue};
+use crate::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+/// A longer list is cut for people.
+const SHORT: usize = 200;
+
+/// Writes the summary and the list of motions for people.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io::Result<()> {
+    for module in &program.facts.modules {
+        writeln!(out, "module {} in {}", module.name, program.file(module.file).path)?;
+    }
+    for entry in &program.facts.entries {
+        writeln!(out, "entry {} of {}", entry.name, entry.module)?;
+    }
+    write_counts(out, "moves", program.motions.iter().map(|m| m.kind))?;
+    write_counts(out, "tools", program.motions.iter().filter_map(|m| m.tool_name.as_deref()))?;
+    write_counts(
+        out,
+        "work objects",
+        program.motions.iter().map(|m| m.wobj_name.as_deref().unwrap_or("wobj0")),
+    )?;
+    let kept = program.motions.iter().filter(|m| m.keep.is_some()).count();
+    writeln!(
+        out,
+        "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: schedule\n",
+        program.motions.len(),
+        program.motions.len() - kept
+    )?;
+    let mut table = Table::new(&[
+        ("line", Align::Left),
+        ("routine", Align::Left),
+        ("move", Align::Left),
+        ("target", Align::Left),
+        ("tool", Align::Left),
+        ("work object", Align::Left),
+        ("x, y, z mm or joints deg", Align::Left),
+        ("kept because", Align::Left),
+    ]);
+    let several = program.files.len() > 1;
+    let shown = if all { usize::MAX } else { SHORT };
+    for motion in program.motions.iter().take(shown) {
+        let line = if several {
+            format!("{}:{}", program.file(motion.file).path, motion.line)
+        } else {
+            motion.line.to_string()
+        };
+        table.row([
+            line,
+            routine(program, motion).to_owned(),
+            motion.kind.to_owned(),
+            motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
+            motion.tool_name.clone().unwrap_or_default(),
+            motion.wobj_name.clone().unwrap_or_default(),
+            motion.targets.last().and_then(|t| t.value.as_ref()).map_or_else(String::new, numbers),
+            motion.keep.as_ref().map_or_else(String::new, |why| format!("{} ({})", why.reason, why.code)),
+        ]);
+    }
+    table.write(out, "")?;
+    if program.motions.len() > shown {
+        writeln!(out, "... and {} more motions; --all shows every one", program.motions.len() - shown)?;
+    }
+    Ok(())
+}
+
+/// Writes the list of motions as CSV.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Result<()> {
+    let mut csv = csv::Writer::from_writer(out);
+    csv.write_record([
+        "file", "line", "routine", "index", "kind", "target", "tool", "wobj", "can", "code", "reason",
+    ])?;
+    for (index, motion) in program.motions.iter().enumerate() {
+        let keep = motion.keep.as_ref();
+        csv.write_record([
+            program.file(motion.file).path.as_str(),
+            &motion.line.to_string(),
+            routine(program, motion),
+            &index.to_string(),
+            motion.kind,
+            &motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
+            motion.tool_name.as_deref().unwrap_or(""),
+            motion.wobj_name.as_deref().unwrap_or(""),
+            if keep.is_none() { "compensate" } else { "keep" },
+            keep.map_or("", |why| why.code),
+            keep.map_or("", |why| &why.reason),
+        ])?;
+    }
+    csv.flush()
+}
+
+/// The same for scripts.
+#[must_use]
+pub fn inspection(program: &Program, warnings: &[Diagnostic]) -> Value {
+    let motions: Vec<Value> = program
+        .motions
+        .iter()
+        .enumerate()
+        .map(|(index, motion)| {
+            let targets: Vec<Value> = motion.targets.iter().map(target).collect();
+            json!({
+                "file": program.file(motion.file).path,
+                "line": motion.line,
+                "routine": routine(program, motion),
+                "index": index,
+                "kind": motion.kind,
+                "targets": targets,
+                "tool": motion.tool_name,
+                "wobj": motion.wobj_name,
+                "can": motion.keep.is_none(),
+                "code": motion.keep.as_ref().map(|why| why.code),
+                "reason": motion.keep.as_ref().map(|why| &why.reason),
+            })
+        })
+        .collect();
+    let modules: Vec<Value> = program
+        .facts
+        .modules
+        .iter()
+        .map(|m| json!({"file": program.file(m.file).path, "name": m.name, "compensated": m.compensated.is_some()}))
+        .collect();
+    json!({
+        "modules": modules,
+        "entries": program.facts.entries.iter().map(|e| &e.name).collect::<Vec<_>>(),
+        "motions": motions,
+        "form": "schedule",
+        "warnings": messages(warnings, &program.files),
+    })
+}
+
+fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {
+    program.routines.get(motion.routine).map_or("", |r| &r.name)
+}
+
+fn spelling(target: &Target) -> String {
+    match &target.origin {
+        Origin::Named { name, .. } => name.clone(),
+        Origin::Inline => "[...]".to_owned(),
+        Origin::Expression => "expression".to_owned(),
+    }
+}
+
+fn target(target: &Target) -> Value {
+    let name = match &target.origin {
+        Origin::Named { name, .. } => Some(name),
+        Origin::Inline | Origin::Expression => None,
+    };
+    let (position_mm, joints_deg) = match &target.value {
+        Some(TargetValue::Rob(rob)) => (
+            Some(
+                rob.object_from_tcp
+                    .translation
+                    .vector
+                    .iter()
+                    .map(|m| rounded(mm_from_m(*m)))
+                    .collect::<Vec<_>>(),
+            ),
+            None,
+        ),
+        Some(TargetValue::Joint(joint) | TargetValue::FromJoints(joint)) => {
+            (None, Some(joint.q_rad.map(|q| q.map(|q| rounded(deg_from_rad(q))))))
+        }
+        None => (None, None),
+    };
+    json!({"name": name, "position_mm": position_mm, "joints_deg": joints_deg})
+}
+
+fn numbers(value: &TargetValue) -> String {
+    let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(", ");
+    match value {
+        TargetValue::Rob(rob) => {
+            list(&mut rob.object_from_tcp.translation.vector.iter().map(|m| format!("{:.3}", mm_from_m(*m))))
+        }
+        TargetValue::Joint(joint) | TargetValue::FromJoints(joint) => list(
+            &mut joint
+                .q_rad
+                .iter()
+                .map(|q| q.map_or_else(|| "9E9".to_owned(), |q| format!("{:.3}", deg_from_rad(q)))),
+        ),
+    }
+}
+
+fn write_counts<'a>(out: &mut dyn Write, what: &str, names: impl Iterator<Item = &'a str>) -> io::Result<()> {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for name in names {
+        *counts.entry(name).or_default() += 1;
+    }
+    let list: Vec<String> = counts.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    writeln!(out, "{what}: {}", if list.is_empty() { "none".to_owned() } else { list.join(", ") })
+}
