@@ -29,6 +29,10 @@ pub mod emit;
 
 pub mod simulate;
 
+pub mod measure;
+
+pub mod diagnose;
+
 pub mod exam;
 
 pub mod report;

@@ -18,6 +18,7 @@ pub mod compensate;
 pub mod golden;
 pub mod inspect;
 pub mod restore;
+pub mod diagnose;
 pub mod synth;
 pub mod tabulate;
 
@@ -53,6 +54,9 @@ enum Command {
     Synth(synth::Args),
     /// Joints of a list of targets at every minute of warm-up, as CSV.
     Tabulate(Box<tabulate::Args>),
+    /// Diagnose measurements: which unmodelled effect opens the gap between robot and model, and when that
+    /// cannot be said.
+    Diagnose(diagnose::Args),
 }
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
@@ -63,6 +67,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Restore(args) => restore::run(args, console),
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
+        Command::Diagnose(args) => diagnose::run(args, console),
     }
 }
 

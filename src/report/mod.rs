@@ -18,3 +18,6 @@ pub use json::{compensation, messages, refusal, rounded};
 pub use message::{Look, write_message, write_messages};
 pub use review::{Review, write_review};
 pub use table::{Align, Table};
+//! Diffs, tables, JSON: what people and scripts read. Computes nothing.
+
+pub mod diagnosis;

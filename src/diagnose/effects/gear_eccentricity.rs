@@ -1,0 +1,30 @@
+//! A gear or encoder disc runs out of centre: an error once per turn of the joint.
+
+use super::{Candidate, Effect, Form, Motion, Scene, Site, turn_joint};
+
+/// J_j times a sine and a cosine of 1 q_j.
+pub struct GearEccentricity;
+
+impl Effect for GearEccentricity {
+    fn name(&self) -> &'static str {
+        "gear_eccentricity"
+    }
+    fn unit(&self) -> &'static str {
+        "rad"
+    }
+    fn usual(&self) -> &'static str {
+        "0.02 to 0.3 mrad"
+    }
+    fn source(&self) -> &'static str {
+        "Judd and Knasinski 1990, A technique to calibrate industrial robots with experimental verification"
+    }
+    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
+        (0..6).map(|j| Candidate::new(Form { n: Some(1), ..Form::of_joint(j) }, vec![1e-4, 1e-4])).collect()
+    }
+    fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
+        let (sin, cos) =
+            (f64::from(form.n.unwrap_or(1)) * site.q_rad[form.joint.unwrap_or(0).min(5)]).sin_cos();
+        turn_joint(site, form.joint, sin, out);
+        turn_joint(site, form.joint, cos, out);
+    }
+}

@@ -1,0 +1,117 @@
+//! Gravity's loads on an arm at rest: torque about each joint, force and moment at each joint's origin.
+//!
+//! Gravity points along -z of the base. Masses come from the robot file; without them a guess by size
+//! gives the shape, and effects of gravity let each link's share float.
+
+use crate::robot::{Link, Robot};
+use nalgebra::{Isometry3, Vector3};
+
+/// Standard gravity, m/s2 (CGPM 1901).
+const GRAVITY_M_S2: f64 = 9.80665;
+/// Mass of the moving links guessed for an arm of 1 m reach, kg; it grows with the cube of the reach.
+const GUESS_KG: f64 = 100.0;
+/// How that mass is shared over the links.
+const GUESS_SHARES: [f64; 6] = [0.36, 0.26, 0.2, 0.1, 0.05, 0.03];
+
+/// Loads at one station.
+#[derive(Clone, Debug, Default)]
+pub struct Loads {
+    /// Torque about each joint's axis from all links beyond it and the payload, N.m.
+    pub torque_n_m: [f64; 6],
+    /// The part of each link k on each joint j: `parts[j][k]`, N.m.
+    pub link_torque_n_m: [[f64; 6]; 6],
+    /// The payload's part on each joint, N.m.
+    pub payload_torque_n_m: [f64; 6],
+    /// What one kilogram at the measured point would add on each joint, N.m.
+    pub unit_torque_n_m: [f64; 6],
+    /// Moment of all beyond joint j about its origin, base axes, N.m.
+    pub moment_n_m: [Vector3<f64>; 6],
+    /// Weight of all beyond joint j, N (downward, along -z).
+    pub weight_n: [f64; 6],
+    /// Moment of the whole moving arm about the base's origin, N.m.
+    pub base_moment_n_m: Vector3<f64>,
+}
+
+/// Length of the arm stretched out, metres.
+fn reach_m(robot: &Robot) -> f64 {
+    robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum::<f64>()
+        + robot.joint6_from_flange.translation.vector.norm()
+}
+
+/// The robot's links, or a guess from its size.
+fn links(robot: &Robot) -> [Link; 6] {
+    robot.links.unwrap_or_else(|| {
+        let total_kg = GUESS_KG * reach_m(robot).powi(3);
+        std::array::from_fn(|i| {
+            let next = robot.joints.get(i + 1).map_or(&robot.joint6_from_flange, |j| &j.previous_from_joint);
+            let middle_m = next.translation.vector * 0.5;
+            Link { mass_kg: total_kg * GUESS_SHARES[i], com_m: middle_m.into() }
+        })
+    })
+}
+
+/// Loads of the arm whose joint frames (then flange) are `frames`, with `payload_kg` at `point_m`.
+#[must_use]
+pub fn loads_at(
+    robot: &Robot,
+    frames: &[Isometry3<f64>; 7],
+    axes: &[Vector3<f64>; 6],
+    point_m: Vector3<f64>,
+    payload_kg: f64,
+) -> Loads {
+    let down = Vector3::new(0.0, 0.0, -GRAVITY_M_S2);
+    let mut loads = Loads::default();
+    let mut add = |k: usize, mass_kg: f64, at_m: Vector3<f64>, payload: bool| {
+        let force = down * mass_kg;
+        loads.base_moment_n_m += at_m.cross(&force);
+        for j in 0..=k {
+            let moment = (at_m - frames[j].translation.vector).cross(&force);
+            let torque = axes[j].dot(&moment);
+            loads.torque_n_m[j] += torque;
+            if payload {
+                loads.payload_torque_n_m[j] += torque;
+            } else {
+                loads.link_torque_n_m[j][k] += torque;
+            }
+            loads.moment_n_m[j] += moment;
+            loads.weight_n[j] += mass_kg * GRAVITY_M_S2;
+        }
+    };
+    for (k, link) in links(robot).iter().enumerate() {
+        // The centre of mass is given in the joint's frame at the zero pose: it turns with the joint.
+        let at_m = frames[k].transform_point(&Vector3::from(link.com_m).into()).coords;
+        add(k, link.mass_kg, at_m, false);
+    }
+    if payload_kg > 0.0 {
+        add(5, payload_kg, point_m, true);
+    }
+    for j in 0..6 {
+        let moment = (point_m - frames[j].translation.vector).cross(&down);
+        loads.unit_torque_n_m[j] = axes[j].dot(&moment);
+    }
+    loads
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::Chain;
+
+    #[test]
+    fn a_stretched_irb140_loads_joint_2_by_its_levers() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let q_rad = [0.0, std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
+        let frames = Chain::nominal(&robot).frames(&q_rad);
+        let axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let point_m = frames[6].translation.vector;
+        let loads = loads_at(&robot, &frames, &axes, point_m, 2.0);
+        // Upper arm level, forearm level: levers from joint 2 are each centre's x minus 0.07 m.
+        let links = robot.links.unwrap();
+        let levers_m = [0.18, 0.36 + 0.015, 0.36 + 0.24, 0.36 + 0.38 + 0.015, 0.36 + 0.38 + 0.05];
+        let torque: f64 = links[1..].iter().zip(levers_m).map(|(l, x)| l.mass_kg * x * 9.80665).sum::<f64>()
+            + 2.0 * 9.80665 * (0.36 + 0.38 + 0.065);
+        assert!((loads.torque_n_m[1] - torque).abs() < 1e-9, "{} {torque}", loads.torque_n_m[1]);
+        assert!(loads.torque_n_m[0].abs() < 1e-9);
+        assert!((loads.payload_torque_n_m[1] - 2.0 * loads.unit_torque_n_m[1]).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,196 @@
+//! Rivals that are no effect of the library: smooth structure of any shape along a joint, in the
+//! workspace, over time or over all joints, as Gaussian processes by low-rank features.
+//!
+//! They say that something is there that the library lacks, and where; never how it works.
+
+use super::design::Design;
+use super::scene::{Motion, Scene, Site, scaled};
+use nalgebra::{DMatrix, Vector3};
+
+/// Structure of no named cause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    /// Some function of one joint's angle turns that joint.
+    Joint(usize),
+    /// The same with finer detail.
+    JointFine(usize),
+    /// Some function of all joints' angles turns one joint.
+    Joints(usize),
+    /// Some function of each joint's own angle turns it, for all joints.
+    AllJoints,
+    /// A shift by place in the workspace.
+    Workspace,
+    /// The same, more local.
+    WorkspaceFine,
+    /// A shift over time.
+    Time,
+    /// A faster shift over time.
+    TimeFine,
+}
+
+/// Usual size of the structure at the point, metres.
+const USUAL_M: f64 = 1e-4;
+/// Most features kept for a kernel.
+const MOST_FEATURES: usize = 28;
+/// Length scales: radians, metres, share of the time.
+const JOINT_RAD: [f64; 2] = [0.45, 0.13];
+const JOINTS_RAD: f64 = 1.0;
+const PLACE_M: [f64; 2] = [0.15, 0.075];
+const TIME_SHARE: [f64; 2] = [0.25, 0.06];
+
+/// Every kernel that these data can show, with its prior weight.
+#[must_use]
+pub fn kernels(scene: &Scene) -> Vec<(Kernel, f64)> {
+    let mut all = vec![(Kernel::Workspace, 2.0), (Kernel::WorkspaceFine, 1.0), (Kernel::AllJoints, 1.0)];
+    for j in 0..6 {
+        all.extend([(Kernel::Joint(j), 0.5), (Kernel::JointFine(j), 0.5), (Kernel::Joints(j), 0.5)]);
+    }
+    if scene.time_min.is_some() {
+        all.extend([(Kernel::Time, 2.0), (Kernel::TimeFine, 1.0)]);
+    }
+    let total: f64 = all.iter().map(|k| k.1).sum();
+    all.iter().map(|&(kernel, weight)| (kernel, weight / total)).collect()
+}
+
+/// The kernel's features as columns of `design`, largest first, sized to [`USUAL_M`].
+#[must_use]
+pub fn columns(kernel: Kernel, design: &Design, scene: &Scene) -> Vec<Vec<f64>> {
+    match kernel {
+        Kernel::Joint(j) => joint_columns(design, scene, &[j], JOINT_RAD[0]),
+        Kernel::JointFine(j) => joint_columns(design, scene, &[j], JOINT_RAD[1]),
+        Kernel::AllJoints => joint_columns(design, scene, &[0, 1, 2, 3, 4, 5], JOINT_RAD[0]),
+        Kernel::Joints(j) => {
+            let at = |site: &Site| site.q_rad.to_vec();
+            let centres = spread(scene, at, 48);
+            let features = |site: &Site| bumps(&at(site), &centres, JOINTS_RAD);
+            compress(design.stack(scene, centres.len(), |_, site, out| {
+                out.extend(features(site).into_iter().map(|f| scaled(site.joint(j), f)));
+            }))
+        }
+        Kernel::Workspace => shift_columns(design, scene, place, 40, PLACE_M[0]),
+        Kernel::WorkspaceFine => shift_columns(design, scene, place, 60, PLACE_M[1]),
+        Kernel::Time => shift_columns(design, scene, |s| share_of_time(scene, s), 10, TIME_SHARE[0]),
+        Kernel::TimeFine => shift_columns(design, scene, |s| share_of_time(scene, s), 30, TIME_SHARE[1]),
+    }
+}
+
+fn place(site: &Site) -> Vec<f64> {
+    site.point_m.iter().copied().collect()
+}
+
+fn share_of_time(scene: &Scene, site: &Site) -> Vec<f64> {
+    let [low, high] = scene.time_min.unwrap_or([0.0, 1.0]);
+    vec![(site.t_min.unwrap_or(low) - low) / (high - low)]
+}
+
+fn joint_columns(design: &Design, scene: &Scene, joints: &[usize], length_rad: f64) -> Vec<Vec<f64>> {
+    let mut all = Vec::new();
+    for &j in joints {
+        let values = scene.sites.iter().map(|s| s.q_rad[j]);
+        let low = values.clone().fold(f64::INFINITY, f64::min);
+        let high = values.fold(f64::NEG_INFINITY, f64::max);
+        let count = (((high - low) / (0.8 * length_rad)).ceil() as usize + 1).clamp(2, 64);
+        let centres: Vec<Vec<f64>> =
+            (0..count).map(|k| vec![low + (high - low) * k as f64 / (count - 1) as f64]).collect();
+        let width = length_rad.max(0.8 * (high - low) / count as f64);
+        all.extend(design.stack(scene, count, |_, site, out| {
+            out.extend(
+                bumps(&[site.q_rad[j]], &centres, width).into_iter().map(|f| scaled(site.joint(j), f)),
+            );
+        }));
+    }
+    compress(all)
+}
+
+fn shift_columns(
+    design: &Design,
+    scene: &Scene,
+    at: impl Fn(&Site) -> Vec<f64> + Copy,
+    most: usize,
+    length: f64,
+) -> Vec<Vec<f64>> {
+    let centres = spread(scene, at, most);
+    compress(design.stack(scene, 3 * centres.len(), |_, site, out| {
+        for f in bumps(&at(site), &centres, length) {
+            for k in 0..3 {
+                let mut shift: Motion = [0.0; 6];
+                shift[k] = f;
+                out.push(shift);
+            }
+        }
+    }))
+}
+
+fn bumps(at: &[f64], centres: &[Vec<f64>], length: f64) -> Vec<f64> {
+    centres
+        .iter()
+        .map(|centre| {
+            let d2: f64 = centre.iter().zip(at).map(|(c, x)| (c - x) * (c - x)).sum();
+            (-0.5 * d2 / (length * length)).exp()
+        })
+        .collect()
+}
+
+/// Points far from each other, one after the other (Gonzalez 1985).
+fn spread(scene: &Scene, at: impl Fn(&Site) -> Vec<f64>, most: usize) -> Vec<Vec<f64>> {
+    let points: Vec<Vec<f64>> = scene.sites.iter().map(at).collect();
+    let mut far = vec![f64::INFINITY; points.len()];
+    let mut chosen = Vec::new();
+    let mut next = 0;
+    while chosen.len() < most.min(points.len()) {
+        let centre = points[next].clone();
+        for (d, point) in far.iter_mut().zip(&points) {
+            let d2: f64 = centre.iter().zip(point).map(|(a, b)| (a - b) * (a - b)).sum();
+            *d = d.min(d2);
+        }
+        chosen.push(centre);
+        let mut best = 0.0;
+        for (i, d) in far.iter().enumerate() {
+            if *d > best {
+                best = *d;
+                next = i;
+            }
+        }
+        if best <= 0.0 {
+            break;
+        }
+    }
+    chosen
+}
+
+/// Principal features, largest first, sized so that the structure is [`USUAL_M`] on average.
+fn compress(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let n = columns.len();
+    let rows = columns.first().map_or(0, Vec::len);
+    if n == 0 || rows == 0 {
+        return columns;
+    }
+    let flat = DMatrix::from_fn(rows, n, |r, c| columns[c][r]);
+    let eigen = (flat.transpose() * &flat).symmetric_eigen();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    let top = eigen.eigenvalues[order[0]];
+    if top <= 0.0 {
+        return Vec::new();
+    }
+    order.truncate(MOST_FEATURES);
+    order.retain(|&i| eigen.eigenvalues[i] > 1e-6 * top);
+    let mean_square = eigen.eigenvalues.iter().sum::<f64>() / (rows as f64 / 3.0);
+    let scale = USUAL_M / mean_square.sqrt();
+    let kept = &flat * eigen.eigenvectors.select_columns(&order) * scale;
+    kept.column_iter().map(|c| c.iter().copied().collect()).collect()
+}
+
+/// Middle and radius of the structure: stations weighted by how far they are moved.
+#[must_use]
+pub fn region(scene: &Scene, moved_m: &[f64]) -> (Vector3<f64>, f64) {
+    // The fourth power lets the few that move most count.
+    let largest = moved_m.iter().fold(0.0, |a: f64, b| a.max(*b)).max(1e-300);
+    let weights: Vec<f64> = moved_m.iter().map(|m| (m / largest).powi(4)).collect();
+    let total: f64 = weights.iter().sum::<f64>().max(1e-300);
+    let centre = scene.sites.iter().zip(&weights).map(|(s, w)| s.point_m * *w).sum::<Vector3<f64>>() / total;
+    let square =
+        scene.sites.iter().zip(&weights).map(|(s, w)| (s.point_m - centre).norm_squared() * w).sum::<f64>()
+            / total;
+    (centre, square.sqrt())
+}

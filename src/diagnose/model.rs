@@ -1,0 +1,216 @@
+//! The best model: weights round it, search over it, until both stand still.
+
+use super::design::{Design, Whitening};
+use super::effects::Candidate;
+use super::evidence::{Background, Noise, Reached};
+use super::linearise::{Linear, norm3};
+use super::scene::Motion;
+use super::search::{Chosen, Library, flat};
+use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
+
+const ROUNDS: usize = 4;
+/// A station further than this many sigmas from the model, and alone there, is false.
+const FALSE_SIGMAS: f64 = 4.5;
+/// Neighbours in the workspace, metres, and in time, share of the whole.
+const NEAR_M: f64 = 0.15;
+/// Pose-to-pose scatter over scatter of repeats, squared, assumed at first.
+const FIRST_EXCESS: f64 = 0.5;
+
+/// The best model and all that was computed for it.
+pub struct Model<'a> {
+    /// Reduced data.
+    pub design: Design,
+    /// Candidates with products.
+    pub library: Library<'a>,
+    /// Causes in the model.
+    pub chosen: Vec<Chosen>,
+    /// Where chosen columns stand.
+    pub place: BTreeMap<usize, Vec<usize>>,
+    /// Noise prior.
+    pub noise: Noise,
+    /// Weight of each station by the number of its repeats.
+    pub base_weights: Vec<f64>,
+    /// Stations set aside as false.
+    pub outliers: Vec<bool>,
+    /// Residuals of the best model.
+    pub residuals: Vec<Motion>,
+    /// Evidence of the best model's background.
+    pub reached: Reached,
+}
+
+/// Searches over `linear` with `candidates`.
+#[must_use]
+pub fn build<'a>(
+    linear: &'a Linear,
+    candidates: &'a [Candidate],
+    noise: Noise,
+    targets: usize,
+    atom_of: &[usize],
+) -> Model<'a> {
+    let scene = &linear.scene;
+    let repeats: Vec<f64> = scene.sites.iter().map(|s| s.repeats as f64).collect();
+    let mut excess = FIRST_EXCESS;
+    let mut arm_m = first_arm_m(linear);
+    let mut robust = vec![1.0; scene.sites.len()];
+    let mut outliers = vec![false; scene.sites.len()];
+    let mut round = 0;
+    loop {
+        let base_weights: Vec<f64> = repeats.iter().map(|n| (excess + 1.0) / (excess + 1.0 / n)).collect();
+        let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
+        let whitening = Whitening { weights, arm_m };
+        let mut design = Design::new(scene, &linear.residuals, targets, whitening, atom_of);
+        let mut library = Library::new(&design, scene, candidates);
+        let all_atoms: Vec<usize> = (0..design.atoms()).collect();
+        let among: Vec<usize> = (0..candidates.len()).collect();
+        let mut place = BTreeMap::new();
+        let chosen = library.search(&mut design, &all_atoms, noise, &among, &mut place);
+        let background = Background::new(&design, &all_atoms, &flat(&chosen, None), noise);
+        let reached = background.null();
+        let fit = solve(&design, &all_atoms, &chosen, Some(reached.geometry_ratio));
+        let residuals = design.residuals(&fit.coefficients);
+        let (next_robust, next_outliers) = weigh(linear, &residuals, &base_weights);
+        let next_excess = excess_of(linear, &residuals, &noise, &next_outliers, excess);
+        let next_arm = arm_of(linear, &residuals).unwrap_or(arm_m);
+        round += 1;
+        let steady = next_outliers == outliers
+            && (next_excess - excess).abs() < 0.2 * (excess + 0.1)
+            && (next_arm / arm_m).ln().abs() < 0.15;
+        if steady || round == ROUNDS {
+            return Model {
+                design,
+                library,
+                chosen,
+                place,
+                noise,
+                base_weights,
+                outliers,
+                residuals,
+                reached,
+            };
+        }
+        (robust, outliers, excess, arm_m) = (next_robust, next_outliers, next_excess, next_arm);
+    }
+}
+
+/// A fit of some of the design's columns.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// One for each column after the data; 0 for columns that take no part.
+    pub coefficients: Vec<f64>,
+    /// Columns that take part.
+    pub columns: Vec<usize>,
+    /// Their covariance at unit noise.
+    pub covariance: DMatrix<f64>,
+}
+
+/// Fits registration, geometry (with `geometry_ratio`; none without it) and causes over `subset`.
+#[must_use]
+pub fn solve(design: &Design, subset: &[usize], chosen: &[Chosen], geometry_ratio: Option<f64>) -> Fit {
+    let gram = design.gram(subset);
+    let mut columns: Vec<(usize, f64)> = design.flat.clone().map(|c| (c, 0.0)).collect();
+    if let Some(ratio) = geometry_ratio.filter(|r| *r > 0.0) {
+        columns.extend(design.geometry.clone().map(|c| (c, 1.0 / (ratio * ratio))));
+    }
+    for cause in chosen {
+        let ratio = 3.0 * cause.size_ratio;
+        columns.extend(cause.columns.iter().map(|&c| (c, 1.0 / (ratio * ratio))));
+    }
+    let n = columns.len();
+    let mut normal = DMatrix::from_fn(n, n, |r, c| gram[(columns[r].0, columns[c].0)]);
+    for (i, (_, precision)) in columns.iter().enumerate() {
+        // A whisper on flat directions that the poses do not tell.
+        normal[(i, i)] += precision + 1e-10 * normal[(i, i)] + 1e-18;
+    }
+    let right = DVector::from_fn(n, |r, _| gram[(columns[r].0, 0)]);
+    let mut coefficients = vec![0.0; design.width() - 1];
+    let mut covariance = DMatrix::zeros(n, n);
+    if let Some(cholesky) = normal.cholesky() {
+        let solved = cholesky.solve(&right);
+        covariance = cholesky.inverse();
+        for ((column, _), value) in columns.iter().zip(solved.iter()) {
+            coefficients[column - 1] = *value;
+        }
+    }
+    Fit { coefficients, columns: columns.into_iter().map(|c| c.0).collect(), covariance }
+}
+
+fn first_arm_m(linear: &Linear) -> f64 {
+    arm_of(linear, &linear.residuals).unwrap_or(0.2)
+}
+
+/// Distance at which an orientation error looks like the position error beside it.
+fn arm_of(linear: &Linear, residuals: &[Motion]) -> Option<f64> {
+    if linear.scene.rows_per_site < 6 {
+        return None;
+    }
+    let mut place: Vec<f64> = residuals.iter().map(norm3).collect();
+    let mut turn: Vec<f64> =
+        residuals.iter().map(|m| (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]).sqrt()).collect();
+    let ratio = median(&mut place) / median(&mut turn).max(1e-12);
+    Some(ratio.clamp(1e-3, 10.0))
+}
+
+/// Weights and who is false: far from the model, and alone there.
+fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f64>, Vec<bool>) {
+    let distances: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| norm3(m) * w.sqrt()).collect();
+    // 1.54 sigma is the middle of a 3-D normal distance.
+    let sigma_m = median(&mut distances.clone()) / 1.54;
+    let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
+    let outliers: Vec<bool> = (0..residuals.len())
+        .map(|i| distances[i] > limit_m && !shared(linear, residuals, i, limit_m))
+        .collect();
+    let weights = distances
+        .iter()
+        .zip(&outliers)
+        .map(|(d, out)| if *out { (limit_m / d).powi(4) } else { 1.0 })
+        .collect();
+    (weights, outliers)
+}
+
+/// Whether a neighbour in place or time is off in much the same way: then it is structure, not a false row.
+fn shared(linear: &Linear, residuals: &[Motion], i: usize, limit_m: f64) -> bool {
+    let sites = &linear.scene.sites;
+    let here = &residuals[i];
+    let span_min = linear.scene.time_min.map_or(0.0, |[low, high]| high - low);
+    (0..sites.len()).any(|k| {
+        if k == i || norm3(&residuals[k]) < 0.6 * limit_m {
+            return false;
+        }
+        let close = (sites[k].point_m - sites[i].point_m).norm() < NEAR_M
+            || match (sites[i].t_min, sites[k].t_min) {
+                (Some(a), Some(b)) => (a - b).abs() <= 2.5 * span_min / sites.len() as f64,
+                _ => false,
+            };
+        let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
+        close && along > 0.7 * norm3(here) * norm3(&residuals[k])
+    })
+}
+
+/// Pose-to-pose variance that repeats do not show, over theirs.
+fn excess_of(linear: &Linear, residuals: &[Motion], noise: &Noise, outliers: &[bool], last: f64) -> f64 {
+    let Some((sigma_m, _)) = noise.known else { return last };
+    let repeated: Vec<(f64, f64)> = linear
+        .scene
+        .sites
+        .iter()
+        .zip(residuals)
+        .zip(outliers)
+        .filter(|((s, _), out)| s.repeats > 1 && !**out)
+        .map(|((s, m), _)| (norm3(m).powi(2) / 3.0, 1.0 / s.repeats as f64))
+        .collect();
+    if repeated.len() < 5 {
+        return last;
+    }
+    let n = repeated.len() as f64;
+    let seen = repeated.iter().map(|r| r.0).sum::<f64>() / n;
+    let expected = repeated.iter().map(|r| r.1).sum::<f64>() / n;
+    (seen / (sigma_m * sigma_m) - expected).clamp(0.0, 30.0)
+}
+
+/// Middle value.
+#[must_use]
+pub fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,205 @@
+//! What every effect is written over: the arm at each station, its axes, loads, time, direction.
+
+use super::gravity::{Loads, loads_at};
+use crate::kinematics::Chain;
+use crate::measure::{Channels, Registration, Station};
+use crate::robot::Robot;
+use nalgebra::{Isometry3, Matrix3, Vector3};
+
+/// How the measured point moves: metres and radians in base axes, per unit of one parameter.
+pub type Motion = [f64; 6];
+
+/// The arm at one station.
+#[derive(Clone, Debug)]
+pub struct Site {
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// Each joint's axis in the base.
+    pub axes: [Vector3<f64>; 6],
+    /// Each joint's origin, then the flange's, in the base.
+    pub origins_m: [Vector3<f64>; 7],
+    /// Axes in which the offsets of frame i count: the frame before it. 0 is the base, 6 joint 6's.
+    pub parents: [Matrix3<f64>; 7],
+    /// The flange's axes in the base.
+    pub flange: Matrix3<f64>,
+    /// The measured point in the base, as predicted.
+    pub point_m: Vector3<f64>,
+    /// Gravity's loads.
+    pub loads: Loads,
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// Sign of each joint's last motion.
+    pub direction: Option<[i8; 6]>,
+    /// Payload.
+    pub payload_kg: Option<f64>,
+    /// Temperature of each joint.
+    pub joint_temperature_c: Option<[f64; 6]>,
+    /// Commanded pose; stations of one pose stay together.
+    pub pose: usize,
+    /// Which reflector.
+    pub target: usize,
+    /// Rows in the mean.
+    pub repeats: usize,
+}
+
+impl Site {
+    /// The arm at `station`, and its pose.
+    #[must_use]
+    pub fn new(robot: &Robot, chain: &Chain, registration: &Registration, station: &Station) -> Self {
+        let frames = chain.frames(&station.q_rad);
+        let rotation = |pose: &Isometry3<f64>| pose.rotation.to_rotation_matrix().into_inner();
+        let mut parents = [Matrix3::identity(); 7];
+        for (parent, frame) in parents.iter_mut().skip(1).zip(&frames) {
+            *parent = rotation(frame);
+        }
+        let axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let point_m = registration.predicted_m(station, &frames[6]);
+        Self {
+            q_rad: station.q_rad,
+            axes,
+            origins_m: frames.map(|f| f.translation.vector),
+            parents,
+            flange: rotation(&frames[6]),
+            point_m,
+            loads: loads_at(robot, &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0)),
+            t_min: station.t_min,
+            direction: station.direction,
+            payload_kg: station.payload_kg,
+            joint_temperature_c: station.joint_temperature_c,
+            pose: station.pose,
+            target: station.target,
+            repeats: station.rows.len(),
+        }
+    }
+
+    /// The point's motion per radian of joint `j`, counted from 0: the geometric Jacobian's column.
+    #[must_use]
+    pub fn joint(&self, j: usize) -> Motion {
+        self.turn_at(&self.axes[j], &self.origins_m[j])
+    }
+
+    /// The point's motion per radian about `axis` through `through_m`.
+    #[must_use]
+    pub fn turn_at(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Motion {
+        let v = axis.cross(&(self.point_m - through_m));
+        [v.x, v.y, v.z, axis.x, axis.y, axis.z]
+    }
+
+    /// The point's motion per unit of offset `k` (dx dy dz rx ry rz) of frame `i`.
+    #[must_use]
+    pub fn offset(&self, i: usize, k: usize) -> Motion {
+        let axis = self.parents[i].column(k % 3).into_owned();
+        if k < 3 { [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0] } else { self.turn_at(&axis, &self.origins_m[i]) }
+    }
+}
+
+/// `motion` times `factor`.
+#[must_use]
+pub fn scaled(motion: Motion, factor: f64) -> Motion {
+    motion.map(|v| v * factor)
+}
+
+/// Everything the effects may look at.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// One for each station.
+    pub sites: Vec<Site>,
+    /// Optional columns that can be used.
+    pub channels: Channels,
+    /// First and last minute.
+    pub time_min: Option<[f64; 2]>,
+    /// Lowest and highest temperature of each joint.
+    pub joint_temperature_c: Option<[[f64; 2]; 6]>,
+    /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
+    pub torque_limit_n_m: [[f64; 3]; 6],
+    /// Whether link masses come from the robot file; otherwise they are a guess from its size.
+    pub masses_known: bool,
+    /// Rows per station that count: 3 or, with orientation, 6.
+    pub rows_per_site: usize,
+}
+
+impl Scene {
+    /// Gathers the ranges over `sites`.
+    #[must_use]
+    pub fn new(robot: &Robot, sites: Vec<Site>, channels: Channels) -> Self {
+        let times = sites.iter().filter_map(|s| s.t_min);
+        let time_min = channels
+            .time
+            .then(|| {
+                let low = times.clone().fold(f64::INFINITY, f64::min);
+                let high = times.fold(f64::NEG_INFINITY, f64::max);
+                [low, high]
+            })
+            .filter(|[low, high]| high > low);
+        let joint_temperature_c = channels.joint_temperature.then(|| {
+            std::array::from_fn(|j| {
+                let values = sites.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
+                [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+            })
+        });
+        Self {
+            torque_limit_n_m: super::effects::torque_limits_n_m(&sites),
+            sites,
+            channels,
+            time_min,
+            joint_temperature_c,
+            masses_known: robot.links.is_some(),
+            rows_per_site: if channels.orientation { 6 } else { 3 },
+        }
+    }
+
+    /// How far the warm-up shape goes that `driver` names, 0 cold to about 1, at `site` for joint `j`.
+    #[must_use]
+    pub fn drive(&self, driver: Driver, site: &Site, j: Option<usize>) -> f64 {
+        let t_min = site.t_min.unwrap_or(0.0);
+        match driver {
+            Driver::None => 1.0,
+            Driver::Exponential { tau_min } => 1.0 - (-t_min.max(0.0) / tau_min).exp(),
+            Driver::TwoLags { tau_min } => {
+                let x = t_min.max(0.0) / tau_min;
+                1.0 - (1.0 + x) * (-x).exp()
+            }
+            Driver::Linear => {
+                let [low, high] = self.time_min.unwrap_or([0.0, 1.0]);
+                (t_min - low) / (high - low)
+            }
+            Driver::Step { t0_min } => f64::from(u8::from(t_min >= t0_min)),
+            Driver::Temperature => {
+                let (Some(ranges), Some(here)) = (self.joint_temperature_c, site.joint_temperature_c) else {
+                    return 0.0;
+                };
+                let one = |j: usize| {
+                    let [low, high] = ranges[j];
+                    if high - low > 1e-6 { (here[j] - low) / (high - low) } else { 0.0 }
+                };
+                j.map_or_else(|| (0..6).map(one).sum::<f64>() / 6.0, one)
+            }
+        }
+    }
+}
+
+/// Shape in time or temperature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Driver {
+    /// Always there.
+    None,
+    /// 1 - e^(-t/tau).
+    Exponential {
+        /// Time constant.
+        tau_min: f64,
+    },
+    /// 1 - (1 + t/tau) e^(-t/tau).
+    TwoLags {
+        /// Time constant.
+        tau_min: f64,
+    },
+    /// From 0 at the first to 1 at the last station.
+    Linear,
+    /// 0 before, 1 from `t0_min` on.
+    Step {
+        /// When.
+        t0_min: f64,
+    },
+    /// A joint's temperature over its range in the data.
+    Temperature,
+}

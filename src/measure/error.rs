@@ -1,0 +1,88 @@
+//! Why a measurement file cannot be read.
+
+use thiserror::Error;
+
+/// Why a measurement file cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum MeasureError {
+    /// No header, or nothing that is CSV.
+    #[error(
+        "the file has no header line; the first line names the columns, e.g. q1_deg,...,q6_deg,x_mm,y_mm,z_mm"
+    )]
+    NoHeader,
+    /// A column that every file needs.
+    #[error("column {column} is missing; the header has: {found}{hint}")]
+    MissingColumn {
+        /// Its name.
+        column: String,
+        /// The columns that are there.
+        found: String,
+        /// What is likely the matter, or empty.
+        hint: &'static str,
+    },
+    /// The same column twice.
+    #[error("column {column} stands twice in the header; remove one")]
+    DoubledColumn {
+        /// Its name.
+        column: String,
+    },
+    /// More joints than the robot has.
+    #[error(
+        "column {column}: the file has more than six joints, the robot six; remove the column or take the robot's own file"
+    )]
+    TooManyJoints {
+        /// Its name.
+        column: String,
+    },
+    /// A kind of measurement that is not read here.
+    #[error("column {column} is not evaluated: give measured points as x_mm, y_mm, z_mm")]
+    Unsupported {
+        /// Its name.
+        column: String,
+    },
+    /// A cell that is no finite number.
+    #[error("line {line}, column {column}: '{text}' is not a number{hint}")]
+    NotANumber {
+        /// Line, from 1.
+        line: u64,
+        /// Column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+        /// What is likely the matter, or empty.
+        hint: &'static str,
+    },
+    /// A cell whose number cannot be.
+    #[error("line {line}, column {column}: {text} is out of what can be: {why}")]
+    Impossible {
+        /// Line, from 1.
+        line: u64,
+        /// Column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A line with more or fewer cells than the header.
+    #[error("line {line} has {cells} cells, the header {columns}")]
+    CellCount {
+        /// Line, from 1.
+        line: u64,
+        /// Cells in it.
+        cells: u64,
+        /// Columns of the header.
+        columns: u64,
+    },
+    /// Not UTF-8 or not CSV.
+    #[error("line {line}: {problem}")]
+    NotCsv {
+        /// Line, from 1.
+        line: u64,
+        /// What the reader says.
+        problem: String,
+    },
+    /// A header and nothing else.
+    #[error("the file has a header but no rows with a pose")]
+    NoRows,
+}

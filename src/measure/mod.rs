@@ -1,0 +1,93 @@
+//! Measurement files: what a tracker, a probe or a draw-wire saw, and how it hangs on the robot.
+//!
+//! Reads the file, gathers repeats into stations, registers instrument and tool, and says when a file
+//! contradicts itself or the robot. Knows nothing of effects.
+
+mod check;
+mod error;
+mod fault;
+mod read;
+mod register;
+mod station;
+
+pub use check::{Finding, check_rows};
+pub use error::MeasureError;
+pub use fault::{Fault, FaultKind, find_fault};
+pub use register::{RegisterError, Registration, register};
+pub use station::{Repeats, Station, Stations, gather};
+
+use crate::diagnostic::Diagnostic;
+use nalgebra::{UnitQuaternion, Vector3};
+
+/// One measured pose, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Line in the file, from 1.
+    pub line: u64,
+    /// `id`, where the file has it.
+    pub id: Option<String>,
+    /// Which commanded pose: rows with the same number repeat one.
+    pub pose: usize,
+    /// Which reflector or stylus, index into [`Measurements::targets`].
+    pub target: usize,
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// The measured point in the instrument's frame.
+    pub position_m: Vector3<f64>,
+    /// The measured orientation in the instrument's frame.
+    pub orientation: Option<UnitQuaternion<f64>>,
+    /// Sign of each joint's last motion before the pose.
+    pub direction: Option<[i8; 6]>,
+    /// Payload.
+    pub payload_kg: Option<f64>,
+    /// Temperature of each joint.
+    pub joint_temperature_c: Option<[f64; 6]>,
+    /// Temperature of the air.
+    pub air_temperature_c: Option<f64>,
+}
+
+/// Which optional columns the file has, complete for every row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Channels {
+    /// `pose_id`.
+    pub pose_id: bool,
+    /// `t_min`.
+    pub time: bool,
+    /// `qw, qx, qy, qz`.
+    pub orientation: bool,
+    /// `dir1` to `dir6`.
+    pub direction: bool,
+    /// `payload_kg`.
+    pub payload: bool,
+    /// `temp_j1_c` to `temp_j6_c`.
+    pub joint_temperature: bool,
+    /// `temp_air_c`.
+    pub air_temperature: bool,
+}
+
+/// A measurement file as read.
+#[derive(Clone, Debug)]
+pub struct Measurements {
+    /// Rows in the file's order.
+    pub rows: Vec<Row>,
+    /// Optional columns.
+    pub channels: Channels,
+    /// Names of the reflectors; one unnamed where the file does not tell them apart.
+    pub targets: Vec<String>,
+    /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
+    pub joint_decimals: usize,
+    /// What a person should look at.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl Measurements {
+    /// Reads a measurement file: CSV with columns by name (mm, degrees, minutes), in any order.
+    ///
+    /// # Errors
+    /// A column that is missing, a cell that is no number, a file without rows, with line and column.
+    pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
+        read::from_csv(bytes)
+    }
+}

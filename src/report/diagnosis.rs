@@ -1,0 +1,219 @@
+//! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
+
+use crate::diagnose::{Cause, Diagnosis, Verdict, describe};
+use std::fmt::Write;
+
+/// The page in the terminal.
+#[must_use]
+pub fn text(d: &Diagnosis, robot: &str) -> String {
+    let mut page = String::new();
+    line(&mut page, &format!("{}: {}.", heading(d.verdict), d.reason));
+    line(&mut page, "");
+    line(&mut page, &format!("{robot}, {} rows, {} stations.", d.rows, d.stations));
+    noise(&mut page, d);
+    evidence(&mut page, d);
+    limits(&mut page, d);
+    gain(&mut page, d);
+    next(&mut page, d);
+    page
+}
+
+fn line(page: &mut String, text: &str) {
+    page.push_str(text);
+    page.push('\n');
+}
+
+fn heading(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Explained => "Explained",
+        Verdict::Ambiguous => "Ambiguous",
+        Verdict::Several => "Several causes",
+        Verdict::Geometry => "Geometry",
+        Verdict::UnexplainedStructure => "Unexplained structure",
+        Verdict::UnexplainedScatter => "Unexplained scatter",
+        Verdict::NothingAboveNoise => "Nothing above the noise",
+        Verdict::InsufficientData => "Not enough data",
+        Verdict::DataFault => "The data are faulty",
+    }
+}
+
+fn noise(page: &mut String, d: &Diagnosis) {
+    let Some(model) = d.noise.model_sigma_mm else { return };
+    match d.noise.repeats_sigma_mm {
+        Some(repeats) => line(
+            page,
+            &format!(
+                "Noise of one coordinate: {repeats:.4} mm in repeats, {model:.4} mm about the best model."
+            ),
+        ),
+        None => line(
+            page,
+            &format!(
+                "Noise of one coordinate: {model:.4} mm about the best model. Nothing was repeated, so this cannot be checked."
+            ),
+        ),
+    }
+    if !d.false_lines.is_empty() {
+        let lines: Vec<String> = d.false_lines.iter().take(20).map(u64::to_string).collect();
+        let more = if d.false_lines.len() > 20 { ", ..." } else { "" };
+        line(page, &format!("Set aside as false readings: lines {}{more}.", lines.join(", ")));
+    }
+}
+
+fn evidence(page: &mut String, d: &Diagnosis) {
+    if d.causes.is_empty() {
+        return;
+    }
+    let named =
+        matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
+    line(page, "");
+    line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
+    for cause in &d.causes {
+        line(page, &format!("  {}", in_words(cause)));
+    }
+    let wanting: Vec<String> =
+        d.rivals.iter().take(4).map(|c| format!("{} ({})", describe(c), percent(c.posterior))).collect();
+    if !wanting.is_empty() && named {
+        line(page, "");
+        line(page, "What it is not");
+        line(page, &format!("  {}", wanting.join("; ")));
+    }
+}
+
+fn in_words(cause: &Cause) -> String {
+    let mut text = describe(cause);
+    if let Some(size) = cause.size {
+        let _ = write!(text, ": {}", number(size)); // writing to a String cannot fail
+        if let Some(sigma) = cause.sigma {
+            let _ = write!(text, " +- {}", number(sigma));
+        }
+        if cause.unit != "1" {
+            let _ = write!(text, " {}", cause.unit);
+        }
+    }
+    if let Some(rms_mm) = cause.rms_mm {
+        let _ = write!(text, ", moves the tool by {rms_mm:.3} mm");
+    }
+    let _ = write!(text, "; probability {}", percent(cause.posterior));
+    text
+}
+
+fn percent(p: f64) -> String {
+    if p > 0.999 {
+        "over 99.9 %".to_owned()
+    } else if p < 0.001 {
+        "under 0.1 %".to_owned()
+    } else {
+        format!("{:.1} %", 100.0 * p)
+    }
+}
+
+fn number(value: f64) -> String {
+    if value != 0.0 && !(1e-2..1e5).contains(&value.abs()) {
+        format!("{value:.2e}")
+    } else {
+        format!("{value:.3}")
+    }
+}
+
+fn limits(page: &mut String, d: &Diagnosis) {
+    if d.untestable_detail.is_empty() {
+        return;
+    }
+    line(page, "");
+    line(page, "What these data cannot tell");
+    for entry in &d.untestable_detail {
+        let joints: Vec<String> = entry.joints.iter().map(usize::to_string).collect();
+        let of = if joints.is_empty() {
+            String::new()
+        } else {
+            format!(" of joint or link {}", joints.join(", "))
+        };
+        line(page, &format!("  {}{of}: {}", entry.effect, entry.reason));
+    }
+    if d.verdict == Verdict::NothingAboveNoise && !d.detectable.is_empty() {
+        line(page, "");
+        line(page, "What would have been seen, from this size on");
+        for seen in &d.detectable {
+            let of = seen.joint.map_or_else(String::new, |j| format!(" {j}"));
+            line(page, &format!("  {}{of}: {} {}", seen.effect, number(seen.size), seen.unit));
+        }
+    }
+}
+
+fn gain(page: &mut String, d: &Diagnosis) {
+    let s = &d.shrink;
+    let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) else {
+        return;
+    };
+    line(page, "");
+    line(page, "How much better the robot gets, on poses held out");
+    line(
+        page,
+        &format!(
+            "  {before:.3} mm before, {after:.3} mm with the causes named, {floor:.3} mm is noise (rms, 3-D)"
+        ),
+    );
+    if let (Some(ratio), Some([low, high])) = (s.ratio, s.ci90) {
+        line(
+            page,
+            &format!(
+                "  to {:.0} % of what it is, between {:.0} % and {:.0} % nine times in ten",
+                100.0 * ratio,
+                100.0 * low,
+                100.0 * high
+            ),
+        );
+    }
+    if let Some(geometry) = s.with_geometry_rms_mm {
+        line(page, &format!("  {geometry:.3} mm with all joints' geometry fitted as well"));
+    }
+    for (name, block) in
+        [("last part of the time", &s.time_block), ("region of the workspace", &s.region_block)]
+    {
+        if let Some(b) = block {
+            line(
+                page,
+                &format!(
+                    "  a {name} held out whole: {:.3} mm before, {:.3} mm after, {:.3} mm with geometry",
+                    b.before_rms_mm, b.after_rms_mm, b.with_geometry_rms_mm
+                ),
+            );
+        }
+    }
+}
+
+fn next(page: &mut String, d: &Diagnosis) {
+    if d.next_measurements.is_empty() {
+        return;
+    }
+    line(page, "");
+    line(page, &format!("What to measure next, {}", d.next_reason));
+    for pose in &d.next_measurements {
+        let joints: Vec<String> = pose.q_deg.iter().map(|q| format!("{q:7.1}")).collect();
+        let signs: Vec<&str> = pose.dir.iter().map(|d| if *d < 0 { "-" } else { "+" }).collect();
+        line(
+            page,
+            &format!("  q {} deg, {} kg, approach {}", joints.join(" "), pose.payload_kg, signs.join("")),
+        );
+    }
+}
+
+/// Residuals of every row, mm in the robot's base.
+#[must_use]
+pub fn residuals_csv(d: &Diagnosis) -> String {
+    let mut text =
+        "line,id,before_x_mm,before_y_mm,before_z_mm,after_x_mm,after_y_mm,after_z_mm,false\n".to_owned();
+    for row in &d.residuals {
+        let id = row.id.as_deref().unwrap_or_default();
+        let id = if id.contains([',', '"', '\n']) {
+            format!("\"{}\"", id.replace('"', "\"\""))
+        } else {
+            id.to_owned()
+        };
+        let numbers: Vec<String> =
+            row.before_mm.iter().chain(&row.after_mm).map(|v| format!("{v:.5}")).collect();
+        line(&mut text, &format!("{},{id},{},{}", row.line, numbers.join(","), u8::from(row.outlier)));
+    }
+    text
+}
