@@ -15,10 +15,10 @@ mod outcome;
 pub mod suggest;
 
 pub mod compensate;
+pub mod diagnose;
 pub mod golden;
 pub mod inspect;
 pub mod restore;
-pub mod diagnose;
 pub mod synth;
 pub mod tabulate;
 

@@ -3,6 +3,7 @@
 //! Computes nothing: every figure comes from the plan; here it gets its unit and its place. Knows nothing
 //! of files and terminals: everything is written to a [`std::io::Write`].
 
+pub mod diagnosis;
 mod diff;
 mod inspect;
 mod joints;
@@ -18,6 +19,3 @@ pub use json::{compensation, messages, refusal, rounded};
 pub use message::{Look, write_message, write_messages};
 pub use review::{Review, write_review};
 pub use table::{Align, Table};
-//! Diffs, tables, JSON: what people and scripts read. Computes nothing.
-
-pub mod diagnosis;
