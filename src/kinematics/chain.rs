@@ -7,6 +7,7 @@
 use super::matrix::{
     self, IDENTITY, Mat3, Vec3, add, apply, column, cross, mul, rows, rx_ry_rz, sub, transpose,
 };
+use super::real::Real;
 use crate::robot::Robot;
 use nalgebra::Isometry3;
 
@@ -45,9 +46,9 @@ impl PoseAndJacobian {
 
 /// A pose as plain arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pose {
-    pub rotation: Mat3,
-    pub position_m: Vec3,
+pub(crate) struct Pose<T = f64> {
+    pub rotation: Mat3<T>,
+    pub position_m: Vec3<T>,
 }
 
 impl Pose {
@@ -68,11 +69,26 @@ impl Pose {
 }
 
 /// The six joints' axes and frame origins in the base, and the flange.
-pub(crate) struct Lines {
-    pub axes: [Vec3; 6],
-    pub origins_m: [Vec3; 6],
-    pub rotation: Mat3,
-    pub position_m: Vec3,
+pub(crate) struct Lines<T = f64> {
+    pub axes: [Vec3<T>; 6],
+    pub origins_m: [Vec3<T>; 6],
+    pub flange: Pose<T>,
+}
+
+impl<T: Real> Lines<T> {
+    /// The geometric Jacobian at the flange: rows vx vy vz wx wy wz, columns joints.
+    #[inline(always)]
+    pub(crate) fn jacobian(&self) -> [[T; 6]; 6] {
+        let mut jacobian = [[T::splat(0.0); 6]; 6];
+        for (j, (axis, origin_m)) in self.axes.iter().zip(&self.origins_m).enumerate() {
+            let velocity = cross(axis, &sub(&self.flange.position_m, origin_m));
+            for k in 0..3 {
+                jacobian[k][j] = velocity[k];
+                jacobian[k + 3][j] = axis[k];
+            }
+        }
+        jacobian
+    }
 }
 
 /// An arm of six joints with constant frames.
@@ -154,33 +170,35 @@ impl Chain {
     }
 
     /// `base_from_flange`.
-    #[inline]
-    pub(crate) fn pose(&self, q_rad: &[f64; 6]) -> Pose {
+    #[inline(always)]
+    pub(crate) fn pose<T: Real>(&self, q_rad: &[T; 6]) -> Pose<T> {
         self.walk(q_rad, |_, _, _| ())
     }
 
     /// The joints' axes and origins.
-    #[inline]
-    pub(crate) fn lines(&self, q_rad: &[f64; 6]) -> Lines {
-        let mut axes = [[0.0; 3]; 6];
-        let mut origins_m = [[0.0; 3]; 6];
-        let Pose { rotation, position_m } = self.walk(q_rad, |i, rotation, position_m| {
+    #[inline(always)]
+    pub(crate) fn lines<T: Real>(&self, q_rad: &[T; 6]) -> Lines<T> {
+        let mut axes = [[T::splat(0.0); 3]; 6];
+        let mut origins_m = axes;
+        let flange = self.walk(q_rad, |i, rotation, position_m| {
             if i < 6 {
                 axes[i] = column(rotation, 2);
                 origins_m[i] = *position_m;
             }
         });
-        Lines { axes, origins_m, rotation, position_m }
+        Lines { axes, origins_m, flange }
     }
 
     /// Calls `visit(i, rotation, position)` with each turned frame after its joint's rotation, 6 = flange.
-    #[inline]
-    fn walk(&self, q_rad: &[f64; 6], mut visit: impl FnMut(usize, &Mat3, &Vec3)) -> Pose {
-        let mut rotation = IDENTITY;
-        let mut position_m = [0.0; 3];
+    #[inline(always)]
+    fn walk<T: Real>(&self, q_rad: &[T; 6], mut visit: impl FnMut(usize, &Mat3<T>, &Vec3<T>)) -> Pose<T> {
+        let mut rotation = self.steps[0].rotation.each_ref().map(matrix::splat);
+        let mut position_m = matrix::splat(&self.steps[0].position_m);
         for (i, step) in self.steps.iter().enumerate() {
-            position_m = add(&position_m, &apply(&rotation, &step.position_m));
-            rotation = mul(&rotation, &step.rotation);
+            if i > 0 {
+                position_m = add(&position_m, &apply(&rotation, &matrix::splat(&step.position_m)));
+                rotation = mul(&rotation, &step.rotation.each_ref().map(matrix::splat));
+            }
             if let Some(q_rad) = q_rad.get(i) {
                 let (s, c) = q_rad.sin_cos();
                 for row in &mut rotation {
@@ -198,16 +216,9 @@ impl Chain {
 impl Arm for Chain {
     #[inline]
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
-        let Lines { axes, origins_m, rotation, position_m } = self.lines(q_rad);
-        let mut jacobian = [[0.0; 6]; 6];
-        for (j, (axis, origin_m)) in axes.iter().zip(&origins_m).enumerate() {
-            let velocity = cross(axis, &sub(&position_m, origin_m));
-            for k in 0..3 {
-                jacobian[k][j] = velocity[k];
-                jacobian[k + 3][j] = axis[k];
-            }
-        }
-        PoseAndJacobian { rotation, position_m, jacobian }
+        let lines = self.lines(q_rad);
+        let Pose { rotation, position_m } = lines.flange;
+        PoseAndJacobian { rotation, position_m, jacobian: lines.jacobian() }
     }
 }
 

@@ -5,8 +5,9 @@
 
 use super::chain::{Chain, Pose};
 use super::configuration::Configuration;
-use super::matrix::{self, Mat3, Vec3, apply, mul, norm, sub, transpose};
-use super::solve::{RESIDUAL_M, RESIDUAL_RAD};
+use super::matrix::{self, Mat3, Vec3, apply, dot, mul, sub, transpose};
+use super::real::Lanes;
+use super::solve::within;
 use super::structure::{Structure, StructureError};
 use crate::robot::Robot;
 use nalgebra::Isometry3;
@@ -98,12 +99,11 @@ impl ClosedForm {
                     if flip == 1 && found.get(index).is_some_and(Option::is_some) {
                         continue;
                     }
-                    if self.proved(&q_rad, &goal) {
-                        found[index] = Some(q_rad);
-                    }
+                    found[index] = Some(q_rad);
                 }
             }
         }
+        self.keep_proved(&mut found, &goal);
         found
     }
 
@@ -147,10 +147,20 @@ impl ClosedForm {
         })
     }
 
-    fn proved(&self, q_rad: &[f64; 6], goal: &Pose) -> bool {
-        let error = goal.twist_from(&self.chain.pose(q_rad));
-        let [vx, vy, vz, wx, wy, wz] = error;
-        norm(&[vx, vy, vz]) <= RESIDUAL_M && norm(&[wx, wy, wz]) <= RESIDUAL_RAD
+    /// Drops what does not stand on the goal, all branches side by side.
+    fn keep_proved(&self, found: &mut [Option<[f64; 6]>; 8], goal: &Pose) {
+        let q_rad = std::array::from_fn(|j| Lanes(found.map(|q_rad| q_rad.map_or(0.0, |q_rad| q_rad[j]))));
+        let there = self.chain.pose(&q_rad);
+        let position_m = matrix::splat(&goal.position_m);
+        let v = sub(&position_m, &there.position_m);
+        let rotation = goal.rotation.each_ref().map(matrix::splat);
+        let (w, cosine) = matrix::small_rotation(&rotation, &there.rotation);
+        let (m, rad) = (dot(&v, &v), dot(&w, &w));
+        for (i, q_rad) in found.iter_mut().enumerate() {
+            if !(within([m.0[i], rad.0[i]]) && cosine.0[i] > 0.0) {
+                *q_rad = None;
+            }
+        }
     }
 
     /// Pushes the joints with every whole turn that the ranges allow.

@@ -1,51 +1,39 @@
 //! Six equations in six unknowns, on plain arrays.
 
+use super::matrix::{Mat3, add, adjugate, apply, mul, scale, sub};
+use super::real::Real;
+
 pub(crate) type Vec6 = [f64; 6];
 pub(crate) type Mat6 = [[f64; 6]; 6];
 
-/// `a x = b` by elimination with partial pivoting; with it the sign of det a. `None` where a pivot is nothing but
-/// rounding.
-#[inline]
-pub(crate) fn solve(a: &Mat6, b: &Vec6) -> Option<(Vec6, f64)> {
-    let (mut a, mut b) = (*a, *b);
-    let mut sign = 1.0;
-    for k in 0..6 {
-        let mut best = k;
-        for i in k + 1..6 {
-            if a[i][k].abs() > a[best][k].abs() {
-                best = i;
-            }
-        }
-        if best != k {
-            a.swap(k, best);
-            b.swap(k, best);
-            sign = -sign;
-        }
-        let pivot = a[k][k];
-        // Entries are lengths of an arm in metres and unit vectors.
-        if pivot.is_nan() || pivot.abs() < 1e-14 {
-            return None;
-        }
-        sign *= pivot.signum();
-        let inverse = 1.0 / pivot;
-        let (pivot_row, pivot_b) = (a[k], b[k]);
-        for (row, b) in a.iter_mut().zip(&mut b).skip(k + 1) {
-            let factor = row[k] * inverse;
-            for (value, above) in row.iter_mut().zip(&pivot_row).skip(k + 1) {
-                *value -= factor * above;
-            }
-            *b -= factor * pivot_b;
-        }
-        a[k][k] = inverse;
-    }
-    for k in (0..6).rev() {
-        for j in k + 1..6 {
-            b[k] -= a[k][j] * b[j];
-        }
-        b[k] *= a[k][k];
-    }
-    Some((b, sign))
+/// Newton's step of an arm: `jacobian x = twist`, rows vx vy vz wx wy wz; with it the determinants of the wrist's block and of
+/// what is left for the first three joints, whose product is the Jacobian's. No pivoting: joints 4 to 6 must be able to turn
+/// the flange about any axis, else the step is not finite or far too long.
+#[inline(always)]
+pub(crate) fn newton_step<T: Real>(jacobian: &[[T; 6]; 6], twist: &[T; 6]) -> ([T; 6], [T; 2]) {
+    let block = |row: usize, column: usize| -> Mat3<T> {
+        let entries = |i: usize| {
+            [jacobian[row + i][column], jacobian[row + i][column + 1], jacobian[row + i][column + 2]]
+        };
+        [entries(0), entries(1), entries(2)]
+    };
+    let (v1, v2, w1, w2) = (block(0, 0), block(0, 3), block(3, 0), block(3, 3));
+    let ([vx, vy, vz, wx, wy, wz], minus) = (*twist, T::splat(-1.0));
+    let turn = [wx, wy, wz];
+    let (wrist, wrist_det) = adjugate(&w2);
+    let wrist = wrist.map(|row| scale(&row, wrist_det.reciprocal()));
+    let carried = mul(&v2, &wrist).map(|row| scale(&row, minus));
+    let shifted = mul(&carried, &w1);
+    let arm: Mat3<T> = [add(&v1[0], &shifted[0]), add(&v1[1], &shifted[1]), add(&v1[2], &shifted[2])];
+    let (inverse, arm_det) = adjugate(&arm);
+    let [q1, q2, q3] =
+        scale(&apply(&inverse, &add(&[vx, vy, vz], &apply(&carried, &turn))), arm_det.reciprocal());
+    let [q4, q5, q6] = apply(&wrist, &sub(&turn, &apply(&w1, &[q1, q2, q3])));
+    ([q1, q2, q3, q4, q5, q6], [wrist_det, arm_det])
 }
+
+/// Determinants this small, of unit vectors and of metres, are nothing but rounding.
+pub(crate) const SINGULAR: f64 = 1e-9;
 
 /// `(aᵀ a + damping) x = aᵀ b`: Levenberg's step. `None` where rounding has eaten the matrix.
 pub(crate) fn solve_damped(a: &Mat6, b: &Vec6, damping: f64) -> Option<Vec6> {
@@ -62,7 +50,34 @@ pub(crate) fn solve_damped(a: &Mat6, b: &Vec6, damping: f64) -> Option<Vec6> {
     for (i, row) in normal.iter_mut().enumerate() {
         row[i] += damping;
     }
-    solve(&normal, &right).map(|(x, _)| x)
+    eliminate(normal, right)
+}
+
+/// `a x = b` by elimination with partial pivoting.
+fn eliminate(mut a: Mat6, mut b: Vec6) -> Option<Vec6> {
+    for k in 0..6 {
+        let best = (k..6).fold(k, |best, i| if a[i][k].abs() > a[best][k].abs() { i } else { best });
+        a.swap(k, best);
+        b.swap(k, best);
+        if a[k][k].is_nan() || a[k][k].abs() < 1e-18 {
+            return None;
+        }
+        let (pivot_row, pivot_b) = (a[k], b[k]);
+        for (row, b) in a.iter_mut().zip(&mut b).skip(k + 1) {
+            let factor = row[k] / pivot_row[k];
+            for (value, above) in row.iter_mut().zip(&pivot_row).skip(k) {
+                *value -= factor * above;
+            }
+            *b -= factor * pivot_b;
+        }
+    }
+    for k in (0..6).rev() {
+        for j in k + 1..6 {
+            b[k] -= a[k][j] * b[j];
+        }
+        b[k] /= a[k][k];
+    }
+    Some(b)
 }
 
 #[cfg(test)]
@@ -77,25 +92,26 @@ mod tests {
     }
 
     #[test]
-    fn solves_as_nalgebra_does_and_gives_the_sign_of_the_determinant() {
+    fn newtons_step_is_nalgebras_solution_and_the_determinants_multiply_to_its() {
         let (mut a, b) = example();
         for swap in [false, true] {
             if swap {
-                a.swap(0, 3);
+                a.swap(0, 1);
             }
             let m = Matrix6::from_fn(|i, j| a[i][j]);
-            let (x, sign) = solve(&a, &b).unwrap();
+            let (x, [wrist, arm]) = newton_step(&a, &b);
             let expected = m.lu().solve(&Vector6::from(b)).unwrap();
             assert!((Vector6::from(x) - expected).norm() < 1e-10 * expected.norm());
-            assert_eq!(sign, m.determinant().signum());
+            assert!((wrist * arm / m.determinant() - 1.0).abs() < 1e-10);
         }
     }
 
     #[test]
-    fn a_singular_matrix_has_no_solution_but_a_damped_one() {
+    fn a_singular_matrix_has_a_damped_solution_only() {
         let (mut a, b) = example();
-        a[4] = a[2];
-        assert!(solve(&a, &b).is_none());
+        a[4] = a[3];
+        let (_, [wrist, _]) = newton_step(&a, &b);
+        assert!(wrist.abs() < SINGULAR);
         let m = Matrix6::from_fn(|i, j| a[i][j]);
         let expected =
             (m.transpose() * m + Matrix6::identity() * 0.1).lu().solve(&(m.transpose() * Vector6::from(b)));

@@ -8,6 +8,7 @@ mod closed_form;
 mod configuration;
 mod linear;
 mod matrix;
+mod real;
 mod solve;
 mod structure;
 

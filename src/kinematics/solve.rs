@@ -2,8 +2,8 @@
 //! answer proved and on the branch it started from.
 
 use super::chain::{Arm, Pose};
-use super::linear::{self, Vec6};
-use super::matrix::norm;
+use super::linear::{self, Mat6, SINGULAR, Vec6};
+use super::matrix::{dot, norm};
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
 use std::f64::consts::FRAC_PI_2;
@@ -60,16 +60,18 @@ pub enum SolveError {
     NotFinite,
 }
 
+/// A step this short, radians, crosses no singularity but one that the arm stands in.
+pub(super) const SHORT_RAD: f64 = 1e-5;
 /// Newton steps before the damped search takes over.
 const NEWTON_STEPS: u32 = 8;
 /// A Newton step longer than this, radians, is not trusted.
-const NEWTON_STEP_RAD: f64 = 0.1;
+pub(super) const NEWTON_STEP_RAD: f64 = 0.1;
 /// Damped steps before giving up.
 const DAMPED_STEPS: u32 = 200;
 /// Longest damped step, radians.
 const DAMPED_STEP_RAD: f64 = 0.05;
 /// A joint further than this from the start is on no branch of it, radians.
-const BRANCH_RAD: f64 = FRAC_PI_2;
+pub(super) const BRANCH_RAD: f64 = FRAC_PI_2;
 
 /// Joints at which `arm` stands in `base_from_flange`, on the branch of `start_q_rad`.
 ///
@@ -90,16 +92,22 @@ pub fn solve<A: Arm + ?Sized>(
         return Err(SolveError::NotFinite);
     }
     let mut q_rad = *start_q_rad;
+    let mut last_step_rad = 0.0;
     let mut start_sign = None;
     for iterations in 0..=NEWTON_STEPS {
         let there = arm.pose_and_jacobian(&q_rad);
         let error = goal.twist_from(&there.pose());
-        let Some((step, sign)) = linear::solve(&there.jacobian, &error) else { break };
-        let start_sign = *start_sign.get_or_insert(sign);
-        if let Some(solved) = reached(&q_rad, &error, iterations) {
-            return on_branch(solved, start_q_rad, start_sign == sign);
+        let reached = reached(&q_rad, &error, iterations);
+        if let Some(solved) = reached.filter(|_| last_step_rad <= SHORT_RAD) {
+            return on_branch(solved, start_q_rad, true);
         }
-        if largest(&step).1 > NEWTON_STEP_RAD {
+        let Some((step, sign)) = newton_step(&there.jacobian, &error) else { break };
+        let start_sign = *start_sign.get_or_insert(sign);
+        if let Some(solved) = reached {
+            return on_branch(solved, start_q_rad, sign == start_sign);
+        }
+        last_step_rad = largest(&step).1;
+        if last_step_rad > NEWTON_STEP_RAD || sign != start_sign {
             break;
         }
         for (q_rad, step) in q_rad.iter_mut().zip(step) {
@@ -109,23 +117,30 @@ pub fn solve<A: Arm + ?Sized>(
     damped(arm, &goal, start_q_rad)
 }
 
+/// Newton's step and the sign of the Jacobian's determinant; `None` in a singularity.
+#[inline]
+fn newton_step(jacobian: &Mat6, error: &Vec6) -> Option<(Vec6, f64)> {
+    let (step, [wrist, arm]) = linear::newton_step(jacobian, error);
+    (wrist.abs() > SINGULAR && arm.abs() > SINGULAR).then(|| (step, (wrist * arm).signum()))
+}
+
 /// Levenberg's search from the start, each step accepted on the true residual.
 fn damped<A: Arm + ?Sized>(arm: &A, goal: &Pose, start_q_rad: &[f64; 6]) -> Result<Solved, SolveError> {
     let mut q_rad = *start_q_rad;
     let mut there = arm.pose_and_jacobian(&q_rad);
     let mut error = goal.twist_from(&there.pose());
-    let start_sign = linear::solve(&there.jacobian, &error).map(|(_, sign)| sign);
+    let start_sign = newton_step(&there.jacobian, &error).map(|(_, sign)| sign);
     let mut damping = 1e-6;
     let mut moved = false;
     for iterations in 0..DAMPED_STEPS {
         if let Some(solved) = reached(&q_rad, &error, iterations) {
-            let sign = linear::solve(&there.jacobian, &error).map(|(_, sign)| sign);
+            let sign = newton_step(&there.jacobian, &error).map(|(_, sign)| sign);
             return on_branch(solved, start_q_rad, sign == start_sign);
         }
         let step = if damping > DAMPING_FLOOR {
             linear::solve_damped(&there.jacobian, &error, damping)
         } else {
-            linear::solve(&there.jacobian, &error).map(|(step, _)| step)
+            newton_step(&there.jacobian, &error).map(|(step, _)| step)
         };
         let trial = step.map(|mut step| {
             let (_, longest) = largest(&step);
@@ -171,13 +186,18 @@ fn residuals(error: &Vec6) -> (f64, f64) {
 }
 
 fn reached(q_rad: &Vec6, error: &Vec6, iterations: u32) -> Option<Solved> {
-    let (residual_m, residual_rad) = residuals(error);
-    (residual_m <= RESIDUAL_M && residual_rad <= RESIDUAL_RAD).then_some(Solved {
-        q_rad: *q_rad,
-        residual_m,
-        residual_rad,
-        iterations,
+    let [vx, vy, vz, wx, wy, wz] = *error;
+    let squares = [dot(&[vx, vy, vz], &[vx, vy, vz]), dot(&[wx, wy, wz], &[wx, wy, wz])];
+    within(squares).then(|| {
+        let [residual_m, residual_rad] = squares.map(f64::sqrt);
+        Solved { q_rad: *q_rad, residual_m, residual_rad, iterations }
     })
+}
+
+/// Whether the squares of what is left, m² and rad², count as reached.
+#[inline]
+pub(super) fn within([m, rad]: [f64; 2]) -> bool {
+    m <= RESIDUAL_M * RESIDUAL_M && rad <= RESIDUAL_RAD * RESIDUAL_RAD
 }
 
 fn on_branch(solved: Solved, start_q_rad: &Vec6, same_sign: bool) -> Result<Solved, SolveError> {

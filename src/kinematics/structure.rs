@@ -107,7 +107,7 @@ impl Structure {
         let theta_5 = (-dot(&last, &across)).atan2(dot(&last, &u));
         // Axes of the sixth canonical frame in the base.
         let base_from_sixth = transpose(&[last, w[4], cross(&last, &w[4])]);
-        let flange_from_base = transpose(&zero.rotation);
+        let flange_from_base = transpose(&zero.flange.rotation);
         Ok(Self {
             base_from_canonical,
             shoulder_m,
@@ -118,8 +118,8 @@ impl Structure {
             c3,
             zero_rad: [0.0, theta_2, theta_23 - theta_2, theta_4, theta_5, 0.0],
             sign: [1.0, 1.0, if dot(&w[2], &y) < 0.0 { -1.0 } else { 1.0 }, sign_4, 1.0, sign_6],
-            wrist_m: apply(&flange_from_base, &sub(&wrist, &zero.position_m)),
-            canonical6_from_flange: mul(&transpose(&base_from_sixth), &zero.rotation),
+            wrist_m: apply(&flange_from_base, &sub(&wrist, &zero.flange.position_m)),
+            canonical6_from_flange: mul(&transpose(&base_from_sixth), &zero.flange.rotation),
         })
     }
 }
