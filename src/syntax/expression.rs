@@ -16,14 +16,15 @@ use crate::diagnostic::TextRange;
 #[inline]
 pub(super) fn expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
     let i = blank(i);
-    if let Some(b'0'..=b'9' | b'-') = i.peek() {
-        let (rest, operand) = operand(i)?;
-        if let Some(b',' | b']' | b';' | b')') = rest.peek() {
-            return Ok((rest, operand)); // most of all expressions: a number in a list
-        }
-        return operations(rest, operand, 0);
+    let (rest, operand) = match i.peek() {
+        Some(b'0'..=b'9') => leaf(number(i), ExprKind::Number)?, // most of all expressions: a number in a list
+        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg)?,
+        _ => return nested_expression(i),
+    };
+    match rest.peek() {
+        Some(b',' | b']' | b';' | b')') => Ok((rest, operand)),
+        _ => operations(rest, operand, 0),
     }
-    nested_expression(i)
 }
 
 fn nested_expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
@@ -181,7 +182,7 @@ fn primary<'a>(i: Text<'a>) -> Read<'a, Expr> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
     let (rest, range) = read?;
     rest.state.height.set(0);

@@ -146,7 +146,7 @@ pub(super) fn becomes<'a>(i: Text<'a>) -> Read<'a, ()> {
 /// `number = decimal | "0" ( "x" | "o" | "b" ) digit { digit } ;`
 ///
 /// Without a sign: that is an operator.
-#[inline]
+#[inline(always)]
 pub(super) fn number<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     let (end, _) = match i.rest {
         [b'0', b'x' | b'X', d, ..] if d.is_ascii_hexdigit() => digits(i.skip(2), u8::is_ascii_hexdigit),
@@ -161,7 +161,7 @@ pub(super) fn number<'a>(i: Text<'a>) -> Read<'a, TextRange> {
 }
 
 /// `decimal = ( digit { digit } [ "." { digit } ] | "." digit { digit } ) [ exponent ] ;`
-#[inline]
+#[inline(always)]
 fn decimal<'a>(i: Text<'a>) -> Read<'a, ()> {
     let rest = i.rest;
     let whole = digit_run(rest);
@@ -191,7 +191,7 @@ fn exponent<'a>(i: Text<'a>) -> Read<'a, ()> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn digit_run(bytes: &[u8]) -> usize {
     bytes.iter().position(|b| !b.is_ascii_digit()).unwrap_or(bytes.len())
 }

@@ -65,6 +65,81 @@ pub enum Word {
 
 const LONGEST: usize = 9;
 
+/// For each first letter a bit for each length that a reserved word beginning with it has.
+const LENGTHS: [u16; 26] = {
+    let mut lengths = [0; 26];
+    let mut n = 0;
+    while n < WORDS.len() {
+        let word = WORDS[n].0;
+        lengths[(word[0] - b'a') as usize] |= 1 << word.len();
+        n += 1;
+    }
+    lengths
+};
+
+const WORDS: [(&[u8], Word); 57] = {
+    use Word::*;
+    [
+        (b"do", Do),
+        (b"if", If),
+        (b"or", Or),
+        (b"to", To),
+        (b"and", And),
+        (b"div", Div),
+        (b"for", For),
+        (b"mod", Mod),
+        (b"not", Not),
+        (b"var", Var),
+        (b"xor", Xor),
+        (b"case", Case),
+        (b"else", Else),
+        (b"exit", Exit),
+        (b"from", From),
+        (b"func", Func),
+        (b"goto", Goto),
+        (b"pers", Pers),
+        (b"proc", Proc),
+        (b"step", Step),
+        (b"test", Test),
+        (b"then", Then),
+        (b"trap", Trap),
+        (b"true", True),
+        (b"undo", Undo),
+        (b"with", With),
+        (b"alias", Alias),
+        (b"const", Const),
+        (b"endif", EndIf),
+        (b"error", Error),
+        (b"false", False),
+        (b"inout", InOut),
+        (b"local", Local),
+        (b"raise", Raise),
+        (b"retry", Retry),
+        (b"while", While),
+        (b"elseif", ElseIf),
+        (b"endfor", EndFor),
+        (b"module", Module),
+        (b"noview", NoView),
+        (b"record", Record),
+        (b"return", Return),
+        (b"connect", Connect),
+        (b"default", Default),
+        (b"endfunc", EndFunc),
+        (b"endproc", EndProc),
+        (b"endtest", EndTest),
+        (b"endtrap", EndTrap),
+        (b"trynext", TryNext),
+        (b"backward", Backward),
+        (b"endwhile", EndWhile),
+        (b"nostepin", NoStepIn),
+        (b"readonly", ReadOnly),
+        (b"viewonly", ViewOnly),
+        (b"endmodule", EndModule),
+        (b"endrecord", EndRecord),
+        (b"sysmodule", SysModule),
+    ]
+};
+
 impl Word {
     /// How many words end or divide a block inside a routine.
     pub(super) const BLOCK_SLOTS: usize = 8;
@@ -72,72 +147,16 @@ impl Word {
     /// The reserved word these bytes spell, in any case.
     #[must_use]
     pub fn of(name: &[u8]) -> Option<Self> {
-        use Word::*;
+        let first = name.first()?.to_ascii_lowercase().wrapping_sub(b'a');
+        if LENGTHS.get(usize::from(first))? & (1 << name.len().min(15)) == 0 {
+            return None; // nearly all names
+        }
         let mut lower = [0u8; LONGEST];
         let lower = lower.get_mut(..name.len())?;
         for (l, n) in lower.iter_mut().zip(name) {
             *l = n | 0x20; // a letter's lower case; nothing else becomes a letter of a reserved word but '@'..'_', no name bytes but '_'
         }
-        Some(match &*lower {
-            b"do" => Do,
-            b"if" => If,
-            b"or" => Or,
-            b"to" => To,
-            b"and" => And,
-            b"div" => Div,
-            b"for" => For,
-            b"mod" => Mod,
-            b"not" => Not,
-            b"var" => Var,
-            b"xor" => Xor,
-            b"case" => Case,
-            b"else" => Else,
-            b"exit" => Exit,
-            b"from" => From,
-            b"func" => Func,
-            b"goto" => Goto,
-            b"pers" => Pers,
-            b"proc" => Proc,
-            b"step" => Step,
-            b"test" => Test,
-            b"then" => Then,
-            b"trap" => Trap,
-            b"true" => True,
-            b"undo" => Undo,
-            b"with" => With,
-            b"alias" => Alias,
-            b"const" => Const,
-            b"endif" => EndIf,
-            b"error" => Error,
-            b"false" => False,
-            b"inout" => InOut,
-            b"local" => Local,
-            b"raise" => Raise,
-            b"retry" => Retry,
-            b"while" => While,
-            b"elseif" => ElseIf,
-            b"endfor" => EndFor,
-            b"module" => Module,
-            b"noview" => NoView,
-            b"record" => Record,
-            b"return" => Return,
-            b"connect" => Connect,
-            b"default" => Default,
-            b"endfunc" => EndFunc,
-            b"endproc" => EndProc,
-            b"endtest" => EndTest,
-            b"endtrap" => EndTrap,
-            b"trynext" => TryNext,
-            b"backward" => Backward,
-            b"endwhile" => EndWhile,
-            b"nostepin" => NoStepIn,
-            b"readonly" => ReadOnly,
-            b"viewonly" => ViewOnly,
-            b"endmodule" => EndModule,
-            b"endrecord" => EndRecord,
-            b"sysmodule" => SysModule,
-            _ => return None,
-        })
+        WORDS.iter().find(|(spelled, _)| *spelled == &*lower).map(|&(_, word)| word)
     }
 
     /// Which of the words that end or divide a block this is.
@@ -225,6 +244,9 @@ mod tests {
     #[test]
     fn reserved_words_are_known_in_any_case_and_only_they() {
         assert_eq!(Word::of(b"EndProc"), Some(Word::EndProc));
+        assert!(
+            SPELLED.iter().all(|w| is_reserved(w.as_bytes()) && is_reserved(w.to_uppercase().as_bytes()))
+        );
         assert_eq!(Word::of(b"VIEWONLY"), Some(Word::ViewOnly));
         for no in [&b"MoveL"[..], b"z1", b"", b"endprocs", b"d_", b"I\x06", b"ENDMODULES"] {
             assert!(!is_reserved(no), "{no:?}");
