@@ -211,6 +211,15 @@ impl Controller {
         })
     }
 
+    /// The type of data by name, LOCAL ones included.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoData`]
+    pub fn type_of(&self, name: &str) -> Result<Type, SimulateError> {
+        let datum = self.datum(name)?;
+        Ok(self.memory.data.get(datum).map_or(Type::Num, |d| d.ty.clone()))
+    }
+
     /// Give data a value from outside, as an operator does on the teach pendant.
     ///
     /// # Errors

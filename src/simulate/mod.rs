@@ -7,8 +7,10 @@
 mod builtin;
 mod calendar;
 mod call;
+pub mod compare;
 mod compile;
 mod controller;
+mod entry;
 mod eval;
 mod exec;
 mod frame;
@@ -19,6 +21,8 @@ mod outcome;
 mod path;
 mod place;
 mod predefined;
+pub mod session;
+mod truth;
 mod value;
 
 pub use builtin::text::{parse as parse_value, written as value_text};
@@ -28,4 +32,6 @@ pub use frame::Setup;
 pub use motion::{Arm, Move};
 pub use outcome::{Message, Outcome, Place, SimulateError};
 pub use path::{PathKind, Way};
+pub use session::{Report, Session};
+pub use truth::{TrueRobot, Warmth};
 pub use value::{RecordType, Type, Value};

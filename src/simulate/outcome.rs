@@ -14,6 +14,9 @@ pub enum SimulateError {
     /// There is no routine of this name.
     #[error("there is no routine {0} in the modules that are loaded")]
     NoRoutine(String),
+    /// There is no main, and not just one routine that nothing calls.
+    #[error("where to start is not clear: there is no main, and what nothing calls is: {0}")]
+    NoEntry(String),
     /// There are no data of this name.
     #[error("there are no data {0} in the modules that are loaded")]
     NoData(String),

@@ -1,0 +1,351 @@
+//! A program and its original run side by side on one true robot.
+
+use super::compare::{Judge, Mismatch};
+use super::controller::Controller;
+use super::motion::Move;
+use super::outcome::{Message, Outcome, SimulateError};
+use super::truth::TrueRobot;
+use super::value::{Type, Value};
+use crate::kinematics::{Chain, ClosedForm};
+
+/// A file of a program: its path and bytes.
+pub type File<'f> = (&'f str, &'f [u8]);
+
+/// How to run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The routine to start at; `None` = main, else the only routine that nothing calls.
+    pub entry: Option<String>,
+    /// Passes of the outermost endless loop.
+    pub passes: u64,
+    /// Follow the way between targets as well.
+    pub paths: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { entry: None, passes: 1, paths: true }
+    }
+}
+
+/// Errors of one group of moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// Largest distance, metres.
+    pub max_m: f64,
+    /// Root mean square, metres.
+    pub rms_m: f64,
+    /// Largest angle, radians.
+    pub max_rad: f64,
+}
+
+/// One pass of the program.
+#[derive(Clone, Debug)]
+pub struct Pass {
+    /// Warm-up minute of the true robot (in the middle of the pass, where it runs on).
+    pub t_min: f64,
+    /// Minutes since the beginning by the steady clock.
+    pub at_min: f64,
+    /// Moves judged.
+    pub n: usize,
+    /// The original's targets on the true robot.
+    pub before: Spread,
+    /// The program's.
+    pub after: Spread,
+    /// Largest distance from the meant way, metres; `None` where ways were not followed.
+    pub path_after_m: Option<f64>,
+    /// The index in use after the pass (`tcI`), where the program has one.
+    pub index: Option<f64>,
+    /// The program's own warm-up minute (`tcMinute`), where it has one.
+    pub program_min: Option<f64>,
+    /// The worst move.
+    pub worst: Option<Worst>,
+    /// How it ended, where that was not well.
+    pub failure: Option<String>,
+    /// Moves that the original makes and the program does not.
+    pub unreached: usize,
+    /// The moves are not the same.
+    pub mismatch: Option<Mismatch>,
+}
+
+/// A move that was further off than others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// When, warm-up minutes.
+    pub t_min: f64,
+    /// File.
+    pub file: String,
+    /// Line.
+    pub line: u32,
+    /// The target's name, empty for one written in place.
+    pub target: String,
+    /// Distance, metres.
+    pub miss_m: f64,
+}
+
+/// A change of bucket: how far the targets jumped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch {
+    /// Warm-up minute.
+    pub t_min: f64,
+    /// Largest distance, metres.
+    pub jump_m: f64,
+}
+
+/// What a simulation found.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Pass by pass.
+    pub passes: Vec<Pass>,
+    /// The worst of all.
+    pub worst: Option<Worst>,
+    /// Changes of bucket.
+    pub switches: Vec<Switch>,
+    /// What the controller does not know.
+    pub unknown_instructions: Vec<String>,
+    /// What the controller showed.
+    pub messages: Vec<Message>,
+}
+
+impl Report {
+    /// Whether every pass ended well, made the original's moves and stayed within the tolerance.
+    #[must_use]
+    pub fn is_within(&self, tolerance_m: f64) -> bool {
+        self.passes.iter().all(|p| {
+            p.failure.is_none() && p.mismatch.is_none() && p.unreached == 0 && p.after.max_m <= tolerance_m
+        })
+    }
+}
+
+/// A program beside its original.
+#[derive(Debug)]
+pub struct Session {
+    /// The program's controller.
+    pub program: Controller,
+    /// The original's.
+    pub original: Controller,
+    /// The true robot.
+    pub truth: TrueRobot,
+    entry: String,
+    options: Options,
+    closed: ClosedForm,
+    nominal: Chain,
+    last: Option<(f64, Vec<Move>)>,
+    report: Report,
+}
+
+impl Session {
+    /// Load a program and its original. Without original, what an emitted program's index 1 names is
+    /// taken as what was meant.
+    ///
+    /// # Errors
+    /// Where a module does not load, no entry is found, or the arm is of another structure.
+    pub fn new(
+        program: &[File<'_>],
+        original: Option<&[File<'_>]>,
+        truth: TrueRobot,
+        options: Options,
+    ) -> Result<Self, SimulateError> {
+        let load = |files: &[File<'_>]| {
+            let mut c = Controller::with_robot(truth.robot())?;
+            for (path, bytes) in files {
+                c.load(path, bytes)?;
+                c.put_file(path, bytes);
+            }
+            Ok::<_, SimulateError>(c)
+        };
+        let c = load(program)?;
+        let mut o = load(original.unwrap_or(program))?;
+        if original.is_none() && o.has_data("tcI") {
+            o.pin("tcI", Value::Num(1.0))?;
+        }
+        let entry = match &options.entry {
+            Some(entry) => entry.clone(),
+            None => c.entry()?,
+        };
+        let closed = ClosedForm::new(truth.robot()).map_err(|e| SimulateError::Arm(e.to_string()))?;
+        let nominal = Chain::nominal(truth.robot());
+        let report = Report::default();
+        Ok(Self { program: c, original: o, truth, entry, options, closed, nominal, last: None, report })
+    }
+
+    /// Run both once and judge every move; `chain` gives the true chain at a steady time in seconds.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoRoutine`]
+    pub fn pass(&mut self, t_min: f64, chain: &mut dyn FnMut(f64) -> Chain) -> Result<&Pass, SimulateError> {
+        let meant_outcome = self.original.call(&self.entry, self.options.passes)?;
+        let outcome = self.program.call(&self.entry, self.options.passes)?;
+        let meant = self.original.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+        let done = self.program.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+        let judge = Judge { closed: &self.closed, nominal: &self.nominal };
+        let mut pass = Pass {
+            t_min,
+            at_min: self.program.calendar().steady_s() / 60.0,
+            n: 0,
+            before: Spread::default(),
+            after: Spread::default(),
+            path_after_m: None,
+            index: self.program.number("tcI").ok(),
+            program_min: self.program.number("tcMinute").ok(),
+            worst: None,
+            failure: failure(&outcome).or_else(|| failure(&meant_outcome)),
+            unreached: 0,
+            mismatch: Judge::same_moves(&meant, &done).err(),
+        };
+        let mut now: Option<(f64, Chain)> = None;
+        for (a, b) in meant.iter().zip(&done) {
+            let truth = match &now {
+                Some((at, truth)) if *at == b.steady_s => truth.clone(),
+                _ => chain(b.steady_s),
+            };
+            now = Some((b.steady_s, truth.clone()));
+            let (Some(before), Some(after)) = (judge.miss(&truth, a, a), judge.miss(&truth, a, b)) else {
+                pass.unreached += usize::from(a.q_rad.is_some() && b.q_rad.is_none());
+                continue;
+            };
+            pass.n += 1;
+            for (spread, miss) in [(&mut pass.before, before), (&mut pass.after, after)] {
+                spread.max_m = spread.max_m.max(miss.position_m);
+                spread.max_rad = spread.max_rad.max(miss.angle_rad);
+                spread.rms_m += miss.position_m * miss.position_m;
+            }
+            if pass.worst.as_ref().is_none_or(|w| after.position_m > w.miss_m) {
+                let (file, line) = (b.at.file.clone(), b.at.line);
+                pass.worst =
+                    Some(Worst { t_min, file, line, target: b.target.clone(), miss_m: after.position_m });
+            }
+            if self.options.paths
+                && let Some(path) = judge.path_m(&truth, a, b)
+            {
+                pass.path_after_m = Some(pass.path_after_m.unwrap_or(0.0).max(path));
+            }
+        }
+        for spread in [&mut pass.before, &mut pass.after] {
+            spread.rms_m = (spread.rms_m / (pass.n.max(1) as f64)).sqrt();
+        }
+        self.note_switch(&pass, done, chain);
+        self.finish(pass)
+    }
+
+    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, chain: &mut dyn FnMut(f64) -> Chain) {
+        let judge = Judge { closed: &self.closed, nominal: &self.nominal };
+        if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
+            && index != *last
+        {
+            let truth = done.last().map(|m| chain(m.steady_s));
+            let jump = truth.map_or(0.0, |truth| {
+                moves.iter().zip(&done).filter_map(|(a, b)| judge.jump_m(&truth, a, b)).fold(0.0, f64::max)
+            });
+            self.report.switches.push(Switch { t_min: pass.t_min, jump_m: jump });
+        }
+        if let Some(index) = pass.index {
+            self.last = Some((index, done));
+        }
+    }
+
+    fn finish(&mut self, pass: Pass) -> Result<&Pass, SimulateError> {
+        if let Some(worst) = &pass.worst
+            && self.report.worst.as_ref().is_none_or(|w| worst.miss_m > w.miss_m)
+        {
+            self.report.worst = Some(worst.clone());
+        }
+        for message in self.program.take_messages() {
+            if self.report.messages.len() < 1_000 {
+                self.report.messages.push(message);
+            }
+        }
+        self.original.take_messages();
+        self.report.passes.push(pass);
+        match self.report.passes.last() {
+            Some(pass) => Ok(pass),
+            None => Err(SimulateError::Scenario("no pass".into())),
+        }
+    }
+
+    /// What was found so far.
+    #[must_use]
+    pub fn into_report(mut self) -> Report {
+        self.report.unknown_instructions = self.program.unknown_instructions();
+        self.report.messages.extend(self.program.take_messages());
+        self.report
+    }
+
+    /// The report so far.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Judge the program at warm-up minutes: cold start called, and running since. Date and time stand
+    /// still during each pass, so that every move meets the robot at just that minute.
+    ///
+    /// # Errors
+    /// Where the program has no such routine or its clock fails.
+    pub fn at_minutes(&mut self, minutes_min: &[f64]) -> Result<(), SimulateError> {
+        self.program.calendar_mut().held = true;
+        self.original.calendar_mut().held = true;
+        self.call_if_there("tcColdStart")?;
+        let mut now_min = 0.0;
+        let mut order = minutes_min.to_vec();
+        order.sort_by(f64::total_cmp);
+        for t_min in order {
+            while now_min < t_min {
+                let step_min = (t_min - now_min).min(1.0);
+                self.program.calendar_mut().advance_min(step_min);
+                self.original.calendar_mut().advance_min(step_min);
+                now_min += step_min;
+                self.call_if_there("tcTick")?;
+            }
+            let truth = self.truth.chain_at(t_min);
+            self.pass(t_min, &mut |_| truth.clone())?;
+        }
+        Ok(())
+    }
+
+    /// Call a procedure of the program, and of the original where it has one of that name.
+    ///
+    /// # Errors
+    /// Where the program's call fails.
+    pub fn call_if_there(&mut self, name: &str) -> Result<bool, SimulateError> {
+        if self.original.has_routine(name) {
+            self.original.call(name, 1)?;
+        }
+        if !self.program.has_routine(name) {
+            return Ok(false);
+        }
+        match failure(&self.program.call(name, 1)?) {
+            None => Ok(true),
+            Some(why) => Err(SimulateError::Scenario(format!("{name}: {why}"))),
+        }
+    }
+
+    /// Set data of the program by text, and of the original where it has the same.
+    ///
+    /// # Errors
+    /// Where the program has no such data or the text is no value of its type.
+    pub fn set_text(&mut self, name: &str, text: &str) -> Result<(), SimulateError> {
+        if self.original.has_data(name) {
+            set_text(&mut self.original, name, text)?;
+        }
+        set_text(&mut self.program, name, text)
+    }
+}
+
+fn set_text(c: &mut Controller, name: &str, text: &str) -> Result<(), SimulateError> {
+    let ty: Type = c.type_of(name)?;
+    let value = super::parse_value(text, &ty).ok_or_else(|| SimulateError::Value {
+        name: name.to_owned(),
+        why: format!("`{text}` is no {}", ty.name()),
+    })?;
+    c.set(name, value)
+}
+
+/// Why a run did not end as it should.
+fn failure(outcome: &Outcome) -> Option<String> {
+    match outcome {
+        Outcome::Finished | Outcome::Passes | Outcome::Exited => None,
+        Outcome::OutOfSteps => Some("the program does not come to an end".into()),
+        Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
+    }
+}

@@ -1,0 +1,138 @@
+//! The true robot: its deformed chain, and how warm it really is.
+//!
+//! The warmth is exact (f64) and independent of every clock in the program: it follows running and standing
+//! by the growth law's own two lags. A program that keeps a clock of its own can be compared with it.
+
+use crate::deform::{Deformation, GrowthLaw};
+use crate::kinematics::{Chain, FrameOffsets};
+use crate::robot::Robot;
+
+/// A robot that deforms as it warms up.
+#[derive(Clone, Debug)]
+pub struct TrueRobot {
+    robot: Robot,
+    deformation: Deformation,
+}
+
+impl TrueRobot {
+    /// A robot and how it deforms.
+    #[must_use]
+    pub fn new(robot: Robot, deformation: Deformation) -> Self {
+        Self { robot, deformation }
+    }
+
+    /// The constructive model.
+    #[must_use]
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// How it deforms.
+    #[must_use]
+    pub fn deformation(&self) -> &Deformation {
+        &self.deformation
+    }
+
+    /// The chain at a warm-up minute (or temperature, where the deformation goes by that).
+    #[must_use]
+    pub fn chain_at(&self, t_min: f64) -> Chain {
+        Chain::with_offsets(&self.robot, &self.deformation.offsets_at(t_min))
+    }
+
+    /// The chain at a state of warmth.
+    #[must_use]
+    pub fn chain(&self, warmth: &Warmth) -> Chain {
+        match self.deformation.growth() {
+            Some(_) => {
+                let grown = warmth.share();
+                let settled = self.deformation.settled();
+                let offsets = FrameOffsets(settled.0.map(|row| row.map(|x| x * grown)));
+                Chain::with_offsets(&self.robot, &offsets)
+            }
+            None => self.chain_at(warmth.minute().unwrap_or(f64::INFINITY)),
+        }
+    }
+
+    /// A cold robot; `tau_cool_min` is how fast it cools, `None` = as fast as it warms.
+    ///
+    /// A scheduled table has no law of its own: its minute runs as it is and falls back as one lag with
+    /// `tau_cool_min`, or 46 minutes.
+    #[must_use]
+    pub fn cold(&self, tau_cool_min: Option<f64>) -> Warmth {
+        let law = match self.deformation.growth() {
+            Some(law) => *law,
+            None => GrowthLaw::Exp { tau_min: tau_cool_min.unwrap_or(46.0) },
+        };
+        let tau_cool_min = tau_cool_min.or(law.tau_min()).unwrap_or(1.0);
+        Warmth { law, tau_cool_min, first: 0.0, second: 0.0 }
+    }
+}
+
+/// How warm a robot is: the lags of its growth law, 0 cold to 1 settled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Warmth {
+    law: GrowthLaw,
+    tau_cool_min: f64,
+    first: f64,
+    second: f64,
+}
+
+impl Warmth {
+    /// Let it run or stand for a time.
+    ///
+    /// For two equal lags in a row, with y1 = x1 - u, y2 = x2 - u and e = exp(-dt/τ):
+    /// x1 = u + y1 e, x2 = u + (y2 + y1 dt/τ) e; u = 1 running, 0 standing.
+    pub fn advance(&mut self, dt_min: f64, running: bool) {
+        let Some(tau_min) = self.law.tau_min() else { return };
+        let (u, tau_min) = if running { (1.0, tau_min) } else { (0.0, self.tau_cool_min) };
+        let lag = dt_min.max(0.0) / tau_min;
+        let e = (-lag).exp();
+        let (y1, y2) = (self.first - u, self.second - u);
+        self.first = u + y1 * e;
+        self.second = u + (y2 + y1 * lag) * e;
+    }
+
+    /// The share of the settled deformation that is there.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        match self.law {
+            GrowthLaw::None => 1.0,
+            GrowthLaw::Exp { .. } => self.first,
+            GrowthLaw::TwoStage { .. } => self.second,
+        }
+    }
+
+    /// The minute after a cold start at which as much is there; `None` where it never is.
+    #[must_use]
+    pub fn minute(&self) -> Option<f64> {
+        self.law.minute_of(self.share())
+    }
+
+    /// Fully warm at once.
+    pub fn settle(&mut self) {
+        self.first = 1.0;
+        self.second = 1.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warmth_follows_the_growth_law_and_cools_by_its_own() {
+        let robot = TrueRobot::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
+        let mut warmth = robot.cold(Some(60.0));
+        // In steps or at once: 90 minutes of running are 90 minutes of the law.
+        for _ in 0..90 {
+            warmth.advance(1.0, true);
+        }
+        let x = 90.0_f64 / 46.0;
+        assert!((warmth.share() - (1.0 - (1.0 + x) * (-x).exp())).abs() < 1e-14);
+        assert!((warmth.minute().unwrap() - 90.0).abs() < 1e-9);
+        // Standing: x2 = (y2 + y1 dt/τ) e^(-dt/τ).
+        let (y1, y2, lag) = (1.0 - (-x).exp(), warmth.share(), 0.75_f64);
+        warmth.advance(45.0, false);
+        assert!((warmth.share() - (y2 + y1 * lag) * (-lag).exp()).abs() < 1e-14);
+    }
+}
