@@ -103,22 +103,17 @@ impl Judge<'_> {
         )
     }
 
-    /// Largest distance of the TCP's way from the way that was meant, metres; `None` where a start is not
-    /// known.
+    /// Largest distance of the TCP's way from the line or arc that was meant, metres; `None` where a start is
+    /// not known, and for joint moves, which promise no way.
     #[must_use]
     pub fn path_m(&self, truth: &Chain, meant: &Move, done: &Move) -> Option<f64> {
         let (a0, a1) = (meant.start_q_rad?, meant.q_rad?);
         let (b0, b1) = (done.start_q_rad?, done.q_rad?);
-        let mut worst = 0.0_f64;
         let shares = (1..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES + 1));
         if matches!(meant.path, PathKind::Joint | PathKind::AbsJoint) {
-            for share in shares {
-                let miss =
-                    self.point(truth, meant, &between(&a0, &a1, share), done, &between(&b0, &b1, share));
-                worst = worst.max(miss.position_m);
-            }
-            return Some(worst);
+            return None;
         }
+        let mut worst = 0.0_f64;
         let meant_way = self.way(meant, &a0, meant.via_q_rad, &a1);
         let commanded = self.way(done, &b0, done.via_q_rad, &b1);
         let mut q_rad = b0;
@@ -145,8 +140,4 @@ impl Judge<'_> {
         let at = |m: &Move| Some(m.setup.object_from_tcp(&truth.forward(&m.q_rad?)).translation.vector);
         Some((at(a)? - at(b)?).norm())
     }
-}
-
-fn between(a: &[f64; 6], b: &[f64; 6], share: f64) -> [f64; 6] {
-    std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share)
 }

@@ -10,6 +10,7 @@ use crate::kinematics::{Chain, ClosedForm, Configuration};
 use crate::robot::Robot;
 use crate::units::{deg_from_rad, rad_from_deg};
 use nalgebra::Isometry3;
+use std::collections::HashMap;
 
 /// Numbers from here on mean "not used" in RAPID (9E9).
 const NOT_USED: f64 = 8.9e9;
@@ -54,9 +55,14 @@ pub struct Arm {
     pub(super) displacement: Isometry3<f64>,
     last: Option<(Setup, Value, Value)>,
     moves: Vec<Move>,
+    solved: HashMap<Vec<u64>, Solved>,
 }
 
+/// Solved moves kept for when the same move is made again from the same joints.
+const REMEMBERED: usize = 20_000;
+
 /// What a solved move is.
+#[derive(Clone, Debug)]
 pub(super) struct Solved {
     pub via_q_rad: Option<[f64; 6]>,
     pub q_rad: [f64; 6],
@@ -79,6 +85,7 @@ impl Arm {
             displacement: Isometry3::identity(),
             last: None,
             moves: Vec::new(),
+            solved: HashMap::new(),
         })
     }
 
@@ -172,8 +179,39 @@ impl Arm {
         })
     }
 
+    /// As [`Arm::solve`], from memory where the same move was solved before: programs repeat themselves.
+    pub(super) fn solve_again(
+        &mut self,
+        path: PathKind,
+        targets: &[Vec<f64>],
+        setup: &Setup,
+    ) -> Result<Result<Solved, String>, Fault> {
+        let frames = [&setup.frame_from_tcp, &setup.frame_from_object, &self.displacement];
+        let flags = [setup.tool_held, self.conf_l, self.conf_j, self.q_rad.is_some()].map(u64::from);
+        let key: Vec<u64> = targets
+            .iter()
+            .flatten()
+            .copied()
+            .chain(frames.iter().flat_map(|f| frame::pose_numbers(f)))
+            .chain(self.q_rad.unwrap_or_default())
+            .map(f64::to_bits)
+            .chain(flags)
+            .chain([path as u64, targets.len() as u64])
+            .collect();
+        if let Some(known) = self.solved.get(&key) {
+            return Ok(Ok(known.clone()));
+        }
+        let solved = self.solve(path, targets, setup)?;
+        if let Ok(solved) = &solved
+            && self.solved.len() < REMEMBERED
+        {
+            self.solved.insert(key, solved.clone());
+        }
+        Ok(solved)
+    }
+
     /// Solve a move; `Err` says why the controller cannot go there.
-    pub(super) fn solve(
+    fn solve(
         &self,
         path: PathKind,
         targets: &[Vec<f64>],

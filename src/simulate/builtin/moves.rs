@@ -88,8 +88,8 @@ impl Controller {
         let (tool, wobj) = self.tool_and_object(args.at(form.tool)?, args.named("wobj"))?;
         let setup = setup(&tool, &wobj)?;
         let start = self.arm.as_ref().and_then(|arm| arm.q_rad());
-        let solved = match &self.arm {
-            Some(arm) => match arm.solve(form.path, &targets, &setup)? {
+        let solved = match &mut self.arm {
+            Some(arm) => match arm.solve_again(form.path, &targets, &setup)? {
                 Ok(solved) => Some(solved),
                 Err(why) => {
                     self.tell("controller", format!("the move is not made: {why}"));

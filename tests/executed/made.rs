@@ -1,0 +1,71 @@
+//! Emitted programs for the tests: read, planned and emitted as the command line does.
+
+use driftpost::compensate::{self, Options};
+use driftpost::deform::{Deformation, GrowthLaw};
+use driftpost::diagnostic::FileId;
+use driftpost::emit::{Clock, EmitOptions, Provenance, emit};
+use driftpost::program::{Overrides, Program};
+use driftpost::robot::Robot;
+use driftpost::simulate::session::{self, File};
+use driftpost::simulate::{Session, TrueRobot};
+use driftpost::syntax::SourceFile;
+use std::path::{Path, PathBuf};
+
+/// A program as files.
+pub type Files = Vec<(String, Vec<u8>)>;
+
+pub fn warmth() -> Clock {
+    Clock::Warmth { growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }), tau_cool_min: None, gap_min: 5.0 }
+}
+
+pub fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
+}
+
+pub fn read(paths: &[PathBuf]) -> Files {
+    paths
+        .iter()
+        .map(|p| (p.file_name().unwrap().to_string_lossy().into_owned(), std::fs::read(p).unwrap()))
+        .collect()
+}
+
+pub fn fixture(name: &str) -> Files {
+    read(&[fixtures().join(name)])
+}
+
+/// The program compensated; `None` where none of its motions can be.
+pub fn compensated(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<Files> {
+    let files = source
+        .iter()
+        .enumerate()
+        .map(|(i, (path, bytes))| SourceFile::read(FileId(i as u32), path.clone(), bytes.clone()));
+    let program = Program::read(files.collect(), &Overrides::default());
+    let robot = Robot::built_in("irb140").unwrap();
+    let plan = compensate::plan(&program, &robot, deformation, &Options::default()).ok()?;
+    let options = EmitOptions {
+        clock: *clock,
+        core: None,
+        robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
+        deformation: Provenance { name: "Table 2".into(), sha256: "22".repeat(32) },
+        absolute_accuracy: false,
+    };
+    let mut out = source.clone();
+    for emitted in emit(&program, &plan, &options).unwrap() {
+        match emitted.source {
+            Some(id) => out[id.0 as usize].1 = emitted.bytes,
+            None => out.push((emitted.path, emitted.bytes)),
+        }
+    }
+    Some(out)
+}
+
+pub fn borrowed(files: &Files) -> Vec<File<'_>> {
+    files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice())).collect()
+}
+
+/// Program and original on the robot that deforms as `deformation` says.
+pub fn session(program: &Files, original: &Files, deformation: &Deformation, paths: bool) -> Session {
+    let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
+    let options = session::Options { paths, ..session::Options::default() };
+    Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()
+}
