@@ -36,6 +36,22 @@ pub enum SimulateError {
     Scenario(String),
 }
 
+impl SimulateError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Load { .. } => "simulate::load",
+            Self::NoRoutine(_) => "simulate::no-routine",
+            Self::NoEntry(_) => "simulate::no-entry",
+            Self::NoData(_) => "simulate::no-data",
+            Self::Value { .. } => "simulate::value",
+            Self::Arm(_) => "robot::structure",
+            Self::Scenario(_) => "simulate::scenario",
+        }
+    }
+}
+
 /// Where in the program something happened.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Place {

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test stops where something is missing")]
 
 mod made;
+mod mutations;
+mod scenarios;
 
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::simulate::session::{File, Options};

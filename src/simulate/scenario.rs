@@ -1,0 +1,268 @@
+//! Scenarios: what happens to a cell over hours, as a list of steps.
+//!
+//! `steps = ["call tcColdStart", "run 60", "stand 45", "run 30"]`, with `start`, `tau_cool_min`,
+//! `cooling` and `step_ms` beside it. The true robot warms while it runs and cools while it stands, whatever
+//! the program's clock says.
+
+use super::controller::Backup;
+use super::outcome::SimulateError;
+use super::session::Session;
+use super::truth::Warmth;
+use serde::Deserialize;
+
+/// A scenario as its file has it.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// Date and time at the beginning, `YYYY-MM-DD HH:MM:SS`.
+    pub start: Option<String>,
+    /// Time constant of the true robot's cooling, minutes; left out = as it warms.
+    pub tau_cool_min: Option<f64>,
+    /// The true robot cools so many times as fast as `tau_cool_min` or the warming says.
+    pub cooling: Option<f64>,
+    /// What every operation of the program takes, ms.
+    pub step_ms: Option<f64>,
+    /// The true robot is fully warm at the beginning.
+    #[serde(default)]
+    pub warm: bool,
+    /// What happens, in order.
+    pub steps: Vec<String>,
+}
+
+/// One step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// The program runs, pass after pass, for so many minutes.
+    Run(f64),
+    /// The program stands; date and time go on.
+    Stand(f64),
+    /// One pass.
+    Pass,
+    /// Program pointer to main.
+    PpToMain,
+    /// Power off for so many minutes, then program pointer to main.
+    PowerOff(f64),
+    /// A procedure is called.
+    Call(String),
+    /// Data get a value.
+    Set(String, String),
+    /// A signal gets a value.
+    Signal(String, f32),
+    /// The unit of a signal fails or comes back.
+    Unit(String, bool),
+    /// Date and time are set back by minutes.
+    SetClockBack(f64),
+    /// Date and time are set.
+    SetDate((i64, u32, u32), (u32, u32, f64)),
+    /// All PERS are saved.
+    Backup,
+    /// All PERS are as they were at the last backup, or at the beginning.
+    RestoreBackup,
+}
+
+impl Scenario {
+    /// Read a scenario file.
+    ///
+    /// # Errors
+    /// [`SimulateError::Scenario`] says what cannot be read.
+    pub fn from_toml(text: &str) -> Result<Self, SimulateError> {
+        let scenario: Self = toml::from_str(text).map_err(|e| SimulateError::Scenario(e.to_string()))?;
+        scenario.parsed()?;
+        Ok(scenario)
+    }
+
+    fn parsed(&self) -> Result<Vec<Step>, SimulateError> {
+        self.steps.iter().map(|s| step(s)).collect()
+    }
+
+    /// Carry it out.
+    ///
+    /// # Errors
+    /// A step that cannot be read, or a routine or data that is not there.
+    pub fn play(&self, session: &mut Session) -> Result<(), SimulateError> {
+        if let Some(start) = &self.start {
+            let (date, time) = date_time(start)?;
+            session.program.calendar_mut().set(date, time);
+            session.original.calendar_mut().set(date, time);
+        }
+        let step_s = self.step_ms.unwrap_or(0.0) / 1e3;
+        session.program.calendar_mut().step_s = step_s;
+        let natural = session.truth.deformation().growth().and_then(|g| g.tau_min());
+        let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
+        let mut player =
+            Player { warmth: session.truth.cold(tau_cool_min), backup: session.program.backup(), session };
+        if self.warm {
+            player.warmth.settle();
+        }
+        for step in self.parsed()? {
+            player.step(&step)?;
+        }
+        Ok(())
+    }
+}
+
+struct Player<'s> {
+    session: &'s mut Session,
+    warmth: Warmth,
+    backup: Backup,
+}
+
+impl Player<'_> {
+    fn step(&mut self, step: &Step) -> Result<(), SimulateError> {
+        match step {
+            Step::Run(minutes) => {
+                let end_s = self.session.program.calendar().steady_s() + minutes * 60.0;
+                while self.session.program.calendar().steady_s() < end_s - 1e-6 {
+                    self.pass()?;
+                }
+            }
+            Step::Pass => self.pass()?,
+            Step::Stand(minutes) => self.stand(*minutes),
+            Step::PowerOff(minutes) => {
+                self.stand(*minutes);
+                self.pp_to_main();
+            }
+            Step::PpToMain => self.pp_to_main(),
+            Step::Call(name) => {
+                if !self.session.call_if_there(name)? {
+                    return Err(SimulateError::NoRoutine(name.clone()));
+                }
+            }
+            Step::Set(name, value) => self.session.set_text(name, value)?,
+            Step::Signal(name, value) => {
+                self.session.program.set_signal(name, *value);
+                self.session.original.set_signal(name, *value);
+            }
+            Step::Unit(name, down) => {
+                self.session.program.set_unit_down(name, *down);
+                self.session.original.set_unit_down(name, *down);
+            }
+            Step::SetClockBack(minutes) => {
+                self.session.program.calendar_mut().shift_min(-minutes);
+                self.session.original.calendar_mut().shift_min(-minutes);
+            }
+            Step::SetDate(date, time) => {
+                self.session.program.calendar_mut().set(*date, *time);
+                self.session.original.calendar_mut().set(*date, *time);
+            }
+            Step::Backup => self.backup = self.session.program.backup(),
+            Step::RestoreBackup => {
+                self.session.program.restore(&self.backup);
+                self.session.original.pp_to_main();
+            }
+        }
+        Ok(())
+    }
+
+    fn stand(&mut self, minutes: f64) {
+        self.session.program.calendar_mut().advance_min(minutes);
+        self.session.original.calendar_mut().advance_min(minutes);
+        self.warmth.advance(minutes, false);
+    }
+
+    fn pp_to_main(&mut self) {
+        self.session.program.pp_to_main();
+        self.session.original.pp_to_main();
+    }
+
+    /// One pass; the robot warms as the pass goes on.
+    fn pass(&mut self) -> Result<(), SimulateError> {
+        let begin = (self.session.program.calendar().steady_s(), self.warmth);
+        let at = |steady_s: f64| {
+            let mut warmth = begin.1;
+            warmth.advance((steady_s - begin.0) / 60.0, true);
+            warmth
+        };
+        let truth = self.session.truth.clone();
+        let t_min = begin.1.minute().unwrap_or(f64::INFINITY);
+        self.session.pass(t_min, &mut |steady_s| truth.chain(&at(steady_s)))?;
+        // A pass without moves and waits still takes its second.
+        if self.session.program.calendar().steady_s() - begin.0 < 1.0 {
+            self.session.program.calendar_mut().advance_s(1.0);
+            self.session.original.calendar_mut().advance_s(1.0);
+        }
+        self.warmth = at(self.session.program.calendar().steady_s());
+        Ok(())
+    }
+}
+
+fn step(text: &str) -> Result<Step, SimulateError> {
+    let bad = |why: &str| SimulateError::Scenario(format!("`{text}`: {why}"));
+    let mut words = text.split_whitespace();
+    let name = words.next().unwrap_or("");
+    let rest: Vec<&str> = words.collect();
+    let minutes = || match rest.as_slice() {
+        [n] => match n.parse::<f64>() {
+            Ok(n) if n.is_finite() && (0.0..=1e7).contains(&n) => Ok(n),
+            _ => Err(bad("a number of minutes, 0 or more, is asked for")),
+        },
+        _ => Err(bad("one number of minutes is asked for")),
+    };
+    let word = |at: usize| rest.get(at).map(|w| (*w).to_owned()).ok_or_else(|| bad("a name is missing"));
+    Ok(match name {
+        "run" => Step::Run(minutes()?),
+        "stand" => Step::Stand(minutes()?),
+        "pass" => Step::Pass,
+        "pp_to_main" => Step::PpToMain,
+        "power_off" => Step::PowerOff(if rest.is_empty() { 0.0 } else { minutes()? }),
+        "call" => Step::Call(word(0)?),
+        "set" if rest.len() > 1 => Step::Set(word(0)?, rest[1..].join(" ")),
+        "signal" => {
+            let value = word(1)?.parse().map_err(|_| bad("a number is asked for"))?;
+            Step::Signal(word(0)?, value)
+        }
+        "unit_down" => Step::Unit(word(0)?, true),
+        "unit_up" => Step::Unit(word(0)?, false),
+        "set_clock_back" => Step::SetClockBack(minutes()?),
+        "set_date" => {
+            let (date, time) = date_time(&rest.join(" "))?;
+            Step::SetDate(date, time)
+        }
+        "backup" => Step::Backup,
+        "restore_backup" => Step::RestoreBackup,
+        _ => {
+            return Err(bad("steps are run MIN, stand MIN, pass, pp_to_main, power_off [MIN], call PROC, \
+                 set NAME VALUE, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
+                 set_date YYYY-MM-DD HH:MM:SS, backup, restore_backup"));
+        }
+    })
+}
+
+type DateTime = ((i64, u32, u32), (u32, u32, f64));
+
+/// `YYYY-MM-DD HH:MM:SS`
+fn date_time(text: &str) -> Result<DateTime, SimulateError> {
+    let bad = || SimulateError::Scenario(format!("`{text}` is no date and time, YYYY-MM-DD HH:MM:SS"));
+    let (date, time) = text.trim().split_once([' ', 'T']).ok_or_else(bad)?;
+    let date: Vec<u32> = date.split('-').map(str::parse).collect::<Result<_, _>>().map_err(|_| bad())?;
+    let time: Vec<f64> = time.split(':').map(str::parse).collect::<Result<_, _>>().map_err(|_| bad())?;
+    match (date.as_slice(), time.as_slice()) {
+        (&[y, m, d], &[h, min, s])
+            if (1..=12).contains(&m)
+                && (1..=31).contains(&d)
+                && (0.0..24.0).contains(&h)
+                && (0.0..60.0).contains(&min)
+                && (0.0..60.0).contains(&s) =>
+        {
+            Ok(((i64::from(y), m, d), (h as u32, min as u32, s)))
+        }
+        _ => Err(bad()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_read_and_wrong_ones_named() {
+        let text = "start = \"2026-12-31 23:50:00\"\nsteps = [\"run 60\", \"set tcMode -2\", \"pp_to_main\"]";
+        let scenario = Scenario::from_toml(text).unwrap();
+        let steps = scenario.parsed().unwrap();
+        assert_eq!(steps, [Step::Run(60.0), Step::Set("tcMode".into(), "-2".into()), Step::PpToMain]);
+        for wrong in ["run", "run -1", "run nan", "jump 3", "set_date 2026-13-01 00:00:00", "set x", ""] {
+            assert!(step(wrong).is_err(), "{wrong}");
+        }
+        assert!(Scenario::from_toml("step = []").is_err());
+    }
+}
