@@ -19,6 +19,7 @@ pub mod diagnose;
 pub mod golden;
 pub mod inspect;
 pub mod restore;
+pub mod simulate;
 pub mod synth;
 pub mod tabulate;
 
@@ -50,6 +51,8 @@ enum Command {
     Inspect(inspect::Args),
     /// Get the original of a compensated module back.
     Restore(restore::Args),
+    /// Execute a program on the deformed robot: where the TCP really is, against what was meant.
+    Simulate(Box<simulate::Args>),
     /// Make measurement sets of a virtual robot with effects of your choice, the truth sealed beside them.
     Synth(synth::Args),
     /// Joints of a list of targets at every minute of warm-up, as CSV.
@@ -65,6 +68,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Golden(args) => golden::run(args, console),
         Command::Inspect(args) => inspect::run(args, console),
         Command::Restore(args) => restore::run(args, console),
+        Command::Simulate(args) => simulate::run(args, console),
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),
