@@ -22,7 +22,7 @@ pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> f64 {
     each.into_iter().fold(0.0, f64::max)
 }
 
-/// Radius of the smallest ball that holds all points, to a thousandth.
+/// Radius of the smallest ball that holds all points, to a thousandth or so.
 ///
 /// Bădoiu and Clarkson (2003): the centre goes towards the farthest point by 1/(n+1) of the way. Done on
 /// the few points that were ever farthest; whatever of the others is found outside joins them.
@@ -37,7 +37,7 @@ fn smallest_ball_radius(points: &[[f64; 3]]) -> f64 {
             return far;
         }
         few.push(outermost);
-        for n in 1..4000 {
+        for n in 1..1000 {
             let (towards, _) = farthest(few.iter().copied(), &center);
             center += (towards - center) / f64::from(n + 1);
         }

@@ -15,7 +15,7 @@ const OTHER_TOLERANCES_M: [f64; 3] = [2e-6, 1e-5, 2e-5];
 /// difference between a drift and its correction's own drift, both far smaller.
 const MARGIN: f64 = 1e-3;
 /// What the polygons may cut off, in tolerances.
-const SAG: f64 = 2e-4;
+const SAG: f64 = 5e-4;
 /// Targets taken in and tolerances tightened before giving up.
 const MAX_ROUNDS: usize = 24;
 

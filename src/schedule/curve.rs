@@ -244,7 +244,7 @@ impl Stretch {
         let (mut a, mut b) = (0.0, 1.0);
         let (mut x, mut y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
         let (mut fx, mut fy) = (value(x), value(y));
-        for _ in 0..40 {
+        for _ in 0..28 {
             if fx <= fy {
                 (b, y, fy) = (y, x, fx);
                 x = b - GOLDEN * (b - a);
