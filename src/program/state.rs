@@ -87,9 +87,19 @@ struct Walker<'w, 'a> {
     at_motions: Vec<Option<State>>,
     walked: Vec<Vec<(State, Option<State>)>>,
     common: Vec<Option<State>>,
-    busy: Vec<RoutineId>,
+    busy: Vec<Busy>,
     steps: u64,
     touched: Vec<Touched>,
+}
+
+/// A routine that is being walked.
+struct Busy {
+    routine: RoutineId,
+    /// What it was entered with, by the calls of itself further down too.
+    entry: State,
+    /// What it is known to leave so far.
+    exit: Option<State>,
+    recursive: bool,
 }
 
 /// What a routine and those it calls may change.
@@ -203,12 +213,8 @@ impl Walker<'_, '_> {
 
     /// The state after a routine that is called in `entry`; `None` where it never comes back.
     fn call(&mut self, routine: RoutineId, mut entry: State) -> Option<State> {
-        if self.busy.contains(&routine) {
-            let unknown_now = self.anything("a routine calls itself");
-            if self.walked[routine].iter().any(|(known, _)| same(known, &unknown_now)) {
-                return Some(unknown_now); // it is being walked with that already
-            }
-            entry = unknown_now;
+        if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
+            return self.call_again(at, &entry);
         }
         if let Some((_, exit)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
             return exit.clone();
@@ -218,8 +224,7 @@ impl Walker<'_, '_> {
             return Some(entry);
         }
         if self.walked[routine].len() >= MOST_STATES {
-            let common = self.common[routine].take();
-            if let Some(mut common) = common {
+            if let Some(mut common) = self.common[routine].take() {
                 self.join(&mut common, &entry);
                 entry = common;
             }
@@ -228,34 +233,66 @@ impl Walker<'_, '_> {
                 return exit.clone();
             }
         }
-        // Entered before it is walked: a call of itself further down finds it.
-        let place = self.walked[routine].len();
-        self.walked[routine].push((entry.clone(), Some(entry.clone())));
-        self.busy.push(routine);
+        let known: Vec<usize> = self.walked.iter().map(Vec::len).collect();
+        let mut exit = None;
+        loop {
+            self.busy.push(Busy { routine, entry: entry.clone(), exit: exit.clone(), recursive: false });
+            let after = self.body(routine, &entry);
+            let Some(busy) = self.busy.pop() else { break };
+            let before = exit.take();
+            exit = self.either(before.clone(), after);
+            let settled = match (&before, &exit) {
+                (None, None) => true,
+                (Some(before), Some(exit)) => same(before, exit),
+                _ => false,
+            };
+            if !busy.recursive || settled && same(&busy.entry, &entry) {
+                break;
+            }
+            // What was walked on the way rests on what this routine was taken to do.
+            for (walked, &known) in self.walked.iter_mut().zip(&known) {
+                walked.truncate(known);
+            }
+            entry = busy.entry;
+        }
+        self.walked[routine].push((entry, exit.clone()));
+        exit
+    }
+
+    /// A routine that calls itself: the outer call is walked again until it covers this one as well.
+    fn call_again(&mut self, at: usize, entry: &State) -> Option<State> {
+        let mut covered = self.busy.get(at)?.entry.clone();
+        self.join(&mut covered, entry);
+        let busy = self.busy.get_mut(at)?;
+        busy.entry = covered;
+        busy.recursive = true;
+        busy.exit.clone()
+    }
+
+    fn body(&mut self, routine: RoutineId, entry: &State) -> Option<State> {
         let lowered = self.lowered;
         let ways = &lowered.ways[routine];
-        let mut exit = walk(self, &ways.body, &entry);
+        let mut exit = walk(self, &ways.body, entry);
         if !ways.handlers.is_empty() {
-            let mut failed = entry;
+            let mut failed = entry.clone();
             let reason = unknown("an error may come before or after it is set");
             lose(&mut failed, &self.touched[routine], &reason);
             for handler in &ways.handlers {
-                if let Some(handled) = walk(self, handler, &failed) {
-                    exit = Some(match exit {
-                        None => handled,
-                        Some(mut exit) => {
-                            self.join(&mut exit, &handled);
-                            exit
-                        }
-                    });
-                }
+                let handled = walk(self, handler, &failed);
+                exit = self.either(exit, handled);
             }
         }
-        self.busy.pop();
-        if let Some(walked) = self.walked[routine].get_mut(place) {
-            walked.1.clone_from(&exit);
-        }
         exit
+    }
+
+    fn either(&mut self, a: Option<State>, b: Option<State>) -> Option<State> {
+        match (a, b) {
+            (Some(mut a), Some(b)) => {
+                self.join(&mut a, &b);
+                Some(a)
+            }
+            (a, b) => a.or(b),
+        }
     }
 
     fn call_any(
@@ -279,13 +316,7 @@ impl Walker<'_, '_> {
         let mut out = maybe.then(|| state.clone());
         for &routine in routines {
             let exit = self.call(routine, entry.clone());
-            out = match (out, exit) {
-                (Some(mut out), Some(exit)) => {
-                    self.join(&mut out, &exit);
-                    Some(out)
-                }
-                (out, exit) => out.or(exit),
-            };
+            out = self.either(out, exit);
         }
         out
     }
