@@ -124,7 +124,7 @@ fn twenty_thousand_moves_in_six_files() {
     names.sort();
     let names: Vec<&str> = names.iter().map(|n| n.to_str().unwrap()).collect();
     let program = read_files(&folder, &names);
-    assert_eq!(program.motions.len(), 20_001);
+    assert_eq!(program.motions.len(), 20_000);
     for motion in &program.motions {
         assert_eq!(motion.keep, None, "line {}", motion.line);
         assert_eq!(motion.tool.as_ref().unwrap().frame_from_tcp.translation.z, 0.15);
