@@ -1,0 +1,126 @@
+//! What `compensate` writes, and what it leaves alone.
+
+use crate::{Bench, CUBE, driftpost, err, out};
+use serde_json::Value;
+use std::fs;
+
+#[test]
+fn one_file_goes_beside_itself_and_comes_back_byte_for_byte() {
+    let bench = Bench::new();
+    let source = fs::read(CUBE).unwrap();
+    let cube = bench.file("Cube45.mod", &source);
+    let output = driftpost(&["compensate", &cube, "--tolerance-mm", "0.02"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cube45.mod", "Cube45_tc.mod"]);
+    assert_eq!(fs::read(&cube).unwrap(), source);
+    assert!(out(&output).contains("46 motions: 46 compensated"), "{}", out(&output));
+    assert!(out(&output).contains("\n+++ "), "the diff follows the table");
+    let emitted = bench.path("Cube45_tc.mod").display().to_string();
+    let back = bench.path("back.mod").display().to_string();
+    let output = driftpost(&["restore", &emitted, "-o", &back]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(fs::read(&back).unwrap(), source);
+}
+
+#[test]
+fn a_folder_is_written_whole_under_the_same_names() {
+    let bench = Bench::new();
+    let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
+    bench.file("cell/RAPID/TASK1/Cell.MOD", &module);
+    bench.file("cell/RAPID/TASK1/Idle.sys", "MODULE Idle\n  VAR num n;\nENDMODULE");
+    bench.file("cell/old_tc.mod", "no module at all");
+    bench.file("cell/notes.txt", b"\xff\x00");
+    let folder = bench.path("cell").display().to_string();
+    let output = driftpost(&["compensate", &folder, "--core", "separate", "--tolerance-mm", "0.05"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let made: Vec<String> = bench.files().into_iter().filter(|f| f.starts_with("cell_tc/")).collect();
+    let expected = ["RAPID/TASK1/Cell.MOD", "RAPID/TASK1/Idle.sys", "RAPID/TASK1/tcCore.mod", "notes.txt"];
+    assert_eq!(made, expected.map(|f| format!("cell_tc/{f}")));
+    assert_eq!(fs::read(bench.path("cell_tc/notes.txt")).unwrap(), b"\xff\x00");
+    assert_eq!(bench.text("cell_tc/RAPID/TASK1/Idle.sys"), bench.text("cell/RAPID/TASK1/Idle.sys"));
+}
+
+#[test]
+fn a_pgf_is_read_in_its_order() {
+    let bench = Bench::new();
+    let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
+    bench.file("Cell.mod", module);
+    let pgf = bench.file("cell.pgf", "<Program><Module>Cell.mod</Module></Program>");
+    let output = driftpost(&["compensate", &pgf, "--tolerance-mm", "0.05", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cell.mod", "cell.pgf", "cell_tc/Cell.mod", "cell_tc/cell.pgf"]);
+    assert!(!out(&output).contains("+++"), "no diff was wanted");
+}
+
+#[test]
+fn an_input_is_overwritten_only_in_place() {
+    let bench = Bench::new();
+    let cube = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
+    let output = driftpost(&["compensate", &cube, "--in-place", "--tolerance-mm", "0.05"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cube45.mod"]);
+    assert!(bench.text("Cube45.mod").contains("tcTick"));
+}
+
+#[test]
+fn json_has_the_keys_of_the_contract_and_is_alone_on_standard_output() {
+    let bench = Bench::new();
+    let result = bench.path("o.mod").display().to_string();
+    let output = driftpost(&["compensate", CUBE, "-o", &result, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let motions = value["motions"].as_array().unwrap();
+    assert_eq!(motions.len(), 46);
+    let keys = [
+        "file",
+        "line",
+        "routine",
+        "index",
+        "kind",
+        "target",
+        "status",
+        "reason",
+        "max_correction_mm",
+        "max_correction_deg",
+        "mid_path_mm",
+    ];
+    assert!(keys.iter().all(|key| motions[1].get(key).is_some()), "{}", motions[1]);
+    assert_eq!((&motions[1]["kind"], &motions[1]["status"]), (&"MoveL".into(), &"compensated".into()));
+    assert_eq!((&motions[1]["target"], &motions[1]["reason"]), (&Value::Null, &Value::Null));
+    let buckets = value["buckets"].as_array().unwrap();
+    assert_eq!(buckets[0]["from_min"], 0.0);
+    assert_eq!(buckets.last().unwrap()["to_min"], Value::Null);
+    // before: 0.193 mm in the end (Table 2 of the paper, applied in full); after: the tolerance
+    assert!((value["worst_before_mm"].as_f64().unwrap() - 0.193).abs() < 0.001);
+    assert!(value["worst_after_mm"].as_f64().unwrap() <= 0.0055);
+}
+
+#[test]
+fn joints_at_every_minute_have_the_columns_of_the_contract() {
+    let bench = Bench::new();
+    let csv = bench.path("j.csv").display().to_string();
+    let result = bench.path("o.mod").display().to_string();
+    let arguments = ["compensate", CUBE, "-o", &result, "--until", "180", "--joints-csv", &csv];
+    let output = driftpost(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let text = bench.text("j.csv");
+    let header =
+        "target,file,line,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,residual_mm";
+    assert_eq!(text.lines().next(), Some(header));
+    assert_eq!(text.lines().count(), 1 + 46 * 181);
+    let residual = |line: &str| line.rsplit(',').next().unwrap().parse::<f64>().unwrap();
+    assert!(text.lines().skip(1).all(|line| residual(line) <= 1e-9));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
+    let bench = Bench::new();
+    let run = |threads: &str, name: &str| {
+        let path = bench.path(name).display().to_string();
+        let mut command = assert_cmd::Command::cargo_bin("driftpost").unwrap();
+        command.current_dir(env!("CARGO_MANIFEST_DIR")).env("RAYON_NUM_THREADS", threads);
+        let output = command.args(["compensate", CUBE, "-o", &path, "--json", "-"]).output().unwrap();
+        (output.stdout, fs::read(&path).unwrap())
+    };
+    assert_eq!(run("1", "a.mod"), run("5", "b.mod"));
+}

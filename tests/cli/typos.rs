@@ -1,0 +1,44 @@
+//! A misspelt word is answered with the right one.
+
+use crate::{CUBE, driftpost, err};
+
+/// Every long option, with one letter dropped, is answered with itself.
+#[test]
+fn a_misspelt_option_is_answered_with_the_right_one() {
+    let help = driftpost(&["compensate", "--help"]);
+    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let options: Vec<&str> = help
+        .lines()
+        .filter_map(|line| line.trim_start().split_whitespace().find(|w| w.starts_with("--")))
+        .filter(|w| w.len() > 7)
+        .collect();
+    assert!(options.len() > 15, "{options:?}");
+    for option in options {
+        let at = option.len() - 3;
+        let wrong = format!("{}{}", &option[..at], &option[at + 1..]);
+        let output = driftpost(&["compensate", CUBE, &wrong]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+        assert!(err(&output).contains(&format!("'{option}'")), "{wrong}: {}", err(&output));
+    }
+}
+
+#[test]
+fn a_misspelt_command_or_value_is_answered_with_the_right_one() {
+    let output = driftpost(&["compensat", CUBE]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("'compensate'"), "{}", err(&output));
+    let output = driftpost(&["compensate", CUBE, "--clock", "elapse"]);
+    assert!(output.status.code() == Some(2) && err(&output).contains("'elapsed'"), "{}", err(&output));
+}
+
+/// Forms and clocks of the contract that this version does not have are refused, not ignored.
+#[test]
+fn what_is_not_there_yet_is_refused() {
+    for arguments in
+        [["--form", "modules"], ["--form", "live"], ["--clock", "signal:aiTemp"], ["--model", "m.toml"]]
+    {
+        let output = driftpost(&["compensate", CUBE, arguments[0], arguments[1]]);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(!err(&output).is_empty());
+    }
+}
