@@ -37,6 +37,11 @@ pub struct Design {
     pub geometry: Range<usize>,
     /// Products of all columns for each atom.
     gram: Vec<DMatrix<f64>>,
+    /// Whitened columns of each joint turning.
+    turns: Vec<Vec<f64>>,
+    /// Each of these with itself, and with every column, site by site.
+    turn_squares: Vec<Vec<f64>>,
+    turn_products: Vec<Vec<Vec<f64>>>,
 }
 
 /// A candidate's products for each atom, its columns scaled by their usual size.
@@ -95,6 +100,9 @@ impl Design {
             flat: 0..0,
             geometry: 0..0,
             gram: Vec::new(),
+            turns: Vec::new(),
+            turn_squares: Vec::new(),
+            turn_products: vec![Vec::new(); 6],
         };
         let mut columns = design.stack(scene, 1, |i, _, out| out.push(residuals[i]));
         let flat = design.stack(scene, registration_width(targets, d), |_, site, out| {
@@ -112,6 +120,9 @@ impl Design {
         columns.extend(flat);
         columns.extend(geometry);
         design.columns = columns;
+        design.turns = design.stack(scene, 6, |_, site, out| out.extend((0..6).map(|j| site.joint(j))));
+        design.turn_squares = design.turns.iter().map(|t| by_site(t, t, d)).collect();
+        design.multiply_turns();
         design.gram = (0..design.atoms.len()).map(|a| design.gram_of(a)).collect();
         design
     }
@@ -154,6 +165,7 @@ impl Design {
     pub fn append(&mut self, columns: Vec<Vec<f64>>) -> Range<usize> {
         let start = self.columns.len();
         self.columns.extend(columns);
+        self.multiply_turns();
         self.gram = (0..self.atoms.len()).map(|a| self.gram_of(a)).collect();
         start..self.columns.len()
     }
@@ -223,10 +235,78 @@ impl Design {
         }
     }
 
+    /// Products of a candidate.
+    #[must_use]
+    pub fn products_of(&self, scene: &Scene, candidate: &Candidate) -> Products {
+        let Some((joint, angles)) = self.angles_of(scene, candidate) else {
+            return self.products(&self.columns_of(scene, candidate));
+        };
+        let p = angles.len();
+        let mut own = Vec::with_capacity(self.atoms.len() * p * p);
+        let squares = &self.turn_squares[joint];
+        let weighted: Vec<Vec<f64>> =
+            angles.iter().map(|a| a.iter().zip(squares).map(|(x, w)| x * w).collect()).collect();
+        for rows in &self.atoms {
+            let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
+            for a in &angles {
+                for b in &weighted {
+                    own.push(dot(&a[sites.clone()], &b[sites.clone()]));
+                }
+            }
+        }
+        let mut products = Products { p, own, cross: vec![Vec::new(); self.atoms.len()] };
+        self.extend_turns(&mut products, joint, &angles);
+        products
+    }
+
+    /// Brings a candidate's products up to date with columns appended since.
+    pub fn extend_candidate(&self, products: &mut Products, scene: &Scene, candidate: &Candidate) {
+        match self.angles_of(scene, candidate) {
+            Some((joint, angles)) => self.extend_turns(products, joint, &angles),
+            None => self.extend(products, &self.columns_of(scene, candidate)),
+        }
+    }
+
+    /// Angles of a candidate that only turns a joint, site by site in the order of atoms.
+    fn angles_of(&self, scene: &Scene, candidate: &Candidate) -> Option<(usize, Vec<Vec<f64>>)> {
+        let effect = candidate.effect();
+        effect.angles(&candidate.form, scene.sites.first()?)?;
+        let mut angles = vec![Vec::with_capacity(self.order.len()); candidate.usual.len()];
+        for &i in &self.order {
+            let here = effect.angles(&candidate.form, &scene.sites[i]).unwrap_or_default();
+            for ((to, angle), usual) in angles.iter_mut().zip(here).zip(&candidate.usual) {
+                to.push(angle * usual);
+            }
+        }
+        Some((candidate.form.joint?.min(5), angles))
+    }
+
+    fn extend_turns(&self, products: &mut Products, joint: usize, angles: &[Vec<f64>]) {
+        let d = self.rows_per_site;
+        for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {
+            let known = cross.len() / products.p.max(1);
+            let sites = rows.start / d..rows.end / d;
+            for b in &self.turn_products[joint][known..] {
+                for a in angles {
+                    cross.push(dot(&a[sites.clone()], &b[sites.clone()]));
+                }
+            }
+        }
+    }
+
+    fn multiply_turns(&mut self) {
+        let d = self.rows_per_site;
+        for (turn, products) in self.turns.iter().zip(&mut self.turn_products) {
+            for column in &self.columns[products.len()..] {
+                products.push(by_site(turn, column, d));
+            }
+        }
+    }
+
     /// Products of every candidate, each on its own: the order of work does not change a bit.
     #[must_use]
     pub fn all_products(&self, scene: &Scene, candidates: &[Candidate]) -> Vec<Products> {
-        candidates.par_iter().map(|c| self.products(&self.columns_of(scene, c))).collect()
+        candidates.par_iter().map(|c| self.products_of(scene, c)).collect()
     }
 
     /// Residual of `coefficients` (one for each column after the data) at each site, unwhitened: metres, radians.
@@ -310,6 +390,14 @@ fn registration_motions(site: &Site, targets: usize, rows_per_site: usize, out: 
             out.push([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]);
         }
     }
+}
+
+/// Products of two columns, summed over each site's rows.
+fn by_site(a: &[f64], b: &[f64], rows_per_site: usize) -> Vec<f64> {
+    a.chunks_exact(rows_per_site)
+        .zip(b.chunks_exact(rows_per_site))
+        .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())
+        .collect()
 }
 
 /// Sum of products, in eight running sums: fast, and the same for every number of threads.

@@ -36,6 +36,8 @@ use nalgebra::{Isometry3, Vector3};
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
 const FEWEST_POSES: usize = 8;
+/// Geometry this many tolerances off, all joints together, is no background any more.
+const FAR_OFF: f64 = 2.5;
 /// Of which less than this share is left by the registration: no signal.
 const INVISIBLE: f64 = 1e-7;
 
@@ -131,7 +133,9 @@ fn evaluate(
         return faulty(&fault);
     }
     let judged = verdict::judge(&mut model, linear);
-    let geometry = judged.verdict == Verdict::Geometry;
+    // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
+    let far_off = model.reached.geometry_ratio * model.reached.sigma_m > FAR_OFF;
+    let geometry = judged.verdict == Verdict::Geometry || far_off;
     let mut diagnosis = Diagnosis::bare(judged.verdict, judged.reason);
     diagnosis.shrink = shrink::shrink(&mut model, linear, &folds, geometry);
     detail.extend(untestable.drain(..).map(|(effect, reason)| Untestable {

@@ -10,10 +10,10 @@ use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
 const ROUNDS: usize = 4;
+/// Rounds of weights before any cause is looked for.
+const START_ROUNDS: usize = 2;
 /// A station further than this many sigmas from the model, and alone there, is false.
 const FALSE_SIGMAS: f64 = 4.5;
-/// Neighbours in the workspace, metres, and in time, share of the whole.
-const NEAR_M: f64 = 0.15;
 /// Pose-to-pose scatter over scatter of repeats, squared, assumed at first.
 const FIRST_EXCESS: f64 = 0.5;
 
@@ -54,6 +54,16 @@ pub fn build<'a>(
     let mut arm_m = first_arm_m(linear);
     let mut robust = vec![1.0; scene.sites.len()];
     let mut outliers = vec![false; scene.sites.len()];
+    for _ in 0..START_ROUNDS {
+        let base_weights: Vec<f64> = repeats.iter().map(|n| (excess + 1.0) / (excess + 1.0 / n)).collect();
+        let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
+        let whitening = Whitening { weights, arm_m };
+        let design = Design::new(scene, &linear.residuals, targets, whitening, atom_of);
+        let all_atoms: Vec<usize> = (0..design.atoms()).collect();
+        let ratio = Background::new(&design, &all_atoms, &[], noise).null().geometry_ratio;
+        let fit = solve(&design, &all_atoms, &[], Some(ratio));
+        (robust, outliers) = weigh(linear, &design.residuals(&fit.coefficients), &base_weights);
+    }
     let mut round = 0;
     loop {
         let base_weights: Vec<f64> = repeats.iter().map(|n| (excess + 1.0) / (excess + 1.0 / n)).collect();
@@ -168,23 +178,29 @@ fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f6
     (weights, outliers)
 }
 
-/// Whether a neighbour in place or time is off in much the same way: then it is structure, not a false row.
+/// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a
+/// false row.
 fn shared(linear: &Linear, residuals: &[Motion], i: usize, limit_m: f64) -> bool {
     let sites = &linear.scene.sites;
     let here = &residuals[i];
-    let span_min = linear.scene.time_min.map_or(0.0, |[low, high]| high - low);
-    (0..sites.len()).any(|k| {
-        if k == i || norm3(&residuals[k]) < 0.6 * limit_m {
-            return false;
-        }
-        let close = (sites[k].point_m - sites[i].point_m).norm() < NEAR_M
-            || match (sites[i].t_min, sites[k].t_min) {
-                (Some(a), Some(b)) => (a - b).abs() <= 2.5 * span_min / sites.len() as f64,
-                _ => false,
-            };
+    let alike = |k: usize| {
         let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
-        close && along > 0.7 * norm3(here) * norm3(&residuals[k])
-    })
+        norm3(&residuals[k]) > 0.5 * limit_m && along > 0.7 * norm3(here) * norm3(&residuals[k])
+    };
+    // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
+    let most = |distance: &dyn Fn(usize) -> f64, count: usize| {
+        let mut near: Vec<(f64, usize)> =
+            (0..sites.len()).filter(|&k| k != i).map(|k| (distance(k), k)).collect();
+        let count = count.min(near.len().saturating_sub(1));
+        near.select_nth_unstable_by(count, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
+    };
+    let place = most(&|k| (sites[k].point_m - sites[i].point_m).norm_squared(), 3);
+    let time = || match sites[i].t_min {
+        Some(t_min) => most(&|k| (sites[k].t_min.unwrap_or(t_min) - t_min).abs(), 3),
+        None => false,
+    };
+    place || time()
 }
 
 /// Pose-to-pose variance that repeats do not show, over theirs.

@@ -19,7 +19,10 @@ pub const ALARM_NATS: f64 = 5.0;
 pub const DROP_NATS: f64 = 3.0;
 /// Most causes that are not gear lines, and most gear lines.
 const MOST_CAUSES: usize = 4;
-const MOST_LINES: usize = 48;
+const MOST_LINES: usize = 80;
+/// Gear lines that are added together when each is this clear.
+const LINES_AT_ONCE: usize = 7;
+const CLEAR_NATS: f64 = 25.0;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
 
@@ -33,6 +36,8 @@ pub struct Library<'a> {
     pub products: Vec<Products>,
     /// ln prior of each.
     pub log_prior: Vec<f64>,
+    /// Columns of the design that the products cover.
+    width: usize,
     /// Kernels with products and ln prior.
     pub kernels: Vec<(Kernel, Products, f64)>,
 }
@@ -89,7 +94,7 @@ impl<'a> Library<'a> {
         let effects: std::collections::BTreeSet<usize> = candidates.iter().map(|c| c.effect).collect();
         let family = ((1.0 - NULL_PRIOR - UNEXPLAINED_PRIOR) / effects.len().max(1) as f64).ln();
         let log_prior = candidates.iter().map(|c| family + c.weight.ln()).collect();
-        Self { scene, candidates, products, log_prior, kernels: Vec::new() }
+        Self { scene, candidates, products, log_prior, width: design.width(), kernels: Vec::new() }
     }
 
     /// Adds the kernels' products.
@@ -107,9 +112,13 @@ impl<'a> Library<'a> {
 
     /// Brings all products up to date with columns appended to `design`.
     pub fn extend(&mut self, design: &Design) {
+        if self.width == design.width() {
+            return;
+        }
+        self.width = design.width();
         let (scene, candidates) = (self.scene, self.candidates);
         self.products.par_iter_mut().zip(candidates).for_each(|(products, candidate)| {
-            design.extend(products, &design.columns_of(scene, candidate));
+            design.extend_candidate(products, scene, candidate);
         });
         self.kernels.par_iter_mut().for_each(|(kernel, products, _)| {
             design.extend(products, &super::kernel::columns(*kernel, design, scene));
@@ -203,14 +212,42 @@ impl<'a> Library<'a> {
             if gain < ALARM_NATS || background.freedom() < 12.0 {
                 break;
             }
-            let columns = self.place(design, place, candidate);
-            chosen.push(Chosen { candidate, columns, gain_nats: gain, size_ratio: reached.size_ratio });
+            for (candidate, gain, reached) in
+                std::iter::once((candidate, gain, reached)).chain(self.more_lines(&slot, candidate))
+            {
+                let columns = self.place(design, place, candidate);
+                chosen.push(Chosen { candidate, columns, gain_nats: gain, size_ratio: reached.size_ratio });
+            }
+            self.extend(design);
             if chosen.len() > 1 && chosen.len() <= MOST_CAUSES + 1 && swaps < 8 {
                 swaps += 1;
                 self.swap(design, subset, noise, among, place, &mut chosen);
             }
         }
         chosen
+    }
+
+    /// Further gear lines of the same scan that are so clear, and so far from each other, that they need
+    /// not wait for the next: a real gear has dozens.
+    fn more_lines(&self, slot: &Slot, first: usize) -> Vec<(usize, f64, Reached)> {
+        let mut lines: Vec<usize> = vec![first];
+        let mut more = Vec::new();
+        for (hypothesis, _, reached) in &slot.ranked {
+            let Hypothesis::Effect(c) = *hypothesis else { continue };
+            let form = &self.candidates[c].form;
+            let gain = reached.log_evidence + self.candidates[c].weight.ln() - slot.null.log_evidence;
+            let far = lines.iter().all(|&l| {
+                let other = &self.candidates[l].form;
+                other.n.is_some()
+                    && (other.joint != form.joint || other.n.unwrap_or(0).abs_diff(form.n.unwrap_or(0)) > 3)
+            });
+            if form.n.is_none() || gain < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
+                continue;
+            }
+            lines.push(c);
+            more.push((c, gain, *reached));
+        }
+        more
     }
 
     /// Each chosen effect against all others in its place.
@@ -237,6 +274,7 @@ impl<'a> Library<'a> {
                 }
                 Some((candidate, gain, reached)) => {
                     let columns = self.place(design, place, candidate);
+                    self.extend(design);
                     chosen[i] =
                         Chosen { candidate, columns, gain_nats: gain, size_ratio: reached.size_ratio };
                 }
@@ -263,7 +301,7 @@ impl<'a> Library<'a> {
         })
     }
 
-    /// The candidate's columns in the design, appended when new.
+    /// The candidate's columns in the design, appended when new; [`Self::extend`] has to follow.
     pub fn place(
         &mut self,
         design: &mut Design,
@@ -275,7 +313,6 @@ impl<'a> Library<'a> {
         }
         let columns = design.columns_of(self.scene, &self.candidates[candidate]);
         let at: Vec<usize> = design.append(columns).collect();
-        self.extend(design);
         place.insert(candidate, at.clone());
         at
     }

@@ -13,8 +13,12 @@ use crate::units::mm_from_m;
 const RIVAL: f64 = 0.03;
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
 const SCATTER: f64 = 1.5;
+/// With more causes than this each gear line is not tried against all others again.
+const MANY: usize = 8;
 /// Structure left that is larger than this share of the causes makes them doubtful.
-const LEFT_OVER: f64 = 0.7;
+const LEFT_OVER: f64 = 0.5;
+/// And structure smaller than this share leaves them in their right, even where it could replace one.
+const SMALL_BESIDE: f64 = 0.25;
 
 /// The verdict and what it rests on.
 pub struct Judged {
@@ -162,6 +166,10 @@ fn with_causes(
     let mut told_apart = true;
     let mut kernel_wins: Option<usize> = None;
     for i in 0..chosen.len() {
+        if chosen.len() > MANY && model.library.candidates[chosen[i].candidate].form.n.is_some() {
+            causes.push(line_among_many(model, linear, chosen, i));
+            continue;
+        }
         let (slot, _) = scan(model, chosen, Some(i));
         let groups = groups(model, &slot);
         let Some(first) = groups.first() else { continue };
@@ -197,7 +205,9 @@ fn with_causes(
     let left = structure(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(model, rest, k));
     let together = chosen.len() > 1 && kernel_takes_all(model, chosen);
-    let alone = kernel_wins.is_some() || together;
+    // Structure that stays small beside the causes does not make them wrong.
+    let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
+    let alone = (kernel_wins.is_some() || together) && !beside;
 
     let mut place = Where { joint: causes.first().and_then(|c| c.joint), ..Where::default() };
     place.time = causes.first().map(|c| c.time);
@@ -223,6 +233,15 @@ fn with_causes(
         (Verdict::Explained, names.first().cloned().unwrap_or_default())
     };
     Judged { verdict, reason, causes, rivals, place, pair, reduced_chi_square: None }
+}
+
+/// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
+fn line_among_many(model: &mut Model<'_>, linear: &Linear, chosen: &[Chosen], i: usize) -> Cause {
+    let one = &chosen[i];
+    let odds = one.gain_nats + model.library.log_prior[one.candidate] - super::search::NULL_PRIOR.ln();
+    let group =
+        Group { best: one.candidate, probability: 1.0 / (1.0 + (-odds).exp()), gain_nats: one.gain_nats };
+    cause(model, linear, chosen, Some(i), &group)
 }
 
 fn same(a: &Cause, b: &Cause) -> bool {
@@ -251,6 +270,7 @@ fn cause(
     group: &Group,
 ) -> Cause {
     let columns = model.library.place(&mut model.design, &mut model.place, group.best);
+    model.library.extend(&model.design);
     let size_ratio = i.and_then(|i| chosen.get(i)).map_or(1.0 / model.reached.sigma_m, |c| c.size_ratio);
     let this =
         Chosen { candidate: group.best, columns: columns.clone(), gain_nats: group.gain_nats, size_ratio };

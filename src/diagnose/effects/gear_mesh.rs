@@ -40,10 +40,13 @@ impl Effect for GearMesh {
         }
         all
     }
+    fn angles(&self, form: &Form, site: &Site) -> Option<[f64; 2]> {
+        let q_rad = site.q_rad[form.joint.unwrap_or(0).min(5)];
+        Some((f64::from(form.n.unwrap_or(LOWEST)) * q_rad).sin_cos().into())
+    }
     fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let (sin, cos) =
-            (f64::from(form.n.unwrap_or(LOWEST)) * site.q_rad[form.joint.unwrap_or(0).min(5)]).sin_cos();
-        turn_joint(site, form.joint, sin, out);
-        turn_joint(site, form.joint, cos, out);
+        for angle in self.angles(form, site).into_iter().flatten() {
+            turn_joint(site, form.joint, angle, out);
+        }
     }
 }

@@ -21,10 +21,13 @@ impl Effect for GearSecondHarmonic {
     fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
         (0..6).map(|j| Candidate::new(Form { n: Some(2), ..Form::of_joint(j) }, vec![1e-4, 1e-4])).collect()
     }
+    fn angles(&self, form: &Form, site: &Site) -> Option<[f64; 2]> {
+        let q_rad = site.q_rad[form.joint.unwrap_or(0).min(5)];
+        Some((f64::from(form.n.unwrap_or(2)) * q_rad).sin_cos().into())
+    }
     fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let (sin, cos) =
-            (f64::from(form.n.unwrap_or(2)) * site.q_rad[form.joint.unwrap_or(0).min(5)]).sin_cos();
-        turn_joint(site, form.joint, sin, out);
-        turn_joint(site, form.joint, cos, out);
+        for angle in self.angles(form, site).into_iter().flatten() {
+            turn_joint(site, form.joint, angle, out);
+        }
     }
 }

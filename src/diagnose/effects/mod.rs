@@ -49,6 +49,11 @@ pub trait Effect: Sync {
     }
     /// Its forms to try: joints, harmonics, times.
     fn candidates(&self, scene: &Scene) -> Vec<Candidate>;
+    /// The angles per unit of each parameter, where turning `form.joint` is all that the effect does and
+    /// there are many forms of it: their products are then cheap.
+    fn angles(&self, _form: &Form, _site: &Site) -> Option<[f64; 2]> {
+        None
+    }
     /// The point's motion at `site` per unit of each parameter, pushed onto `out`.
     fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>);
 }
