@@ -330,6 +330,17 @@ fn hostile_programs_come_to_an_end() {
 }
 
 #[test]
+fn passes_are_counted_of_the_outermost_loop() {
+    let mut c = controller(
+        "MODULE M\nPERS num outer:=0;\nPERS num inner:=0;\nPROC wait_for()\nVAR num n:=0;\nWHILE TRUE DO\nn:=n+1;\n\
+         inner:=inner+1;\nIF n=5 RETURN;\nENDWHILE\nENDPROC\n\
+         PROC main()\nWHILE TRUE DO\nouter:=outer+1;\nwait_for;\nENDWHILE\nENDPROC\nENDMODULE",
+    );
+    assert_eq!(c.call("main", 3).unwrap(), Outcome::Passes);
+    assert_eq!((c.number("outer").unwrap(), c.number("inner").unwrap()), (3.0, 15.0));
+}
+
+#[test]
 fn modules_are_loaded_and_vanish() {
     let mut c = controller(
         r#"MODULE M
@@ -368,6 +379,21 @@ ENDMODULE"#,
     c.pp_to_main();
     ran(&mut c, "late");
     assert_eq!(numbers(&mut c, "log"), [1.0, 2.0, 111.0, 1.0, 1.0]);
+}
+
+#[test]
+fn signals_are_waited_for_and_their_units_may_fail() {
+    let mut c = controller(
+        "MODULE M\nPERS num log:=0;\nVAR bool late;\nPROC main()\nWaitDI diOpen,1;\nlog:=log+1;\n\
+         WaitDI diShut,1\\MaxTime:=2\\TimeFlag:=late;\nIF late log:=log+10;\nWaitDI diShut,1\\MaxTime:=2;\nlog:=log+5;\n\
+         log:=log+AInput(aiTemp);\nlog:=log+1000;\nERROR\nIF ERRNO=ERR_WAIT_MAXTIME log:=log+100;\n\
+         IF ERRNO=ERR_NORUNUNIT log:=log+10000;\nTRYNEXT;\nENDPROC\nENDMODULE",
+    );
+    c.set_signal("diShut", 0.0);
+    c.set_unit_down("aiTemp", true);
+    ran(&mut c, "main");
+    assert_eq!(c.number("log").unwrap(), 1.0 + 10.0 + 100.0 + 5.0 + 10_000.0 + 1_000.0);
+    assert_eq!(c.calendar().steady_s(), 4.0);
 }
 
 #[test]

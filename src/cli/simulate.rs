@@ -152,7 +152,7 @@ fn report_json(report: &Report) -> Value {
     let pass = |p: &Pass| {
         json!({
             "t_min": p.t_min, "n": p.n, "before": spread(&p.before), "after": spread(&p.after),
-            "path_after_mm": p.path_after_m.map(mm_from_m), "at_min": p.at_min, "index": p.index,
+            "corrected": spread(&p.corrected), "path_after_mm": p.path_after_m.map(mm_from_m), "at_min": p.at_min, "index": p.index,
             "program_min": p.program_min, "unreached": p.unreached, "failure": p.failure,
             "mismatch": p.mismatch.as_ref().map(ToString::to_string),
         })
@@ -162,6 +162,8 @@ fn report_json(report: &Report) -> Value {
         "worst": report.worst.as_ref().map(worst),
         "switches": report.switches.iter()
             .map(|s| json!({ "t_min": s.t_min, "jump_mm": mm_from_m(s.jump_m) })).collect::<Vec<_>>(),
+        "unchanged": report.unchanged.iter()
+            .map(|((file, line), m)| json!({ "file": file, "line": line, "mm": mm_from_m(*m) })).collect::<Vec<_>>(),
         "unknown_instructions": report.unknown_instructions,
         "messages": report.messages.iter().map(message).collect::<Vec<_>>(),
     })
@@ -217,6 +219,9 @@ fn summarise(to: &mut dyn Write, report: &Report, tolerance_mm: f64, within: boo
     if !report.switches.is_empty() {
         let jump = report.switches.iter().map(|s| s.jump_m).fold(0.0, f64::max);
         writeln!(to, "{} changes of bucket, jump up to {:.4} mm", report.switches.len(), mm_from_m(jump))?;
+    }
+    for ((file, line), miss_m) in report.unchanged.iter().take(20) {
+        writeln!(to, "{file}:{line} is as in the original, off by up to {:.4} mm", mm_from_m(*miss_m))?;
     }
     for p in &report.passes {
         let mismatch = p.mismatch.as_ref().map(ToString::to_string);

@@ -89,8 +89,23 @@ impl Controller {
         }
     }
 
-    fn name(&mut self, name: &Rc<str>, spelt: &str) -> Result<Value, Fault> {
+    /// The data a name means here. Data that are LOCAL to another module are taken from there, and that is
+    /// said: RoboDK's pages use what the first one declares; no controller loads them.
+    pub(super) fn visible(&mut self, name: &str, spelt: &str) -> Option<usize> {
         if let Some(datum) = self.memory.datum(self.scope.0, name) {
+            return Some(datum);
+        }
+        let predefined = matches!(name, "errno" | "intno") || self.signals.contains_key(name);
+        if predefined || predefined::constant(&self.types, name).is_some() {
+            return None;
+        }
+        let elsewhere = self.memory.datum_anywhere(name)?;
+        self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+        Some(elsewhere)
+    }
+
+    fn name(&mut self, name: &Rc<str>, spelt: &str) -> Result<Value, Fault> {
+        if let Some(datum) = self.visible(name, spelt) {
             return self.read(&super::place::Place::data(datum));
         }
         match &**name {

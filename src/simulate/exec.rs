@@ -191,12 +191,10 @@ impl Controller {
 
     /// Count a pass of an endless loop; the outermost one ends the run when there were enough.
     fn loop_back(&mut self, to: usize) -> Result<(), Fault> {
-        let outer_loops = self.frames.iter().rev().skip(1).any(|f| !f.passes.is_empty());
+        let inside = self.frames.iter().any(inside_loop);
         let allowed = self.passes;
         let Some(frame) = self.frames.last_mut() else { return Ok(()) };
         let at = frame.current;
-        // The back jump of a loop stands behind those of the loops inside it.
-        let inside = outer_loops || frame.passes.keys().any(|&k| k > at);
         let passes = frame.passes.entry(at).or_insert(0);
         *passes += 1;
         if *passes >= if inside { allowed.max(INNER_PASSES) } else { allowed } {
@@ -381,4 +379,10 @@ impl Controller {
             None => fatal("a function without value"),
         }
     }
+}
+
+/// Whether the operation in work stands in the body of an endless loop, its own back jump not counted.
+fn inside_loop(frame: &Frame) -> bool {
+    let mut later = frame.code.steps.iter().skip(frame.current + 1);
+    later.any(|s| matches!(s.op, Op::LoopBack(top) if top <= frame.current))
 }

@@ -60,7 +60,7 @@ impl Controller {
                     Bound::Absent => fatal("an optional argument that was not given is used"),
                 }
             }
-            ExprKind::Name(name, _) => Ok(self.memory.datum(self.scope.0, name).and_then(|d| {
+            ExprKind::Name(name, spelt) => Ok(self.visible(name, spelt).and_then(|d| {
                 let ty = self.memory.data.get(d)?.ty.clone();
                 Some((Place::data(d), ty))
             })),

@@ -1,12 +1,13 @@
 //! A program and its original run side by side on one true robot.
 
-use super::compare::{Judge, Mismatch};
+use super::compare::{Judge, Mismatch, Miss};
 use super::controller::Controller;
 use super::motion::Move;
 use super::outcome::{Message, Outcome, SimulateError};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
 use crate::kinematics::{Chain, ClosedForm};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A file of a program: its path and bytes.
 pub type File<'f> = (&'f str, &'f [u8]);
@@ -39,6 +40,15 @@ pub struct Spread {
     pub max_rad: f64,
 }
 
+impl Spread {
+    /// One more; the mean is taken at the end.
+    fn add(&mut self, miss: &Miss) {
+        self.max_m = self.max_m.max(miss.position_m);
+        self.max_rad = self.max_rad.max(miss.angle_rad);
+        self.rms_m += miss.position_m * miss.position_m;
+    }
+}
+
 /// One pass of the program.
 #[derive(Clone, Debug)]
 pub struct Pass {
@@ -52,6 +62,8 @@ pub struct Pass {
     pub before: Spread,
     /// The program's.
     pub after: Spread,
+    /// The program's, of those moves alone that go elsewhere than the original's.
+    pub corrected: Spread,
     /// Largest distance from the meant way, metres; `None` where ways were not followed.
     pub path_after_m: Option<f64>,
     /// The index in use after the pass (`tcI`), where the program has one.
@@ -101,6 +113,9 @@ pub struct Report {
     pub worst: Option<Worst>,
     /// Changes of bucket.
     pub switches: Vec<Switch>,
+    /// Moves that never went elsewhere than the original's while others did, by file and line, with the
+    /// largest distance from what was meant, metres: moves that were kept.
+    pub unchanged: BTreeMap<(String, u32), f64>,
     /// What the controller does not know.
     pub unknown_instructions: Vec<String>,
     /// What the controller showed.
@@ -131,6 +146,7 @@ pub struct Session {
     closed: ClosedForm,
     nominal: Chain,
     last: Option<(f64, Vec<Move>)>,
+    changed: BTreeSet<(String, u32)>,
     report: Report,
 }
 
@@ -166,7 +182,18 @@ impl Session {
         let closed = ClosedForm::new(truth.robot()).map_err(|e| SimulateError::Arm(e.to_string()))?;
         let nominal = Chain::nominal(truth.robot());
         let report = Report::default();
-        Ok(Self { program: c, original: o, truth, entry, options, closed, nominal, last: None, report })
+        Ok(Self {
+            program: c,
+            original: o,
+            truth,
+            entry,
+            options,
+            closed,
+            nominal,
+            last: None,
+            changed: BTreeSet::new(),
+            report,
+        })
     }
 
     /// Run both once and judge every move; `chain` gives the true chain at a steady time in seconds.
@@ -185,6 +212,7 @@ impl Session {
             n: 0,
             before: Spread::default(),
             after: Spread::default(),
+            corrected: Spread::default(),
             path_after_m: None,
             index: self.program.number("tcI").ok(),
             program_min: self.program.number("tcMinute").ok(),
@@ -194,6 +222,7 @@ impl Session {
             mismatch: Judge::same_moves(&meant, &done).err(),
         };
         let mut now: Option<(f64, Chain)> = None;
+        let mut same = Vec::new();
         for (a, b) in meant.iter().zip(&done) {
             let truth = match &now {
                 Some((at, truth)) if *at == b.steady_s => truth.clone(),
@@ -205,10 +234,13 @@ impl Session {
                 continue;
             };
             pass.n += 1;
-            for (spread, miss) in [(&mut pass.before, before), (&mut pass.after, after)] {
-                spread.max_m = spread.max_m.max(miss.position_m);
-                spread.max_rad = spread.max_rad.max(miss.angle_rad);
-                spread.rms_m += miss.position_m * miss.position_m;
+            pass.before.add(&before);
+            pass.after.add(&after);
+            if a.q_rad == b.q_rad && a.via_q_rad == b.via_q_rad {
+                same.push((b, after.position_m));
+            } else {
+                pass.corrected.add(&after);
+                self.changed.insert((b.at.file.clone(), b.at.line));
             }
             if pass.worst.as_ref().is_none_or(|w| after.position_m > w.miss_m) {
                 let (file, line) = (b.at.file.clone(), b.at.line);
@@ -221,8 +253,17 @@ impl Session {
                 pass.path_after_m = Some(pass.path_after_m.unwrap_or(0.0).max(path));
             }
         }
-        for spread in [&mut pass.before, &mut pass.after] {
-            spread.rms_m = (spread.rms_m / (pass.n.max(1) as f64)).sqrt();
+        let corrected = pass.n - same.len();
+        if corrected > 0 {
+            for (b, miss_m) in same {
+                let worst = self.report.unchanged.entry((b.at.file.clone(), b.at.line)).or_insert(0.0);
+                *worst = worst.max(miss_m);
+            }
+        }
+        for (spread, n) in
+            [(&mut pass.before, pass.n), (&mut pass.after, pass.n), (&mut pass.corrected, corrected)]
+        {
+            spread.rms_m = (spread.rms_m / (n.max(1) as f64)).sqrt();
         }
         self.note_switch(&pass, done, chain);
         self.finish(pass)
@@ -266,6 +307,8 @@ impl Session {
     /// What was found so far.
     #[must_use]
     pub fn into_report(mut self) -> Report {
+        let changed = &self.changed;
+        self.report.unchanged.retain(|place, _| !changed.contains(place));
         self.report.unknown_instructions = self.program.unknown_instructions();
         self.report.messages.extend(self.program.take_messages());
         self.report

@@ -1,5 +1,6 @@
 //! Emitted programs for the tests: read, planned and emitted as the command line does.
 
+use driftpost::compensate::plan::Status;
 use driftpost::compensate::{self, Options};
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::diagnostic::FileId;
@@ -33,8 +34,13 @@ pub fn fixture(name: &str) -> Files {
     read(&[fixtures().join(name)])
 }
 
-/// The program compensated; `None` where none of its motions can be.
+/// The program compensated.
 pub fn compensated(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<Files> {
+    made(source, deformation, clock).map(|(files, _)| files)
+}
+
+/// The program compensated, and how many of its motions are kept; `None` where all are.
+pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<(Files, usize)> {
     let files = source
         .iter()
         .enumerate()
@@ -56,7 +62,8 @@ pub fn compensated(source: &Files, deformation: &Deformation, clock: &Clock) -> 
             None => out.push((emitted.path, emitted.bytes)),
         }
     }
-    Some(out)
+    let kept = plan.motions.iter().filter(|m| m.status != Status::Compensated).count();
+    Some((out, kept))
 }
 
 pub fn borrowed(files: &Files) -> Vec<File<'_>> {

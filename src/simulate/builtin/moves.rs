@@ -167,7 +167,7 @@ impl Controller {
     /// its own.
     fn speed(&mut self, expr: &Expr) -> Result<(f64, f64), Fault> {
         if let ExprKind::Name(name, spelt) = &expr.kind
-            && self.memory.datum(self.scope.0, name).is_none()
+            && self.visible(name, spelt).is_none()
             && crate::simulate::predefined::constant(&self.types, name).is_none()
         {
             self.tell("controller", format!("speed {spelt} is declared nowhere"));
@@ -199,14 +199,9 @@ impl Controller {
             _ => self.types.wobjdata.clone(),
         };
         if let ExprKind::Name(name, spelt) = &expr.kind
-            && self.memory.datum(self.scope.0, name).is_none()
+            && self.visible(name, spelt).is_none()
             && crate::simulate::predefined::constant(&self.types, name).is_none()
         {
-            // Data of another module may be LOCAL there: RoboDK's pages use what the first one declares.
-            if let Some(datum) = self.memory.datum_anywhere(name) {
-                self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
-                return self.read(&crate::simulate::place::Place::data(datum));
-            }
             self.tell("controller", format!("{spelt} is declared nowhere; taken as {plain}"));
             return Ok(self.plain(plain));
         }

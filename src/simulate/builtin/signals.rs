@@ -70,22 +70,19 @@ impl Controller {
         wanted: f32,
     ) -> Result<(), Fault> {
         let flag = args.named("timeflag");
+        let name = self.signal_name(args.at(0)?)?;
         let now = self.get_signal(args.at(0)?)?;
         if there(now) {
             return self.set_flag(flag, false);
         }
-        match args.named("maxtime") {
-            Some(e) => {
-                let at_most = f64::from(self.eval_num(e)?);
-                self.calendar.advance_s(at_most);
-                self.waited_in_vain(Some(at_most), flag)
-            }
-            None => {
-                let name = self.signal_name(args.at(0)?)?;
-                self.tell("controller", format!("waits for {name}; taken as come"));
-                self.signals.insert(name, wanted);
-                Ok(())
-            }
+        // A signal that a scenario or the program has set is what it is; of another the cell takes care.
+        if let Some(e) = args.named("maxtime").filter(|_| self.signals.contains_key(&name)) {
+            let at_most = f64::from(self.eval_num(e)?);
+            self.calendar.advance_s(at_most);
+            return self.waited_in_vain(Some(at_most), flag);
         }
+        self.tell("controller", format!("waits for {name}; taken as come"));
+        self.signals.insert(name, wanted);
+        self.set_flag(flag, false)
     }
 }

@@ -1,0 +1,97 @@
+//! Every program of the fixtures, and of a folder of RoboDK exports beside the checkout where there is one,
+//! executed at the minutes that count: what is corrected is right, what is not is what the plan keeps.
+
+use crate::MINUTES;
+use crate::made::{Files, fixtures, made, read, session, warmth};
+use driftpost::deform::Deformation;
+use driftpost::emit::Clock;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+fn modules_below(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut open = vec![folder.to_path_buf()];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().to_lowercase();
+            if path.is_dir() {
+                open.push(path);
+            } else if [".mod", ".prg", ".modx", ".sys"].iter().any(|e| name.ends_with(e)) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Whether anything was compensated; panics where an executed move is not where it should be.
+fn holds(name: &str, original: &Files, clock: &Clock, minutes: &[f64]) -> bool {
+    let paper = Deformation::paper();
+    let Some((program, kept)) = made(original, &paper, clock) else { return false };
+    let mut s = session(&program, original, &paper, false);
+    s.at_minutes(minutes).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let report = s.into_report();
+    assert_eq!(report.passes.len(), minutes.len());
+    for p in &report.passes {
+        assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{name} at {}", p.t_min);
+        assert!(p.corrected.max_m <= 5.5e-6, "{name} at {}: {:?} {:?}", p.t_min, p.corrected, p.worst);
+    }
+    let unchanged: BTreeSet<usize> = report.unchanged.keys().map(|(_, line)| *line as usize).collect();
+    assert!(unchanged.len() <= kept, "{name}: {kept} moves are kept, these are unchanged: {unchanged:?}");
+    true
+}
+
+#[test]
+fn every_export_of_the_fixtures_is_where_it_should_be() {
+    let mut done = 0;
+    for path in modules_below(&fixtures().join("robodk")) {
+        let original = read(&[path.clone()]);
+        for clock in [warmth(), Clock::Elapsed] {
+            done += usize::from(holds(&path.display().to_string(), &original, &clock, &MINUTES));
+        }
+    }
+    assert!(done >= 16, "{done} programs were executed");
+}
+
+#[test]
+fn named_targets_arrays_offsets_and_two_tools_are_where_they_should_be() {
+    let cell = read(&[fixtures().join("simulate/cell.mod")]);
+    // As RobotStudio saves it on Windows, with a letter of ISO 8859-1 in a comment.
+    let mut windows: Vec<u8> = Vec::new();
+    for &byte in &cell[0].1 {
+        match byte {
+            b'\n' => windows.extend(b"\r\n"),
+            b';' if !windows.contains(&0xE4) => windows.extend(b"; ! \xE4"),
+            byte => windows.push(byte),
+        }
+    }
+    for bytes in [cell[0].1.clone(), windows] {
+        let original = vec![(cell[0].0.clone(), bytes)];
+        let paper = Deformation::paper();
+        let (program, kept) = made(&original, &paper, &warmth()).unwrap();
+        assert_eq!(kept, 0);
+        let mut s = session(&program, &original, &paper, true);
+        s.at_minutes(&MINUTES).unwrap();
+        let report = s.into_report();
+        assert!(report.is_within(5.5e-6), "{:?}", report.worst);
+        assert!(report.unchanged.is_empty() && report.unknown_instructions.is_empty());
+        // 1 joint move, then 1 + 4 + 4 + 1 in the loop.
+        assert!(report.passes.iter().all(|p| p.n == 11));
+        assert!(report.passes.iter().all(|p| p.path_after_m.unwrap() < 1e-5));
+        assert!(report.messages.is_empty(), "{:?}", report.messages);
+    }
+}
+
+#[test]
+fn twenty_thousand_moves_in_pages_are_where_they_should_be() {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
+    let folder = std::env::var_os("DRIFTPOST_CORPUS").map_or(beside, PathBuf::from).join("mill20000");
+    if !folder.is_dir() {
+        println!("skipped: {} is not there", folder.display());
+        return;
+    }
+    let original = read(&modules_below(&folder));
+    assert!(holds("mill20000", &original, &warmth(), &MINUTES));
+}
