@@ -16,6 +16,7 @@ pub mod suggest;
 
 pub mod compensate;
 pub mod diagnose;
+pub mod exam;
 pub mod golden;
 pub mod inspect;
 pub mod restore;
@@ -53,6 +54,8 @@ enum Command {
     Restore(restore::Args),
     /// Execute a program on the deformed robot: where the TCP really is, against what was meant.
     Simulate(Box<simulate::Args>),
+    /// Diagnose a folder of sealed measurement sets and score the answers against the truth.
+    Exam(exam::Args),
     /// Make measurement sets of a virtual robot with effects of your choice, the truth sealed beside them.
     Synth(synth::Args),
     /// Joints of a list of targets at every minute of warm-up, as CSV.
@@ -69,6 +72,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Inspect(args) => inspect::run(args, console),
         Command::Restore(args) => restore::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
+        Command::Exam(args) => exam::run(args, console),
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),

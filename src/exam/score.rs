@@ -6,7 +6,7 @@ use super::truth::{Kind, Truth};
 use serde::{Deserialize, Serialize};
 
 /// One named cause of a diagnosis.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cause {
     /// The effect's name.
     pub effect: String,
@@ -17,7 +17,7 @@ pub struct Cause {
 }
 
 /// How far the error shrinks, as the diagnosis says.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shrink {
     /// rms before, mm.
     pub before_rms_mm: f64,
@@ -28,7 +28,7 @@ pub struct Shrink {
 }
 
 /// What is read of a diagnosis.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// The verdict.
     pub verdict: String,
