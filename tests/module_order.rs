@@ -142,7 +142,7 @@ fn code_lines(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Ways to write a conversion between mm and m, or degrees and radians.
-const WORDS: [&str; 6] =
+const WORDS: [&str; 6] = ["to_radians", "to_degrees", "* 1000.0", "/ 1000.0", "180.0 /", "/ 180.0"];
 
 #[test]
 fn conversion_factors_stand_in_units_alone() {

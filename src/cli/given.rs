@@ -126,7 +126,7 @@ impl Given {
         }
         let folder = pgf.parent().unwrap_or(Path::new(""));
         let paths: Vec<PathBuf> = listed.iter().map(|name| folder.join(name)).collect();
-        let mut all = paths.clone();
+        let mut all = paths;
         all.push(pgf.to_path_buf());
         let mut given = Self::list(Shape::Several, pgf, &all);
         let own = given.places.pop().unwrap_or_default();

@@ -13,16 +13,16 @@ pub struct Cause {
     /// Its joint.
     pub joint: Option<usize>,
     /// The stated probability.
-    pub posterior: f64,
+    pub posterior: Option<f64>,
 }
 
 /// How far the error shrinks, as the diagnosis says.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shrink {
     /// rms before, mm.
-    pub before_rms_mm: f64,
+    pub before_rms_mm: Option<f64>,
     /// rms after, mm.
-    pub after_rms_mm: f64,
+    pub after_rms_mm: Option<f64>,
     /// 90 % interval of after / before.
     pub ci90: Option<[f64; 2]>,
 }
@@ -96,14 +96,19 @@ fn any_right(truth: &Truth, cause: &Cause) -> bool {
 }
 
 fn confident_and_wrong(truth: &Truth, answer: &Answer) -> bool {
-    names_a_cause(answer) && answer.causes.first().is_some_and(|c| c.posterior >= 0.9 && !any_right(truth, c))
+    names_a_cause(answer)
+        && answer
+            .causes
+            .first()
+            .is_some_and(|c| c.posterior.is_some_and(|p| p >= 0.9) && !any_right(truth, c))
 }
 
 /// Share of what an oracle that knows the effect takes off that the diagnosis takes off.
 fn shrink_share(truth: &Truth, answer: &Answer) -> Option<f64> {
     let shrink = answer.shrink?;
     let possible = truth.before_rms_mm - truth.oracle_rms_mm;
-    (possible > 0.1 * truth.before_rms_mm).then(|| (shrink.before_rms_mm - shrink.after_rms_mm) / possible)
+    let taken_off = shrink.before_rms_mm? - shrink.after_rms_mm?;
+    (possible > 0.1 * truth.before_rms_mm).then(|| taken_off / possible)
 }
 
 type Paper<'a> = (&'a Truth, &'a Answer);
@@ -144,7 +149,10 @@ impl<'a> Marks<'a> {
             .0
             .iter()
             .filter(|(t, a)| t.kind == Kind::One && names_a_cause(a))
-            .filter_map(|(t, a)| a.causes.first().map(|c| (c.posterior.clamp(0.0, 1.0), is(t, 0, c))))
+            .filter_map(|(t, a)| {
+                let cause = a.causes.first()?;
+                Some((cause.posterior?.clamp(0.0, 1.0), is(t, 0, cause)))
+            })
             .collect();
         let sets = stated.len();
         let error: f64 = (0..10)
@@ -338,10 +346,14 @@ mod tests {
                 .map(|&(effect, joint, posterior)| Cause {
                     effect: effect.into(),
                     joint: Some(joint),
-                    posterior,
+                    posterior: Some(posterior),
                 })
                 .collect(),
-            shrink: Some(Shrink { before_rms_mm: 0.10, after_rms_mm: 0.07, ci90: Some([0.3, 0.5]) }),
+            shrink: Some(Shrink {
+                before_rms_mm: Some(0.10),
+                after_rms_mm: Some(0.07),
+                ci90: Some([0.3, 0.5]),
+            }),
         }
     }
 

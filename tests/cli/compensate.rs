@@ -6,7 +6,7 @@ use std::fs;
 
 #[test]
 fn one_file_goes_beside_itself_and_comes_back_byte_for_byte() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let source = fs::read(CUBE).unwrap();
     let cube = bench.file("Cube45.mod", &source);
     let output = driftpost(&["compensate", &cube, "--tolerance-mm", "0.02"]);
@@ -24,7 +24,7 @@ fn one_file_goes_beside_itself_and_comes_back_byte_for_byte() {
 
 #[test]
 fn a_folder_is_written_whole_under_the_same_names() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
     bench.file("cell/RAPID/TASK1/Cell.MOD", &module);
     bench.file("cell/RAPID/TASK1/Idle.sys", "MODULE Idle\n  VAR num n;\nENDMODULE");
@@ -42,7 +42,7 @@ fn a_folder_is_written_whole_under_the_same_names() {
 
 #[test]
 fn a_pgf_is_read_in_its_order() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
     bench.file("Cell.mod", module);
     let pgf = bench.file("cell.pgf", "<Program><Module>Cell.mod</Module></Program>");
@@ -54,7 +54,7 @@ fn a_pgf_is_read_in_its_order() {
 
 #[test]
 fn an_input_is_overwritten_only_in_place() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let cube = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
     let output = driftpost(&["compensate", &cube, "--in-place", "--tolerance-mm", "0.05"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
@@ -64,7 +64,7 @@ fn an_input_is_overwritten_only_in_place() {
 
 #[test]
 fn json_has_the_keys_of_the_contract_and_is_alone_on_standard_output() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let result = bench.path("o.mod").display().to_string();
     let output = driftpost(&["compensate", CUBE, "-o", &result, "--json", "-"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
@@ -97,7 +97,7 @@ fn json_has_the_keys_of_the_contract_and_is_alone_on_standard_output() {
 
 #[test]
 fn joints_at_every_minute_have_the_columns_of_the_contract() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let csv = bench.path("j.csv").display().to_string();
     let result = bench.path("o.mod").display().to_string();
     let arguments = ["compensate", CUBE, "-o", &result, "--until", "180", "--joints-csv", &csv];
@@ -114,7 +114,7 @@ fn joints_at_every_minute_have_the_columns_of_the_contract() {
 
 #[test]
 fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let run = |threads: &str, name: &str| {
         let path = bench.path(name).display().to_string();
         let mut command = assert_cmd::Command::cargo_bin("driftpost").unwrap();

@@ -1,6 +1,6 @@
 //! The command line as scripts rely on it: exit codes, what is written where, and every refusal.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, missing_docs)]
 
 mod compensate;
 mod outputs;
@@ -18,11 +18,13 @@ pub struct Bench {
     folder: tempfile::TempDir,
 }
 
-impl Bench {
-    pub fn new() -> Self {
+impl Default for Bench {
+    fn default() -> Self {
         Self { folder: tempfile::tempdir().unwrap() }
     }
+}
 
+impl Bench {
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }

@@ -26,7 +26,7 @@ fn inspect_writes_json_and_csv() {
 
 #[test]
 fn a_closed_pipe_is_not_an_error() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let result = bench.path("o.mod");
     let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -45,7 +45,7 @@ fn a_closed_pipe_is_not_an_error() {
 
 #[test]
 fn a_long_diff_is_cut_with_a_count_and_whole_in_a_file() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let result = bench.path("o.mod").display().to_string();
     let diff = bench.path("o.diff").display().to_string();
     let cut = driftpost(&["compensate", CUBE, "-o", &result, "--tolerance-mm", "0.002"]);
@@ -59,7 +59,7 @@ fn a_long_diff_is_cut_with_a_count_and_whole_in_a_file() {
 #[test]
 fn a_folder_that_cannot_be_written_to_is_found_before_the_work() {
     use std::os::unix::fs::PermissionsExt;
-    let bench = Bench::new();
+    let bench = Bench::default();
     let folder = bench.path("locked");
     std::fs::create_dir(&folder).unwrap();
     std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o555)).unwrap();

@@ -32,7 +32,7 @@ fn refused(bench: &Bench, arguments: &[&str], code: &str) -> String {
 
 #[test]
 fn a_missing_file_is_named_with_its_neighbour() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     bench.file("Cube45.mod", GOOD);
     let wrong = bench.path("Cube54.mod").display().to_string();
     let message = refused(&bench, &[&wrong], "input::missing");
@@ -41,7 +41,7 @@ fn a_missing_file_is_named_with_its_neighbour() {
 
 #[test]
 fn files_that_are_no_modules_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     bench.file("empty_folder/readme.txt", "nothing");
     let folder = bench.path("empty_folder").display().to_string();
     refused(&bench, &[&folder], "input::no-modules");
@@ -55,7 +55,7 @@ fn files_that_are_no_modules_are_refused() {
 
 #[test]
 fn deformation_tables_that_cannot_be_used_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let table = |rows: &[&str]| format!("{HEADER}{}\n", rows.join("\n"));
     let zero = "0,0,0,0,0,0";
     let cases = [
@@ -74,7 +74,7 @@ fn deformation_tables_that_cannot_be_used_are_refused() {
 
 #[test]
 fn numbers_and_names_that_make_no_sense_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     refused(&bench, &[CUBE, "--tolerance-mm", "0"], "schedule::tolerance");
     refused(&bench, &[CUBE, "--tolerance-mm", "-0.005"], "schedule::tolerance");
     refused(&bench, &[CUBE, "--until", "-3"], "schedule::until");
@@ -88,7 +88,7 @@ fn numbers_and_names_that_make_no_sense_are_refused() {
 
 #[test]
 fn programs_that_must_not_be_corrected_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let far = bench.file("far.mod", GOOD.replace("[450,-100,300]", "[4500,-100,300]"));
     let output = driftpost(&["compensate", &far]);
     assert_eq!(output.status.code(), Some(2));
@@ -105,7 +105,7 @@ fn programs_that_must_not_be_corrected_are_refused() {
 
 #[test]
 fn a_non_nominal_program_is_taken_when_the_user_says_so() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let file = bench.file("o.mod", GOOD.replace("  PROC", "  ! Using calibrated kinematics.\n  PROC"));
     let output = driftpost(&["compensate", &file, "--allow-non-nominal"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
@@ -114,7 +114,7 @@ fn a_non_nominal_program_is_taken_when_the_user_says_so() {
 
 #[test]
 fn an_output_that_cannot_be_written_is_found_before_the_work() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let good = bench.file("good.mod", GOOD);
     refused(&bench, &[&good, "-o", &good], "output::is-input");
     let inside_a_file = format!("{good}/x.mod");
@@ -128,7 +128,7 @@ fn an_output_that_cannot_be_written_is_found_before_the_work() {
 
 #[test]
 fn strict_refuses_what_would_be_kept_and_json_says_so() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let kept = GOOD.replace("    MoveL p,", "    MoveL pWhere,v100,fine,tool0;\n    MoveL p,");
     let file = bench.file("k.mod", kept);
     assert_eq!(driftpost(&["compensate", &file, "-o", "/dev/null/x"]).status.code(), Some(2));
@@ -145,7 +145,7 @@ fn strict_refuses_what_would_be_kept_and_json_says_so() {
 
 #[test]
 fn fifty_megabytes_of_no_module_are_refused_at_once() {
-    let bench = Bench::new();
+    let bench = Bench::default();
     let file = bench.file("big.mod", vec![b'('; 50_000_000]);
     let start = std::time::Instant::now();
     refused(&bench, &[&file], "input::no-module");

@@ -9,7 +9,7 @@ fn a_misspelt_option_is_answered_with_the_right_one() {
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
     let options: Vec<&str> = help
         .lines()
-        .filter_map(|line| line.trim_start().split_whitespace().find(|w| w.starts_with("--")))
+        .filter_map(|line| line.split_whitespace().find(|w| w.starts_with("--")))
         .filter(|w| w.len() > 7)
         .collect();
     assert!(options.len() > 15, "{options:?}");

@@ -47,7 +47,7 @@ fn holds(name: &str, original: &Files, clock: &Clock, minutes: &[f64]) -> bool {
 fn every_export_of_the_fixtures_is_where_it_should_be() {
     let mut done = 0;
     for path in modules_below(&fixtures().join("robodk")) {
-        let original = read(&[path.clone()]);
+        let original = read(std::slice::from_ref(&path));
         for clock in [warmth(), Clock::Elapsed] {
             done += usize::from(holds(&path.display().to_string(), &original, &clock, &MINUTES));
         }
