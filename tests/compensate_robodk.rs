@@ -95,12 +95,9 @@ fn the_old_dialects_arc_without_its_frame_is_out_of_reach() {
 }
 
 #[test]
+#[ignore = "needs a folder of RoboDK exports in DRIFTPOST_CORPUS"]
 fn twenty_thousand_moves_in_five_pages() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk/mill20000");
-    if !folder.is_dir() {
-        eprintln!("skipped: no folder {}", folder.display());
-        return;
-    }
+    let folder = PathBuf::from(std::env::var_os("DRIFTPOST_CORPUS").unwrap()).join("mill20000");
     let names = [
         "Mill20000.mod",
         "Mill200001.mod",
@@ -112,7 +109,7 @@ fn twenty_thousand_moves_in_five_pages() {
     let program = read(&folder, &names);
     let plan = planned(&program);
     assert_eq!(kept(&program, &plan), []);
-    assert!(plan.motions.len() > 20_000);
+    assert!(plan.motions.len() >= 20_000);
     assert!(plan.summary.worst_after_m <= 5e-6, "{}", plan.summary.worst_after_m);
     assert!(plan.diagnostics.len() < 20, "{:?}", plan.diagnostics);
 }

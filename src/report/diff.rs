@@ -288,7 +288,7 @@ mod tests {
     #[test]
     fn each_changed_line_stands_beside_what_it_becomes() {
         let source = "0\n1\n2\n3\nMoveL p;\nMoveL q;\n6\n7\n8\n9\n10\n11\n12\n13\nend";
-        let edits = [edit(8, 8, "tick;\n"), edit(14, 15, "P"), edit(23, 24, "Q"), edit(50, 50, "!")];
+        let edits = [edit(8, 8, "tick;\n"), edit(14, 15, "P"), edit(23, 24, "Q"), edit(49, 49, "!")];
         let expected = "--- a\n+++ b\n@@ -2,8 +2,9 @@\n 1\n 2\n 3\n+tick;\n-MoveL p;\n+MoveL P;\n-MoveL q;\n+MoveL Q;\n 6\n 7\n 8\n@@ -12,4 +13,4 @@\n 11\n 12\n 13\n-end\n\\ No newline at end of file\n+end!\n\\ No newline at end of file\n";
         assert_eq!(diff(source, &edits), expected);
         assert_eq!(diff(source, &[]), "");

@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn a_message_shows_its_line_of_latin_1_source_and_the_place_in_it() {
         let files = [file(b"MODULE m\r\n! gr\xfc\xdfe\r\n  ! \xfcber MoveL p1,v5;\r\nENDMODULE")];
-        let at = Span { file: FileId(0), range: TextRange::new(31, 33) };
+        let at = Span { file: FileId(0), range: TextRange::new(34, 36) };
         assert_eq!(files[0].text(at.range), b"p1");
         let shown = plain(&Diagnostic::warning("keep::x", "no target").at(at).help("teach it"), &files);
         let expected = "warning[keep::x]: no target\n --> cell/prog.mod:3:16\n  |\n3 |   ! \u{fc}ber MoveL p1,v5;\n  |                ^^\n  |\n  = help: teach it\n";

@@ -85,13 +85,9 @@ fn named_targets_arrays_offsets_and_two_tools_are_where_they_should_be() {
 }
 
 #[test]
+#[ignore = "needs a folder of RoboDK exports in DRIFTPOST_CORPUS"]
 fn twenty_thousand_moves_in_pages_are_where_they_should_be() {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
-    let folder = std::env::var_os("DRIFTPOST_CORPUS").map_or(beside, PathBuf::from).join("mill20000");
-    if !folder.is_dir() {
-        println!("skipped: {} is not there", folder.display());
-        return;
-    }
+    let folder = PathBuf::from(std::env::var_os("DRIFTPOST_CORPUS").unwrap()).join("mill20000");
     let original = read(&modules_below(&folder));
     assert!(holds("mill20000", &original, &warmth(), &MINUTES));
 }
