@@ -153,7 +153,9 @@ struct Shown {
 impl Shown {
     fn new(bytes: &[u8]) -> Self {
         if let Ok(text) = std::str::from_utf8(bytes) {
-            let at = (0..=bytes.len()).map(|i| text.floor_char_boundary(i)).collect();
+            let mut at = Vec::with_capacity(bytes.len() + 1);
+            at.extend(text.char_indices().flat_map(|(i, c)| std::iter::repeat_n(i, c.len_utf8())));
+            at.push(text.len());
             return Self { text: text.to_owned(), at };
         }
         let mut text = String::with_capacity(bytes.len() + 16);
