@@ -1,9 +1,10 @@
 //! Where the files of a result go.
 
-use super::files::Pending;
+use super::files::{self, Pending};
 use super::given::{Given, Shape};
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::emit::EmittedFile;
+use crate::program::{modules_of_pgf, pgf_with_module};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -24,7 +25,9 @@ impl Destination {
     /// `output::is-input` where an input would be overwritten and `in_place` does not say so.
     pub fn new(given: &Given, output: Option<&Path>, in_place: bool) -> Result<Self, Diagnostic> {
         if in_place {
-            return Ok(Self { modules: given.paths.clone(), others: Vec::new(), whole: false });
+            let lists = given.others.iter().map(|(path, _)| path).filter(|path| is_pgf(path));
+            let others = lists.map(|path| (path.clone(), path.clone())).collect();
+            return Ok(Self { modules: given.paths.clone(), others, whole: false });
         }
         let destination = match given.shape {
             Shape::One => {
@@ -115,13 +118,48 @@ impl Destination {
             }
         }
         for (from, to) in &self.others {
-            let mut file =
-                fs::File::open(from).map_err(|cause| super::files::cannot_read(from, "file", &cause))?;
+            if is_pgf(from) {
+                let listed = files::read(from, "list of modules")?;
+                let now = self.list_with(from, to, &listed, given, emitted);
+                if from != to || now != listed {
+                    add(to, &mut now.as_slice())?;
+                }
+                continue;
+            }
+            let mut file = fs::File::open(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
             add(to, &mut file)?;
         }
         pending.into_iter().try_for_each(Pending::place)?;
         Ok(written)
     }
+
+    /// A `.pgf` that lists a changed module lists the new ones that are loaded with it, too.
+    fn list_with(
+        &self,
+        from: &Path,
+        to: &Path,
+        bytes: &[u8],
+        given: &Given,
+        emitted: &[EmittedFile],
+    ) -> Vec<u8> {
+        let folder = from.parent().unwrap_or(Path::new(""));
+        let listed: Vec<PathBuf> = modules_of_pgf(bytes).iter().map(|name| folder.join(name)).collect();
+        let changed = emitted.iter().filter_map(|file| given.paths.get(file.source?.0 as usize));
+        if !changed.into_iter().any(|path| listed.contains(path)) {
+            return bytes.to_vec();
+        }
+        let mut bytes = bytes.to_vec();
+        for file in emitted.iter().filter(|file| file.source.is_none()) {
+            let path = self.path_of(file, given);
+            let place = path.strip_prefix(to.parent().unwrap_or(Path::new(""))).unwrap_or(&path);
+            bytes = pgf_with_module(&bytes, &place.to_string_lossy().replace('\\', "/"));
+        }
+        bytes
+    }
+}
+
+fn is_pgf(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgf"))
 }
 
 /// `prog.mod` → `prog_tc.mod`; a folder or a `.pgf` → folder `NAME_tc`.

@@ -28,7 +28,7 @@ mod state;
 mod value;
 mod writes;
 
-pub use pgf::modules_of_pgf;
+pub use pgf::{modules_of_pgf, pgf_with_module};
 
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::syntax::SourceFile;

@@ -24,6 +24,28 @@ pub fn modules_of_pgf(bytes: &[u8]) -> Vec<String> {
     out
 }
 
+/// A `.pgf` with one more module behind its last one, written as that one is; as it was where it lists none,
+/// or lists `module` already.
+#[must_use]
+pub fn pgf_with_module(bytes: &[u8], module: &str) -> Vec<u8> {
+    if modules_of_pgf(bytes).iter().any(|listed| listed.eq_ignore_ascii_case(module)) {
+        return bytes.to_vec();
+    }
+    let lower = bytes.to_ascii_lowercase();
+    let begin = memchr::memmem::rfind(&lower, b"<module>");
+    let end = memchr::memmem::rfind(&lower, b"</module>").map(|at| at + b"</module>".len());
+    let (Some(begin), Some(end)) = (begin, end) else { return bytes.to_vec() };
+    let line = bytes[..begin].iter().rposition(|b| *b == b'\n').unwrap_or(begin);
+    let crlf = line > 0 && line < begin && bytes[line - 1] == b'\r';
+    let before = &bytes[if crlf { line - 1 } else { line }..begin];
+    let element = format!("<Module>{}</Module>", escape(module));
+    [&bytes[..end], before, element.as_bytes(), &bytes[end..]].concat()
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
 fn unescape(text: &str) -> String {
     text.replace("&lt;", "<")
         .replace("&gt;", ">")
@@ -34,7 +56,7 @@ fn unescape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::modules_of_pgf;
+    use super::{modules_of_pgf, pgf_with_module};
 
     #[test]
     fn module_paths_in_order() {
@@ -44,5 +66,19 @@ mod tests {
         assert_eq!(modules_of_pgf(pgf), ["A.mod", "sub/K\u{fc}hn & Co.mod"]);
         assert!(modules_of_pgf(b"").is_empty());
         assert!(modules_of_pgf(b"<Module>A.mod").is_empty());
+    }
+
+    #[test]
+    fn one_more_module_is_written_as_the_last_one_is() {
+        let pgf = b"<Program>\r\n\t<Module>A.mod</Module>\r\n</Program>\r\n";
+        let more = pgf_with_module(pgf, "tcCore.mod");
+        assert_eq!(
+            String::from_utf8_lossy(&more),
+            "<Program>\r\n\t<Module>A.mod</Module>\r\n\t<Module>tcCore.mod</Module>\r\n</Program>\r\n"
+        );
+        assert_eq!(pgf_with_module(&more, "TCCORE.mod"), more);
+        let one_line = b"<Program><module>A.mod</module></Program>";
+        assert_eq!(modules_of_pgf(&pgf_with_module(one_line, "B & C.mod")), ["A.mod", "B & C.mod"]);
+        assert_eq!(pgf_with_module(b"<Program/>", "A.mod"), b"<Program/>");
     }
 }

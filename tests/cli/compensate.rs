@@ -124,3 +124,26 @@ fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
     };
     assert_eq!(run("1", "a.mod"), run("5", "b.mod"));
 }
+
+#[test]
+fn the_list_of_modules_names_the_core_too() {
+    let bench = Bench::default();
+    let cube = std::fs::read_to_string(CUBE).unwrap();
+    let second = cube.replace("MOD_Cube45", "MOD_Second").replace("Cube45()", "Second()").replace("rdkSpeed", "rdkFast");
+    assert_ne!(cube, second);
+    bench.file("cell/A.mod", &cube);
+    bench.file("cell/sub/B.mod", &second);
+    let list = "<Program>\n\t<Module>A.mod</Module>\n\t<Module>sub\\B.mod</Module>\n</Program>\n";
+    let pgf = bench.file("cell/cell.pgf", list);
+    let output = driftpost(&["compensate", &pgf, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let with_core = list.replace("\n</Program>", "\n\t<Module>tcCore.mod</Module>\n</Program>");
+    assert_eq!(bench.text("cell/cell_tc/cell.pgf"), with_core);
+    let minutes = bench.path("cell/cell_tc/cell.pgf").display().to_string();
+    let output =
+        driftpost(&["simulate", &minutes, "--original", &pgf, "--minutes", "0,61", "--entry", "Cube45"]);
+    assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+    let output = driftpost(&["compensate", &pgf, "--in-place", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.text("cell/cell.pgf"), with_core);
+}
