@@ -129,7 +129,10 @@ fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
 fn the_list_of_modules_names_the_core_too() {
     let bench = Bench::default();
     let cube = std::fs::read_to_string(CUBE).unwrap();
-    let second = cube.replace("MOD_Cube45", "MOD_Second").replace("Cube45()", "Second()").replace("rdkSpeed", "rdkFast");
+    let second = cube
+        .replace("MOD_Cube45", "MOD_Second")
+        .replace("Cube45()", "Second()")
+        .replace("rdkSpeed", "rdkFast");
     assert_ne!(cube, second);
     bench.file("cell/A.mod", &cube);
     bench.file("cell/sub/B.mod", &second);

@@ -12,10 +12,10 @@ const PROGRAM: &str = "MODULE Cell
     ConfL\\Off;
     MoveAbsJ [[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;
     WaitTime 2400;
-    IF nParts>5 MoveL [[410,40,250],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
+    IF nParts>5 MoveL [[410,40,250],[0,0,1,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
     WaitTime 2400;
-    IF nParts=0 MoveL [[430,40,250],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
-    IF nParts=0 IF nParts<1 MoveL [[440,40,250],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
+    IF nParts=0 MoveL [[430,40,250],[0,0,1,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
+    IF nParts=0 IF nParts<1 MoveL [[440,40,250],[0,0,1,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tGun;
   ENDPROC
 ENDMODULE
 ";
