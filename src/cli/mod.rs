@@ -16,6 +16,7 @@ pub mod suggest;
 
 pub mod compensate;
 pub mod diagnose;
+pub mod diff;
 pub mod exam;
 pub mod golden;
 pub mod inspect;
@@ -50,6 +51,8 @@ enum Command {
     Golden(golden::Args),
     /// List a program's motions: targets, tools, work objects, what can be compensated, and why not.
     Inspect(inspect::Args),
+    /// Compare two programs: the text, every motion and bucket in mm and deg, and all that is no target.
+    Diff(diff::Args),
     /// Get the original of a compensated module back.
     Restore(restore::Args),
     /// Execute a program on the deformed robot: where the TCP really is, against what was meant.
@@ -68,6 +71,7 @@ enum Command {
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Compensate(args) => compensate::run(args, console),
+        Command::Diff(args) => diff::run(args, console),
         Command::Golden(args) => golden::run(args, console),
         Command::Inspect(args) => inspect::run(args, console),
         Command::Restore(args) => restore::run(args, console),

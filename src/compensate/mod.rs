@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+pub mod compare;
 mod correct;
 mod drift;
 mod figures;

@@ -7,6 +7,7 @@
 
 mod clock;
 mod header;
+mod identity;
 mod module;
 mod names;
 mod number;
@@ -17,6 +18,7 @@ mod target;
 
 use std::collections::BTreeMap;
 
+pub use identity::{Difference, differences};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance};
 pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
 

@@ -95,6 +95,8 @@ pub struct Target {
     pub origin: Origin,
     /// What it is worth; `None` where [`Motion::keep`] says why that is not known.
     pub value: Option<TargetValue>,
+    /// Where it is an element of a constant array and only run time tells which: all elements, in order.
+    pub elements: Vec<TargetValue>,
     /// The text of the value as the source spells it: the aggregate of an inline target, or the initial
     /// value of a named one, where that is a literal aggregate. Element 1 of a schedule copies it.
     pub literal: Option<Span>,

@@ -215,15 +215,38 @@ impl<'a> Finish<'_, 'a> {
             TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
             TargetValue::Rob(_) => false,
         };
-        let target = |value, literal| Target { range: expr.range, origin: origin.clone(), value, literal };
+        let target = |value, literal| Target {
+            range: expr.range,
+            origin: origin.clone(),
+            value,
+            elements: Vec::new(),
+            literal,
+        };
         match folded {
             Ok(value) if unused_axis(&value) => {
                 let text = "an axis of the arm is written 9E9: it stays where it is";
                 (target(Some(value), literal), Some(keep("keep::axis-unused", text.into())), calc)
             }
             Ok(value) => (target(Some(value), literal), None, calc),
-            Err(why) => (target(None, None), Some((*why).clone()), calc),
+            Err(why) => {
+                let elements = self.elements(expr, ctx, joints_wanted);
+                (Target { elements, ..target(None, None) }, Some((*why).clone()), calc)
+            }
         }
+    }
+
+    /// All elements of the constant array that `NAME{index}` names; none where it is something else.
+    fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
+        let ExprKind::Index { base, indices } = &expr.kind else { return Vec::new() };
+        let ([_], ExprKind::Name) = (indices.as_slice(), &base.kind) else { return Vec::new() };
+        let Ok(Value::Parts(parts)) = self.folder.fold(base, ctx, &Constant).map(|typed| typed.value) else {
+            return Vec::new();
+        };
+        let element = |part: &Value| match joints_wanted {
+            true => convert::jointtarget(part).map(TargetValue::Joint).ok(),
+            false => convert::robtarget(part).map(TargetValue::Rob).ok(),
+        };
+        parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
     }
 
     fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {

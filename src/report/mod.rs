@@ -3,6 +3,7 @@
 //! Computes nothing: every figure comes from the plan; here it gets its unit and its place. Knows nothing
 //! of files and terminals: everything is written to a [`std::io::Write`].
 
+mod comparison;
 pub mod diagnosis;
 mod diff;
 mod inspect;
@@ -12,6 +13,7 @@ mod message;
 mod review;
 mod table;
 
+pub use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::write_joints;

@@ -16,6 +16,7 @@ mod lexical;
 pub mod literal;
 mod module;
 mod recover;
+mod same;
 pub mod source;
 mod statement;
 pub mod tree;
@@ -24,6 +25,7 @@ pub mod word;
 
 pub use edit::{Edit, EditError, apply};
 pub use literal::{number_value, string_value};
+pub use same::first_difference;
 pub use source::{LineIndex, SourceFile};
 pub use word::{Word, fold, is_reserved, same_name};
 

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod compensate;
+mod diff;
 mod outputs;
 mod refusals;
 mod typos;

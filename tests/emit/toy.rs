@@ -131,7 +131,13 @@ impl Reader<'_> {
     }
 
     fn target(&self, expr: &Expr, joint: bool) -> Target {
-        let mut target = Target { range: expr.range, origin: Origin::Expression, value: None, literal: None };
+        let mut target = Target {
+            range: expr.range,
+            origin: Origin::Expression,
+            value: None,
+            elements: Vec::new(),
+            literal: None,
+        };
         match &expr.kind {
             ExprKind::Aggregate(_) => {
                 target.origin = Origin::Inline;

@@ -47,6 +47,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         range: TextRange::new(0, 0),
         origin: Origin::Inline,
         value: Some(value),
+        elements: Vec::new(),
         literal: None,
     };
     Motion {

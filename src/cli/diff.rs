@@ -1,0 +1,104 @@
+//! `driftpost diff`: two programs, line by line, motion by motion and bucket by bucket.
+
+use super::files::Output;
+use super::given::{self, Given};
+use super::inspect::Format;
+use super::{Console, Outcome, model};
+use crate::compensate::compare::compare;
+use crate::diagnostic::Diagnostic;
+use crate::emit::differences;
+use crate::program::{Overrides, Program};
+use crate::report::{self, Compared};
+use std::path::PathBuf;
+
+/// A longer diff is cut on standard output.
+const DIFF_LINES: usize = 2000;
+
+/// Options of `diff`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The one program: a module, a folder, or a .pgf; as a rule the original.
+    #[arg(value_name = "A")]
+    pub before: PathBuf,
+
+    /// The other, as a rule compensated.
+    #[arg(value_name = "B")]
+    pub after: PathBuf,
+
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Form of what is written; text begins with the lines that differ.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    /// Show every motion with every bucket, and every line that differs.
+    #[arg(long)]
+    pub all: bool,
+
+    /// All figures as JSON, beside what --format gives; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `diff`.
+///
+/// # Errors
+/// A program that cannot be read, a robot that is not known.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    let robot = model::robot(&args.robot)?;
+    let given = [&args.before, &args.after].map(|path| Given::read(std::slice::from_ref(path)));
+    let [before, after] = given;
+    let (given_before, given_after) = (before?, after?);
+    let (Some(before), Some(after)) = (program(&given_before, console), program(&given_after, console))
+    else {
+        return Ok(Outcome::Refused);
+    };
+    let comparison =
+        compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+    let elsewhere = differences(&before, &after);
+    let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
+    let pretty = || format!("{:#}\n", shown.json()).into_bytes();
+    if !json.is_standard() {
+        match args.format {
+            Format::Text => {
+                write_lines(&before, &after, args.all, console)?;
+                shown.write(console.out(), args.all)?;
+            }
+            Format::Csv => shown.write_csv(console.out())?,
+            Format::Json => console.out().write_all(&pretty())?,
+        }
+    }
+    json.write(console, || Ok(pretty()))?;
+    let same_bytes = given_before.bytes == given_after.bytes;
+    Ok(if same_bytes || shown.is_same() { Outcome::Done } else { Outcome::Difference })
+}
+
+fn program(given: &Given, console: &mut Console) -> Option<Program> {
+    let files = given.sources();
+    if let Err(message) = given::check_modules(&files) {
+        console.explain(&[message], &files, true);
+        return None;
+    }
+    Some(Program::read(files, &Overrides::default()))
+}
+
+/// The lines that differ, module by module.
+fn write_lines(before: &Program, after: &Program, all: bool, console: &mut Console) -> std::io::Result<()> {
+    let mut cut = report::Cut::new(console.out(), if all { usize::MAX } else { DIFF_LINES });
+    for module in &after.facts.modules {
+        let new = after.file(module.file);
+        let same = |name: &str| name.eq_ignore_ascii_case(&module.name);
+        match before.facts.modules.iter().find(|m| same(&m.name)).map(|m| before.file(m.file)) {
+            Some(old) => report::write_texts(&mut cut, &old.path, &new.path, &old.bytes, &new.bytes)?,
+            None => report::write_created(&mut cut, &new.path, &new.bytes)?,
+        }
+    }
+    let dropped = cut.dropped;
+    if dropped > 0 {
+        writeln!(console.out(), "... and {dropped} more lines; --all shows all of them")?;
+    }
+    writeln!(console.out())
+}

@@ -1,0 +1,297 @@
+//! Two programs compared: for people, as JSON and as CSV.
+
+use super::review::target_name;
+use super::{Align, Table, rounded};
+use crate::compensate::compare::{ComparedMotion, Comparison, Step};
+use crate::emit::Difference;
+use crate::program::Program;
+use crate::program::motion::Motion;
+use crate::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// A longer list is cut for people.
+const SHORT: usize = 200;
+
+/// What is to be shown of a comparison.
+#[derive(Clone, Copy, Debug)]
+pub struct Compared<'a> {
+    /// The first program.
+    pub before: &'a Program,
+    /// The second.
+    pub after: &'a Program,
+    /// Their motions.
+    pub comparison: &'a Comparison,
+    /// What differs beside the targets.
+    pub elsewhere: &'a [Difference],
+}
+
+impl Compared<'_> {
+    /// Whether the two are the same program.
+    #[must_use]
+    pub fn is_same(&self) -> bool {
+        let c = self.comparison;
+        self.elsewhere.is_empty()
+            && c.only_before.is_empty()
+            && c.only_after.is_empty()
+            && c.motions.iter().all(|m| m.same_frames && m.steps.iter().all(is_none) && m.steps.len() < 2)
+    }
+
+    /// Writes the verdict and a row for each motion, its worst bucket; every bucket with `all`.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        let c = self.comparison;
+        if self.elsewhere.is_empty() {
+            writeln!(out, "Every token that is not the target of a motion is the same in both.")?;
+        }
+        for difference in self.elsewhere {
+            writeln!(out, "{}", sentence(difference))?;
+        }
+        for (motions, program, which) in
+            [(&c.only_before, self.before, "first"), (&c.only_after, self.after, "second")]
+        {
+            for motion in motions.iter().filter_map(|&i| program.motions.get(i)) {
+                let (kind, line) = (motion.kind, motion.line);
+                let file = &program.file(motion.file).path;
+                writeln!(out, "Only in the {which} program: {kind} in {file}:{line}")?;
+            }
+        }
+        let unknown = c.motions.iter().filter(|m| m.steps.is_empty()).count();
+        let changed = c.motions.iter().filter(|m| !m.steps.iter().all(is_none)).count();
+        let moved = c.motions.iter().filter(|m| !m.same_frames).count();
+        writeln!(
+            out,
+            "{} motions in both: {changed} with changed targets, {moved} with another instruction, tool or work \
+             object, {unknown} with targets that are only known at run time\n",
+            c.motions.len()
+        )?;
+        let mut table = Table::new(&[
+            ("line", Align::Left),
+            ("to", Align::Left),
+            ("routine", Align::Left),
+            ("move", Align::Left),
+            ("target", Align::Left),
+            ("bucket", Align::Right),
+            ("dp mm", Align::Right),
+            ("deg", Align::Right),
+            ("joint", Align::Right),
+            ("by deg", Align::Right),
+            ("to limit deg", Align::Right),
+            ("to singular deg", Align::Right),
+            ("note", Align::Left),
+        ]);
+        let mut left = if all { usize::MAX } else { SHORT };
+        let mut cut = 0;
+        for compared in &c.motions {
+            let worst = compared.steps.iter().enumerate().max_by(|(_, a), (_, b)| {
+                (a.distance_m, a.angle_rad)
+                    .partial_cmp(&(b.distance_m, b.angle_rad))
+                    .unwrap_or(std::cmp::Ordering::Equal)
+            });
+            let shown: Vec<(usize, Option<&Step>)> = match (all, worst) {
+                (_, None) => vec![(0, None)],
+                (true, _) => compared.steps.iter().enumerate().map(|(k, step)| (k, Some(step))).collect(),
+                (false, Some((k, step))) => vec![(k, Some(step))],
+            };
+            for (k, step) in shown {
+                if left == 0 {
+                    cut += 1;
+                    continue;
+                }
+                left -= 1;
+                table.row(self.row(compared, k, step));
+            }
+        }
+        table.write(out, "")?;
+        if cut > 0 {
+            writeln!(out, "... and {cut} more motions; --all shows every one and every bucket")?;
+        }
+        Ok(())
+    }
+
+    fn row(&self, compared: &ComparedMotion, k: usize, step: Option<&Step>) -> Vec<String> {
+        let (before, after) = self.motions(compared);
+        let number = |x: f64, digits: usize| format!("{x:.digits$}");
+        let arm = step.and_then(|s| s.arm);
+        let mut notes = Vec::new();
+        if !compared.same_frames {
+            notes.push("another instruction, tool or work object");
+        }
+        if step.is_none() {
+            notes.push("only known at run time");
+        }
+        if step.is_some_and(|s| !s.same_configuration) {
+            notes.push("other confdata or external axes");
+        }
+        if step.is_some() && arm.is_none() {
+            notes.push("out of the arm's reach");
+        }
+        if arm.is_some_and(|a| !a.same_branch) {
+            notes.push("another branch");
+        }
+        vec![
+            before.line.to_string(),
+            after.line.to_string(),
+            self.before.routines.get(before.routine).map_or_else(String::new, |r| r.name.clone()),
+            after.kind.to_owned(),
+            target_name(before).unwrap_or_default().to_owned(),
+            bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
+            step.map_or_else(String::new, |s| number(mm_from_m(s.distance_m), 4)),
+            step.map_or_else(String::new, |s| number(deg_from_rad(s.angle_rad), 5)),
+            arm.map_or_else(String::new, |a| a.joint.to_string()),
+            arm.map_or_else(String::new, |a| number(deg_from_rad(a.joint_rad), 5)),
+            arm.and_then(|a| a.limit_rad).map_or_else(String::new, |r| number(deg_from_rad(r), 2)),
+            arm.map_or_else(String::new, |a| number(deg_from_rad(a.wrist_rad.min(a.elbow_rad)), 2)),
+            notes.join(", "),
+        ]
+    }
+
+    fn motions(&self, compared: &ComparedMotion) -> (&Motion, &Motion) {
+        (&self.before.motions[compared.before], &self.after.motions[compared.after])
+    }
+
+    /// Writes one row for each motion and bucket.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut csv = csv::Writer::from_writer(out);
+        csv.write_record([
+            "file",
+            "line",
+            "line_after",
+            "routine",
+            "kind",
+            "target",
+            "bucket",
+            "dp_mm",
+            "angle_deg",
+            "joint",
+            "joint_deg",
+            "limit_margin_deg",
+            "wrist_margin_deg",
+            "elbow_margin_deg",
+            "shoulder_margin_mm",
+            "same_configuration",
+            "same_branch",
+            "same_frames",
+        ])?;
+        for compared in &self.comparison.motions {
+            let (before, after) = self.motions(compared);
+            for (k, step) in compared.steps.iter().enumerate() {
+                let arm = |f: &dyn Fn(&crate::compensate::compare::ArmStep) -> f64| {
+                    step.arm.as_ref().map_or_else(String::new, |a| rounded(f(a)).to_string())
+                };
+                csv.write_record([
+                    self.before.file(before.file).path.clone(),
+                    before.line.to_string(),
+                    after.line.to_string(),
+                    self.before.routines.get(before.routine).map_or_else(String::new, |r| r.name.clone()),
+                    after.kind.to_owned(),
+                    target_name(before).unwrap_or_default().to_owned(),
+                    bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
+                    rounded(mm_from_m(step.distance_m)).to_string(),
+                    rounded(deg_from_rad(step.angle_rad)).to_string(),
+                    step.arm.map_or_else(String::new, |a| a.joint.to_string()),
+                    arm(&|a| deg_from_rad(a.joint_rad)),
+                    step.arm
+                        .and_then(|a| a.limit_rad)
+                        .map_or_else(String::new, |r| rounded(deg_from_rad(r)).to_string()),
+                    arm(&|a| deg_from_rad(a.wrist_rad)),
+                    arm(&|a| deg_from_rad(a.elbow_rad)),
+                    arm(&|a| mm_from_m(a.shoulder_m)),
+                    step.same_configuration.to_string(),
+                    step.arm.map_or_else(String::new, |a| a.same_branch.to_string()),
+                    compared.same_frames.to_string(),
+                ])?;
+            }
+        }
+        csv.flush()
+    }
+
+    /// The same for scripts.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let mm = |m: f64| rounded(mm_from_m(m));
+        let deg = |rad: f64| rounded(deg_from_rad(rad));
+        let place = |program: &Program, i: &usize| {
+            program
+                .motions
+                .get(*i)
+                .map(|m| json!({"file": program.file(m.file).path, "line": m.line, "kind": m.kind}))
+        };
+        let motions: Vec<Value> = self
+            .comparison
+            .motions
+            .iter()
+            .map(|compared| {
+                let (before, after) = self.motions(compared);
+                let buckets: Vec<Value> = compared
+                    .steps
+                    .iter()
+                    .enumerate()
+                    .map(|(k, step)| {
+                        json!({
+                            "index": bucket(compared, k),
+                            "dp_mm": mm(step.distance_m),
+                            "angle_deg": deg(step.angle_rad),
+                            "joint": step.arm.map(|a| a.joint),
+                            "joint_deg": step.arm.map(|a| deg(a.joint_rad)),
+                            "limit_margin_deg": step.arm.and_then(|a| a.limit_rad).map(deg),
+                            "wrist_margin_deg": step.arm.map(|a| deg(a.wrist_rad)),
+                            "elbow_margin_deg": step.arm.map(|a| deg(a.elbow_rad)),
+                            "shoulder_margin_mm": step.arm.map(|a| mm(a.shoulder_m)),
+                            "same_configuration": step.same_configuration,
+                            "same_branch": step.arm.map(|a| a.same_branch),
+                        })
+                    })
+                    .collect();
+                json!({
+                    "file": self.before.file(before.file).path,
+                    "line": before.line,
+                    "file_after": self.after.file(after.file).path,
+                    "line_after": after.line,
+                    "routine": self.before.routines.get(before.routine).map(|r| &r.name),
+                    "kind": after.kind,
+                    "target": target_name(before),
+                    "same_frames": compared.same_frames,
+                    "buckets": buckets,
+                })
+            })
+            .collect();
+        json!({
+            "same": self.is_same(),
+            "same_elsewhere": self.elsewhere.is_empty(),
+            "elsewhere": self.elsewhere.iter().map(sentence).collect::<Vec<_>>(),
+            "motions": motions,
+            "only_before": self.comparison.only_before.iter().filter_map(|i| place(self.before, i)).collect::<Vec<_>>(),
+            "only_after": self.comparison.only_after.iter().filter_map(|i| place(self.after, i)).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// The bucket of the k-th step; `None` for the original of a scheduled target, and where it is not scheduled.
+fn bucket(compared: &ComparedMotion, k: usize) -> Option<usize> {
+    if compared.steps.len() > 1 { k.checked_sub(1) } else { None }
+}
+
+fn is_none(step: &Step) -> bool {
+    step.distance_m == 0.0
+        && step.angle_rad == 0.0
+        && step.same_configuration
+        && step.arm.is_none_or(|arm| arm.joint_rad == 0.0)
+}
+
+fn sentence(difference: &Difference) -> String {
+    match difference {
+        Difference::Text { before: (a, line_a), after: (b, line_b) } => format!(
+            "Beside the targets the text differs, first at {a}:{line_a} and line {line_b} of {b} without what \
+             compensation added."
+        ),
+        Difference::Missing(module) => format!("Module {module} is only in the first program."),
+        Difference::Added(module) => format!("Module {module} is only in the second program."),
+        Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
+    }
+}
