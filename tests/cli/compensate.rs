@@ -128,7 +128,7 @@ fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
 #[test]
 fn the_list_of_modules_names_the_core_too() {
     let bench = Bench::default();
-    let cube = std::fs::read_to_string(CUBE).unwrap();
+    let cube = fs::read_to_string(CUBE).unwrap();
     let second = cube
         .replace("MOD_Cube45", "MOD_Second")
         .replace("Cube45()", "Second()")
