@@ -40,6 +40,10 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub passes: u64,
 
+    /// The analog input or persistent that shows the true robot's temperature, for a deformation by temperature.
+    #[arg(long, value_name = "NAME")]
+    pub thermometer: Option<String>,
+
     /// A built-in robot's name, or a robot file (TOML).
     #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
     pub robot: String,
@@ -92,7 +96,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let csv = Output::new(args.csv.as_deref())?;
     let json = Output::new(args.json.as_deref())?;
 
-    let options = Options { entry: args.entry.clone(), passes: args.passes, paths: true };
+    let options = Options {
+        entry: args.entry.clone(),
+        passes: args.passes,
+        paths: true,
+        thermometer: args.thermometer.clone(),
+    };
     let truth = TrueRobot::new(robot, deformation);
     let program_names = names(&program);
     let original_names = original.as_ref().map(names);

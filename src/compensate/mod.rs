@@ -45,7 +45,7 @@ pub enum CompensateError {
     #[error("the robot cannot be compensated: {0}")]
     Structure(#[from] StructureError),
     /// The deformation goes by temperature.
-    #[error("the deformation goes by temperature; a schedule by warm-up time needs a table with t_min")]
+    #[error("the deformation goes by temperature; a table of joints by warm-up time needs one with t_min")]
     Temperature,
     /// No schedule.
     #[error("no schedule: {0}")]
@@ -96,6 +96,8 @@ pub fn plan(
     deformation: &Deformation,
     options: &Options,
 ) -> Result<Plan, CompensateError> {
+    let by_temperature = deformation.above_lowest();
+    let deformation = by_temperature.as_ref().map_or(deformation, |(_, above)| above);
     let model = Model::new(robot, deformation)?;
     let mut messages = Messages::default();
     let mut resolved = resolve(program, &model, &mut messages);
@@ -132,7 +134,15 @@ pub fn plan(
     messages.add_paths(program, &motions, options);
     messages.add_schedule(&chosen, &summary, options);
     let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule);
-    Ok(Plan { schedule: chosen.schedule, motions, ticks, summary, diagnostics: messages.finish() })
+    let temperature_c = by_temperature.map(|(range_c, _)| range_c);
+    Ok(Plan {
+        schedule: chosen.schedule,
+        temperature_c,
+        motions,
+        ticks,
+        summary,
+        diagnostics: messages.finish(),
+    })
 }
 
 /// Joint targets that the options leave alone.

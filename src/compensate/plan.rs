@@ -9,6 +9,9 @@ use crate::schedule::Schedule;
 pub struct Plan {
     /// When which bucket is in use.
     pub schedule: Schedule,
+    /// For a deformation by temperature its range, degrees Celsius: the schedule's minutes are then degrees
+    /// above the lowest.
+    pub temperature_c: Option<[f64; 2]>,
     /// One for each of [`Program::motions`](crate::program::Program::motions), in the same order.
     pub motions: Vec<PlannedMotion>,
     /// Where the clock is brought up to date.

@@ -62,6 +62,19 @@ impl Deformation {
         }
     }
 
+    /// For a table by temperature: its lowest and highest one, degrees Celsius, and the same table by degrees
+    /// above the lowest, in place of minutes.
+    #[must_use]
+    pub fn above_lowest(&self) -> Option<([f64; 2], Self)> {
+        let Kind::Scheduled { index: Index::Temperature, knots } = &self.0 else { return None };
+        let all = self.knots();
+        let (low, high) = (*all.first()?, *all.last()?);
+        let knots = knots.each_ref().map(|row| {
+            row.iter().map(|knot| Knot { at: knot.at - low, offsets: knot.offsets }).collect::<Vec<_>>()
+        });
+        Some(([low, high], Self(Kind::Scheduled { index: Index::WarmUpTime, knots })))
+    }
+
     /// The offsets at a warm-up minute, or at a temperature in degrees Celsius where that is the
     /// [`index`](Self::index).
     #[must_use]

@@ -5,24 +5,30 @@
 //! start are exact; only where the robot stood still is the state carried on, so that rounding does not
 //! add up from tick to tick.
 
-use super::names::Names;
+use super::names::{MAX_NAME, Names};
 use super::number::write_num;
-use super::options::{Clock, EmitError};
+use super::options::{Clock, EmitError, Sensor};
 use crate::deform::GrowthLaw;
 use crate::schedule::Schedule;
 
 const DATA: &str = include_str!("clock/data.mod");
+const TICK: &str = include_str!("clock/tick.mod");
+const STARTS: &str = include_str!("clock/starts.mod");
 const COMMON: &str = include_str!("clock/common.mod");
 const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
 const ONE_LAG: &str = include_str!("clock/one_lag.mod");
 const LAGS: &str = include_str!("clock/lags.mod");
 const ELAPSED: &str = include_str!("clock/elapsed.mod");
+const SENSOR: &str = include_str!("clock/sensor.mod");
+
+/// A reading so much beyond the table's range, as a share of it, is taken as its end; further beyond it is none.
+const BEYOND: f64 = 0.1;
 
 /// Longest line of a CASE list; well inside RAPID's 255 however deep the module is indented.
 const CASE_LINE: usize = 120;
 
 /// Which law the minute follows while the program runs and stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Law {
     /// Two equal lags in a row, warming and cooling with a time constant each, minutes.
     TwoStage {
@@ -44,6 +50,17 @@ pub enum Law {
     },
     /// Minutes since the start, standing or not.
     Elapsed,
+    /// A temperature that is read.
+    Sensor {
+        /// The RAPID expression that reads it.
+        read: String,
+        /// The table's range, degrees Celsius.
+        range_c: [f64; 2],
+        /// A last good reading is used for so long, minutes.
+        hold_min: f64,
+        /// A reading that has not changed for so long is none any more, minutes.
+        stale_min: f64,
+    },
 }
 
 impl Law {
@@ -54,15 +71,29 @@ impl Law {
     ///
     /// # Errors
     /// [`EmitError::CoolingUnknown`] where nothing says how fast the robot cools,
-    /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number.
-    pub fn of(clock: &Clock) -> Result<Self, EmitError> {
-        let Clock::Warmth { growth, tau_cool_min, gap_min } = *clock else { return Ok(Self::Elapsed) };
+    /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number,
+    /// [`EmitError::ClockOfOtherKind`] for a measured temperature where `range_c` says that the deformation goes by
+    /// time, and the other way.
+    pub fn of(clock: &Clock, range_c: Option<[f64; 2]>) -> Result<Self, EmitError> {
         let positive = |name: &'static str, value: f64| {
             if value.is_finite() && value > 0.0 {
                 Ok(value)
             } else {
                 Err(EmitError::BadTime { name, minutes: value })
             }
+        };
+        let (growth, tau_cool_min, gap_min) = match (clock, range_c) {
+            (Clock::Warmth { growth, tau_cool_min, gap_min }, None) => (*growth, *tau_cool_min, *gap_min),
+            (Clock::Elapsed, None) => return Ok(Self::Elapsed),
+            (Clock::Sensor { source, hold_min, stale_min }, Some(range_c)) => {
+                return Ok(Self::Sensor {
+                    read: read(source)?,
+                    range_c,
+                    hold_min: positive("the time that a last good reading is used for", *hold_min)?,
+                    stale_min: positive("the time in which a reading must change", *stale_min)?,
+                });
+            }
+            (_, range_c) => return Err(EmitError::ClockOfOtherKind { by_temperature: range_c.is_some() }),
         };
         let gap_min = positive("the longest pause that counts as running", gap_min)?;
         let cool = |tau_min: f64| positive("the time constant of cooling", tau_cool_min.unwrap_or(tau_min));
@@ -83,17 +114,36 @@ impl Law {
     }
 }
 
+/// How a sensor is read.
+fn read(source: &Sensor) -> Result<String, EmitError> {
+    let (Sensor::Signal(name) | Sensor::Pers(name)) = source;
+    let bad = |why| Err(EmitError::BadSensor { name: name.clone(), why });
+    let letters = name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    if !letters || !name.as_bytes().first().is_some_and(u8::is_ascii_alphabetic) || name.len() > MAX_NAME {
+        return bad("a name has at most 32 letters, digits and _, and begins with a letter");
+    }
+    if name.get(..2).is_some_and(|two| two.eq_ignore_ascii_case("tc")) {
+        return bad("names that begin with tc are those of what is added");
+    }
+    Ok(match source {
+        Sensor::Signal(name) => format!("AInput({name})"),
+        Sensor::Pers(name) => name.clone(),
+    })
+}
+
 /// The core's data declarations, one a line, indented by two blanks a level.
-pub fn data(names: &Names) -> Vec<String> {
-    DATA.lines().map(|line| names.rename(line)).collect()
+pub fn data(law: &Law, names: &Names) -> Vec<String> {
+    let shown = if matches!(law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
+    DATA.lines().map(|line| names.rename(&line.replace("@SHOWN@", shown))).collect()
 }
 
 /// The core's routines, line by line, indented by two blanks a level, an empty line between two.
-pub fn routines(law: Law, schedule: &Schedule, names: &Names) -> Vec<String> {
+pub fn routines(law: &Law, schedule: &Schedule, names: &Names) -> Vec<String> {
     let parts = match law {
-        Law::TwoStage { .. } => [COMMON, TWO_STAGE, LAGS].as_slice(),
-        Law::OneLag { .. } => &[COMMON, ONE_LAG, LAGS],
-        Law::Elapsed => &[COMMON, ELAPSED],
+        Law::TwoStage { .. } => [TICK, STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
+        Law::OneLag { .. } => &[TICK, STARTS, COMMON, ONE_LAG, LAGS],
+        Law::Elapsed => &[TICK, STARTS, COMMON, ELAPSED],
+        Law::Sensor { .. } => &[TICK, COMMON, SENSOR],
     };
     let numbers = numbers(law, schedule);
     let mut lines = Vec::new();
@@ -119,13 +169,29 @@ pub fn routines(law: Law, schedule: &Schedule, names: &Names) -> Vec<String> {
 }
 
 /// What stands for each `@NAME@`.
-fn numbers(law: Law, schedule: &Schedule) -> Vec<(&'static str, String)> {
+fn numbers(law: &Law, schedule: &Schedule) -> Vec<(&'static str, String)> {
     let count = schedule.buckets.len();
     let last_from_min = schedule.buckets.last().map_or(0.0, |b| b.from_min);
     let (warm, second) = match law {
         Law::TwoStage { .. } => ("1".to_owned(), "tcValue"),
         Law::OneLag { .. } => ("1".to_owned(), "0"),
-        Law::Elapsed => (num(last_from_min.ceil() + 1.0), "0"),
+        Law::Elapsed | Law::Sensor { .. } => (num(last_from_min.ceil() + 1.0), "0"),
+    };
+    let sensor = matches!(law, Law::Sensor { .. });
+    let [what, index, unknown, cannot] = if sensor {
+        [
+            "the temperature",
+            "tcAbove()",
+            "No temperature yet: original targets",
+            "Temperature lost, out of range or stale: original targets",
+        ]
+    } else {
+        [
+            "the warm-up minute",
+            "tcMinute",
+            "Warm-up not known, call tcColdStart or tcWarmStart: original targets",
+            "Warm-up state or date cannot be, call tcColdStart: original targets",
+        ]
     };
     let mut numbers = vec![
         ("@EVERY_S@", if schedule.parts_per_min > 1 { "1" } else { "5" }.to_owned()),
@@ -137,13 +203,26 @@ fn numbers(law: Law, schedule: &Schedule) -> Vec<(&'static str, String)> {
         ("@LAST@", count.saturating_sub(1).to_string()),
         ("@WARM@", warm),
         ("@SECOND@", second.to_owned()),
+        ("@WHAT@", what.to_owned()),
+        ("@INDEX@", index.to_owned()),
+        ("@UNKNOWN@", unknown.to_owned()),
+        ("@CANNOT@", cannot.to_owned()),
     ];
+    if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
+        let beyond_c = BEYOND * (high_c - low_c);
+        numbers.push(("@READ@", read.clone()));
+        numbers.push(("@LOW@", num(low_c - beyond_c)));
+        numbers.push(("@HIGH@", num(high_c + beyond_c)));
+        numbers.push(("@FROM@", num(*low_c)));
+        numbers.push(("@HOLD@", num(*hold_min)));
+        numbers.push(("@STALE@", num(*stale_min)));
+    }
     if let Law::TwoStage { tau_min, tau_cool_min, gap_min } | Law::OneLag { tau_min, tau_cool_min, gap_min } =
         law
     {
-        numbers.push(("@TAU@", num(tau_min)));
-        numbers.push(("@TAU_COOL@", num(tau_cool_min)));
-        numbers.push(("@GAP@", num(gap_min)));
+        numbers.push(("@TAU@", num(*tau_min)));
+        numbers.push(("@TAU_COOL@", num(*tau_cool_min)));
+        numbers.push(("@GAP@", num(*gap_min)));
     }
     numbers
 }
@@ -230,14 +309,17 @@ mod tests {
     #[test]
     fn no_mark_is_left_and_names_begin_with_tc() {
         let two = Some(GrowthLaw::TwoStage { tau_min: 46.0 });
-        for clock in [warmth(two, None), warmth(None, Some(30.0)), Clock::Elapsed] {
+        let sensor =
+            Clock::Sensor { source: Sensor::Signal("aiJoint2".into()), hold_min: 10.0, stale_min: 60.0 };
+        for clock in [warmth(two, None), warmth(None, Some(30.0)), Clock::Elapsed, sensor] {
             let names = Names::default();
-            let law = Law::of(&clock).unwrap();
-            let lines = routines(law, &schedule(&[0.0, 10.0, 60.0], 1), &names);
+            let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
+            let law = Law::of(&clock, range_c).unwrap();
+            let lines = routines(&law, &schedule(&[0.0, 10.0, 60.0], 1), &names);
             let text = lines.join("\n");
             assert!(!text.contains('@') && text.is_ascii(), "{text}");
             assert!(lines.iter().all(|l| l.len() <= 200));
-            for line in lines.iter().chain(&data(&names)) {
+            for line in lines.iter().chain(&data(&law, &names)) {
                 let words: Vec<&str> = line.split([' ', '(', '{', ':']).filter(|w| !w.is_empty()).collect();
                 if let Some(at) = words.iter().position(|w| ["PROC", "num", "string", "bool"].contains(w)) {
                     assert!(words[at + 1].starts_with("tc"), "{line}");
@@ -251,13 +333,27 @@ mod tests {
 
     #[test]
     fn a_table_without_cooling_is_refused() {
-        assert_eq!(Law::of(&warmth(None, None)), Err(EmitError::CoolingUnknown));
+        assert_eq!(Law::of(&warmth(None, None), None), Err(EmitError::CoolingUnknown));
         let growth = Some(GrowthLaw::Exp { tau_min: 46.0 });
-        assert!(matches!(Law::of(&warmth(growth, Some(0.0))), Err(EmitError::BadTime { .. })));
+        assert!(matches!(Law::of(&warmth(growth, Some(0.0)), None), Err(EmitError::BadTime { .. })));
         assert!(matches!(
-            Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }),
+            Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }, None),
             Err(EmitError::BadTime { .. })
         ));
-        assert_eq!(Law::of(&warmth(Some(GrowthLaw::None), None)), Ok(Law::Elapsed));
+        assert_eq!(Law::of(&warmth(Some(GrowthLaw::None), None), None), Ok(Law::Elapsed));
+    }
+
+    #[test]
+    fn a_measured_temperature_wants_a_table_by_it_and_a_good_name() {
+        let sensor =
+            |name: &str| Clock::Sensor { source: Sensor::Pers(name.into()), hold_min: 10.0, stale_min: 60.0 };
+        let range_c = Some([15.0, 40.0]);
+        assert!(Law::of(&sensor("nTemp"), range_c).is_ok());
+        let other = |by_temperature| Err(EmitError::ClockOfOtherKind { by_temperature });
+        assert_eq!(Law::of(&sensor("nTemp"), None), other(false));
+        assert_eq!(Law::of(&Clock::Elapsed, range_c), other(true));
+        for bad in ["", "1a", "a b", "a;", "tcTemp", "x\u{fc}"] {
+            assert!(matches!(Law::of(&sensor(bad), range_c), Err(EmitError::BadSensor { .. })), "{bad}");
+        }
     }
 }

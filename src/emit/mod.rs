@@ -19,13 +19,13 @@ mod target;
 use std::collections::BTreeMap;
 
 pub use identity::{Difference, differences};
-pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance};
+pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
 
 use crate::compensate::plan::{Plan, Status, Tick};
 use crate::diagnostic::FileId;
 use crate::program::Program;
-use crate::syntax::tree::{FileItem, Module, ModuleItem};
+use crate::syntax::tree::{DataKind, FileItem, Module, ModuleItem, Scope};
 use crate::syntax::{Edit, SourceFile, apply};
 use clock::Law;
 use header::Record;
@@ -45,10 +45,13 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
         return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line });
     }
     check_plan(program, plan)?;
-    let law = Law::of(&options.clock)?;
+    let law = Law::of(&options.clock, plan.temperature_c)?;
+    if let Clock::Sensor { source: Sensor::Pers(name), .. } = &options.clock {
+        check_persistent(program, name)?;
+    }
     let unnamed = Names::default();
     let core_text =
-        [clock::data(&unnamed), clock::routines(law, &plan.schedule, &unnamed)].concat().join("\n");
+        [clock::data(&law, &unnamed), clock::routines(&law, &plan.schedule, &unnamed)].concat().join("\n");
     let names = Names::new(program, [core_text.as_str(), "tcCore"].into_iter());
 
     let changes = changes(program, plan)?;
@@ -60,7 +63,7 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
         return Err(EmitError::EmbeddedInSeveral { modules: changes.len() });
     }
     let about = about(plan, options, core, &names);
-    let context = module::Context { program, plan, names: &names, law, core, about: &about };
+    let context = module::Context { program, plan, names: &names, law: &law, core, about: &about };
 
     let mut emitted: Vec<EmittedFile> = Vec::new();
     let mut edits: BTreeMap<FileId, Vec<Edit>> = BTreeMap::new();
@@ -98,6 +101,29 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
             ModuleItem::Comment(range) if header::begins(file.text(*range)) => Some(file.line(*range)),
             _ => None,
         })
+}
+
+/// A persistent that the given files declare must be one that every module sees.
+fn check_persistent(program: &Program, name: &str) -> Result<(), EmitError> {
+    let modules = program.files.iter().flat_map(|file| {
+        let items = file.tree.items.iter().filter_map(|item| match item {
+            FileItem::Module(module) => Some(&module.items),
+            _ => None,
+        });
+        items.flatten().map(move |item| (file, item))
+    });
+    for (file, item) in modules {
+        let ModuleItem::Data(data) = item else { continue };
+        if !file.text(data.name).eq_ignore_ascii_case(name.as_bytes()) {
+            continue;
+        }
+        let is_num = file.text(data.type_name).eq_ignore_ascii_case(b"num") && data.dims.is_empty();
+        if data.kind != DataKind::Pers || !is_num || data.scope == Scope::Local {
+            let why = "a given module declares it, and not as a global PERS num";
+            return Err(EmitError::BadSensor { name: name.to_owned(), why });
+        }
+    }
+    Ok(())
 }
 
 fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
@@ -168,8 +194,10 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
     let compensated = || plan.motions.iter().filter(|m| m.status == Status::Compensated);
     let most =
         |of: fn(&crate::compensate::plan::PlannedMotion) -> f64| compensated().map(of).fold(0.0, f64::max);
-    let edges: Vec<String> = plan.schedule.buckets.iter().map(|b| target::spelled(b.from_min)).collect();
-    let clock = match options.clock {
+    let (unit, zero) = plan.temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
+    let edges: Vec<String> =
+        plan.schedule.buckets.iter().map(|b| target::spelled(zero + b.from_min)).collect();
+    let clock = match &options.clock {
         Clock::Elapsed => format!("elapsed: minutes since {}", names.core("tcColdStart")),
         Clock::Warmth { growth, tau_cool_min, gap_min } => {
             let growth = growth.map_or_else(|| "as in the table".to_owned(), |g| g.to_string());
@@ -178,12 +206,22 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
                 "warmth: growth {growth}, time constant of cooling {cool}, pauses over {gap_min} min cool"
             )
         }
+        Clock::Sensor { source, hold_min, stale_min } => {
+            let source = match source {
+                Sensor::Signal(name) => format!("signal:{name}"),
+                Sensor::Pers(name) => format!("pers:{name} (a global PERS num of the task)"),
+            };
+            format!(
+                "{source}, degrees Celsius; without a good reading the last one for {hold_min} min, then the \
+                 originals; no good one is what has not changed for {stale_min} min"
+            )
+        }
     };
     let mut about = vec![
         input("Robot", &options.robot),
         input("Deformation", &options.deformation),
         format!("Form schedule, clock {clock}"),
-        format!("Buckets from warm-up minute {}; the last holds on", edges.join(", ")),
+        format!("Buckets from {} {}; the last holds on", unit, edges.join(", ")),
         format!(
             "Largest correction {:.4} mm, {:.5} deg",
             crate::units::mm_from_m(most(|m| m.max_correction_m)),
@@ -194,18 +232,25 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
         } else {
             "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
         },
-        format!(
-            "Call {} when the robot is cold, {} when it is fully warm; before that the original targets are used",
-            names.core("tcColdStart"),
-            names.core("tcWarmStart")
-        ),
+        if plan.temperature_c.is_some() {
+            "Nothing needs to be called; before the first good reading the original targets are used"
+                .to_owned()
+        } else {
+            format!(
+                "Call {} when the robot is cold, {} when it is fully warm; before that the original targets are \
+                 used",
+                names.core("tcColdStart"),
+                names.core("tcWarmStart")
+            )
+        },
         format!(
             "{} -1 automatic, 0..{} that bucket, -2 the original targets; {} the bucket in use, -1 originals; \
-             {} the warm-up minute",
+             {} the {}",
             names.core("tcMode"),
             plan.schedule.buckets.len() - 1,
             names.core("tcBucket"),
-            names.core("tcMinute")
+            names.core(if plan.temperature_c.is_some() { "tcDegrees" } else { "tcMinute" }),
+            if plan.temperature_c.is_some() { "temperature" } else { "warm-up minute" }
         ),
         "To remove: load the original file, or get it back with `driftpost restore`".to_owned(),
     ];
@@ -229,7 +274,7 @@ fn core_file(context: &module::Context, beside: &SourceFile) -> EmittedFile {
     for line in header::lines(context.about, &record) {
         style.push(&mut bytes, &format!("  {line}"));
     }
-    for line in clock::data(context.names) {
+    for line in clock::data(context.law, context.names) {
         style.push(&mut bytes, &line);
     }
     bytes.extend_from_slice(style.eol);

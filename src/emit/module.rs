@@ -24,7 +24,7 @@ pub struct Context<'a> {
     pub program: &'a Program,
     pub plan: &'a Plan,
     pub names: &'a Names,
-    pub law: Law,
+    pub law: &'a Law,
     pub core: Core,
     pub about: &'a [String],
 }
@@ -59,9 +59,10 @@ pub fn edits(
     }
     let (data, routines) = match context.core {
         Core::Separate => (Vec::new(), Vec::new()),
-        Core::Embedded => {
-            (clock::data(context.names), clock::routines(context.law, &context.plan.schedule, context.names))
-        }
+        Core::Embedded => (
+            clock::data(context.law, context.names),
+            clock::routines(context.law, &context.plan.schedule, context.names),
+        ),
     };
     let is_head = |line: &&String| line.starts_with("  PROC ") || line.starts_with("  LOCAL ");
     let record = Record {

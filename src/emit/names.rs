@@ -10,7 +10,7 @@ use crate::syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
 
 /// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
 /// a file declares one itself it is taken.
-const PUBLIC: [&str; 5] = ["tcColdStart", "tcWarmStart", "tcMode", "tcBucket", "tcMinute"];
+const PUBLIC: [&str; 6] = ["tcColdStart", "tcWarmStart", "tcMode", "tcBucket", "tcMinute", "tcDegrees"];
 
 /// RAPID's longest identifier.
 pub const MAX_NAME: usize = 32;

@@ -7,7 +7,7 @@ use crate::diagnostic::FileId;
 use crate::syntax::{Edit, EditError};
 
 /// How the emitted program knows how warm the robot is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Clock {
     /// The warm-up minute of the robot: it runs while the program runs, and falls back while it stands.
     Warmth {
@@ -20,6 +20,24 @@ pub enum Clock {
     },
     /// Minutes since the cold start was called, standing or not.
     Elapsed,
+    /// A temperature that the cell measures.
+    Sensor {
+        /// Where it is read.
+        source: Sensor,
+        /// A last good reading is used for so long, minutes.
+        hold_min: f64,
+        /// A reading that has not changed for so long is none any more, minutes.
+        stale_min: f64,
+    },
+}
+
+/// Where a program reads a temperature, degrees Celsius.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sensor {
+    /// An analog input.
+    Signal(String),
+    /// A persistent `num` that is written from outside.
+    Pers(String),
 }
 
 /// Where clock and index live.
@@ -87,6 +105,27 @@ pub enum EmitError {
         "the warmth clock needs to know how fast the robot cools, and a scheduled table does not say so: give --tau-cool MIN, or --clock elapsed"
     )]
     CoolingUnknown,
+    /// A table by temperature and a clock by time, or the other way.
+    #[error(
+        "{}",
+        if *by_temperature {
+            "the deformation goes by temperature, which a clock cannot know: give --clock signal:NAME or pers:NAME"
+        } else {
+            "a measured temperature indexes a deformation table with temp_c, and this one goes by time"
+        }
+    )]
+    ClockOfOtherKind {
+        /// The deformation goes by temperature.
+        by_temperature: bool,
+    },
+    /// A signal's or persistent's name that cannot be used.
+    #[error("{name} cannot be the clock's temperature: {why}")]
+    BadSensor {
+        /// As given.
+        name: String,
+        /// A reason.
+        why: &'static str,
+    },
     /// A time that is not a positive number of minutes.
     #[error("{name} must be a positive number of minutes, not {minutes}")]
     BadTime {
@@ -137,6 +176,8 @@ impl EmitError {
         match self {
             Self::AlreadyCompensated { .. } => "refuse::already-compensated",
             Self::CoolingUnknown => "emit::cooling-unknown",
+            Self::ClockOfOtherKind { .. } => "emit::clock-kind",
+            Self::BadSensor { .. } => "emit::bad-sensor",
             Self::BadTime { .. } => "emit::bad-time",
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
             Self::NoModule { .. } => "emit::no-module",

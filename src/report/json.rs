@@ -58,6 +58,7 @@ pub fn compensation(program: &Program, plan: &Plan, messages: &[Diagnostic]) -> 
                 "from_min": rounded(b.from_min),
                 "to_min": b.to_min.map(rounded),
                 "at_min": rounded(b.at_min),
+                "from_c": plan.temperature_c.map(|[low_c, _]| rounded(low_c + b.from_min)),
             })
         })
         .collect();

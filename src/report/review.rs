@@ -1,6 +1,6 @@
 //! The table of motions: what an integrator checks before a corrected program runs.
 
-use super::{Align, Table};
+use super::{Align, Table, rounded};
 use crate::compensate::plan::{Plan, PlannedMotion, Status};
 use crate::program::Program;
 use crate::program::motion::{Motion, Origin};
@@ -73,10 +73,12 @@ fn write_summary(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
 }
 
 fn write_buckets(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
+    let by_temperature = plan.temperature_c.is_some();
+    let zero = plan.temperature_c.map_or(0.0, |[low_c, _]| low_c);
     let mut table = Table::new(&[
         ("bucket", Align::Right),
-        ("from min", Align::Right),
-        ("to min", Align::Right),
+        (if by_temperature { "from deg C" } else { "from min" }, Align::Right),
+        (if by_temperature { "to deg C" } else { "to min" }, Align::Right),
         ("right at", Align::Right),
         ("before mm", Align::Right),
         ("after mm", Align::Right),
@@ -88,9 +90,9 @@ fn write_buckets(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
         };
         table.row([
             index.to_string(),
-            minutes(bucket.from_min),
-            bucket.to_min.map_or_else(|| "on".to_owned(), minutes),
-            format!("{:.2}", bucket.at_min),
+            minutes(zero + bucket.from_min),
+            bucket.to_min.map_or_else(|| "on".to_owned(), |to_min| minutes(zero + to_min)),
+            format!("{:.2}", zero + bucket.at_min),
             worst(0),
             worst(1),
         ]);
@@ -169,7 +171,7 @@ fn mm(length_m: f64) -> String {
     format!("{:.4}", mm_from_m(length_m))
 }
 
-/// Minutes as a person writes them: 7 or 7.5.
-fn minutes(t_min: f64) -> String {
-    t_min.to_string()
+/// Minutes or degrees as a person writes them: 7 or 7.5.
+fn minutes(t: f64) -> String {
+    rounded(t).to_string()
 }

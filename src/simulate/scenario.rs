@@ -8,7 +8,11 @@ use super::controller::Backup;
 use super::outcome::SimulateError;
 use super::session::Session;
 use super::truth::Warmth;
+use crate::deform::Index;
 use serde::Deserialize;
+
+/// A robot that deforms by temperature begins with this, degrees Celsius.
+const ROOM_C: f64 = 20.0;
 
 /// A scenario as its file has it.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -46,6 +50,8 @@ pub enum Step {
     Call(String),
     /// Data get a value.
     Set(String, String),
+    /// The true robot has this temperature, and its thermometer shows it.
+    Temperature(f64),
     /// A signal gets a value.
     Signal(String, f32),
     /// The unit of a signal fails or comes back.
@@ -89,8 +95,12 @@ impl Scenario {
         session.program.calendar_mut().step_s = step_s;
         let natural = session.truth.deformation().growth().and_then(|g| g.tau_min());
         let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
-        let mut player =
-            Player { warmth: session.truth.cold(tau_cool_min), backup: session.program.backup(), session };
+        let mut player = Player {
+            warmth: session.truth.cold(tau_cool_min),
+            backup: session.program.backup(),
+            session,
+            temperature_c: ROOM_C,
+        };
         if self.warm {
             player.warmth.settle();
         }
@@ -105,6 +115,7 @@ struct Player<'s> {
     session: &'s mut Session,
     warmth: Warmth,
     backup: Backup,
+    temperature_c: f64,
 }
 
 impl Player<'_> {
@@ -129,6 +140,10 @@ impl Player<'_> {
                 }
             }
             Step::Set(name, value) => self.session.set_text(name, value)?,
+            Step::Temperature(temperature_c) => {
+                self.temperature_c = *temperature_c;
+                self.session.show_temperature(*temperature_c)?;
+            }
             Step::Signal(name, value) => {
                 self.session.program.set_signal(name, *value);
                 self.session.original.set_signal(name, *value);
@@ -174,8 +189,13 @@ impl Player<'_> {
             warmth
         };
         let truth = self.session.truth.clone();
-        let t_min = begin.1.minute().unwrap_or(f64::INFINITY);
-        self.session.pass(t_min, &mut |steady_s| truth.chain(&at(steady_s)))?;
+        if truth.deformation().index() == Index::Temperature {
+            let truth = truth.chain_at(self.temperature_c);
+            self.session.pass(self.temperature_c, &mut |_| truth.clone())?;
+        } else {
+            let t_min = begin.1.minute().unwrap_or(f64::INFINITY);
+            self.session.pass(t_min, &mut |steady_s| truth.chain(&at(steady_s)))?;
+        }
         // A pass without moves and waits still takes its second.
         if self.session.program.calendar().steady_s() - begin.0 < 1.0 {
             self.session.program.calendar_mut().advance_s(1.0);
@@ -207,6 +227,10 @@ fn step(text: &str) -> Result<Step, SimulateError> {
         "power_off" => Step::PowerOff(if rest.is_empty() { 0.0 } else { minutes()? }),
         "call" => Step::Call(word(0)?),
         "set" if rest.len() > 1 => Step::Set(word(0)?, rest[1..].join(" ")),
+        "temperature" => {
+            let temperature_c = word(0)?.parse().map_err(|_| bad("degrees Celsius are asked for"))?;
+            Step::Temperature(temperature_c)
+        }
         "signal" => {
             let value = word(1)?.parse().map_err(|_| bad("a number is asked for"))?;
             Step::Signal(word(0)?, value)
@@ -222,7 +246,7 @@ fn step(text: &str) -> Result<Step, SimulateError> {
         "restore_backup" => Step::RestoreBackup,
         _ => {
             return Err(bad("steps are run MIN, stand MIN, pass, pp_to_main, power_off [MIN], call PROC, \
-                 set NAME VALUE, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
+                 set NAME VALUE, temperature DEGREES, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
                  set_date YYYY-MM-DD HH:MM:SS, backup, restore_backup"));
         }
     })

@@ -21,11 +21,13 @@ pub struct Options {
     pub passes: u64,
     /// Follow the way between targets as well.
     pub paths: bool,
+    /// The analog input or persistent that shows the robot's temperature, where it deforms by that.
+    pub thermometer: Option<String>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { entry: None, passes: 1, paths: true }
+        Self { entry: None, passes: 1, paths: true, thermometer: None }
     }
 }
 
@@ -321,7 +323,8 @@ impl Session {
     }
 
     /// Judge the program at warm-up minutes: cold start called, and running since. Date and time stand
-    /// still during each pass, so that every move meets the robot at just that minute.
+    /// still during each pass, so that every move meets the robot at just that minute. Where the robot
+    /// deforms by temperature the minutes are degrees, and the thermometer shows them.
     ///
     /// # Errors
     /// Where the program has no such routine or its clock fails.
@@ -333,6 +336,7 @@ impl Session {
         let mut order = minutes_min.to_vec();
         order.sort_by(f64::total_cmp);
         for t_min in order {
+            self.show_temperature(t_min)?;
             while now_min < t_min {
                 let step_min = (t_min - now_min).min(1.0);
                 self.program.calendar_mut().advance_min(step_min);
@@ -342,6 +346,22 @@ impl Session {
             }
             let truth = self.truth.chain_at(t_min);
             self.pass(t_min, &mut |_| truth.clone())?;
+        }
+        Ok(())
+    }
+
+    /// Let the thermometer show a temperature, where there is one.
+    ///
+    /// # Errors
+    /// Where it is data that hold no number.
+    pub fn show_temperature(&mut self, temperature_c: f64) -> Result<(), SimulateError> {
+        let Some(name) = self.options.thermometer.clone() else { return Ok(()) };
+        for c in [&mut self.program, &mut self.original] {
+            if c.has_data(&name) {
+                c.set(&name, Value::num(temperature_c))?;
+            } else {
+                c.set_signal(&name, temperature_c as f32);
+            }
         }
         Ok(())
     }

@@ -235,6 +235,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
     Plan {
         motions: motions.collect(),
         schedule: schedule(buckets),
+        temperature_c: None,
         ticks,
         summary: Summary::default(),
         diagnostics: Vec::new(),

@@ -49,7 +49,7 @@ pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<
     let robot = Robot::built_in("irb140").unwrap();
     let plan = compensate::plan(&program, &robot, deformation, &Options::default()).ok()?;
     let options = EmitOptions {
-        clock: *clock,
+        clock: clock.clone(),
         core: None,
         robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
         deformation: Provenance { name: "Table 2".into(), sha256: "22".repeat(32) },

@@ -6,6 +6,7 @@ mod every_program;
 mod made;
 mod mutations;
 mod scenarios;
+mod sensor;
 mod ticks;
 
 use driftpost::deform::{Deformation, GrowthLaw};

@@ -4,7 +4,7 @@ use crate::cli::model::{self, Named};
 use crate::compensate::Options;
 use crate::deform::Deformation;
 use crate::diagnostic::Diagnostic;
-use crate::emit::{Clock, Core, EmitOptions};
+use crate::emit::{Clock, Core, EmitOptions, Sensor};
 use crate::program::Overrides;
 use crate::robot::Robot;
 use crate::schedule::{Until, Width};
@@ -48,9 +48,19 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = FormName::Schedule)]
     pub form: FormName,
 
-    /// What the bucket follows: the robot's warm-up minute, or minutes since tcColdStart.
-    #[arg(long, value_enum, default_value_t = ClockName::Warmth)]
+    /// What the bucket follows: the robot's warm-up minute (warmth), minutes since tcColdStart (elapsed), or a
+    /// temperature that the cell measures (signal:NAME, an analog input; pers:NAME, written from outside) for a
+    /// deformation table with temp_c.
+    #[arg(long, value_name = "warmth|elapsed|signal:NAME|pers:NAME", default_value = "warmth", value_parser = clock)]
     pub clock: ClockName,
+
+    /// Without a good reading of the temperature the last one is used for so long, minutes; then the originals.
+    #[arg(long, value_name = "MIN", default_value_t = 10.0, allow_negative_numbers = true)]
+    pub hold_min: f64,
+
+    /// A temperature that has not changed for so long is no good reading any more, minutes.
+    #[arg(long, value_name = "MIN", default_value_t = 60.0, allow_negative_numbers = true)]
+    pub stale_min: f64,
 
     /// Time constant of cooling while the program stands, minutes [default: the growth law's].
     #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
@@ -134,12 +144,14 @@ pub enum FormName {
 }
 
 /// What the bucket follows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ClockName {
     /// The robot's own warm-up minute: runs while the program runs, falls back while it stands.
     Warmth,
     /// Minutes since tcColdStart.
     Elapsed,
+    /// A temperature that the cell measures.
+    Measured(Sensor),
 }
 
 /// Where clock and index live.
@@ -182,8 +194,11 @@ impl Args {
     /// How the program is emitted.
     #[must_use]
     pub fn emit_options(&self, robot: &Named<Robot>, deformation: &Named<Deformation>) -> EmitOptions {
-        let clock = match self.clock {
+        let clock = match &self.clock {
             ClockName::Elapsed => Clock::Elapsed,
+            ClockName::Measured(source) => {
+                Clock::Sensor { source: source.clone(), hold_min: self.hold_min, stale_min: self.stale_min }
+            }
             ClockName::Warmth => Clock::Warmth {
                 growth: deformation.model.growth().copied(),
                 tau_cool_min: self.tau_cool,
@@ -218,6 +233,8 @@ impl Args {
             ("--max-correction-deg", self.max_correction_deg),
             ("--path-tolerance-mm", self.path_tolerance_mm),
             ("--gap-min", self.gap_min),
+            ("--hold-min", self.hold_min),
+            ("--stale-min", self.stale_min),
             ("--tau-cool", self.tau_cool.unwrap_or(1.0)),
         ];
         match numbers.iter().find(|(_, value)| !value.is_finite() || *value <= 0.0) {
@@ -228,6 +245,16 @@ impl Args {
             )
             .help("leave it out for the default")),
         }
+    }
+}
+
+fn clock(text: &str) -> Result<ClockName, String> {
+    match text.split_once(':') {
+        None if text == "warmth" => Ok(ClockName::Warmth),
+        None if text == "elapsed" => Ok(ClockName::Elapsed),
+        Some(("signal", name)) => Ok(ClockName::Measured(Sensor::Signal(name.to_owned()))),
+        Some(("pers", name)) => Ok(ClockName::Measured(Sensor::Pers(name.to_owned()))),
+        _ => Err("write warmth, elapsed, signal:NAME or pers:NAME".to_owned()),
     }
 }
 
@@ -258,6 +285,8 @@ mod tests {
         assert_eq!(until("auto"), Ok(Until::Auto));
         assert_eq!(until("37.5"), Ok(Until::Minutes(37.5)));
         assert!(until("autto").is_err());
+        assert_eq!(clock("signal:aiT2"), Ok(ClockName::Measured(Sensor::Signal("aiT2".into()))));
+        assert!(clock("sensor:aiT2").is_err() && clock("warm").is_err());
         let given = ("tGrip".to_owned(), "[TRUE,[[-1,0,0]]]".to_owned());
         assert_eq!(name_and_value("tGrip=[TRUE,[[-1,0,0]]]"), Ok(given.clone()));
         assert_eq!(name_and_value("tGrip := [TRUE,[[-1,0,0]]]"), Ok(given));

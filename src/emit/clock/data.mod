@@ -1,6 +1,6 @@
   PERS num tcMode:=-1;
   PERS num tcBucket:=-1;
-  PERS num tcMinute:=0;
+  PERS num @SHOWN@:=0;
   LOCAL PERS num tcState{6}:=[0,0,0,0,0,0];
   VAR num tcI:=1;
   LOCAL VAR num tcModeSeen:=-1;
