@@ -60,7 +60,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
     let elsewhere = differences(&before, &after);
     let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
-    let pretty = || format!("{:#}\n", shown.json()).into_bytes();
+    let pretty = || -> anyhow::Result<Vec<u8>> {
+        let mut bytes = serde_json::to_vec_pretty(&shown)?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    };
     if !json.is_standard() {
         match args.format {
             Format::Text => {
@@ -68,10 +72,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
                 shown.write(console.out(), args.all)?;
             }
             Format::Csv => shown.write_csv(console.out())?,
-            Format::Json => console.out().write_all(&pretty())?,
+            Format::Json => console.out().write_all(&pretty()?)?,
         }
     }
-    json.write(console, || Ok(pretty()))?;
+    json.write(console, pretty)?;
     let same_bytes = given_before.bytes == given_after.bytes;
     Ok(if same_bytes || shown.is_same() { Outcome::Done } else { Outcome::Difference })
 }

@@ -7,6 +7,7 @@ use crate::emit::Difference;
 use crate::program::Program;
 use crate::program::motion::Motion;
 use crate::units::{deg_from_rad, mm_from_m};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -210,66 +211,69 @@ impl Compared<'_> {
         }
         csv.flush()
     }
+}
 
-    /// The same for scripts.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        let mm = |m: f64| rounded(mm_from_m(m));
-        let deg = |rad: f64| rounded(deg_from_rad(rad));
+/// The same for scripts; is made motion by motion while it is written.
+impl Serialize for Compared<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let place = |program: &Program, i: &usize| {
-            program
-                .motions
-                .get(*i)
-                .map(|m| json!({"file": program.file(m.file).path, "line": m.line, "kind": m.kind}))
+            let motion = program.motions.get(*i)?;
+            Some(json!({"file": program.file(motion.file).path, "line": motion.line, "kind": motion.kind}))
         };
-        let motions: Vec<Value> = self
-            .comparison
-            .motions
-            .iter()
-            .map(|compared| {
-                let (before, after) = self.motions(compared);
-                let buckets: Vec<Value> = compared
-                    .steps
-                    .iter()
-                    .enumerate()
-                    .map(|(k, step)| {
-                        json!({
-                            "index": bucket(compared, k),
-                            "dp_mm": mm(step.distance_m),
-                            "angle_deg": deg(step.angle_rad),
-                            "joint": step.arm.map(|a| a.joint),
-                            "joint_deg": step.arm.map(|a| deg(a.joint_rad)),
-                            "limit_margin_deg": step.arm.and_then(|a| a.limit_rad).map(deg),
-                            "wrist_margin_deg": step.arm.map(|a| deg(a.wrist_rad)),
-                            "elbow_margin_deg": step.arm.map(|a| deg(a.elbow_rad)),
-                            "shoulder_margin_mm": step.arm.map(|a| mm(a.shoulder_m)),
-                            "same_configuration": step.same_configuration,
-                            "same_branch": step.arm.map(|a| a.same_branch),
-                        })
-                    })
-                    .collect();
-                json!({
-                    "file": self.before.file(before.file).path,
-                    "line": before.line,
-                    "file_after": self.after.file(after.file).path,
-                    "line_after": after.line,
-                    "routine": self.before.routines.get(before.routine).map(|r| &r.name),
-                    "kind": after.kind,
-                    "target": target_name(before),
-                    "same_frames": compared.same_frames,
-                    "buckets": buckets,
-                })
-            })
-            .collect();
-        json!({
-            "same": self.is_same(),
-            "same_elsewhere": self.elsewhere.is_empty(),
-            "elsewhere": self.elsewhere.iter().map(sentence).collect::<Vec<_>>(),
-            "motions": motions,
-            "only_before": self.comparison.only_before.iter().filter_map(|i| place(self.before, i)).collect::<Vec<_>>(),
-            "only_after": self.comparison.only_after.iter().filter_map(|i| place(self.after, i)).collect::<Vec<_>>(),
-        })
+        let places = |program: &Program, list: &[usize]| -> Vec<Value> {
+            list.iter().filter_map(|i| place(program, i)).collect()
+        };
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("same", &self.is_same())?;
+        map.serialize_entry("same_elsewhere", &self.elsewhere.is_empty())?;
+        map.serialize_entry("elsewhere", &self.elsewhere.iter().map(sentence).collect::<Vec<_>>())?;
+        map.serialize_entry("motions", &Motions(self))?;
+        map.serialize_entry("only_before", &places(self.before, &self.comparison.only_before))?;
+        map.serialize_entry("only_after", &places(self.after, &self.comparison.only_after))?;
+        map.end()
     }
+}
+
+struct Motions<'a>(&'a Compared<'a>);
+
+impl Serialize for Motions<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Compared { before, after, comparison, .. } = self.0;
+        serializer.collect_seq(comparison.motions.iter().map(|compared| {
+            let (old, new) = self.0.motions(compared);
+            let steps = compared.steps.iter().enumerate();
+            let buckets: Vec<Value> = steps.map(|(k, step)| step_json(bucket(compared, k), step)).collect();
+            json!({
+                "file": before.file(old.file).path,
+                "line": old.line,
+                "file_after": after.file(new.file).path,
+                "line_after": new.line,
+                "routine": before.routines.get(old.routine).map(|r| &r.name),
+                "kind": new.kind,
+                "target": target_name(old),
+                "same_frames": compared.same_frames,
+                "buckets": buckets,
+            })
+        }))
+    }
+}
+
+fn step_json(bucket: Option<usize>, step: &Step) -> Value {
+    let mm = |m: f64| rounded(mm_from_m(m));
+    let deg = |rad: f64| rounded(deg_from_rad(rad));
+    json!({
+        "index": bucket,
+        "dp_mm": mm(step.distance_m),
+        "angle_deg": deg(step.angle_rad),
+        "joint": step.arm.map(|a| a.joint),
+        "joint_deg": step.arm.map(|a| deg(a.joint_rad)),
+        "limit_margin_deg": step.arm.and_then(|a| a.limit_rad).map(deg),
+        "wrist_margin_deg": step.arm.map(|a| deg(a.wrist_rad)),
+        "elbow_margin_deg": step.arm.map(|a| deg(a.elbow_rad)),
+        "shoulder_margin_mm": step.arm.map(|a| mm(a.shoulder_m)),
+        "same_configuration": step.same_configuration,
+        "same_branch": step.arm.map(|a| a.same_branch),
+    })
 }
 
 /// The bucket of the k-th step; `None` for the original of a scheduled target, and where it is not scheduled.

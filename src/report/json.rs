@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::program::Program;
 use crate::syntax::SourceFile;
 use crate::units::{deg_from_rad, mm_from_m};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
 /// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
@@ -17,15 +18,67 @@ pub fn rounded(value: f64) -> f64 {
 }
 
 /// What `compensate` found and did.
-#[must_use]
-pub fn compensation(program: &Program, plan: &Plan, messages: &[Diagnostic]) -> Value {
-    let mm = |m: f64| rounded(mm_from_m(m));
-    let motions: Vec<Value> = program
-        .motions
-        .iter()
-        .zip(&plan.motions)
-        .enumerate()
-        .map(|(index, (motion, planned))| {
+///
+/// Is made row by row while it is written: a program may have many motions.
+#[derive(Clone, Copy, Debug)]
+pub struct Compensation<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// What becomes of it.
+    pub plan: &'a Plan,
+    /// What there is to be said.
+    pub messages: &'a [Diagnostic],
+}
+
+impl Serialize for Compensation<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { program, plan, messages } = self;
+        let mm = |m: f64| rounded(mm_from_m(m));
+        let buckets: Vec<Value> = plan
+            .schedule
+            .buckets
+            .iter()
+            .enumerate()
+            .map(|(index, b)| {
+                json!({
+                    "index": index,
+                    "from_min": rounded(b.from_min),
+                    "to_min": b.to_min.map(rounded),
+                    "at_min": rounded(b.at_min),
+                    "from_c": plan.temperature_c.map(|[low_c, _]| rounded(low_c + b.from_min)),
+                })
+            })
+            .collect();
+        let s = &plan.summary;
+        let others: Vec<Value> = s
+            .other_tolerances
+            .iter()
+            .map(|(tolerance_m, buckets)| json!({"tolerance_mm": mm(*tolerance_m), "buckets": buckets}))
+            .collect();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("motions", &Motions(self))?;
+        map.serialize_entry("buckets", &buckets)?;
+        map.serialize_entry("worst_before_mm", &mm(s.worst_before_m))?;
+        map.serialize_entry("worst_after_mm", &mm(s.worst_after_m))?;
+        map.serialize_entry("worst_switch_jump_mm", &mm(s.worst_switch_jump_m))?;
+        map.serialize_entry("rigid_shift_worst_mm", &mm(s.rigid_shift_worst_m))?;
+        map.serialize_entry("until_min", &rounded(s.until_min))?;
+        map.serialize_entry("other_tolerances", &others)?;
+        map.serialize_entry("warnings", &of_severity(messages, &program.files, |s| s != Severity::Error))?;
+        map.serialize_entry("errors", &of_severity(messages, &program.files, |s| s == Severity::Error))?;
+        map.end()
+    }
+}
+
+/// Its rows of motions.
+struct Motions<'a>(&'a Compensation<'a>);
+
+impl Serialize for Motions<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Compensation { program, plan, .. } = self.0;
+        let mm = |m: f64| rounded(mm_from_m(m));
+        let rows = program.motions.iter().zip(&plan.motions).enumerate();
+        serializer.collect_seq(rows.map(|(index, (motion, planned))| {
             let (status, why) = match &planned.status {
                 Status::Compensated => ("compensated", None),
                 Status::Kept(why) => ("kept", Some(why)),
@@ -45,41 +98,8 @@ pub fn compensation(program: &Program, plan: &Plan, messages: &[Diagnostic]) -> 
                 "max_correction_deg": rounded(deg_from_rad(planned.max_correction_rad)),
                 "mid_path_mm": planned.mid_path_m.map(mm),
             })
-        })
-        .collect();
-    let buckets: Vec<Value> = plan
-        .schedule
-        .buckets
-        .iter()
-        .enumerate()
-        .map(|(index, b)| {
-            json!({
-                "index": index,
-                "from_min": rounded(b.from_min),
-                "to_min": b.to_min.map(rounded),
-                "at_min": rounded(b.at_min),
-                "from_c": plan.temperature_c.map(|[low_c, _]| rounded(low_c + b.from_min)),
-            })
-        })
-        .collect();
-    let s = &plan.summary;
-    let others: Vec<Value> = s
-        .other_tolerances
-        .iter()
-        .map(|(tolerance_m, buckets)| json!({"tolerance_mm": mm(*tolerance_m), "buckets": buckets}))
-        .collect();
-    json!({
-        "motions": motions,
-        "buckets": buckets,
-        "worst_before_mm": mm(s.worst_before_m),
-        "worst_after_mm": mm(s.worst_after_m),
-        "worst_switch_jump_mm": mm(s.worst_switch_jump_m),
-        "rigid_shift_worst_mm": mm(s.rigid_shift_worst_m),
-        "until_min": rounded(s.until_min),
-        "other_tolerances": others,
-        "warnings": of_severity(messages, &program.files, |s| s != Severity::Error),
-        "errors": of_severity(messages, &program.files, |s| s == Severity::Error),
-    })
+        }))
+    }
 }
 
 /// The same keys for a program for which there is no plan.

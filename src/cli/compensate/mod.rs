@@ -25,13 +25,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     match work(args, console, json.is_standard()) {
         Ok(made) => {
-            json.write(console, || pretty(&made.json()))?;
+            json.write(console, || Ok(made.json()?))?;
             Ok(Outcome::Done)
         }
         Err(refusal) => {
             console.explain(&refusal.messages, refusal.files(), args.all);
             console.say("nothing was written");
-            json.write(console, || pretty(&refusal.json()))?;
+            json.write(console, || Ok(refusal.json()?))?;
             Ok(Outcome::Refused)
         }
     }
@@ -92,8 +92,4 @@ fn diff_file(args: &Args) -> Result<Option<Pending>, Diagnostic> {
 
 fn no_output(cause: &std::io::Error) -> Diagnostic {
     Diagnostic::error("output::unwritable", format!("standard output cannot be written: {cause}"))
-}
-
-fn pretty(value: &serde_json::Value) -> anyhow::Result<Vec<u8>> {
-    Ok(format!("{value:#}\n").into_bytes())
 }

@@ -10,7 +10,7 @@ use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::emit::{EmitOptions, EmittedFile, emit};
 use crate::program::{Overrides, Program};
-use crate::report::{self, Review};
+use crate::report::{self, Compensation, Review};
 use crate::robot::Robot;
 use crate::syntax::SourceFile;
 use std::io::{self, Write};
@@ -181,8 +181,12 @@ fn why_no_plan(error: CompensateError) -> Vec<Diagnostic> {
 
 impl Made {
     /// What happened, for scripts.
-    pub fn json(&self) -> serde_json::Value {
-        report::compensation(&self.program, &self.plan, &self.messages)
+    ///
+    /// # Errors
+    /// None that this program can meet: those of JSON.
+    pub fn json(&self) -> serde_json::Result<Vec<u8>> {
+        let (program, plan, messages) = (&self.program, &self.plan, self.messages.as_slice());
+        pretty(&Compensation { program, plan, messages })
     }
 
     /// The table of motions and its summary.
@@ -250,12 +254,22 @@ impl Refusal {
     }
 
     /// What was found, for scripts.
-    pub fn json(&self) -> serde_json::Value {
+    ///
+    /// # Errors
+    /// None that this program can meet: those of JSON.
+    pub fn json(&self) -> serde_json::Result<Vec<u8>> {
+        let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => report::compensation(&self.program, plan, &self.messages),
-            None => report::refusal(&self.program.files, &self.messages),
+            Some(plan) => pretty(&Compensation { program, plan, messages }),
+            None => pretty(&report::refusal(&program.files, messages)),
         }
     }
+}
+
+fn pretty(value: &impl serde::Serialize) -> serde_json::Result<Vec<u8>> {
+    let mut bytes = serde_json::to_vec_pretty(value)?;
+    bytes.push(b'\n');
+    Ok(bytes)
 }
 
 impl From<Diagnostic> for Box<Refusal> {
