@@ -28,17 +28,13 @@ fn a_misspelt_command_or_value_is_answered_with_the_right_one() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("'compensate'"), "{}", err(&output));
     let output = driftpost(&["compensate", CUBE, "--clock", "elapse"]);
-    assert!(output.status.code() == Some(2) && err(&output).contains("'elapsed'"), "{}", err(&output));
+    assert!(output.status.code() == Some(2) && err(&output).contains("elapsed, "), "{}", err(&output));
 }
 
-/// Forms and clocks of the contract that this version does not have are refused, not ignored.
+/// A form of the contract that this version does not have is refused, not ignored.
 #[test]
 fn what_is_not_there_yet_is_refused() {
-    for arguments in
-        [["--form", "modules"], ["--form", "live"], ["--clock", "signal:aiTemp"], ["--model", "m.toml"]]
-    {
-        let output = driftpost(&["compensate", CUBE, arguments[0], arguments[1]]);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(!err(&output).is_empty());
-    }
+    let output = driftpost(&["compensate", CUBE, "--form", "live"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("'live'"), "{}", err(&output));
 }
