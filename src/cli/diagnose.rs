@@ -1,7 +1,7 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
 use super::{Console, Outcome, files, model};
-use crate::diagnose::{Diagnosis, Options, diagnose};
+use crate::diagnose::{Diagnosis, Options, diagnose, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
 use crate::measure::Measurements;
 use crate::report::diagnosis;
@@ -32,6 +32,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
 
+    /// What was found as a model (TOML), for compensate, simulate and validate.
+    #[arg(long, value_name = "FILE")]
+    pub model_out: Option<PathBuf>,
+
     /// Residuals of every row, before and after, as CSV.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
@@ -51,7 +55,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let measurements = Measurements::from_csv(&bytes).map_err(|error| {
         Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
     })?;
-    let diagnosis = diagnose(&measurements, &robot, &options);
+    let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
+    let (diagnosis, identified) = if model_out.is_some() {
+        diagnose_and_identify(&measurements, &robot, &options)
+    } else {
+        (diagnose(&measurements, &robot, &options), None)
+    };
     for warning in &diagnosis.warnings {
         console.say(format_args!("warning[{}]: {}", warning.code, warning.message));
     }
@@ -63,6 +72,19 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     if let Some(json) = json {
         json.write(text.as_bytes())?;
+    }
+    match (model_out, identified) {
+        (Some(file), Some(mut identified)) => {
+            identified.data = model::file_name(&args.measurements);
+            identified.data_sha256 = model::sha256(&bytes);
+            file.write(identified.to_toml().as_bytes())?;
+        }
+        (Some(file), None) => {
+            let message = format!("no model can be made of these data: {}", diagnosis.reason);
+            let help = format!("{} was not written", file.path().display());
+            return Err(Diagnostic::error("model::none", message).help(help).into());
+        }
+        (None, _) => {}
     }
     if let Some(csv) = csv {
         csv.write(diagnosis::residuals_csv(&diagnosis).as_bytes())?;

@@ -24,6 +24,7 @@ pub mod restore;
 pub mod simulate;
 pub mod synth;
 pub mod tabulate;
+pub mod validate;
 
 pub use console::Console;
 pub use outcome::Outcome;
@@ -66,6 +67,8 @@ enum Command {
     /// Diagnose measurements: which unmodelled effect opens the gap between robot and model, and when that
     /// cannot be said.
     Diagnose(diagnose::Args),
+    /// Apply an identified model to measurements that it has not seen.
+    Validate(validate::Args),
 }
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
@@ -80,6 +83,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),
+        Command::Validate(args) => validate::run(args, console),
     }
 }
 

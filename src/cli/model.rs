@@ -1,9 +1,11 @@
 //! The robot and its deformation, as the options name them.
 
 use super::{files, suggest};
+use crate::deform::identified::Identified;
 use crate::deform::{DeformError, Deformation, GrowthLaw};
 use crate::diagnostic::Diagnostic;
 use crate::emit::Provenance;
+use crate::kinematics::FrameOffsets;
 use crate::robot::Robot;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -22,9 +24,13 @@ pub struct Named<T> {
 
 impl<T> Named<T> {
     fn new(model: T, name: impl Into<String>, bytes: &[u8]) -> Self {
-        let sha256 = Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect();
-        Self { model, source: Provenance { name: name.into(), sha256 } }
+        Self { model, source: Provenance { name: name.into(), sha256: sha256(bytes) } }
     }
+}
+
+/// SHA-256 in hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// As [`robot`], with what the header of an emitted program says of it.
@@ -54,8 +60,54 @@ pub fn deformation_with_source(
     })
 }
 
+/// The identified model of a file, with what the header of an emitted program says of it.
+///
+/// # Errors
+/// A file that cannot be read, or what is wrong in it.
+pub fn identified(path: &Path) -> Result<Named<Identified>, Diagnostic> {
+    let bytes = files::read(path, "model")?;
+    let text = String::from_utf8_lossy(&bytes);
+    let model =
+        Identified::from_toml(&text).map_err(|error| in_file(&path.display().to_string(), error.into()))?;
+    Ok(Named::new(model, file_name(path), &bytes))
+}
+
+/// A warning where a model was found on another robot.
+pub fn of_another_robot(model: &Identified, robot: &Robot) -> Option<Diagnostic> {
+    (!model.robot.is_empty() && model.robot != robot.name).then(|| {
+        Diagnostic::warning(
+            "model::robot",
+            format!("the model is of {}, the robot is {}", model.robot, robot.name),
+        )
+        .help("name the robot it was found on with --robot")
+    })
+}
+
+/// The deformation beside a model: the table that is named, else none, growing as the model's own terms do.
+///
+/// # Errors
+/// As [`deformation_with_source`].
+pub fn deformation_beside(
+    model: &Named<Identified>,
+    file: Option<&Path>,
+    growth: Option<&str>,
+) -> Result<Named<Deformation>, Diagnostic> {
+    if file.is_none() {
+        let law = growth.map(growth_law).transpose()?;
+        let law = law.or_else(|| model.model.growth()).unwrap_or(GrowthLaw::None);
+        return Ok(Named {
+            model: Deformation::from_static(FrameOffsets::default(), law),
+            source: model.source.clone(),
+        });
+    }
+    let table = deformation_with_source(file, growth)?;
+    let sha256 = sha256(format!("{}{}", table.source.sha256, model.source.sha256).as_bytes());
+    let name = format!("{} and model {}", table.source.name, model.source.name);
+    Ok(Named { model: table.model, source: Provenance { name, sha256 } })
+}
+
 /// The last part of a path: what an emitted program calls a file, wherever it stood.
-fn file_name(path: &Path) -> String {
+pub fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 

@@ -1,10 +1,12 @@
 //! `driftpost simulate`: a program executed on the deformed robot.
 
+use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
 use super::given::Given;
 use super::minutes::Minutes;
 use super::{Console, Outcome, model};
 use crate::diagnostic::Diagnostic;
+use crate::robot::Robot;
 use crate::simulate::session::{File, Options, Pass, Spread, Worst};
 use crate::simulate::{Message, Report, Scenario, Session, SimulateError, TrueRobot};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m};
@@ -52,6 +54,14 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub deformation: Option<PathBuf>,
 
+    /// The true robot's identified model (TOML), instead of a deformation table or on top of one.
+    #[arg(long, value_name = "FILE")]
+    pub model: Option<PathBuf>,
+
+    /// With --model: temperature of the joints, one value or six, where the model has terms in temperature.
+    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true)]
+    pub temperature_c: Option<Temperatures>,
+
     /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU.
     #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
     pub growth: Option<String>,
@@ -80,7 +90,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             .into());
     }
     let robot = model::robot(&args.robot)?;
-    let deformation = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
+    let truth = truth(args, robot)?;
     let program = Given::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(Given::read(&args.original)?) };
     let scenario = match &args.scenario {
@@ -102,7 +112,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         paths: true,
         thermometer: args.thermometer.clone(),
     };
-    let truth = TrueRobot::new(robot, deformation);
     let program_names = names(&program);
     let original_names = original.as_ref().map(names);
     let original_files = original.as_ref().zip(original_names.as_ref()).map(|(g, n)| loaded(g, n));
@@ -123,6 +132,22 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     summarise(to, &report, args.tolerance_mm, within)?;
     Ok(if within { Outcome::Done } else { Outcome::Difference })
+}
+
+/// The robot as it is.
+fn truth(args: &Args, robot: Robot) -> Result<TrueRobot, Diagnostic> {
+    let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
+    let Some(path) = &args.model else {
+        return Ok(TrueRobot::new(robot, model::deformation(table, growth)?));
+    };
+    let identified = model::identified(path)?;
+    let deformation = model::deformation_beside(&identified, table, growth)?;
+    if identified.model.needs_temperature() && args.temperature_c.is_none() {
+        return Err(Diagnostic::error("model::temperature", "the model has terms in joint temperature")
+            .help("say how warm the joints are, --temperature-c T or six values"));
+    }
+    let truth = TrueRobot::new(robot, deformation.model);
+    Ok(truth.with_model(&identified.model, args.temperature_c.map(|t| t.0)))
 }
 
 fn names(given: &Given) -> Vec<String> {

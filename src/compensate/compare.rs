@@ -3,11 +3,11 @@
 //!
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
-use super::CompensateError;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::resolve;
 use super::placement::Placement;
+use super::{CompensateError, Options};
 use crate::deform::{Deformation, GrowthLaw};
 use crate::kinematics::{Configuration, FrameOffsets};
 use crate::program::Program;
@@ -84,7 +84,7 @@ pub struct ArmStep {
 /// [`CompensateError::Structure`] where the robot has no closed form.
 pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Comparison, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
-    let model = Model::new(robot, &rigid)?;
+    let model = Model::new(robot, &rigid, &Options::default(), None)?;
     let resolved = resolve(before, &model, &mut Messages::default());
     let mut out = Comparison::default();
     let mut others = by_routine(after);

@@ -6,7 +6,8 @@ use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::keep;
 use super::plan::{Corrected, PlannedMotion, PlannedTarget, Status};
-use crate::kinematics::{Chain, solve};
+use crate::deform::DeformedArm;
+use crate::kinematics::solve;
 use crate::program::motion::{Keep, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Vector3};
@@ -106,9 +107,13 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
     refusal.map_or(Ok(joints), |why| Err(Stop::Refuse(why)))
 }
 
-/// The joints with which `chain` stands where the point is meant to be, or why the point is kept.
-pub(super) fn warm_joints(point: &Point, chain: &Chain, start_q_rad: &[f64; 6]) -> Result<[f64; 6], Keep> {
-    let q_rad = solve(chain, &point.base_from_flange, start_q_rad)
+/// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
+pub(super) fn warm_joints(
+    point: &Point,
+    arm: &DeformedArm,
+    start_q_rad: &[f64; 6],
+) -> Result<[f64; 6], Keep> {
+    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, start_q_rad)
         .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
         .q_rad;
     let (joint, change_rad) = q_rad
@@ -177,7 +182,7 @@ impl Made {
 
     /// Distances over each bucket, before and after, and the steps between buckets.
     fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &[WarmBucket]) {
-        let far = |chain: &Chain, q_rad: &[f64; 6]| point.miss_m(chain, q_rad);
+        let far = |arm: &DeformedArm, q_rad: &[f64; 6]| point.miss_m(arm, q_rad);
         let mut before_from = warm.first().map_or(0.0, |bucket| far(&bucket.from, &point.q_rad).norm());
         let mut ended: Option<Vector3<f64>> = None;
         for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.planned.error_m) {

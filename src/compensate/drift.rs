@@ -2,7 +2,8 @@
 
 use super::model::Model;
 use super::nominal::Point;
-use crate::kinematics::{Chain, solve};
+use crate::deform::DeformedArm;
+use crate::kinematics::solve;
 use crate::schedule::{Drift, Moment};
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -13,10 +14,8 @@ const WORTH_SHARING: usize = 512;
 impl Point {
     /// How far the carried point stands from where it is meant to be with these joints, in the base, metres.
     #[inline]
-    pub(super) fn miss_m(&self, chain: &Chain, q_rad: &[f64; 6]) -> Vector3<f64> {
-        let there = chain.pose(q_rad);
-        let (r, p, c) = (&there.rotation, &there.position_m, &self.carried_m);
-        Vector3::from_fn(|i, _| p[i] + r[i][0] * c.x + r[i][1] * c.y + r[i][2] * c.z - self.meant_m[i])
+    pub(super) fn miss_m(&self, arm: &DeformedArm, q_rad: &[f64; 6]) -> Vector3<f64> {
+        arm.under(&self.conditions).point_m(q_rad, &self.carried_m) - self.meant_m
     }
 }
 
@@ -32,10 +31,10 @@ impl Drift for Points<'_> {
     }
 
     fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
-        let chain = self.model.chain(moment);
+        let arm = self.model.arm(moment);
         let one = |&i: &usize| {
             let point = self.points[i];
-            point.miss_m(&chain, &point.q_rad).into()
+            point.miss_m(&arm, &point.q_rad).into()
         };
         if targets.len() < WORTH_SHARING {
             targets.iter().map(one).collect()
@@ -45,14 +44,15 @@ impl Drift for Points<'_> {
     }
 
     fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        let at = self.model.chain(Moment::Minute(at_min));
-        let chains: Vec<Chain> = moments.iter().map(|&moment| self.model.chain(moment)).collect();
+        let at = self.model.arm(Moment::Minute(at_min));
+        let arms: Vec<DeformedArm> = moments.iter().map(|&moment| self.model.arm(moment)).collect();
         targets
             .iter()
             .map(|&i| {
                 let point = self.points[i];
-                let solved = solve(&at, &point.base_from_flange, &point.q_rad).ok()?;
-                chains.iter().map(|chain| point.miss_m(chain, &solved.q_rad).norm()).reduce(f64::max)
+                let solved =
+                    solve(&at.under(&point.conditions), &point.base_from_flange, &point.q_rad).ok()?;
+                arms.iter().map(|arm| point.miss_m(arm, &solved.q_rad).norm()).reduce(f64::max)
             })
             .collect()
     }

@@ -1,12 +1,12 @@
 //! The offline table: each compensated target's joints at every minute, streamed.
 
-use super::CompensateError;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::{Point, resolve};
 use super::plan::{Plan, Status};
-use crate::deform::Deformation;
-use crate::kinematics::{Chain, solve};
+use super::{CompensateError, Options};
+use crate::deform::{Deformation, DeformedArm};
+use crate::kinematics::solve;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::schedule::Moment;
@@ -42,12 +42,13 @@ pub fn joints_every_minute(
     program: &Program,
     robot: &Robot,
     deformation: &Deformation,
+    options: &Options,
     plan: &Plan,
     until_min: f64,
 ) -> Result<impl Iterator<Item = MinuteJoints>, CompensateError> {
-    let model = Model::new(robot, deformation)?;
-    let minutes: Vec<(f64, Chain)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
-        .map(|t| (f64::from(t), model.chain(Moment::Minute(f64::from(t)))))
+    let model = Model::new(robot, deformation, options, None)?;
+    let minutes: Vec<(f64, DeformedArm)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
+        .map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t)))))
         .collect();
     let points: Vec<(usize, usize, Point)> = resolve(program, &model, &mut Messages::default())
         .into_iter()
@@ -69,13 +70,19 @@ pub fn joints_every_minute(
     }))
 }
 
-fn over_minutes(motion: usize, target: usize, point: &Point, minutes: &[(f64, Chain)]) -> Vec<MinuteJoints> {
+fn over_minutes(
+    motion: usize,
+    target: usize,
+    point: &Point,
+    minutes: &[(f64, DeformedArm)],
+) -> Vec<MinuteJoints> {
     let mut start = point.q_rad;
     let mut rows = Vec::with_capacity(minutes.len());
-    for (t_min, chain) in minutes {
-        let Ok(solved) = solve(chain, &point.base_from_flange, &start) else { continue };
+    for (t_min, arm) in minutes {
+        let arm = arm.under(&point.conditions);
+        let Ok(solved) = solve(&arm, &point.base_from_flange, &start) else { continue };
         start = solved.q_rad;
-        let reached = point.placement.object_from_tcp(&chain.forward(&solved.q_rad)).translation.vector;
+        let reached = point.placement.object_from_tcp(&arm.forward(&solved.q_rad)).translation.vector;
         rows.push(MinuteJoints {
             motion,
             target,

@@ -3,6 +3,7 @@
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
 pub mod compare;
+mod conditions;
 mod correct;
 mod drift;
 mod figures;
@@ -47,6 +48,11 @@ pub enum CompensateError {
     /// The deformation goes by temperature.
     #[error("the deformation goes by temperature; a table of joints by warm-up time needs one with t_min")]
     Temperature,
+    /// The model goes by joint temperatures.
+    #[error(
+        "the model has terms in joint temperature: say how warm the joints are, --temperature-c T or six values"
+    )]
+    ModelTemperature,
     /// No schedule.
     #[error("no schedule: {0}")]
     Schedule(#[from] ScheduleError),
@@ -77,6 +83,7 @@ impl CompensateError {
         match self {
             Self::Structure(_) => "robot::structure",
             Self::Temperature => "schedule::temperature",
+            Self::ModelTemperature => "model::temperature",
             Self::Schedule(error) => error.code(),
             Self::NoMotion => "compensate::no-motion",
             Self::NothingToCompensate { .. } => "compensate::nothing",
@@ -98,12 +105,14 @@ pub fn plan(
 ) -> Result<Plan, CompensateError> {
     let by_temperature = deformation.above_lowest();
     let deformation = by_temperature.as_ref().map_or(deformation, |(_, above)| above);
-    let model = Model::new(robot, deformation)?;
+    let from_c = by_temperature.as_ref().map(|(range_c, _)| range_c[0]);
+    let model = Model::new(robot, deformation, options, from_c)?;
     let mut messages = Messages::default();
     let mut resolved = resolve(program, &model, &mut messages);
     keep_as_asked(program, options, &mut resolved);
     keep_unfollowable(&model, &mut resolved);
     let points = resolved.iter().flat_map(|resolved| resolved.points.iter().flatten()).collect();
+    conditions::check(program, &model, &resolved, &mut messages);
     let drift = Points { model: &model, points };
     if drift.points.is_empty() {
         return Err(nothing(program, |i| resolved[i].points.as_ref().err(), messages));
@@ -133,6 +142,7 @@ pub fn plan(
     messages.add_statuses(program, &motions);
     messages.add_paths(program, &motions, options);
     messages.add_schedule(&chosen, &summary, options);
+    conditions::check_schedule(&model, &chosen.schedule, &mut messages);
     let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule);
     let temperature_c = by_temperature.map(|(range_c, _)| range_c);
     Ok(Plan {
@@ -166,7 +176,7 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
 
 /// Takes out what the settled arm cannot follow, so that no schedule is made for it.
 fn keep_unfollowable(model: &Model, resolved: &mut [Resolved]) {
-    let settled = model.chain(Moment::Settled);
+    let settled = model.arm(Moment::Settled);
     resolved.par_iter_mut().for_each(|resolved| {
         if let Ok(points) = &resolved.points
             && let Some(why) = points.iter().find_map(|p| correct::warm_joints(p, &settled, &p.q_rad).err())

@@ -1,9 +1,11 @@
 //! Where each motion is meant to go, and with which joints: the branch by confdata and by where the arm
 //! comes from.
 
+use super::conditions;
 use super::messages::{Messages, place};
 use super::model::Model;
 use super::placement::{Placement, keep};
+use crate::deform::Conditions;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::kinematics::{Configuration, Solution};
 use crate::program::Program;
@@ -30,6 +32,8 @@ pub(super) struct Point {
     pub(super) meant_m: Vector3<f64>,
     /// Nominal joints on the branch that is meant, radians.
     pub(super) q_rad: [f64; 6],
+    /// Load and direction, where a model asks for them.
+    pub(super) conditions: Conditions,
 }
 
 /// A motion as far as the nominal arm goes.
@@ -81,7 +85,9 @@ pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages)
             stack.pop();
         }
     }
-    done.into_iter().flatten().collect()
+    let mut resolved = done.into_iter().flatten().collect::<Vec<_>>();
+    conditions::fill(program, model, &mut resolved);
+    resolved
 }
 
 fn resolve_motion(
@@ -186,7 +192,8 @@ fn point(
     q_rad: [f64; 6],
 ) -> Point {
     let (carried_m, meant_m) = placement.points(&object_from_tcp);
-    Point { original, placement, object_from_tcp, base_from_flange, carried_m, meant_m, q_rad }
+    let conditions = Conditions::default();
+    Point { original, placement, object_from_tcp, base_from_flange, carried_m, meant_m, q_rad, conditions }
 }
 
 /// The joints that are meant.

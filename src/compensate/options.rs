@@ -1,7 +1,9 @@
 //! What is asked of a compensation.
 
+use crate::deform::identified::Identified;
 use crate::schedule::{Request, Until, Width};
 use crate::units::{m_from_mm, rad_from_deg};
+use std::sync::Arc;
 
 /// The options of a compensation; [`Options::default`] is the reference paper's case.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,12 @@ pub struct Options {
     pub absolute_accuracy: bool,
     /// Every kept motion counts as refused.
     pub strict: bool,
+    /// An identified model, on top of the deformation.
+    pub model: Option<Arc<Identified>>,
+    /// Load on the flange where the tools' load data do not say it, kg; `None` = as they say.
+    pub payload_kg: Option<f64>,
+    /// Joint temperatures the program is made for, where the model has terms in temperature, degrees Celsius.
+    pub joint_temperature_c: Option<[f64; 6]>,
 }
 
 impl Default for Options {
@@ -38,6 +46,9 @@ impl Default for Options {
             keep_moveabsj: false,
             absolute_accuracy: false,
             strict: false,
+            model: None,
+            payload_kg: None,
+            joint_temperature_c: None,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::nominal::Point;
 use super::track::Track;
 use crate::kinematics::solve;
 use crate::program::motion::Path;
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Vector3};
 use std::f64::consts::TAU;
 
 /// One motion between two points.
@@ -48,7 +48,9 @@ impl Leg<'_> {
     fn ends(&self, bucket: Option<&WarmBucket>) -> Option<Ends> {
         let joints = |point: &Point, corrected: bool| match bucket {
             Some(bucket) if corrected => {
-                solve(&bucket.at, &point.base_from_flange, &point.q_rad).ok().map(|solved| solved.q_rad)
+                solve(&bucket.at.under(&point.conditions), &point.base_from_flange, &point.q_rad)
+                    .ok()
+                    .map(|solved| solved.q_rad)
             }
             _ => Some(point.q_rad),
         };
@@ -63,14 +65,15 @@ impl Leg<'_> {
     /// Distance from the programmed path at `s` of the way.
     fn far_m(&self, nominal: &Ends, s: f64, bucket: &WarmBucket, model: &Model) -> Option<f64> {
         let ends = self.ends(Some(bucket))?;
-        let placement = &self.points.last()?.placement;
-        let where_at = |chain: &crate::kinematics::Chain, q_rad: &[f64; 6]| -> Vector3<f64> {
-            placement.object_from_tcp(&chain.forward(q_rad)).translation.vector
+        let Point { placement, conditions, .. } = self.points.last()?;
+        let seen = |base_from_flange: Isometry3<f64>| -> Vector3<f64> {
+            placement.object_from_tcp(&base_from_flange).translation.vector
         };
+        let where_at = |q_rad: &[f64; 6]| seen(bucket.at.under(conditions).forward(q_rad));
         let halfway = blend(&ends.start, &ends.end, s);
         if matches!(self.path, Path::Joint | Path::AbsJoint) {
-            let meant = where_at(&model.nominal, &blend(&nominal.start, &nominal.end, s));
-            return Some((where_at(&bucket.at, &halfway) - meant).norm());
+            let meant = seen(model.nominal.forward(&blend(&nominal.start, &nominal.end, s)));
+            return Some((where_at(&halfway) - meant).norm());
         }
         let track = |ends: &Ends| {
             let pose = |q_rad: &[f64; 6]| placement.object_from_tcp(&model.nominal.forward(q_rad));
@@ -82,7 +85,7 @@ impl Leg<'_> {
         for (q_rad, near) in q_rad.iter_mut().zip(halfway) {
             *q_rad += TAU * ((near - *q_rad) / TAU).round();
         }
-        Some(track(nominal).distance_m(&where_at(&bucket.at, &q_rad)))
+        Some(track(nominal).distance_m(&where_at(&q_rad)))
     }
 }
 

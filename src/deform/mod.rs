@@ -1,12 +1,17 @@
-//! How the model deforms with time or temperature: deformation tables and growth laws.
+//! How the model deforms with time, temperature, load and direction: deformation tables, growth laws, identified
+//! models, and the arm that all of them together make at one moment.
 //!
 //! Knows nothing of RAPID and of how the deformed arm is solved.
 
+mod arm;
 mod error;
+pub mod gravity;
 mod growth;
+pub mod identified;
 mod paper;
 mod table;
 
+pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};
 

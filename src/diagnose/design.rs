@@ -127,6 +127,12 @@ impl Design {
         design
     }
 
+    /// Weights of the stations.
+    #[must_use]
+    pub fn whitening(&self) -> &Whitening {
+        &self.whitening
+    }
+
     /// Number of columns.
     #[must_use]
     pub fn width(&self) -> usize {

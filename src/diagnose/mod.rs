@@ -6,7 +6,7 @@
 mod design;
 mod effects;
 mod evidence;
-mod gravity;
+mod identify;
 mod kernel;
 mod linearise;
 mod model;
@@ -16,14 +16,17 @@ mod rounding;
 mod scene;
 mod search;
 mod shrink;
+mod validate;
 mod verdict;
 
 pub use outcome::{
     Cause, Detectable, Diagnosis, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual, Shrink,
     Untestable, Verdict, Warning, Where,
 };
+pub use validate::{Distances, Part, Register, ValidateError, Validation, validate};
 pub use verdict::describe;
 
+use crate::deform::identified::Identified;
 use crate::kinematics::Chain;
 use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
 use crate::robot::Robot;
@@ -53,6 +56,30 @@ pub struct Options {
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
 pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -> Diagnosis {
+    examine(measurements, robot, options, None)
+}
+
+/// As [`diagnose`], with what was found as a model; `None` where nothing could be fitted.
+#[must_use]
+pub fn diagnose_and_identify(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+) -> (Diagnosis, Option<Identified>) {
+    let mut identified = None;
+    let diagnosis = examine(measurements, robot, options, Some(&mut identified));
+    if let Some(model) = &mut identified {
+        model.verdict = diagnosis.verdict.name().to_owned();
+    }
+    (diagnosis, identified)
+}
+
+fn examine(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+    identified: Option<&mut Option<Identified>>,
+) -> Diagnosis {
     let finding = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
         measurements.warnings.iter().chain(&finding.warnings).map(Warning::from).collect();
@@ -98,7 +125,7 @@ pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -
         }
     };
     let noise = Noise::new(stations.repeats.as_ref(), options.sigma_m);
-    let mut diagnosis = evaluate(measurements, robot, &stations, &linear, noise, options);
+    let mut diagnosis = evaluate(measurements, robot, &stations, &linear, noise, options, identified);
     diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
     diagnosis.stations = stations.stations.len();
     warnings.append(&mut diagnosis.warnings);
@@ -124,6 +151,7 @@ fn evaluate(
     linear: &Linear,
     noise: Noise,
     options: &Options,
+    identified: Option<&mut Option<Identified>>,
 ) -> Diagnosis {
     let (all, mut untestable) = effects::candidates(&linear.scene);
     let folds = shrink::folds(&linear.scene);
@@ -133,6 +161,9 @@ fn evaluate(
         return faulty(&fault);
     }
     let judged = verdict::judge(&mut model, linear);
+    if let Some(to) = identified {
+        *to = identify::identify(measurements, robot, stations, linear, &model, options.tool_m);
+    }
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let far_off = model.reached.geometry_ratio * model.reached.sigma_m > FAR_OFF;
     let geometry = judged.verdict == Verdict::Geometry || far_off;

@@ -28,6 +28,24 @@ pub enum Verdict {
     DataFault,
 }
 
+impl Verdict {
+    /// The word in every file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Explained => "explained",
+            Self::Ambiguous => "ambiguous",
+            Self::Several => "several",
+            Self::Geometry => "geometry",
+            Self::UnexplainedStructure => "unexplained_structure",
+            Self::UnexplainedScatter => "unexplained_scatter",
+            Self::NothingAboveNoise => "nothing_above_noise",
+            Self::InsufficientData => "insufficient_data",
+            Self::DataFault => "data_fault",
+        }
+    }
+}
+
 /// One cause, or candidate.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {

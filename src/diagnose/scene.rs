@@ -1,6 +1,6 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
-use super::gravity::{Loads, loads_at};
+use crate::deform::gravity::{Loads, loads_at};
 use crate::kinematics::Chain;
 use crate::measure::{Channels, Registration, Station};
 use crate::robot::Robot;

@@ -13,7 +13,7 @@ mod station;
 pub use check::{Finding, check_rows};
 pub use error::MeasureError;
 pub use fault::{Fault, FaultKind, find_fault};
-pub use register::{RegisterError, Registration, register};
+pub use register::{RegisterError, Registration, register, register_base};
 pub use station::{Repeats, Station, Stations, gather};
 
 use crate::diagnostic::Diagnostic;

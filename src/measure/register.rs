@@ -113,29 +113,52 @@ pub fn register(
     let mut best: Option<Registration> = None;
     let given = tool_m.map(|t| [t.x, t.y, t.z]);
     for start in given.iter().chain(&STARTS_M) {
-        let Some(start) = start_from(&few, &few_poses, targets, Vector3::from(*start), oriented) else {
+        let tools_m = vec![Vector3::from(*start); targets];
+        let Some(start) = start_from(&few, &few_poses, &tools_m, oriented) else {
             continue;
         };
-        let fitted = gauss_newton(start, &few, &few_poses, ITERATIONS);
+        let fitted = gauss_newton(start, &few, &few_poses, true);
         if best.as_ref().is_none_or(|b| fitted.median_m < 0.98 * b.median_m) {
             best = Some(fitted);
         }
     }
     let best = best.ok_or(RegisterError::Degenerate)?;
-    Ok(gauss_newton(best, stations, base_from_flange, ITERATIONS))
+    Ok(gauss_newton(best, stations, base_from_flange, true))
+}
+
+/// Registers the base alone: `tools_m` are the targets' places on the flange, known.
+///
+/// # Errors
+/// As [`register`].
+pub fn register_base(
+    stations: &[Station],
+    base_from_flange: &[Isometry3<f64>],
+    tools_m: &[Vector3<f64>],
+) -> Result<Registration, RegisterError> {
+    if stations.len() < 3 {
+        return Err(RegisterError::TooFew { stations: stations.len() });
+    }
+    let oriented = stations.iter().all(|s| s.orientation.is_some());
+    let start = start_from(stations, base_from_flange, tools_m, oriented).ok_or(RegisterError::Degenerate)?;
+    Ok(gauss_newton(start, stations, base_from_flange, false))
 }
 
 /// Base by Procrustes for an assumed place of the target (Arun, Huang and Blostein, 1987).
 fn start_from(
     stations: &[Station],
     base_from_flange: &[Isometry3<f64>],
-    targets: usize,
-    tool_m: Vector3<f64>,
+    tools_m: &[Vector3<f64>],
     oriented: bool,
 ) -> Option<Registration> {
     let n = stations.len() as f64;
-    let model: Vec<Vector3<f64>> =
-        base_from_flange.iter().map(|pose| pose.translation.vector + pose.rotation * tool_m).collect();
+    let model: Vec<Vector3<f64>> = base_from_flange
+        .iter()
+        .zip(stations)
+        .map(|(pose, station)| {
+            let tool_m = tools_m.get(station.target).copied().unwrap_or_default();
+            pose.translation.vector + pose.rotation * tool_m
+        })
+        .collect();
     let model_mean = model.iter().sum::<Vector3<f64>>() / n;
     let seen_mean = stations.iter().map(|s| s.position_m).sum::<Vector3<f64>>() / n;
     let mut cross = Matrix3::zeros();
@@ -165,7 +188,7 @@ fn start_from(
     };
     Some(Registration {
         instrument_from_base,
-        tools_m: vec![tool_m; targets],
+        tools_m: tools_m.to_vec(),
         tool_sigma_m: 0.0,
         flange_from_sensor,
         rms_m: 0.0,
@@ -209,12 +232,12 @@ fn gauss_newton(
     mut fit: Registration,
     stations: &[Station],
     poses: &[Isometry3<f64>],
-    limit: usize,
+    tools_too: bool,
 ) -> Registration {
     let oriented = fit.flange_from_sensor.is_some();
     let width = 6 + 3 * fit.tools_m.len() + if oriented { 3 } else { 0 };
     let mut normal = DMatrix::zeros(width, width);
-    for iteration in 0..limit {
+    for iteration in 0..ITERATIONS {
         let scale_m = median_distance(&fit, stations, poses).max(1e-9);
         normal = DMatrix::zeros(width, width);
         let mut right = DVector::zeros(width);
@@ -230,6 +253,13 @@ fn gauss_newton(
                 let weight = ORIENTATION_ARM_M.powi(2) / (1.0 + far * far);
                 normal += weight * orient.transpose() * &orient;
                 right += weight * orient.transpose() * turn;
+            }
+        }
+        if !tools_too {
+            for k in 6..6 + 3 * fit.tools_m.len() {
+                normal.row_mut(k).fill(0.0);
+                normal.column_mut(k).fill(0.0);
+                right[k] = 0.0;
             }
         }
         let step = damped_solve(&normal, &right);
@@ -340,6 +370,17 @@ mod tests {
             assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-6);
             assert!(fit.median_m < 1e-6);
         }
+    }
+
+    #[test]
+    fn the_base_alone_is_found_with_the_target_held() {
+        let poses = poses(12);
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let tool = Vector3::new(0.08, -0.05, 0.21);
+        let fit = register_base(&seen(&poses, &base, tool, false), &poses, &[tool]).unwrap();
+        assert_eq!(fit.tools_m, [tool]);
+        assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-9);
+        assert!(fit.rms_m < 1e-9, "{fit:?}");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::motion::Move;
 use super::path::{PathKind, Way};
+use crate::deform::DeformedArm;
 use crate::kinematics::{Chain, ClosedForm};
 use nalgebra::Isometry3;
 
@@ -88,7 +89,7 @@ impl Judge<'_> {
     ///
     /// Both are seen in the work object, so that a stationary tool is judged as well.
     #[must_use]
-    pub fn miss(&self, truth: &Chain, meant: &Move, done: &Move) -> Option<Miss> {
+    pub fn miss(&self, truth: &DeformedArm, meant: &Move, done: &Move) -> Option<Miss> {
         let end = self.point(truth, meant, &meant.q_rad?, done, &done.q_rad?);
         Some(match (meant.via_q_rad, done.via_q_rad) {
             (Some(a), Some(b)) => end.worse(self.point(truth, meant, &a, done, &b)),
@@ -96,9 +97,9 @@ impl Judge<'_> {
         })
     }
 
-    fn point(&self, truth: &Chain, meant: &Move, a: &[f64; 6], done: &Move, b: &[f64; 6]) -> Miss {
+    fn point(&self, truth: &DeformedArm, meant: &Move, a: &[f64; 6], done: &Move, b: &[f64; 6]) -> Miss {
         Miss::between(
-            &done.setup.object_from_tcp(&truth.forward(b)),
+            &done.setup.object_from_tcp(&truth.under(&done.conditions()).forward(b)),
             &meant.setup.object_from_tcp(&self.nominal.forward(a)),
         )
     }
@@ -106,7 +107,7 @@ impl Judge<'_> {
     /// Largest distance of the TCP's way from the line or arc that was meant, metres; `None` where a start is
     /// not known, and for joint moves, which promise no way.
     #[must_use]
-    pub fn path_m(&self, truth: &Chain, meant: &Move, done: &Move) -> Option<f64> {
+    pub fn path_m(&self, truth: &DeformedArm, meant: &Move, done: &Move) -> Option<f64> {
         let (a0, a1) = (meant.start_q_rad?, meant.q_rad?);
         let (b0, b1) = (done.start_q_rad?, done.q_rad?);
         let shares = (1..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES + 1));
@@ -120,7 +121,7 @@ impl Judge<'_> {
         for share in shares {
             let base_from_flange = done.setup.base_from_flange(&commanded.at(share));
             q_rad = self.closed.nearest(&base_from_flange, &q_rad)?.q_rad;
-            let is = done.setup.object_from_tcp(&truth.forward(&q_rad));
+            let is = done.setup.object_from_tcp(&truth.under(&done.conditions()).forward(&q_rad));
             worst = worst.max(meant_way.distance_m(&is.translation.vector));
         }
         Some(worst)
@@ -136,8 +137,10 @@ impl Judge<'_> {
 
     /// Distance between where two moves of one target end on the true robot, metres.
     #[must_use]
-    pub fn jump_m(&self, truth: &Chain, a: &Move, b: &Move) -> Option<f64> {
-        let at = |m: &Move| Some(m.setup.object_from_tcp(&truth.forward(&m.q_rad?)).translation.vector);
+    pub fn jump_m(&self, truth: &DeformedArm, a: &Move, b: &Move) -> Option<f64> {
+        let at = |m: &Move| {
+            Some(m.setup.object_from_tcp(&truth.under(&m.conditions()).forward(&m.q_rad?)).translation.vector)
+        };
         Some((at(a)? - at(b)?).norm())
     }
 }

@@ -3,6 +3,7 @@
 use super::outcome::{Fault, raise};
 use super::predefined;
 use super::value::{Type, Value};
+use crate::deform::Payload;
 use crate::units::{m_from_mm, mm_from_m};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
@@ -56,6 +57,8 @@ pub struct Setup {
     pub frame_from_tcp: Isometry3<f64>,
     /// `base_from_object`, or `flange_from_object` of a work object in the hand. Metres.
     pub frame_from_object: Isometry3<f64>,
+    /// Load data of the tool: what hangs on the flange.
+    pub payload: Payload,
 }
 
 impl Setup {
@@ -66,6 +69,7 @@ impl Setup {
             tool_held: true,
             frame_from_tcp: Isometry3::identity(),
             frame_from_object: Isometry3::identity(),
+            payload: Payload::default(),
         }
     }
 
@@ -98,8 +102,12 @@ mod tests {
     fn flange_and_tcp_are_each_others_inverse_with_held_and_stationary_tools() {
         let frame = |x: f64, a: f64| Isometry3::new(Vector3::new(x, 0.2, -0.1), Vector3::new(a, 0.3, -a));
         for tool_held in [true, false] {
-            let setup =
-                Setup { tool_held, frame_from_tcp: frame(0.1, 0.4), frame_from_object: frame(0.5, -0.7) };
+            let setup = Setup {
+                tool_held,
+                frame_from_tcp: frame(0.1, 0.4),
+                frame_from_object: frame(0.5, -0.7),
+                ..Setup::plain()
+            };
             let goal = frame(-0.2, 1.1);
             let back = setup.object_from_tcp(&setup.base_from_flange(&goal));
             assert!((back.translation.vector - goal.translation.vector).norm() < 1e-12);

@@ -6,6 +6,7 @@ use super::frame::{self, Setup};
 use super::outcome::{Fault, Place, raise};
 use super::path::{PathKind, Way};
 use super::value::{Type, Value};
+use crate::deform::Conditions;
 use crate::kinematics::{Chain, ClosedForm, Configuration};
 use crate::robot::Robot;
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -14,6 +15,8 @@ use std::collections::HashMap;
 
 /// Numbers from here on mean "not used" in RAPID (9E9).
 const NOT_USED: f64 = 8.9e9;
+/// Joints that turn by less have not moved, radians.
+const STILL_RAD: f64 = 1e-7;
 /// Samples on a linear way: one for so many metres, or so many radians.
 const SAMPLE_M: f64 = 0.02;
 const SAMPLE_RAD: f64 = 0.1;
@@ -41,6 +44,16 @@ pub struct Move {
     pub q_rad: Option<[f64; 6]>,
     /// The steady clock at its end, seconds.
     pub steady_s: f64,
+    /// Sign of each joint's last motion up to its end; 0 = not known.
+    pub direction: [i8; 6],
+}
+
+impl Move {
+    /// Load and direction at its end.
+    #[must_use]
+    pub fn conditions(&self) -> Conditions {
+        Conditions { payload: self.setup.payload, direction: self.direction }
+    }
 }
 
 /// The arm of a controller.
@@ -55,6 +68,7 @@ pub struct Arm {
     pub(super) displacement: Isometry3<f64>,
     last: Option<(Setup, Value, Value)>,
     moves: Vec<Move>,
+    direction: [i8; 6],
     solved: HashMap<Vec<u64>, Solved>,
 }
 
@@ -85,6 +99,7 @@ impl Arm {
             displacement: Isometry3::identity(),
             last: None,
             moves: Vec::new(),
+            direction: [0; 6],
             solved: HashMap::new(),
         })
     }
@@ -112,10 +127,18 @@ impl Arm {
         std::mem::take(&mut self.moves)
     }
 
-    pub(super) fn record(&mut self, done: Move, tool: Value, wobj: Value) {
+    pub(super) fn record(&mut self, mut done: Move, tool: Value, wobj: Value) {
         if let Some(q) = done.q_rad {
+            if let Some(from) = done.via_q_rad.or(self.q_rad) {
+                for (sign, (to, from)) in self.direction.iter_mut().zip(q.iter().zip(from)) {
+                    if (to - from).abs() > STILL_RAD {
+                        *sign = if *to > from { 1 } else { -1 };
+                    }
+                }
+            }
             self.q_rad = Some(q);
         }
+        done.direction = self.direction;
         self.last = Some((done.setup.clone(), tool, wobj));
         self.moves.push(done);
     }

@@ -93,7 +93,7 @@ impl Scenario {
         }
         let step_s = self.step_ms.unwrap_or(0.0) / 1e3;
         session.program.calendar_mut().step_s = step_s;
-        let natural = session.truth.deformation().growth().and_then(|g| g.tau_min());
+        let natural = session.truth.growth().and_then(|g| g.tau_min());
         let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
         let mut player = Player {
             warmth: session.truth.cold(tau_cool_min),
@@ -190,11 +190,11 @@ impl Player<'_> {
         };
         let truth = self.session.truth.clone();
         if truth.deformation().index() == Index::Temperature {
-            let truth = truth.chain_at(self.temperature_c);
+            let truth = truth.arm_at(self.temperature_c);
             self.session.pass(self.temperature_c, &mut |_| truth.clone())?;
         } else {
             let t_min = begin.1.minute().unwrap_or(f64::INFINITY);
-            self.session.pass(t_min, &mut |steady_s| truth.chain(&at(steady_s)))?;
+            self.session.pass(t_min, &mut |steady_s| truth.arm(&at(steady_s)))?;
         }
         // A pass without moves and waits still takes its second.
         if self.session.program.calendar().steady_s() - begin.0 < 1.0 {

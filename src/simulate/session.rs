@@ -6,6 +6,7 @@ use super::motion::Move;
 use super::outcome::{Message, Outcome, SimulateError};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
+use crate::deform::DeformedArm;
 use crate::kinematics::{Chain, ClosedForm};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -198,11 +199,15 @@ impl Session {
         })
     }
 
-    /// Run both once and judge every move; `chain` gives the true chain at a steady time in seconds.
+    /// Run both once and judge every move; `arm_at` gives the true arm at a steady time in seconds.
     ///
     /// # Errors
     /// [`SimulateError::NoRoutine`]
-    pub fn pass(&mut self, t_min: f64, chain: &mut dyn FnMut(f64) -> Chain) -> Result<&Pass, SimulateError> {
+    pub fn pass(
+        &mut self,
+        t_min: f64,
+        arm_at: &mut dyn FnMut(f64) -> DeformedArm,
+    ) -> Result<&Pass, SimulateError> {
         let meant_outcome = self.original.call(&self.entry, self.options.passes)?;
         let outcome = self.program.call(&self.entry, self.options.passes)?;
         let meant = self.original.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
@@ -223,12 +228,12 @@ impl Session {
             unreached: 0,
             mismatch: Judge::same_moves(&meant, &done).err(),
         };
-        let mut now: Option<(f64, Chain)> = None;
+        let mut now: Option<(f64, DeformedArm)> = None;
         let mut same = Vec::new();
         for (a, b) in meant.iter().zip(&done) {
             let truth = match &now {
                 Some((at, truth)) if *at == b.steady_s => truth.clone(),
-                _ => chain(b.steady_s),
+                _ => arm_at(b.steady_s),
             };
             now = Some((b.steady_s, truth.clone()));
             let (Some(before), Some(after)) = (judge.miss(&truth, a, a), judge.miss(&truth, a, b)) else {
@@ -267,16 +272,16 @@ impl Session {
         {
             spread.rms_m = (spread.rms_m / (n.max(1) as f64)).sqrt();
         }
-        self.note_switch(&pass, done, chain);
+        self.note_switch(&pass, done, arm_at);
         self.finish(pass)
     }
 
-    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, chain: &mut dyn FnMut(f64) -> Chain) {
+    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, arm_at: &mut dyn FnMut(f64) -> DeformedArm) {
         let judge = Judge { closed: &self.closed, nominal: &self.nominal };
         if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
             && index != *last
         {
-            let truth = done.last().map(|m| chain(m.steady_s));
+            let truth = done.last().map(|m| arm_at(m.steady_s));
             let jump = truth.map_or(0.0, |truth| {
                 moves.iter().zip(&done).filter_map(|(a, b)| judge.jump_m(&truth, a, b)).fold(0.0, f64::max)
             });
@@ -344,7 +349,7 @@ impl Session {
                 now_min += step_min;
                 self.call_if_there("tcTick")?;
             }
-            let truth = self.truth.chain_at(t_min);
+            let truth = self.truth.arm_at(t_min);
             self.pass(t_min, &mut |_| truth.clone())?;
         }
         Ok(())

@@ -3,22 +3,32 @@
 //! The warmth is exact (f64) and independent of every clock in the program: it follows running and standing
 //! by the growth law's own two lags. A program that keeps a clock of its own can be compared with it.
 
-use crate::deform::{Deformation, GrowthLaw};
-use crate::kinematics::{Chain, FrameOffsets};
+use crate::deform::identified::{Identified, When};
+use crate::deform::{Deformation, DeformedArm, GrowthLaw, Index};
+use crate::kinematics::FrameOffsets;
 use crate::robot::Robot;
+use std::sync::Arc;
 
 /// A robot that deforms as it warms up.
 #[derive(Clone, Debug)]
 pub struct TrueRobot {
-    robot: Robot,
+    robot: Arc<Robot>,
     deformation: Deformation,
+    model: Option<Arc<Identified>>,
+    joint_temperature_c: Option<[f64; 6]>,
 }
 
 impl TrueRobot {
     /// A robot and how it deforms.
     #[must_use]
     pub fn new(robot: Robot, deformation: Deformation) -> Self {
-        Self { robot, deformation }
+        Self { robot: Arc::new(robot), deformation, model: None, joint_temperature_c: None }
+    }
+
+    /// The same with an identified model on top; its terms in temperature see `joint_temperature_c`.
+    #[must_use]
+    pub fn with_model(self, model: &Identified, joint_temperature_c: Option<[f64; 6]>) -> Self {
+        Self { model: Some(Arc::new(model.for_programs().0)), joint_temperature_c, ..self }
     }
 
     /// The constructive model.
@@ -33,23 +43,44 @@ impl TrueRobot {
         &self.deformation
     }
 
-    /// The chain at a warm-up minute (or temperature, where the deformation goes by that).
+    /// The law by which it warms; `None` for a scheduled table.
     #[must_use]
-    pub fn chain_at(&self, t_min: f64) -> Chain {
-        Chain::with_offsets(&self.robot, &self.deformation.offsets_at(t_min))
+    pub fn growth(&self) -> Option<GrowthLaw> {
+        self.deformation.growth().copied()
     }
 
-    /// The chain at a state of warmth.
+    /// The arm at a warm-up minute (or temperature, where the deformation goes by that).
     #[must_use]
-    pub fn chain(&self, warmth: &Warmth) -> Chain {
+    pub fn arm_at(&self, t_min: f64) -> DeformedArm {
+        self.deformed(&self.deformation.offsets_at(t_min), t_min)
+    }
+
+    /// The arm at a state of warmth.
+    #[must_use]
+    pub fn arm(&self, warmth: &Warmth) -> DeformedArm {
+        let t_min = warmth.minute().unwrap_or(f64::INFINITY);
         match self.deformation.growth() {
             Some(_) => {
                 let grown = warmth.share();
                 let settled = self.deformation.settled();
-                let offsets = FrameOffsets(settled.0.map(|row| row.map(|x| x * grown)));
-                Chain::with_offsets(&self.robot, &offsets)
+                self.deformed(&FrameOffsets(settled.0.map(|row| row.map(|x| x * grown))), t_min)
             }
-            None => self.chain_at(warmth.minute().unwrap_or(f64::INFINITY)),
+            None => self.arm_at(t_min),
+        }
+    }
+
+    fn deformed(&self, offsets: &FrameOffsets, t_min: f64) -> DeformedArm {
+        match &self.model {
+            None => DeformedArm::of_table(&self.robot, offsets),
+            Some(model) if self.deformation.index() == Index::Temperature => {
+                let joint_temperature_c = self.joint_temperature_c.or(Some([t_min; 6]));
+                let when = When { t_min: f64::INFINITY, joint_temperature_c };
+                DeformedArm::of_model(&self.robot, offsets, model, when)
+            }
+            Some(model) => {
+                let when = When { t_min, joint_temperature_c: self.joint_temperature_c };
+                DeformedArm::of_model(&self.robot, offsets, model, when)
+            }
         }
     }
 

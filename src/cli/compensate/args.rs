@@ -3,6 +3,7 @@
 use crate::cli::model::{self, Named};
 use crate::compensate::Options;
 use crate::deform::Deformation;
+use crate::deform::identified::Identified;
 use crate::diagnostic::Diagnostic;
 use crate::emit::{Clock, Core, EmitOptions, Sensor};
 use crate::program::Overrides;
@@ -11,6 +12,7 @@ use crate::schedule::{Until, Width};
 use crate::units::{m_from_mm, rad_from_deg};
 use clap::ValueEnum;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Options of `compensate`.
 #[derive(Debug, clap::Args)]
@@ -26,6 +28,18 @@ pub struct Args {
     /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
     #[arg(long, value_name = "FILE")]
     pub deformation: Option<PathBuf>,
+
+    /// An identified model (TOML) of diagnose --model-out, instead of a deformation table or on top of one.
+    #[arg(long, value_name = "FILE")]
+    pub model: Option<PathBuf>,
+
+    /// With --model: the whole load on the flange, kg [default: what the tools' load data say].
+    #[arg(long, value_name = "KG", requires = "model")]
+    pub payload_kg: Option<f64>,
+
+    /// With --model: temperature of the joints, one value or six, where the model has terms in temperature.
+    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true)]
+    pub temperature_c: Option<Temperatures>,
 
     /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU
     /// [default: two-stage:46 for the built-in table; required with a static table of yours].
@@ -83,13 +97,13 @@ pub struct Args {
     #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
     pub wobj: Vec<(String, String)>,
 
-    /// A larger correction than this is refused.
-    #[arg(long, value_name = "MM", default_value_t = 0.5, allow_negative_numbers = true)]
-    pub max_correction_mm: f64,
+    /// A larger correction than this is refused [default: 0.5; with --model 3].
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub max_correction_mm: Option<f64>,
 
-    /// A larger correction than this is refused.
-    #[arg(long, value_name = "DEG", default_value_t = 0.1, allow_negative_numbers = true)]
-    pub max_correction_deg: f64,
+    /// A larger correction than this is refused [default: 0.1; with --model 0.5].
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub max_correction_deg: Option<f64>,
 
     /// A linear move that leaves its line by more than this at mid-path is warned about.
     #[arg(long, value_name = "MM", default_value_t = 0.01, allow_negative_numbers = true)]
@@ -136,6 +150,21 @@ pub struct Args {
     pub json: Option<PathBuf>,
 }
 
+/// What the options name.
+#[derive(Clone, Debug)]
+pub struct Models {
+    /// The robot.
+    pub robot: Named<Robot>,
+    /// Its deformation; none of its own beside a model.
+    pub deformation: Named<Deformation>,
+    /// Its identified model.
+    pub identified: Option<Named<Identified>>,
+}
+
+/// Temperatures of the joints, degrees Celsius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Temperatures(pub [f64; 6]);
+
 /// How the corrected targets are held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FormName {
@@ -166,13 +195,17 @@ pub enum CoreName {
 impl Args {
     /// What is asked of the compensation.
     #[must_use]
-    pub fn options(&self) -> Options {
+    pub fn options(&self, identified: Option<&Named<Identified>>) -> Options {
+        let [max_mm, max_deg] = if identified.is_some() { [3.0, 0.5] } else { [0.5, 0.1] };
         Options {
+            model: identified.map(|named| Arc::new(named.model.clone())),
+            payload_kg: self.payload_kg,
+            joint_temperature_c: self.temperature_c.map(|t| t.0),
             tolerance_m: m_from_mm(self.tolerance_mm),
             until: self.until,
             width: self.bucket_min.map_or(Width::Tolerance, |width_min| Width::Fixed { width_min }),
-            max_correction_m: m_from_mm(self.max_correction_mm),
-            max_correction_rad: rad_from_deg(self.max_correction_deg),
+            max_correction_m: m_from_mm(self.max_correction_mm.unwrap_or(max_mm)),
+            max_correction_rad: rad_from_deg(self.max_correction_deg.unwrap_or(max_deg)),
             path_tolerance_m: m_from_mm(self.path_tolerance_mm),
             keep_moveabsj: self.keep_moveabsj,
             absolute_accuracy: self.absolute_accuracy,
@@ -180,15 +213,19 @@ impl Args {
         }
     }
 
-    /// The robot and its deformation.
+    /// The robot, its deformation and its model.
     ///
     /// # Errors
     /// What is wrong with a name or a file.
-    pub fn model(&self) -> Result<(Named<Robot>, Named<Deformation>), Diagnostic> {
+    pub fn models(&self) -> Result<Models, Diagnostic> {
         let robot = model::robot_with_source(&self.robot)?;
-        let deformation =
-            model::deformation_with_source(self.deformation.as_deref(), self.growth.as_deref())?;
-        Ok((robot, deformation))
+        let identified = self.model.as_deref().map(model::identified).transpose()?;
+        let (table, growth) = (self.deformation.as_deref(), self.growth.as_deref());
+        let deformation = match &identified {
+            Some(identified) => model::deformation_beside(identified, table, growth)?,
+            None => model::deformation_with_source(table, growth)?,
+        };
+        Ok(Models { robot, deformation, identified })
     }
 
     /// How the program is emitted.
@@ -229,8 +266,9 @@ impl Args {
     /// `option::number`, naming the option.
     pub fn check(&self) -> Result<(), Diagnostic> {
         let numbers = [
-            ("--max-correction-mm", self.max_correction_mm),
-            ("--max-correction-deg", self.max_correction_deg),
+            ("--max-correction-mm", self.max_correction_mm.unwrap_or(1.0)),
+            ("--max-correction-deg", self.max_correction_deg.unwrap_or(1.0)),
+            ("--payload-kg", self.payload_kg.map_or(1.0, |kg| if kg == 0.0 { 1.0 } else { kg })),
             ("--path-tolerance-mm", self.path_tolerance_mm),
             ("--gap-min", self.gap_min),
             ("--hold-min", self.hold_min),
@@ -264,6 +302,20 @@ fn until(text: &str) -> Result<Until, String> {
     }
     let minutes = text.parse().map_err(|_| "write minutes, e.g. 180, or auto".to_owned())?;
     Ok(Until::Minutes(minutes))
+}
+
+/// One temperature for all joints, or six.
+pub(in crate::cli) fn temperatures(text: &str) -> Result<Temperatures, String> {
+    let all: Vec<f64> = text
+        .split(',')
+        .map(|t| t.trim().parse::<f64>().ok().filter(|t| t.is_finite()))
+        .collect::<Option<_>>()
+        .ok_or_else(|| "write one temperature in degrees Celsius, or six with commas".to_owned())?;
+    match all[..] {
+        [one] => Ok(Temperatures([one; 6])),
+        [a, b, c, d, e, f] => Ok(Temperatures([a, b, c, d, e, f])),
+        _ => Err(format!("one temperature or six are needed, there are {}", all.len())),
+    }
 }
 
 /// `NAME=VALUE`.

@@ -3,7 +3,8 @@
 mod args;
 mod work;
 
-pub use args::{Args, ClockName, CoreName, FormName};
+pub(in crate::cli) use args::temperatures;
+pub use args::{Args, ClockName, CoreName, FormName, Models, Temperatures};
 pub(in crate::cli) use work::{Job, Made, Refusal};
 
 use super::destination::Destination;

@@ -1,9 +1,9 @@
 //! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
 
-use super::Args;
+use super::{Args, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::{self, Given};
-use crate::cli::model::Named;
+use crate::cli::model::{self, Named};
 use crate::compensate::plan::Plan;
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
@@ -56,9 +56,9 @@ impl Job {
     /// # Errors
     /// What is wrong with the robot or the deformation.
     pub fn new(args: &Args) -> Result<Self, Diagnostic> {
-        let (robot, deformation) = args.model()?;
+        let Models { robot, deformation, identified } = args.models()?;
         Ok(Self {
-            options: args.options(),
+            options: args.options(identified.as_ref()),
             emit: args.emit_options(&robot, &deformation),
             overrides: args.overrides(),
             allow_non_nominal: args.allow_non_nominal,
@@ -114,6 +114,7 @@ impl Job {
             &made.program,
             &self.robot.model,
             &self.deformation.model,
+            &self.options,
             &made.plan,
             until_min,
         )
@@ -126,6 +127,8 @@ impl Job {
         let mut messages: Vec<Diagnostic> =
             program.files.iter().flat_map(|file| file.warnings.iter().cloned()).collect();
         messages.extend(program.diagnostics.iter().cloned());
+        let other = self.options.model.as_deref().and_then(|m| model::of_another_robot(m, &self.robot.model));
+        messages.extend(other);
         for module in &program.facts.modules {
             if let Some(range) = module.compensated {
                 let text = format!("module {} is already compensated", module.name);

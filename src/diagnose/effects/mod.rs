@@ -26,6 +26,7 @@ mod tool_drift;
 mod tool_step;
 
 pub(in crate::diagnose) use backlash::torque_limits_n_m;
+pub(in crate::diagnose) use payload_mass::COMPLIANCE;
 
 use super::scene::{Driver, Motion, Scene, Site};
 

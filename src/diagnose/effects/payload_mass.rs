@@ -7,7 +7,7 @@ use crate::diagnose::scene::scaled;
 pub struct PayloadMass;
 
 /// Usual compliance of each joint, rad/(N.m).
-const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
+pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
 
 impl Effect for PayloadMass {
     fn name(&self) -> &'static str {

@@ -1,6 +1,7 @@
 //! Move instructions: arguments by position, tool and work object as they are at that moment.
 
 use super::Known;
+use crate::deform::Payload;
 use crate::simulate::call::Args;
 use crate::simulate::controller::Controller;
 use crate::simulate::frame::{self, Setup};
@@ -119,6 +120,7 @@ impl Controller {
             via_q_rad: solved.as_ref().and_then(|s| s.via_q_rad),
             q_rad: solved.as_ref().map(|s| s.q_rad),
             steady_s: self.calendar.steady_s(),
+            direction: [0; 6],
         };
         if let Some(arm) = &mut self.arm {
             arm.record(done, tool, wobj);
@@ -224,10 +226,23 @@ impl Controller {
 
 fn setup(tool: &Value, wobj: &Value) -> Result<Setup, Fault> {
     let object = wobj.numbers();
+    let held = tool.numbers();
     Ok(Setup {
+        payload: payload(held.get(7..11).unwrap_or_default()),
         tool_held: tool.parts().first().and_then(Value::boolean).unwrap_or(true),
-        frame_from_tcp: frame::isometry_of(&tool.numbers())?,
+        frame_from_tcp: frame::isometry_of(&held)?,
         frame_from_object: frame::isometry_of(&object)?
             * frame::isometry_of(object.get(7..14).unwrap_or_default())?,
     })
+}
+
+/// A tool of a gram, as tool0, or less is none.
+const NO_LOAD_KG: f64 = 0.001_001;
+
+/// Load data's mass and centre of gravity.
+fn payload(load: &[f64]) -> Payload {
+    match *load {
+        [mass_kg, x, y, z] if mass_kg > NO_LOAD_KG => Payload { mass_kg, cog_m: [x, y, z].map(m_from_mm) },
+        _ => Payload::default(),
+    }
 }

@@ -32,6 +32,34 @@ pub struct Loads {
     pub base_moment_n_m: Vector3<f64>,
 }
 
+/// How a cantilever bends under gravity, per unit of its L/EI (Gere and Timoshenko, Mechanics of Materials, appendix G).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bend {
+    /// Slope at its end, M + F L / 2, base axes, N.m.
+    pub slope_n_m: Vector3<f64>,
+    /// Sinking of its end, M L / 2 + F L^2 / 3, base axes, N.m times metres.
+    pub sink_m_n_m: Vector3<f64>,
+}
+
+impl Loads {
+    /// The bend of link `i`, counted from 0 (the last but one at most), between its two joints' origins in the base.
+    #[must_use]
+    pub fn bend(&self, i: usize, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> Bend {
+        let along = to_m - from_m;
+        let beyond = (i + 1).min(5);
+        let moment = self.moment_n_m[beyond];
+        let force = Vector3::new(0.0, 0.0, -self.weight_n[beyond]);
+        let across = |v: Vector3<f64>| {
+            if along.norm() > 1e-6 { v - along * (v.dot(&along) / along.norm_squared()) } else { v }
+        };
+        let lever = along.cross(&force);
+        Bend {
+            slope_n_m: across(moment + lever * 0.5),
+            sink_m_n_m: (across(moment) * 0.5 + lever / 3.0).cross(&along),
+        }
+    }
+}
+
 /// Length of the arm stretched out, metres.
 fn reach_m(robot: &Robot) -> f64 {
     robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum::<f64>()

@@ -1,0 +1,123 @@
+//! `driftpost validate`: an identified model against measurements that it has not seen.
+
+use super::{Console, Outcome, files, model};
+use crate::diagnose::{Part, Register, ValidateError, Validation, validate};
+use crate::diagnostic::Diagnostic;
+use crate::measure::Measurements;
+use clap::ValueEnum;
+use serde_json::json;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Options of `validate`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Measurements (CSV).
+    #[arg(value_name = "MEASUREMENTS")]
+    pub measurements: PathBuf,
+
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// The identified model (TOML).
+    #[arg(long, value_name = "FILE")]
+    pub model: PathBuf,
+
+    /// What of base and tool is fitted again; the rest is the model's.
+    #[arg(long, value_enum, default_value_t = RegisterName::BaseTool)]
+    pub register: RegisterName,
+
+    /// Exit 1 where the rms distance is more than this.
+    #[arg(long, value_name = "MM")]
+    pub limit_mm: Option<f64>,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// What is fitted again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RegisterName {
+    /// Base and tool.
+    #[value(name = "base,tool")]
+    BaseTool,
+    /// The base alone.
+    Base,
+    /// Nothing.
+    None,
+}
+
+/// Runs `validate`.
+///
+/// # Errors
+/// A file that cannot be read or written, or a registration that cannot be had.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    if args.limit_mm.is_some_and(|limit_mm| !(limit_mm.is_finite() && limit_mm > 0.0)) {
+        return Err(Diagnostic::error("option::number", "--limit-mm must be more than 0 and finite").into());
+    }
+    let robot = model::robot(&args.robot)?;
+    let identified = model::identified(&args.model)?;
+    let bytes = files::read(&args.measurements, "measurement file")?;
+    let json = files::Output::new(args.json.as_deref())?;
+    let measurements = Measurements::from_csv(&bytes).map_err(|error| {
+        Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
+    })?;
+    console.explain(model::of_another_robot(&identified.model, &robot).as_slice(), &[], false);
+    let which = match args.register {
+        RegisterName::BaseTool => Register::BaseAndTool,
+        RegisterName::Base => Register::Base,
+        RegisterName::None => Register::Nothing,
+    };
+    let found = validate(&measurements, &robot, &identified.model, which).map_err(refused)?;
+    let within = args.limit_mm.is_none_or(|limit_mm| found.all.model.rms_mm <= limit_mm);
+    let takes_standard_output = json.is_standard();
+    json.write(console, || Ok(format!("{:#}\n", as_json(&found)).into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    summarise(to, &found)?;
+    if let (false, Some(limit_mm)) = (within, args.limit_mm) {
+        writeln!(to, "NOT within {limit_mm} mm")?;
+    }
+    Ok(if within { Outcome::Done } else { Outcome::Difference })
+}
+
+fn refused(error: ValidateError) -> Diagnostic {
+    let code = match error {
+        ValidateError::Register(_) => "measure::registration",
+        ValidateError::NoMounting | ValidateError::Targets { .. } => "model::mounting",
+    };
+    Diagnostic::error(code, error.to_string())
+}
+
+fn as_json(found: &Validation) -> serde_json::Value {
+    let Part { n, model, nominal } = found.all;
+    json!({
+        "n": n, "rms_mm": model.rms_mm, "mean_mm": model.mean_mm, "max_mm": model.max_mm, "nominal": nominal,
+        "inside": found.inside, "outside": found.outside, "joints_outside": found.joints_outside,
+        "worst": found.worst.iter().map(|(line, mm)| json!({ "line": line, "mm": mm })).collect::<Vec<_>>(),
+    })
+}
+
+fn summarise(to: &mut dyn Write, found: &Validation) -> std::io::Result<()> {
+    for (name, part) in [("all", &found.all), ("inside", &found.inside), ("outside", &found.outside)] {
+        if part.n == 0 {
+            continue;
+        }
+        writeln!(
+            to,
+            "{name:>7}: {:5} poses, model rms {:.4} mean {:.4} max {:.4} mm; nominal rms {:.4} mean {:.4} max {:.4} mm",
+            part.n,
+            part.model.rms_mm,
+            part.model.mean_mm,
+            part.model.max_mm,
+            part.nominal.rms_mm,
+            part.nominal.mean_mm,
+            part.nominal.max_mm
+        )?;
+    }
+    for [joint, n] in &found.joints_outside {
+        writeln!(to, "joint {joint} leaves the range the model was found in at {n} poses")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,304 @@
+//! The deformed arm at one moment: a table's offsets and an identified model's terms, under the conditions of one pose.
+
+use super::gravity::loads_at;
+use super::identified::{Identified, Moved, Standing, When};
+use crate::kinematics::{Arm, Chain, FrameOffsets, PoseAndJacobian};
+use crate::robot::Robot;
+use nalgebra::{Isometry3, Point3, Vector3};
+use std::sync::Arc;
+
+/// What hangs on the flange.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Payload {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Centre of gravity in the flange's frame, metres.
+    pub cog_m: [f64; 3],
+}
+
+/// What a pose brings with it besides its joints.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Conditions {
+    /// Load on the flange.
+    pub payload: Payload,
+    /// Sign of each joint's last motion; 0 = not known.
+    pub direction: [i8; 6],
+}
+
+/// An arm at one moment.
+#[derive(Clone, Debug)]
+pub struct DeformedArm {
+    table: Chain,
+    terms: Option<Arc<Terms>>,
+    when: When,
+    offsets: FrameOffsets,
+}
+
+#[derive(Debug)]
+struct Terms {
+    robot: Arc<Robot>,
+    nominal: Chain,
+    model: Arc<Identified>,
+    needs_load: bool,
+    /// Every term that moves frames leaves them where the joints do not matter.
+    fixed_frames: bool,
+}
+
+impl DeformedArm {
+    /// The arm with a table's offsets alone.
+    #[must_use]
+    pub fn of_table(robot: &Robot, offsets: &FrameOffsets) -> Self {
+        let when = When { t_min: f64::INFINITY, joint_temperature_c: None };
+        Self { table: Chain::with_offsets(robot, offsets), terms: None, when, offsets: *offsets }
+    }
+
+    /// The arm with a table's offsets and an identified model on top.
+    #[must_use]
+    pub fn of_model(robot: &Arc<Robot>, offsets: &FrameOffsets, model: &Arc<Identified>, when: When) -> Self {
+        let terms = Terms {
+            nominal: Chain::nominal(robot),
+            needs_load: model.needs_load() || model.terms.iter().any(|t| t.held_above_n_m.is_some()),
+            fixed_frames: model.terms.iter().all(|t| t.kind.only_turns() || !t.kind.needs_load()),
+            robot: Arc::clone(robot),
+            model: Arc::clone(model),
+        };
+        let mut arm = Self { terms: Some(Arc::new(terms)), when, ..Self::of_table(robot, offsets) };
+        arm.fix_frames();
+        arm
+    }
+
+    /// The same model at another moment.
+    #[must_use]
+    pub fn at(&self, when: When) -> Self {
+        let mut arm = Self { when, ..self.clone() };
+        arm.fix_frames();
+        arm
+    }
+
+    /// Frames that do not depend on the joints are set once.
+    fn fix_frames(&mut self) {
+        let Some(terms) = self.terms.as_deref().filter(|terms| terms.fixed_frames) else { return };
+        let mut moved = Moved { offsets: self.offsets, ..Moved::default() };
+        let at = Standing {
+            robot: &terms.robot,
+            when: &self.when,
+            q_rad: &[0.0; 6],
+            direction: [0; 6],
+            loads: None,
+            loaded: false,
+        };
+        for term in terms.model.terms.iter().filter(|t| !t.kind.only_turns()) {
+            term.add(&at, &mut moved);
+        }
+        self.table = Chain::with_offsets(&terms.robot, &moved.offsets);
+    }
+
+    /// The arm under the conditions of one pose.
+    #[must_use]
+    pub fn under<'a>(&'a self, conditions: &'a Conditions) -> ArmUnder<'a> {
+        ArmUnder { arm: self, conditions }
+    }
+}
+
+/// A [`DeformedArm`] under the conditions of one pose.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmUnder<'a> {
+    arm: &'a DeformedArm,
+    conditions: &'a Conditions,
+}
+
+impl ArmUnder<'_> {
+    /// `base_from_flange` when the controller commands `q_rad`.
+    #[must_use]
+    pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
+        self.on_chain(q_rad, |chain, q_rad, _| chain.forward(q_rad))
+    }
+
+    /// Where a point of the flange's frame stands in the base, metres.
+    #[inline]
+    #[must_use]
+    pub fn point_m(&self, q_rad: &[f64; 6], on_flange_m: &Vector3<f64>) -> Vector3<f64> {
+        self.on_chain(q_rad, |chain, q_rad, _| {
+            let there = chain.pose(q_rad);
+            let (r, p, c) = (&there.rotation, &there.position_m, on_flange_m);
+            Vector3::from_fn(|i, _| p[i] + r[i][0] * c.x + r[i][1] * c.y + r[i][2] * c.z)
+        })
+    }
+
+    /// `work` with the chain and the joints at which it really stands.
+    #[inline]
+    fn on_chain<T>(&self, q_rad: &[f64; 6], work: impl FnOnce(&Chain, &[f64; 6], Option<&Moved>) -> T) -> T {
+        let Some(terms) = self.arm.terms.as_deref() else { return work(&self.arm.table, q_rad, None) };
+        let moved = self.moved(terms, q_rad);
+        let really_rad = std::array::from_fn(|i| q_rad[i] + moved.turns_rad[i]);
+        if terms.fixed_frames {
+            return work(&self.arm.table, &really_rad, Some(&moved));
+        }
+        work(&Chain::with_offsets(&terms.robot, &moved.offsets), &really_rad, Some(&moved))
+    }
+
+    fn moved(&self, terms: &Terms, q_rad: &[f64; 6]) -> Moved {
+        let mut moved = Moved { offsets: self.arm.offsets, ..Moved::default() };
+        let payload = &self.conditions.payload;
+        let gravity = terms.needs_load.then(|| {
+            let frames = terms.nominal.frames(q_rad);
+            let axes = std::array::from_fn(|j| frames[j].rotation * terms.robot.joints[j].axis.into_inner());
+            let at_m = frames[6] * Point3::from(Vector3::from(payload.cog_m));
+            (loads_at(&terms.robot, &frames, &axes, at_m.coords, payload.mass_kg), frames)
+        });
+        let at = Standing {
+            robot: &terms.robot,
+            when: &self.arm.when,
+            q_rad,
+            direction: self.conditions.direction,
+            loads: gravity.as_ref().map(|(loads, frames)| (loads, frames)),
+            loaded: payload.mass_kg > 0.0,
+        };
+        for term in &terms.model.terms {
+            if !terms.fixed_frames || term.kind.only_turns() {
+                term.add(&at, &mut moved);
+            }
+        }
+        moved
+    }
+}
+
+impl Arm for ArmUnder<'_> {
+    #[inline]
+    fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
+        self.on_chain(q_rad, |chain, q_rad, moved| {
+            let mut there = chain.pose_and_jacobian(q_rad);
+            if let Some(moved) = moved {
+                // J (1 + d turns / d q): gear lines change fast with the joints; what gravity adds is left out.
+                let plain = there.jacobian;
+                for (row, plain) in there.jacobian.iter_mut().zip(&plain) {
+                    for (to, j) in row.iter_mut().zip(0..6) {
+                        *to += (0..6).map(|i| plain[i] * moved.slopes[i][j]).sum::<f64>();
+                    }
+                }
+            }
+            there
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::deform::identified::{Kind, Shape, Term, Value};
+    use crate::kinematics::solve;
+
+    fn term(kind: Kind, joint: Option<usize>, values: &[f64]) -> Term {
+        Term {
+            kind,
+            joint,
+            joint_b: None,
+            n: None,
+            shape: Shape::Always,
+            held_above_n_m: None,
+            cause: true,
+            values: values.iter().map(|&value| Value { value, sigma: None }).collect(),
+        }
+    }
+
+    fn arm(terms: Vec<Term>, t_min: f64) -> DeformedArm {
+        let robot = Arc::new(Robot::built_in("irb140").unwrap());
+        let model = Arc::new(Identified { terms, ..Identified::default() });
+        let when = When { t_min, joint_temperature_c: None };
+        DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
+    }
+
+    const Q_RAD: [f64; 6] = [0.3, 0.4, -0.2, 0.7, -0.9, 1.1];
+
+    #[test]
+    fn a_joint_offset_is_a_turn_of_the_joint_and_play_half_its_gap() {
+        let nominal = Chain::nominal(&Robot::built_in("irb140").unwrap());
+        let mut turned = Q_RAD;
+        turned[2] += 1e-3;
+        let plain = Conditions::default();
+        let offset = arm(vec![term(Kind::JointOffset, Some(2), &[1e-3])], 0.0);
+        assert!(
+            (offset.under(&plain).forward(&Q_RAD).to_matrix() - nominal.forward(&turned).to_matrix()).norm()
+                < 1e-15
+        );
+        let play = arm(vec![term(Kind::Backlash, Some(2), &[2e-3])], 0.0);
+        let from_below = Conditions { direction: [0, 0, 1, 0, 0, 0], ..plain };
+        assert_eq!(play.under(&from_below).forward(&Q_RAD), offset.under(&plain).forward(&Q_RAD));
+        assert_eq!(play.under(&plain).forward(&Q_RAD), nominal.forward(&Q_RAD));
+    }
+
+    #[test]
+    fn a_stretched_arm_sags_at_joint_2_by_its_torque() {
+        // Stretched out level: the flange is 0.36 + 0.38 + 0.065 m from joint 2; a payload of 2 kg at the flange turns it by
+        // c * 2 g * that lever, plus the links' own part, which is had by leaving the payload out.
+        let q_rad = [0.0, std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
+        let c = 5e-6;
+        let soft = arm(vec![term(Kind::JointCompliance, Some(1), &[c])], 0.0);
+        let empty = Conditions::default();
+        let loaded = Conditions { payload: Payload { mass_kg: 2.0, cog_m: [0.0; 3] }, ..empty };
+        let sunk = soft.under(&loaded).forward(&q_rad).translation.vector
+            - soft.under(&empty).forward(&q_rad).translation.vector;
+        let lever = 0.36 + 0.38 + 0.065;
+        assert!((sunk.z + c * 2.0 * 9.80665 * lever * lever).abs() < 1e-8, "{sunk}");
+    }
+
+    #[test]
+    fn links_grow_with_time() {
+        let growth = Term {
+            shape: Shape::Exponential { tau_min: 30.0 },
+            ..term(Kind::ThermalLinkGrowth, Some(1), &[1e-4, 0.0])
+        };
+        let grown = arm(vec![growth], 30.0);
+        // Link 2 is 360 mm; after one time constant 1 - 1/e of 100 ppm of it, along the upper arm.
+        let moved = grown.under(&Conditions::default()).forward(&[0.0; 6]).translation.vector
+            - Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&[0.0; 6]).translation.vector;
+        let expected = 0.36e-4 * (1.0 - (-1.0_f64).exp());
+        assert!((moved - Vector3::new(0.0, 0.0, expected)).norm() < 1e-12, "{moved}");
+    }
+
+    #[test]
+    fn joints_are_found_and_proved_with_every_kind_at_once() {
+        let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[2e-4, -1e-4]) };
+        let coupling = Term { joint_b: Some(5), ..term(Kind::JointCoupling, Some(4), &[1e-3]) };
+        let terms = vec![
+            term(Kind::JointOffset, Some(2), &[1e-3]),
+            term(Kind::LinkGeometry, Some(1), &[1e-4, 2e-4, -1e-4, 1e-4, 3e-4, -2e-4]),
+            term(Kind::JointCompliance, Some(1), &[5e-6]),
+            term(Kind::LinkBending, Some(1), &[1e-6, 2e-7]),
+            term(Kind::BaseTilt, None, &[1e-6, -1e-6]),
+            term(Kind::JointGain, Some(0), &[1e-4]),
+            gear,
+            coupling,
+        ];
+        let arm = arm(terms, 10.0);
+        let conditions =
+            Conditions { payload: Payload { mass_kg: 3.0, cog_m: [0.0, 0.0, 0.1] }, direction: [1; 6] };
+        let goal = Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&Q_RAD);
+        let solved = solve(&arm.under(&conditions), &goal, &Q_RAD).unwrap();
+        let there = arm.under(&conditions).forward(&solved.q_rad);
+        assert!((there.translation.vector - goal.translation.vector).norm() < 1e-11);
+        assert!(solved.iterations <= 6, "{solved:?}");
+        assert!((solved.q_rad[2] - Q_RAD[2]).abs() > 5e-4);
+    }
+
+    #[test]
+    fn the_jacobian_agrees_with_differences_but_for_gravity() {
+        let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[2e-4, -1e-4]) };
+        let coupling = Term { joint_b: Some(5), ..term(Kind::JointCoupling, Some(4), &[1e-3]) };
+        let arm = arm(vec![gear, coupling, term(Kind::JointGain, Some(0), &[1e-4])], 0.0);
+        let conditions = Conditions::default();
+        let under = arm.under(&conditions);
+        let jacobian = under.pose_and_jacobian(&Q_RAD).jacobian;
+        for j in 0..6 {
+            let at = |h: f64| {
+                let mut q_rad = Q_RAD;
+                q_rad[j] += h;
+                under.forward(&q_rad).translation.vector
+            };
+            let slope = (at(1e-6) - at(-1e-6)) / 2e-6;
+            for k in 0..3 {
+                assert!((slope[k] - jacobian[k][j]).abs() < 1e-8, "{k} {j}");
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! An identified model: what a diagnosis found of one robot, as terms that move its joints and frames.
+//!
+//! A term is an effect of the library with its values in SI. The file (TOML, in mm and degrees) is read and written
+//! by [`Identified::from_toml`] and [`Identified::to_toml`]; its layout is described in `docs/MODEL.md`. Knows
+//! nothing of how a model is found, nor of RAPID.
+
+mod file;
+mod kind;
+mod term;
+
+pub use file::ModelError;
+pub use kind::{Kind, Parameter, Unit};
+pub(in crate::deform) use term::{Moved, Standing};
+pub use term::{Shape, Term, Value};
+
+use nalgebra::{Isometry3, Vector3};
+
+/// When, and how warm: what the terms of a model depend on besides the joints and the load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct When {
+    /// Minutes since the cold start; infinite when everything has settled.
+    pub t_min: f64,
+    /// Temperature of each joint, degrees Celsius, where it is known.
+    pub joint_temperature_c: Option<[f64; 6]>,
+}
+
+/// The ranges in which the model was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// Rows of the measurement.
+    pub rows: usize,
+    /// Joints, radians.
+    pub q_rad: [[f64; 2]; 6],
+    /// Minutes since the cold start.
+    pub t_min: Option<[f64; 2]>,
+    /// Temperature of each joint, degrees Celsius.
+    pub joint_temperature_c: Option<[[f64; 2]; 6]>,
+    /// Payload, kg.
+    pub payload_kg: Option<[f64; 2]>,
+}
+
+/// How the measurement hung on the robot: nothing that a program needs, but what an exact comparison does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mounting {
+    /// The robot's base in the instrument's frame. Metres.
+    pub instrument_from_base: Isometry3<f64>,
+    /// Each target's place in the flange's frame, metres.
+    pub tools_m: Vec<Vector3<f64>>,
+}
+
+/// A model of one robot, as found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Identified {
+    /// The robot's name.
+    pub robot: String,
+    /// File or set it was found from.
+    pub data: String,
+    /// SHA-256 of the data, hexadecimal.
+    pub data_sha256: String,
+    /// Verdict of the diagnosis.
+    pub verdict: String,
+    /// Noise of one coordinate, metres.
+    pub sigma_m: Option<f64>,
+    /// Where it was found.
+    pub seen: Seen,
+    /// How it was measured.
+    pub mounting: Option<Mounting>,
+    /// What was found.
+    pub terms: Vec<Term>,
+}
+
+impl Identified {
+    /// The model as far as a program can use it: without the instrument's own errors, steps as having happened.
+    ///
+    /// The second value names what was left out or taken so, for a warning.
+    #[must_use]
+    pub fn for_programs(&self) -> (Self, Vec<String>) {
+        let mut model = self.clone();
+        let mut said = Vec::new();
+        model.terms.retain(|term| {
+            let instrument = term.kind == Kind::InstrumentScale;
+            if instrument {
+                said.push(format!(
+                    "{} is the instrument's, not the robot's: it is left out",
+                    term.kind.name()
+                ));
+            }
+            !instrument
+        });
+        for term in &mut model.terms {
+            if let Shape::Step { t0_min } = term.shape {
+                term.shape = Shape::Always;
+                said.push(format!("{} at minute {t0_min} is taken as having happened", term.kind.name()));
+            }
+        }
+        (model, said)
+    }
+
+    /// Whether any term depends on the time.
+    #[must_use]
+    pub fn moves_with_time(&self) -> bool {
+        self.terms.iter().any(|t| !matches!(t.shape, Shape::Always | Shape::Temperature { .. }))
+    }
+
+    /// Whether any term depends on joint temperatures.
+    #[must_use]
+    pub fn needs_temperature(&self) -> bool {
+        self.terms.iter().any(|t| matches!(t.shape, Shape::Temperature { .. }))
+    }
+
+    /// Whether any term depends on the load.
+    #[must_use]
+    pub fn needs_load(&self) -> bool {
+        self.terms.iter().any(|t| t.kind.needs_load())
+    }
+
+    /// Whether any term depends on the direction from which a joint came.
+    #[must_use]
+    pub fn needs_direction(&self) -> bool {
+        self.terms.iter().any(|t| t.kind == Kind::Backlash)
+    }
+
+    /// Minutes at which a term's growth may bend, ascending.
+    #[must_use]
+    pub fn bends_min(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self
+            .terms
+            .iter()
+            .flat_map(|t| match t.shape {
+                Shape::Linear { from_min, to_min } => vec![from_min, to_min],
+                Shape::Step { t0_min } => vec![t0_min],
+                _ => Vec::new(),
+            })
+            .filter(|t_min| t_min.is_finite() && *t_min > 0.0)
+            .collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+
+    /// The growth law of the term in time that moves most, for a clock that follows the robot's warmth.
+    #[must_use]
+    pub fn growth(&self) -> Option<super::GrowthLaw> {
+        self.terms
+            .iter()
+            .filter_map(|t| match t.shape {
+                Shape::Exponential { tau_min } => Some((t, super::GrowthLaw::Exp { tau_min })),
+                Shape::TwoLags { tau_min } => Some((t, super::GrowthLaw::TwoStage { tau_min })),
+                _ => None,
+            })
+            .max_by(|a, b| a.0.size().total_cmp(&b.0.size()))
+            .map(|(_, law)| law)
+    }
+}

@@ -1,0 +1,249 @@
+//! One term: what an effect does to the joints and frames of the arm.
+//!
+//! First-order signatures as in the effects' library of the diagnosis: a turn of joint j is added to its angle, a frame
+//! that moves gets it as offsets.
+
+use super::{Kind, When};
+use crate::deform::gravity::Loads;
+use crate::kinematics::FrameOffsets;
+use crate::robot::Robot;
+use nalgebra::{Isometry3, Vector3};
+
+/// Growth in time or temperature, 0 to about 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Shape {
+    /// Always there.
+    #[default]
+    Always,
+    /// 1 - e^(-t/τ).
+    Exponential {
+        /// τ.
+        tau_min: f64,
+    },
+    /// 1 - (1 + t/τ) e^(-t/τ).
+    TwoLags {
+        /// τ.
+        tau_min: f64,
+    },
+    /// From 0 to 1 between two minutes, held outside.
+    Linear {
+        /// 0 here.
+        from_min: f64,
+        /// 1 here.
+        to_min: f64,
+    },
+    /// 0 before, 1 from then on.
+    Step {
+        /// When.
+        t0_min: f64,
+    },
+    /// A joint's temperature from `from_c` (0) to `to_c` (1), not held.
+    Temperature {
+        /// 0 here.
+        from_c: [f64; 6],
+        /// 1 here.
+        to_c: [f64; 6],
+    },
+}
+
+impl Shape {
+    /// How far it has grown for joint `joint` (from 0), or on average over all.
+    #[must_use]
+    pub fn at(&self, when: &When, joint: Option<usize>) -> f64 {
+        let t_min = when.t_min;
+        match *self {
+            Self::Always => 1.0,
+            Self::Exponential { tau_min } => super::super::GrowthLaw::Exp { tau_min }.at(t_min),
+            Self::TwoLags { tau_min } => super::super::GrowthLaw::TwoStage { tau_min }.at(t_min),
+            Self::Linear { from_min, to_min } => {
+                ((t_min.min(to_min).max(from_min) - from_min) / (to_min - from_min)).clamp(0.0, 1.0)
+            }
+            Self::Step { t0_min } => f64::from(u8::from(t_min >= t0_min)),
+            Self::Temperature { from_c, to_c } => {
+                let Some(here) = when.joint_temperature_c else { return 0.0 };
+                let one = |j: usize| {
+                    let rise_k = to_c[j] - from_c[j];
+                    if rise_k.abs() > 1e-6 { (here[j] - from_c[j]) / rise_k } else { 0.0 }
+                };
+                joint.map_or_else(|| (0..6).map(one).sum::<f64>() / 6.0, |j| one(j.min(5)))
+            }
+        }
+    }
+}
+
+/// A parameter's value and how well it is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Value {
+    /// SI.
+    pub value: f64,
+    /// One standard deviation, SI; `None` where it was not estimated.
+    pub sigma: Option<f64>,
+}
+
+/// One effect with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// Which.
+    pub kind: Kind,
+    /// Joint or link, from 0; link i follows joint i.
+    pub joint: Option<usize>,
+    /// The joint that is driven, from 0.
+    pub joint_b: Option<usize>,
+    /// Periods per turn of a gear line.
+    pub n: Option<u32>,
+    /// Growth.
+    pub shape: Shape,
+    /// Backlash: above this torque gravity holds the teeth on one side, N.m.
+    pub held_above_n_m: Option<f64>,
+    /// Named as a cause; otherwise it stands in the background of the causes.
+    pub cause: bool,
+    /// In the order of [`Kind::parameters`], SI.
+    pub values: Vec<Value>,
+}
+
+/// The arm at one place, as terms see it.
+pub(in crate::deform) struct Standing<'a> {
+    pub robot: &'a Robot,
+    pub when: &'a When,
+    pub q_rad: &'a [f64; 6],
+    pub direction: [i8; 6],
+    /// Loads, frames and flange of the nominal arm, where a term needs them.
+    pub loads: Option<(&'a Loads, &'a [Isometry3<f64>; 7])>,
+    /// Whether something hangs on the flange.
+    pub loaded: bool,
+}
+
+/// What the terms do together.
+#[derive(Clone, Debug, Default)]
+pub(in crate::deform) struct Moved {
+    /// Added to the joints, radians.
+    pub turns_rad: [f64; 6],
+    /// d turn_i / d q_j of those that change fast with the joints.
+    pub slopes: [[f64; 6]; 6],
+    /// Added to the frames.
+    pub offsets: FrameOffsets,
+}
+
+impl Term {
+    /// The term's value `i`, SI; 0 where there is none.
+    #[must_use]
+    pub fn value(&self, i: usize) -> f64 {
+        self.values.get(i).map_or(0.0, |v| v.value)
+    }
+
+    /// Length of the values, for comparison within one kind.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.values.iter().map(|v| v.value * v.value).sum::<f64>().sqrt()
+    }
+
+    /// Adds what the term does at `at`.
+    pub(in crate::deform) fn add(&self, at: &Standing<'_>, to: &mut Moved) {
+        let v = |i: usize| self.value(i);
+        let joint = self.joint.unwrap_or(0).min(5);
+        let grown = self.shape.at(at.when, self.joint);
+        match self.kind {
+            Kind::JointOffset => to.turns_rad[joint] += v(0),
+            Kind::LinkGeometry => self.add_frame(joint + 1, 1.0, to),
+            Kind::BaseDrift | Kind::BaseStep => self.add_frame(0, grown, to),
+            Kind::GearEccentricity | Kind::GearSecondHarmonic | Kind::GearMesh => {
+                let n = f64::from(self.n.unwrap_or(1));
+                let (sin, cos) = (n * at.q_rad[joint]).sin_cos();
+                to.turns_rad[joint] += v(0) * sin + v(1) * cos;
+                to.slopes[joint][joint] += n * (v(0) * cos - v(1) * sin);
+            }
+            Kind::JointGain => {
+                to.turns_rad[joint] += v(0) * at.q_rad[joint];
+                to.slopes[joint][joint] += v(0);
+            }
+            Kind::JointCoupling => {
+                let driven = self.joint_b.unwrap_or(0).min(5);
+                to.turns_rad[driven] += v(0) * at.q_rad[joint];
+                to.slopes[driven][joint] += v(0);
+            }
+            Kind::Backlash => {
+                let mut side = f64::from(at.direction[joint]);
+                if let (Some(limit), Some((loads, _))) = (self.held_above_n_m, at.loads)
+                    && loads.torque_n_m[joint].abs() > limit
+                {
+                    side = loads.torque_n_m[joint].signum();
+                }
+                to.turns_rad[joint] += 0.5 * v(0) * side;
+            }
+            Kind::ThermalLinkGrowth => {
+                for i in (0..6).filter(|i| self.joint.is_none_or(|link| link == *i)) {
+                    let next = at
+                        .robot
+                        .joints
+                        .get(i + 1)
+                        .map_or(&at.robot.joint6_from_flange, |j| &j.previous_from_joint);
+                    let strain = v(0) * self.shape.at(at.when, Some(i)) + v(1);
+                    for (to, along) in to.offsets.0[i + 1].iter_mut().zip(next.translation.vector.iter()) {
+                        *to += along * strain;
+                    }
+                }
+            }
+            Kind::ThermalJointDrift => to.turns_rad[joint] += v(0) * grown + v(1),
+            Kind::ToolDrift | Kind::ToolStep => {
+                let shift = at.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2)) * grown;
+                for (to, by) in to.offsets.0[6].iter_mut().zip(shift.iter()) {
+                    *to += by;
+                }
+            }
+            Kind::InstrumentScale => {}
+            Kind::JointCompliance | Kind::LinkBending | Kind::BaseTilt | Kind::PayloadMass => {
+                if let Some((loads, frames)) = at.loads {
+                    self.add_load(joint, loads, frames, at.loaded, to);
+                }
+            }
+        }
+    }
+
+    fn add_frame(&self, frame: usize, factor: f64, to: &mut Moved) {
+        if let Some(row) = to.offsets.0.get_mut(frame) {
+            for (to, value) in row.iter_mut().zip(&self.values) {
+                *to += value.value * factor;
+            }
+        }
+    }
+
+    fn add_load(
+        &self,
+        joint: usize,
+        loads: &Loads,
+        frames: &[Isometry3<f64>; 7],
+        loaded: bool,
+        to: &mut Moved,
+    ) {
+        let v = |i: usize| self.value(i);
+        match self.kind {
+            Kind::JointCompliance => {
+                let links: f64 = (0..6).map(|k| v(k + 1) * loads.link_torque_n_m[joint][k]).sum();
+                to.turns_rad[joint] += v(0) * loads.torque_n_m[joint] + links;
+            }
+            Kind::PayloadMass if loaded => {
+                for (j, turn_rad) in to.turns_rad.iter_mut().enumerate() {
+                    *turn_rad += v(j + 1) * loads.unit_torque_n_m[j];
+                }
+            }
+            Kind::BaseTilt => {
+                to.offsets.0[0][3] += v(0) * loads.base_moment_n_m.x;
+                to.offsets.0[0][4] += v(1) * loads.base_moment_n_m.y;
+            }
+            Kind::LinkBending => {
+                let link = joint.min(4);
+                let bend =
+                    loads.bend(link, &frames[link].translation.vector, &frames[link + 1].translation.vector);
+                let into = frames[link].rotation.inverse();
+                let shift = into * bend.sink_m_n_m * v(0);
+                let turn = into * bend.slope_n_m * (v(0) + v(1));
+                let row = &mut to.offsets.0[link + 1];
+                for k in 0..3 {
+                    row[k] += shift[k];
+                    row[k + 3] += turn[k];
+                }
+            }
+            _ => {}
+        }
+    }
+}
