@@ -8,7 +8,7 @@
 mod toy;
 
 use driftpost::deform::GrowthLaw;
-use driftpost::emit::{Clock, EmitOptions, Provenance, emit};
+use driftpost::emit::{Clock, EmitOptions, Form, Provenance, emit};
 use driftpost::schedule::{Bucket, Schedule};
 use driftpost::simulate::{Controller, Value};
 
@@ -89,6 +89,7 @@ fn controller_with(clock: Clock, schedule: &Schedule) -> Controller {
     let mut plan = toy::plan(&program, schedule.buckets.len(), &[], |_| 0.0);
     plan.schedule = schedule.clone();
     let options = EmitOptions {
+        form: Form::Schedule,
         clock,
         core: None,
         robot: Provenance::default(),

@@ -86,9 +86,13 @@ impl Destination {
             return path.clone();
         }
         let path = Path::new(&emitted.path);
-        let beside = given.paths.iter().position(|p| p.parent() == path.parent()).unwrap_or(0);
+        let (beside, sub) = match (emitted.on_disk, path.parent()) {
+            (true, Some(disk)) => (disk.parent(), disk.file_name()),
+            (_, folder) => (folder, None),
+        };
+        let beside = given.paths.iter().position(|p| p.parent() == beside).unwrap_or(0);
         let folder = self.modules.get(beside).and_then(|p| p.parent()).unwrap_or(Path::new(""));
-        folder.join(path.file_name().unwrap_or_default())
+        folder.join(sub.unwrap_or_default()).join(path.file_name().unwrap_or_default())
     }
 
     /// Writes the emitted files, and beside them what stays as it is; all are written before any is put in
@@ -149,7 +153,7 @@ impl Destination {
             return bytes.to_vec();
         }
         let mut bytes = bytes.to_vec();
-        for file in emitted.iter().filter(|file| file.source.is_none()) {
+        for file in emitted.iter().filter(|file| file.source.is_none() && !file.on_disk) {
             let path = self.path_of(file, given);
             let place = path.strip_prefix(to.parent().unwrap_or(Path::new(""))).unwrap_or(&path);
             bytes = pgf_with_module(&bytes, &place.to_string_lossy().replace('\\', "/"));

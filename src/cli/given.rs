@@ -5,8 +5,12 @@ use crate::diagnostic::{Diagnostic, FileId};
 use crate::program::modules_of_pgf;
 use crate::syntax::SourceFile;
 use crate::syntax::tree::FileItem;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+
+/// The controller's disk.
+const DISK: &str = "HOME";
 
 /// Extensions of RAPID modules, in lower case.
 const MODULES: [&str; 5] = ["mod", "sys", "prg", "modx", "sysx"];
@@ -65,6 +69,23 @@ impl Given {
         files.map(|((path, bytes), id)| SourceFile::read(FileId(id), path, bytes.clone())).collect()
     }
 
+    /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
+    ///
+    /// # Errors
+    /// `input::unreadable`, naming the file.
+    pub fn disk(&self) -> Result<Vec<(String, Vec<u8>)>, Diagnostic> {
+        let mut found: Vec<PathBuf> = self.others.iter().map(|(path, _)| path.clone()).collect();
+        let folders: BTreeSet<PathBuf> =
+            self.paths.iter().filter_map(|path| Some(path.parent()?.join(DISK))).collect();
+        for folder in folders.iter().filter(|folder| folder.is_dir()) {
+            walk(folder, &mut found)?;
+        }
+        found.sort();
+        found.dedup();
+        let modules = found.into_iter().filter(|path| has_extension(path, &MODULES));
+        modules.map(|path| Ok((slashed(&path), files::read(&path, "module")?))).collect()
+    }
+
     fn list(shape: Shape, name: &Path, paths: &[PathBuf]) -> Self {
         let common = common_folder(paths);
         let place = |path: &PathBuf| path.strip_prefix(&common).unwrap_or(path).to_path_buf();
@@ -100,7 +121,7 @@ impl Given {
         let mut found = Vec::new();
         walk(folder, &mut found)?;
         let (modules, others): (Vec<PathBuf>, Vec<PathBuf>) =
-            found.into_iter().partition(|path| has_extension(path, &MODULES));
+            found.into_iter().partition(|path| has_extension(path, &MODULES) && !on_disk(path, folder));
         if modules.is_empty() {
             let text = format!("the folder {} holds no RAPID module", folder.display());
             return Err(Diagnostic::error("input::no-modules", text).help(
@@ -207,6 +228,12 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
+}
+
+/// Whether a file lies on the controller's disk, the folder `HOME` as in a backup: it is not loaded with the program.
+fn on_disk(path: &Path, folder: &Path) -> bool {
+    let below = path.strip_prefix(folder).unwrap_or(path).parent();
+    below.is_some_and(|below| below.components().any(|c| c.as_os_str().eq_ignore_ascii_case(DISK)))
 }
 
 /// The folder that all of `paths` stand in.

@@ -118,6 +118,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut session =
         Session::new(&loaded(&program, &program_names), original_files.as_deref(), truth, options)
             .map_err(|e| refused(&e))?;
+    for (path, bytes) in program.disk()? {
+        session.program.put_file(&path, &bytes);
+    }
     match &scenario {
         Some(scenario) => scenario.play(&mut session),
         None => session.at_minutes(args.minutes.as_ref().map_or(&[0.0], |m| m.0.as_slice())),

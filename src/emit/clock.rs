@@ -5,6 +5,7 @@
 //! start are exact; only where the robot stood still is the state carried on, so that rounding does not
 //! add up from tick to tick.
 
+use super::bucket::Buckets;
 use super::names::{MAX_NAME, Names};
 use super::number::write_num;
 use super::options::{Clock, EmitError, Sensor};
@@ -19,6 +20,8 @@ const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
 const ONE_LAG: &str = include_str!("clock/one_lag.mod");
 const LAGS: &str = include_str!("clock/lags.mod");
 const ELAPSED: &str = include_str!("clock/elapsed.mod");
+const LOAD: &str = include_str!("clock/load.mod");
+const LOADING: &str = "  LOCAL VAR num tcLoaded:=-1;\n  LOCAL VAR num tcFailed:=-1;";
 const SENSOR: &str = include_str!("clock/sensor.mod");
 
 /// A reading so much beyond the table's range, as a share of it, is taken as its end; further beyond it is none.
@@ -132,28 +135,37 @@ fn read(source: &Sensor) -> Result<String, EmitError> {
 }
 
 /// The core's data declarations, one a line, indented by two blanks a level.
-pub fn data(law: &Law, names: &Names) -> Vec<String> {
+pub fn data(law: &Law, buckets: Option<&Buckets>, names: &Names) -> Vec<String> {
+    let loading = buckets.map_or("", |_| LOADING);
     let shown = if matches!(law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
-    DATA.lines().map(|line| names.rename(&line.replace("@SHOWN@", shown))).collect()
+    DATA.lines().chain(loading.lines()).map(|line| names.rename(&line.replace("@SHOWN@", shown))).collect()
 }
 
 /// The core's routines, line by line, indented by two blanks a level, an empty line between two.
-pub fn routines(law: &Law, schedule: &Schedule, names: &Names) -> Vec<String> {
+pub fn routines(law: &Law, schedule: &Schedule, buckets: Option<&Buckets>, names: &Names) -> Vec<String> {
     let parts = match law {
         Law::TwoStage { .. } => [TICK, STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
         Law::OneLag { .. } => &[TICK, STARTS, COMMON, ONE_LAG, LAGS],
         Law::Elapsed => &[TICK, STARTS, COMMON, ELAPSED],
         Law::Sensor { .. } => &[TICK, COMMON, SENSOR],
     };
-    let numbers = numbers(law, schedule);
+    let mut numbers = numbers(law, schedule);
+    if let Some(buckets) = buckets {
+        numbers.push(("@STEM@", buckets.stem.clone()));
+        numbers.push(("@ID@", buckets.id.to_string()));
+    }
     let mut lines = Vec::new();
-    for part in parts {
+    for part in parts.iter().chain(buckets.map(|_| &LOAD)) {
         if !lines.is_empty() {
             lines.push(String::new());
         }
         for line in part.lines() {
             if line == "@CASES@" {
                 lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
+                continue;
+            }
+            if line == "@LOAD@" {
+                lines.extend(buckets.map(|_| names.rename("    IF tcK>=0 tcK:=tcLoad(tcK);")));
                 continue;
             }
             let mut line = names.rename(line);
@@ -315,11 +327,11 @@ mod tests {
             let names = Names::default();
             let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
             let law = Law::of(&clock, range_c).unwrap();
-            let lines = routines(&law, &schedule(&[0.0, 10.0, 60.0], 1), &names);
+            let lines = routines(&law, &schedule(&[0.0, 10.0, 60.0], 1), Some(&Buckets::default()), &names);
             let text = lines.join("\n");
             assert!(!text.contains('@') && text.is_ascii(), "{text}");
             assert!(lines.iter().all(|l| l.len() <= 200));
-            for line in lines.iter().chain(&data(&law, &names)) {
+            for line in lines.iter().chain(&data(&law, Some(&Buckets::default()), &names)) {
                 let words: Vec<&str> = line.split([' ', '(', '{', ':']).filter(|w| !w.is_empty()).collect();
                 if let Some(at) = words.iter().position(|w| ["PROC", "num", "string", "bool"].contains(w)) {
                     assert!(words[at + 1].starts_with("tc"), "{line}");

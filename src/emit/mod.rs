@@ -5,9 +5,12 @@
 //! before ENDMODULE, and calls of the tick. Corrected targets are new data; declarations of the source
 //! are never edited. Knows nothing of how the plan was found.
 
+mod bucket;
+mod chunk;
 mod clock;
 mod header;
 mod identity;
+mod memory;
 mod module;
 mod names;
 mod number;
@@ -19,7 +22,8 @@ mod target;
 use std::collections::BTreeMap;
 
 pub use identity::{Difference, differences};
-pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
+pub use memory::{Memory, megabytes};
+pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, Sensor};
 pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
 
 use crate::compensate::plan::{Plan, Status, Tick};
@@ -27,6 +31,7 @@ use crate::diagnostic::FileId;
 use crate::program::Program;
 use crate::syntax::tree::{DataKind, FileItem, Module, ModuleItem, Scope};
 use crate::syntax::{Edit, SourceFile, apply};
+use bucket::Buckets;
 use clock::Law;
 use header::Record;
 use module::Change;
@@ -51,8 +56,11 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
     }
     let unnamed = Names::default();
     let core_text =
-        [clock::data(&law, &unnamed), clock::routines(&law, &plan.schedule, &unnamed)].concat().join("\n");
-    let names = Names::new(program, [core_text.as_str(), "tcCore"].into_iter());
+        [clock::data(&law, None, &unnamed), clock::routines(&law, &plan.schedule, None, &unnamed)]
+            .concat()
+            .join("\n");
+    let mut names =
+        Names::new(program, [core_text.as_str(), "tcCore tcLoad tcLoaded tcFailed tcFile tcWho"].into_iter());
 
     let changes = changes(program, plan)?;
     if !changes.values().any(|c| !c.motions.is_empty()) {
@@ -63,26 +71,36 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
         return Err(EmitError::EmbeddedInSeveral { modules: changes.len() });
     }
     let about = about(plan, options, core, &names);
-    let context = module::Context { program, plan, names: &names, law: &law, core, about: &about };
+    let buckets = match options.form {
+        Form::Schedule => None,
+        Form::Modules => Some(Buckets::new(program, &changes, &mut names, &about)?),
+    };
+    let buckets = buckets.as_ref();
+    let context = module::Context { program, plan, buckets, names: &names, law: &law, core, about: &about };
 
     let mut emitted: Vec<EmittedFile> = Vec::new();
     let mut edits: BTreeMap<FileId, Vec<Edit>> = BTreeMap::new();
     for (&(id, index), change) in &changes {
         let file = program.file(id);
         let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
-        edits.entry(id).or_default().extend(module::edits(&context, file, module, change)?);
+        edits.entry(id).or_default().extend(module::edits(&context, file, (index, module), change)?);
     }
     for (id, mut edits) in edits {
         let file = program.file(id);
         edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
         let bytes = apply(&file.bytes, &edits)
             .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
-        emitted.push(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits });
+        emitted.push(EmittedFile { source: Some(id), on_disk: false, path: file.path.clone(), bytes, edits });
     }
     if core == Core::Separate
         && let Some((&(id, _), _)) = changes.first_key_value()
     {
         emitted.push(core_file(&context, program.file(id)));
+    }
+    if let (Some(buckets), Some((&(id, _), _))) = (buckets, changes.first_key_value()) {
+        for bucket in 0..plan.schedule.buckets.len() {
+            emitted.push(buckets.file(&context, program.file(id), bucket)?);
+        }
     }
     Ok(emitted)
 }
@@ -195,6 +213,7 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
     let most =
         |of: fn(&crate::compensate::plan::PlannedMotion) -> f64| compensated().map(of).fold(0.0, f64::max);
     let (unit, zero) = plan.temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
+    let memory = Memory::of_plan(plan);
     let edges: Vec<String> =
         plan.schedule.buckets.iter().map(|b| target::spelled(zero + b.from_min)).collect();
     let clock = match &options.clock {
@@ -220,7 +239,17 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
     let mut about = vec![
         input("Robot", &options.robot),
         input("Deformation", &options.deformation),
-        format!("Form schedule, clock {clock}"),
+        format!(
+            "Form {}, clock {clock}",
+            match options.form {
+                Form::Schedule => "schedule".to_owned(),
+                Form::Modules => format!(
+                    "modules: the files of HOME belong into the controller's HOME; one is loaded at a time, peak of \
+                     program memory about {}",
+                    megabytes(memory.peak_bytes(Form::Modules))
+                ),
+            }
+        ),
         format!("Buckets from {} {}; the last holds on", unit, edges.join(", ")),
         format!(
             "Largest correction {:.4} mm, {:.5} deg",
@@ -274,11 +303,11 @@ fn core_file(context: &module::Context, beside: &SourceFile) -> EmittedFile {
     for line in header::lines(context.about, &record) {
         style.push(&mut bytes, &format!("  {line}"));
     }
-    for line in clock::data(context.law, context.names) {
+    for line in clock::data(context.law, context.buckets, context.names) {
         style.push(&mut bytes, &line);
     }
     bytes.extend_from_slice(style.eol);
-    for line in clock::routines(context.law, &context.plan.schedule, context.names) {
+    for line in clock::routines(context.law, &context.plan.schedule, context.buckets, context.names) {
         style.push(&mut bytes, &line);
     }
     bytes.extend_from_slice(b"ENDMODULE");
@@ -286,5 +315,11 @@ fn core_file(context: &module::Context, beside: &SourceFile) -> EmittedFile {
     let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
     let lower = beside.path.to_ascii_lowercase();
     let extension = if lower.ends_with(".modx") || lower.ends_with(".sysx") { "modx" } else { "mod" };
-    EmittedFile { source: None, path: format!("{folder}{name}.{extension}"), bytes, edits: Vec::new() }
+    EmittedFile {
+        source: None,
+        on_disk: false,
+        path: format!("{folder}{name}.{extension}"),
+        bytes,
+        edits: Vec::new(),
+    }
 }

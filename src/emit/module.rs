@@ -6,6 +6,7 @@ use std::collections::{BTreeSet, HashMap};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
+use super::bucket::{self, Buckets};
 use super::header::{self, Record};
 use super::names::{MAX_NAME, Names};
 use super::options::{Core, EmitError};
@@ -26,6 +27,8 @@ pub struct Context<'a> {
     pub names: &'a Names,
     pub law: &'a Law,
     pub core: Core,
+    /// What the buckets' modules hold, where that is the form.
+    pub buckets: Option<&'a Buckets>,
     pub about: &'a [String],
 }
 
@@ -42,26 +45,29 @@ pub struct Change {
 pub fn edits(
     context: &Context,
     file: &SourceFile,
-    module: &Module,
+    (index, module): (usize, &Module),
     change: &Change,
 ) -> Result<Vec<Edit>, EmitError> {
+    let runs = context.buckets.map(|buckets| buckets.of(file.id, index)).unwrap_or_default();
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
     let end = place::routines(&file.bytes, module).ok_or_else(no_end)?;
     let style = Style::of(&file.bytes, module);
-    let mut added = Arrays::collect(context, file, change)?;
+    let mut added = Arrays::collect(context, file, change, runs)?;
     let mut edits = std::mem::take(&mut added.edits);
 
     let tick = format!("{};", context.names.core("tcTick"));
-    let ticks = tick_places(module, &change.ticks);
+    let mut ticks = tick_places(module, &change.ticks);
+    ticks.extend(runs.iter().map(|run| run.chunk.range.start));
     for &offset in &ticks {
         let (at, text) = place::statement(&file.bytes, offset, &tick, style.eol);
         edits.push(Edit { range: TextRange::empty(at), text });
     }
+    edits.extend(bucket::calls(context, file, runs, &style));
     let (data, routines) = match context.core {
         Core::Separate => (Vec::new(), Vec::new()),
         Core::Embedded => (
-            clock::data(context.law, context.names),
-            clock::routines(context.law, &context.plan.schedule, context.names),
+            clock::data(context.law, context.buckets, context.names),
+            clock::routines(context.law, &context.plan.schedule, context.buckets, context.names),
         ),
     };
     let is_head = |line: &&String| line.starts_with("  PROC ") || line.starts_with("  LOCAL ");
@@ -111,7 +117,7 @@ pub fn edits(
 }
 
 /// Where ticks go, each place once; never into a compact IF, which holds one statement only.
-fn tick_places(module: &Module, ticks: &[u32]) -> BTreeSet<u32> {
+pub fn tick_places(module: &Module, ticks: &[u32]) -> BTreeSet<u32> {
     let ifs: Vec<TextRange> = module
         .items
         .iter()
@@ -149,13 +155,20 @@ struct Arrays<'p> {
 }
 
 impl<'p> Arrays<'p> {
-    fn collect(context: &Context<'p>, file: &'p SourceFile, change: &Change) -> Result<Self, EmitError> {
+    fn collect(
+        context: &Context<'p>,
+        file: &'p SourceFile,
+        change: &Change,
+        runs: &[bucket::Named],
+    ) -> Result<Self, EmitError> {
+        let elsewhere: BTreeSet<usize> =
+            runs.iter().flat_map(|run| run.chunk.motions.iter().copied()).collect();
         let mut names = context.names.clone();
         let index = context.names.core("tcI");
         let mut found =
             Self { arrays: Vec::new(), edits: Vec::new(), was: std::collections::BTreeMap::new() };
         let mut shared: HashMap<(Span, &[u8]), Vec<usize>> = HashMap::new();
-        for &number in &change.motions {
+        for &number in change.motions.iter().filter(|number| !elsewhere.contains(number)) {
             let (Some(motion), Some(planned)) =
                 (context.program.motions.get(number), context.plan.motions.get(number))
             else {

@@ -40,6 +40,15 @@ pub enum Sensor {
     Pers(String),
 }
 
+/// How the corrected targets are held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Arrays of targets in the module itself, one index for all.
+    Schedule,
+    /// For each bucket a module on the controller's disk that holds what moves; one is loaded at a time.
+    Modules,
+}
+
 /// Where clock and index live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
@@ -61,6 +70,8 @@ pub struct Provenance {
 /// How to emit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmitOptions {
+    /// How the targets are held.
+    pub form: Form,
     /// The clock.
     pub clock: Clock,
     /// Where clock and index live; `None` = in the module if only one is changed, else separate.
@@ -78,6 +89,8 @@ pub struct EmitOptions {
 pub struct EmittedFile {
     /// The file it comes from; `None` for one that is new.
     pub source: Option<FileId>,
+    /// It belongs on the controller's disk and is loaded from there by the program itself.
+    pub on_disk: bool,
     /// The source's path, or that of a new file beside it; `/` between folders.
     pub path: String,
     /// The file.
@@ -148,6 +161,12 @@ pub enum EmitError {
         /// The motion's or module's line.
         line: u32,
     },
+    /// Nothing can stand in another module.
+    #[error(
+        "no run of statements can be put into a bucket's module: the moves stand in routines with an ERROR handler, \
+         or between jumps and calls; use --form schedule"
+    )]
+    NoRun,
     /// No name of 32 characters is free.
     #[error("{}:{line}: no free name of at most 32 characters for the target", path.display())]
     NoName {
@@ -181,6 +200,7 @@ impl EmitError {
             Self::BadTime { .. } => "emit::bad-time",
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
             Self::NoModule { .. } => "emit::no-module",
+            Self::NoRun => "emit::no-run",
             Self::NoName { .. } => "emit::no-name",
             Self::PlanMismatch(_) => "emit::plan-mismatch",
             Self::Edit { .. } => "emit::edit",

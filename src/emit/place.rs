@@ -96,7 +96,7 @@ pub(super) fn past_eol(source: &[u8], offset: usize) -> usize {
 }
 
 /// The blanks that the line of `offset` begins with.
-fn indent_at(source: &[u8], offset: u32) -> &[u8] {
+pub(super) fn indent_at(source: &[u8], offset: u32) -> &[u8] {
     let rest = &source[line_start(source, offset as usize)..];
     &rest[..rest.iter().position(|&b| !blank(b)).unwrap_or(rest.len())]
 }

@@ -15,7 +15,7 @@ use super::place::{self, white};
 use super::target::{check_letters, is_plain};
 use crate::diagnostic::TextRange;
 use crate::syntax::tree::{
-    ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, StmtKind,
+    ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, Stmt, StmtKind,
 };
 use crate::syntax::{Edit, LineIndex, apply, parse};
 
@@ -64,7 +64,7 @@ pub enum RestoreError {
     NotEmitted,
     /// The module is the common one, which has no original.
     #[error(
-        "this is the common module of a compensated program, it has no original: unload it when none is left"
+        "this module belongs to a compensated program and has no original: remove it when that is removed"
     )]
     IsCore,
     /// The module was edited where it must not be.
@@ -275,6 +275,9 @@ impl<'w> Work<'w> {
                 break; // from here on the routines are ours
             }
             for stmt in place::statements(routine) {
+                if let Some([before, behind]) = self.choice(stmt, &index) {
+                    removed.extend([removal(before), removal(behind)]);
+                }
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 if call.args.is_empty() && matches!(call.callee, Callee::Name(name) if same(name, &tick)) {
                     let end = stmt.range.end as usize;
@@ -319,6 +322,26 @@ impl<'w> Work<'w> {
         }
         touched.sort_by_key(|t| t.line);
         Ok(touched)
+    }
+
+    /// What stands round the statements that a bucket's module may stand in for: `IF index>1 THEN %"tc..."%; ELSE`
+    /// before them, `ENDIF` behind.
+    fn choice(&self, stmt: &Stmt, index: &str) -> Option<[TextRange; 2]> {
+        let StmtKind::If { arms, otherwise: Some(own) } = &stmt.kind else { return None };
+        let [(cond, body)] = arms.as_slice() else { return None };
+        let [Stmt { kind: StmtKind::Call(call), .. }] = body.as_slice() else { return None };
+        let cond: Vec<u8> = cond.range.of(self.bytes).iter().copied().filter(|b| !white(*b)).collect();
+        let Callee::Late(late) = &call.callee else { return None };
+        let ours =
+            late.range.of(self.bytes).get(..3).is_some_and(|begin| begin.eq_ignore_ascii_case(b"\"tc"));
+        if !ours || !cond.eq_ignore_ascii_case(format!("{index}>1").as_bytes()) {
+            return None;
+        }
+        let (first, last) = (own.first()?, own.last()?);
+        Some([
+            TextRange::new(stmt.range.start, first.range.start),
+            TextRange::new(last.range.end, stmt.range.end),
+        ])
     }
 
     /// Puts touched-up values into declarations: where a target is named, declared in this file, and all

@@ -84,7 +84,6 @@ impl TargetArray<'_> {
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
     pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<(), EmitError> {
         let joint = self.is_joint();
-        let tail = tail_of(&self.element1, if joint { 1 } else { 2 });
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
@@ -95,33 +94,43 @@ impl TargetArray<'_> {
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(&style.unit);
         out.extend_from_slice(&self.element1);
-        for (k, corrected) in self.planned.corrected.iter().enumerate() {
+        for k in 0..self.planned.corrected.len() {
             end_element(out, line, b",", style);
             line = out.len();
             out.extend_from_slice(&style.indent);
             out.extend_from_slice(&style.unit);
-            match (corrected, joint) {
-                (Corrected::Pose { position_m, orientation_wxyz }, false) => {
-                    out.push(b'[');
-                    write_pos(out, *position_m);
-                    out.push(b',');
-                    write_orient(out, *orientation_wxyz);
-                }
-                (Corrected::Joints { q_rad }, true) => {
-                    out.push(b'[');
-                    write_robjoint(out, q_rad.map(Some));
-                }
-                _ => {
-                    return Err(EmitError::PlanMismatch(format!(
-                        "{}: bucket {k} is of another type than the original",
-                        self.name
-                    )));
-                }
-            }
-            out.push(b',');
-            out.extend_from_slice(tail);
+            self.write_element(out, k)?;
         }
         end_element(out, line, b"];", style);
+        Ok(())
+    }
+
+    /// Appends the target of a bucket.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write).
+    pub fn write_element(&self, out: &mut Vec<u8>, bucket: usize) -> Result<(), EmitError> {
+        let joint = self.is_joint();
+        match (self.planned.corrected.get(bucket), joint) {
+            (Some(Corrected::Pose { position_m, orientation_wxyz }), false) => {
+                out.push(b'[');
+                write_pos(out, *position_m);
+                out.push(b',');
+                write_orient(out, *orientation_wxyz);
+            }
+            (Some(Corrected::Joints { q_rad }), true) => {
+                out.push(b'[');
+                write_robjoint(out, q_rad.map(Some));
+            }
+            _ => {
+                return Err(EmitError::PlanMismatch(format!(
+                    "{}: bucket {bucket} is missing or of another type than the original",
+                    self.name
+                )));
+            }
+        }
+        out.push(b',');
+        out.extend_from_slice(tail_of(&self.element1, if joint { 1 } else { 2 }));
         Ok(())
     }
 }

@@ -3,8 +3,9 @@
 use super::json::messages;
 use super::{Align, Table, rounded};
 use crate::diagnostic::Diagnostic;
+use crate::emit::{Form, Memory};
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Target, TargetValue};
+use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -34,9 +35,11 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
     let kept = program.motions.iter().filter(|m| m.keep.is_some()).count();
     writeln!(
         out,
-        "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: schedule\n",
+        "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
         program.motions.len(),
-        program.motions.len() - kept
+        program.motions.len() - kept,
+        form_name(memory(program).suits()),
+        memory(program).why()
     )?;
     let mut table = Table::new(&[
         ("line", Align::Left),
@@ -136,9 +139,27 @@ pub fn inspection(program: &Program, warnings: &[Diagnostic]) -> Value {
         "modules": modules,
         "entries": program.facts.entries.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "motions": motions,
-        "form": "schedule",
+        "form": form_name(memory(program).suits()),
+        "form_because": memory(program).why(),
         "warnings": messages(warnings, &program.files),
     })
+}
+
+/// What the program would take of a controller's memory in a usual number of buckets.
+fn memory(program: &Program) -> Memory {
+    const BUCKETS: usize = 20;
+    let can = || program.motions.iter().filter(|m| m.keep.is_none());
+    let targets = |joint: bool| {
+        can().filter(|m| (m.path == Path::AbsJoint) == joint).map(|m| m.targets.len()).sum::<usize>()
+    };
+    Memory::of(program.motions.len(), can().count(), [targets(false), targets(true)], BUCKETS)
+}
+
+fn form_name(form: Form) -> &'static str {
+    match form {
+        Form::Schedule => "schedule",
+        Form::Modules => "modules",
+    }
 }
 
 fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {

@@ -26,7 +26,7 @@ const SAMPLE_RAD: f64 = 0.1;
 pub struct Move {
     /// Where in the program.
     pub at: Place,
-    /// The routine it stands in.
+    /// The routine it stands in; for a module that the program loaded itself, the one that called it.
     pub routine: String,
     /// The instruction, lower case.
     pub instruction: String,

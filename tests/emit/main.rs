@@ -10,7 +10,8 @@ use driftpost::compensate::plan::{Plan, Tick};
 use driftpost::deform::GrowthLaw;
 use driftpost::diagnostic::FileId;
 use driftpost::emit::{
-    Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, RestoreError, TouchedInto, emit, restore,
+    Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, RestoreError, TouchedInto, emit,
+    restore,
 };
 use driftpost::program::Program;
 use driftpost::program::motion::Motion;
@@ -21,6 +22,7 @@ const NAMED: &[u8] = include_bytes!("../../fixtures/emit/named.mod");
 
 fn options() -> EmitOptions {
     EmitOptions {
+        form: Form::Schedule,
         clock: Clock::Warmth {
             growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }),
             tau_cool_min: None,

@@ -2,9 +2,9 @@
 //! executed at the minutes that count: what is corrected is right, what is not is what the plan keeps.
 
 use crate::MINUTES;
-use crate::made::{Files, fixtures, made, read, session, warmth};
+use crate::made::{Files, fixtures, made, made_as, read, session, warmth};
 use driftpost::deform::Deformation;
-use driftpost::emit::Clock;
+use driftpost::emit::{Clock, Form};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -27,9 +27,9 @@ fn modules_below(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Whether anything was compensated; panics where an executed move is not where it should be.
-fn holds(name: &str, original: &Files, clock: &Clock, minutes: &[f64]) -> bool {
+fn holds(name: &str, form: Form, original: &Files, clock: &Clock, minutes: &[f64]) -> bool {
     let paper = Deformation::paper();
-    let Some((program, kept)) = made(original, &paper, clock) else { return false };
+    let Some((program, kept)) = made_as(form, original, &paper, clock) else { return false };
     let mut s = session(&program, original, &paper, false);
     s.at_minutes(minutes).unwrap_or_else(|e| panic!("{name}: {e}"));
     let report = s.into_report();
@@ -49,10 +49,34 @@ fn every_export_of_the_fixtures_is_where_it_should_be() {
     for path in modules_below(&fixtures().join("robodk")) {
         let original = read(std::slice::from_ref(&path));
         for clock in [warmth(), Clock::Elapsed] {
-            done += usize::from(holds(&path.display().to_string(), &original, &clock, &MINUTES));
+            done +=
+                usize::from(holds(&path.display().to_string(), Form::Schedule, &original, &clock, &MINUTES));
         }
     }
     assert!(done >= 16, "{done} programs were executed");
+}
+
+#[test]
+fn every_form_reaches_the_same_poses() {
+    let mut done = 0;
+    let mut paths = modules_below(&fixtures().join("robodk"));
+    paths.push(fixtures().join("simulate/cell.mod"));
+    for path in paths {
+        let name = path.display().to_string();
+        let original = read(std::slice::from_ref(&path));
+        done += usize::from(holds(&name, Form::Modules, &original, &warmth(), &MINUTES));
+        let paper = Deformation::paper();
+        let reached = [Form::Schedule, Form::Modules].map(|form| {
+            let (program, _) = made_as(form, &original, &paper, &warmth())?;
+            let mut s = session(&program, &original, &paper, false);
+            s.at_minutes(&MINUTES).unwrap();
+            Some(s.into_report().passes.into_iter().map(|p| (p.n, p.after)).collect::<Vec<_>>())
+        });
+        if let [Some(schedule), Some(modules)] = reached {
+            assert_eq!(schedule, modules, "{name}");
+        }
+    }
+    assert!(done >= 9, "{done} programs were executed");
 }
 
 #[test]
@@ -89,5 +113,7 @@ fn named_targets_arrays_offsets_and_two_tools_are_where_they_should_be() {
 fn twenty_thousand_moves_in_pages_are_where_they_should_be() {
     let folder = PathBuf::from(std::env::var_os("DRIFTPOST_CORPUS").unwrap()).join("mill20000");
     let original = read(&modules_below(&folder));
-    assert!(holds("mill20000", &original, &warmth(), &MINUTES));
+    for form in [Form::Schedule, Form::Modules] {
+        assert!(holds("mill20000", form, &original, &warmth(), &MINUTES));
+    }
 }

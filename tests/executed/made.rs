@@ -4,7 +4,7 @@ use driftpost::compensate::plan::Status;
 use driftpost::compensate::{self, Options};
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::diagnostic::FileId;
-use driftpost::emit::{Clock, EmitOptions, Provenance, emit};
+use driftpost::emit::{Clock, EmitError, EmitOptions, Form, Provenance, emit};
 use driftpost::program::{Overrides, Program};
 use driftpost::robot::Robot;
 use driftpost::simulate::session::{self, File};
@@ -41,6 +41,16 @@ pub fn compensated(source: &Files, deformation: &Deformation, clock: &Clock) -> 
 
 /// The program compensated, and how many of its motions are kept; `None` where all are.
 pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<(Files, usize)> {
+    made_as(Form::Schedule, source, deformation, clock)
+}
+
+/// The same in a form; files of a folder `HOME` are those on the controller's disk.
+pub fn made_as(
+    form: Form,
+    source: &Files,
+    deformation: &Deformation,
+    clock: &Clock,
+) -> Option<(Files, usize)> {
     let files = source
         .iter()
         .enumerate()
@@ -49,6 +59,7 @@ pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<
     let robot = Robot::built_in("irb140").unwrap();
     let plan = compensate::plan(&program, &robot, deformation, &Options::default()).ok()?;
     let options = EmitOptions {
+        form,
         clock: clock.clone(),
         core: None,
         robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
@@ -56,7 +67,11 @@ pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<
         absolute_accuracy: false,
     };
     let mut out = source.clone();
-    for emitted in emit(&program, &plan, &options).unwrap() {
+    let emitted = match emit(&program, &plan, &options) {
+        Err(EmitError::NoRun) => return None,
+        emitted => emitted.unwrap(),
+    };
+    for emitted in emitted {
         match emitted.source {
             Some(id) => out[id.0 as usize].1 = emitted.bytes,
             None => out.push((emitted.path, emitted.bytes)),
@@ -74,5 +89,11 @@ pub fn borrowed(files: &Files) -> Vec<File<'_>> {
 pub fn session(program: &Files, original: &Files, deformation: &Deformation, paths: bool) -> Session {
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
     let options = session::Options { paths, ..session::Options::default() };
-    Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()
+    let (disk, loaded): (Files, Files) =
+        program.iter().cloned().partition(|(path, _)| path.starts_with("HOME/"));
+    let mut session = Session::new(&borrowed(&loaded), Some(&borrowed(original)), truth, options).unwrap();
+    for (path, bytes) in &disk {
+        session.program.put_file(path, bytes);
+    }
+    session
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test stops where something is missing")]
 
 mod every_program;
+mod forms;
 mod made;
 mod mutations;
 mod scenarios;

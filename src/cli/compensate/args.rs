@@ -1,11 +1,12 @@
 //! The options of `driftpost compensate`, and what they say to the library.
 
 use crate::cli::model::{self, Named};
+use crate::cli::suggest;
 use crate::compensate::Options;
 use crate::deform::Deformation;
 use crate::deform::identified::Identified;
 use crate::diagnostic::Diagnostic;
-use crate::emit::{Clock, Core, EmitOptions, Sensor};
+use crate::emit::{Clock, Core, EmitOptions, Form, Sensor};
 use crate::program::Overrides;
 use crate::robot::Robot;
 use crate::schedule::{Until, Width};
@@ -170,6 +171,11 @@ pub struct Temperatures(pub [f64; 6]);
 pub enum FormName {
     /// Arrays of targets in the module itself, one index chosen by the clock.
     Schedule,
+    /// A module for each bucket on the controller's disk, one of which is loaded at a time: for programs that are too
+    /// large for arrays.
+    Modules,
+    /// The one that suits: arrays where they are small.
+    Auto,
 }
 
 /// What the bucket follows.
@@ -243,6 +249,10 @@ impl Args {
             },
         };
         EmitOptions {
+            form: match self.form {
+                FormName::Schedule | FormName::Auto => Form::Schedule,
+                FormName::Modules => Form::Modules,
+            },
             clock,
             core: self.core.map(|core| match core {
                 CoreName::Embedded => Core::Embedded,
@@ -292,7 +302,11 @@ fn clock(text: &str) -> Result<ClockName, String> {
         None if text == "elapsed" => Ok(ClockName::Elapsed),
         Some(("signal", name)) => Ok(ClockName::Measured(Sensor::Signal(name.to_owned()))),
         Some(("pers", name)) => Ok(ClockName::Measured(Sensor::Pers(name.to_owned()))),
-        _ => Err("write warmth, elapsed, signal:NAME or pers:NAME".to_owned()),
+        _ => {
+            let near = suggest::nearest(text, ["warmth", "elapsed"]);
+            let near = near.map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+            Err(format!("write warmth, elapsed, signal:NAME or pers:NAME{near}"))
+        }
     }
 }
 

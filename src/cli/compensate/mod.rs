@@ -61,6 +61,7 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
     if !quiet {
         show(args, console, &made, &given, &destination).map_err(|cause| made.refuse(no_output(&cause)))?;
     }
+    console.say(made.about_form());
     for (path, size) in written {
         console.say(format_args!("wrote {} ({size} bytes)", path.display()));
     }

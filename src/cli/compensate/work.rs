@@ -1,6 +1,6 @@
 //! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
 
-use super::{Args, Models};
+use super::{Args, FormName, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::{self, Given};
 use crate::cli::model::{self, Named};
@@ -8,7 +8,7 @@ use crate::compensate::plan::Plan;
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::emit::{EmitOptions, EmittedFile, emit};
+use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit, megabytes};
 use crate::program::{Overrides, Program};
 use crate::report::{self, Compensation, Review};
 use crate::robot::Robot;
@@ -23,6 +23,7 @@ pub struct Job {
     emit: EmitOptions,
     overrides: Overrides,
     allow_non_nominal: bool,
+    form: FormName,
 }
 
 /// A compensated program.
@@ -32,6 +33,8 @@ pub struct Made {
     pub program: Program,
     /// What becomes of it.
     pub plan: Plan,
+    /// How the targets are held.
+    pub form: Form,
     /// The changed files.
     pub emitted: Vec<EmittedFile>,
     /// All warnings.
@@ -62,6 +65,7 @@ impl Job {
             emit: args.emit_options(&robot, &deformation),
             overrides: args.overrides(),
             allow_non_nominal: args.allow_non_nominal,
+            form: args.form,
             robot,
             deformation,
         })
@@ -92,10 +96,19 @@ impl Job {
         if messages.iter().any(is_error) {
             return Err(Refusal::of(program, Some(plan), messages));
         }
-        match emit(&program, &plan, &self.emit) {
+        let mut options = self.emit.clone();
+        if self.form == FormName::Auto {
+            options.form = Memory::of_plan(&plan).suits();
+        }
+        let mut emitted = emit(&program, &plan, &options);
+        if self.form == FormName::Auto && matches!(emitted, Err(EmitError::NoRun)) {
+            options.form = Form::Schedule;
+            emitted = emit(&program, &plan, &options);
+        }
+        match emitted {
             Ok(emitted) => {
                 let provenance = self.provenance(given);
-                Ok(Made { program, plan, emitted, messages, provenance })
+                Ok(Made { program, plan, form: options.form, emitted, messages, provenance })
             }
             Err(error) => {
                 messages.push(Diagnostic::error(error.code(), error.to_string()));
@@ -190,6 +203,21 @@ impl Made {
     pub fn json(&self) -> serde_json::Result<Vec<u8>> {
         let (program, plan, messages) = (&self.program, &self.plan, self.messages.as_slice());
         pretty(&Compensation { program, plan, messages })
+    }
+
+    /// The form, and what it takes of the controller's memory, in a sentence.
+    pub fn about_form(&self) -> String {
+        let memory = Memory::of_plan(&self.plan);
+        let (form, other) = match self.form {
+            Form::Schedule => ("schedule", "modules"),
+            Form::Modules => ("modules", "schedule"),
+        };
+        let [own, others] = match self.form {
+            Form::Schedule => [Form::Schedule, Form::Modules],
+            Form::Modules => [Form::Modules, Form::Schedule],
+        }
+        .map(|form| megabytes(memory.peak_bytes(form)));
+        format!("form {form}: about {own} of the controller's program memory at its peak, {other} {others}")
     }
 
     /// The table of motions and its summary.

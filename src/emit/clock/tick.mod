@@ -24,6 +24,7 @@
     ELSEIF tcMode<>-2 THEN
       tcSay "tcMode is none of -2..@LAST@: original targets";
     ENDIF
+@LOAD@
     IF tcK>=0 tcSaid:=FALSE;
     tcBucket:=tcK;
     tcI:=tcK+2;

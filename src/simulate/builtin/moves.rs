@@ -107,7 +107,9 @@ impl Controller {
             }
         }
         let at = self.here();
-        let frame = self.frames.last();
+        // A module that the program loaded stands in for the routine that called it.
+        let dynamic = |module: usize| self.memory.modules.get(module).is_some_and(|m| m.dynamic.is_some());
+        let frame = self.frames.iter().rev().find(|f| !dynamic(f.module)).or(self.frames.last());
         let routine = frame.and_then(|f| self.memory.routines.get(f.routine));
         let done = Move {
             at,

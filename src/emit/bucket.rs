@@ -1,0 +1,254 @@
+//! The modules of the buckets: files on the controller's disk, one of which is loaded at a time.
+
+use std::collections::BTreeMap;
+
+use sha2::{Digest, Sha256};
+
+use super::chunk::{Chunk, Declared, Passed, chunks};
+use super::header::{self, Record};
+use super::module::{self, Change, Context};
+use super::names::Names;
+use super::options::{EmitError, EmittedFile};
+use super::place::{self, Style};
+use super::target::{MAX_LINE, TargetArray, element1};
+use crate::diagnostic::{FileId, TextRange};
+use crate::program::Program;
+use crate::syntax::tree::FileItem;
+use crate::syntax::{Edit, SourceFile};
+
+/// The folder of the controller's disk.
+pub const DISK: &str = "HOME";
+
+/// A run of statements and the routine of the buckets' modules that holds it.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// The run.
+    pub chunk: Chunk,
+    /// The routine's name.
+    pub name: String,
+}
+
+/// What stands in the buckets' modules.
+#[derive(Clone, Debug, Default)]
+pub struct Buckets {
+    /// What their files' names begin with.
+    pub stem: String,
+    /// By which a module proves that it belongs to this program; a `num` holds it exactly.
+    pub id: u32,
+    runs: BTreeMap<(FileId, usize), Vec<Named>>,
+}
+
+impl Buckets {
+    /// Finds the runs of all changed modules and names them.
+    ///
+    /// # Errors
+    /// [`EmitError::NoRun`] where there is none, [`EmitError::NoName`].
+    pub fn new(
+        program: &Program,
+        changes: &BTreeMap<(FileId, usize), Change>,
+        names: &mut Names,
+        about: &[String],
+    ) -> Result<Self, EmitError> {
+        let declared = Declared::new(program);
+        let mut buckets = Self::default();
+        let mut digest = Sha256::new();
+        for (&(id, index), change) in changes {
+            let file = program.file(id);
+            let Some(FileItem::Module(tree)) = file.tree.items.get(index) else { continue };
+            if buckets.stem.is_empty() {
+                buckets.stem = format!("tc{}_b", stem(&file.path));
+            }
+            digest.update(&file.bytes);
+            let ticks = module::tick_places(tree, &change.ticks);
+            let runs = chunks(program, &declared, file, tree, &change.motions, &ticks);
+            for (n, chunk) in (1..).zip(runs) {
+                let routine: String = chunk.routine.chars().filter(char::is_ascii).take(24).collect();
+                let name = names.claim(&format!("tc{routine}_{n}")).ok_or_else(|| EmitError::NoName {
+                    path: file.path.clone().into(),
+                    line: file.line(chunk.range),
+                })?;
+                buckets.runs.entry((id, index)).or_default().push(Named { chunk, name });
+            }
+        }
+        about.iter().for_each(|line| digest.update(line));
+        let hash = digest.finalize();
+        buckets.id = hash.iter().take(3).fold(0, |id, byte| id << 8 | u32::from(*byte));
+        if buckets.runs.is_empty() { Err(EmitError::NoRun) } else { Ok(buckets) }
+    }
+
+    /// The runs of a module.
+    #[must_use]
+    pub fn of(&self, file: FileId, module: usize) -> &[Named] {
+        self.runs.get(&(file, module)).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The file of a bucket, to be put on the controller's disk.
+    ///
+    /// # Errors
+    /// [`EmitError::PlanMismatch`] where the plan has no such bucket.
+    pub fn file(
+        &self,
+        context: &Context,
+        beside: &SourceFile,
+        bucket: usize,
+    ) -> Result<EmittedFile, EmitError> {
+        let style =
+            Style { eol: place::majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
+        let name = format!("{}{bucket}", self.stem);
+        let mut bytes = format!("MODULE {name}").into_bytes();
+        bytes.extend_from_slice(style.eol);
+        let record = Record { is_core: true, ..Record::default() };
+        for line in header::lines(context.about, &record) {
+            style.push(&mut bytes, &format!("  {line}"));
+        }
+        for line in [
+            format!("  PROC {}(INOUT num tcIs,INOUT num tcMade)", context.names.core("tcWho")),
+            format!("    tcIs:={bucket};"),
+            format!("    tcMade:={};", self.id),
+            "  ENDPROC".to_owned(),
+        ] {
+            style.push(&mut bytes, &line);
+        }
+        for (&(id, _), runs) in &self.runs {
+            for run in runs {
+                bytes.extend_from_slice(style.eol);
+                let params: Vec<String> = run.chunk.passed.iter().map(parameter).collect();
+                let start = bytes.len();
+                style.push(&mut bytes, &format!("  PROC {}({})", run.name, params.join(",")));
+                bytes.extend_from_slice(b"    ");
+                corrected(&mut bytes, context, context.program.file(id), &run.chunk, bucket)?;
+                bytes.extend_from_slice(style.eol);
+                break_lines(&mut bytes, start, style.eol);
+                style.push(&mut bytes, "  ENDPROC");
+            }
+        }
+        bytes.extend_from_slice(b"ENDMODULE");
+        bytes.extend_from_slice(style.eol);
+        let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
+        let path = format!("{folder}{DISK}/{name}.mod");
+        Ok(EmittedFile { source: None, on_disk: true, path, bytes, edits: Vec::new() })
+    }
+}
+
+/// The calls of a module's runs: before each run, and behind it.
+#[must_use]
+pub fn calls(context: &Context, file: &SourceFile, runs: &[Named], style: &Style) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let index = context.names.core("tcI");
+    for run in runs {
+        let TextRange { start, end } = run.chunk.range;
+        let indent = place::indent_at(&file.bytes, start);
+        let line = |out: &mut Vec<u8>, unit: &[u8], text: &str| {
+            out.extend_from_slice(unit);
+            out.extend_from_slice(text.as_bytes());
+            out.extend_from_slice(style.eol);
+            out.extend_from_slice(indent);
+        };
+        let mut before = Vec::new();
+        line(&mut before, b"", &format!("IF {index}>1 THEN"));
+        let args: Vec<&str> = run.chunk.passed.iter().map(|p| p.name.as_str()).collect();
+        let mut call = format!("%\"{}\"% {}", run.name, args.join(",")).trim_end().to_owned();
+        call.push(';');
+        let from = before.len();
+        line(&mut before, &style.unit, &call);
+        break_lines(&mut before, from, style.eol);
+        line(&mut before, b"", "ELSE");
+        let behind = [style.eol, indent, b"ENDIF"].concat();
+        edits.push(Edit { range: TextRange::empty(start), text: before });
+        edits.push(Edit { range: TextRange::empty(end), text: behind });
+    }
+    edits
+}
+
+fn parameter(passed: &Passed) -> String {
+    let dims = match passed.dims {
+        0 => String::new(),
+        n => format!("{{{}}}", vec!["*"; n].join(",")),
+    };
+    format!("{}{} {}{dims}", passed.mode, passed.type_name, passed.name)
+}
+
+/// The run's text with the targets of a bucket.
+fn corrected(
+    out: &mut Vec<u8>,
+    context: &Context,
+    file: &SourceFile,
+    chunk: &Chunk,
+    bucket: usize,
+) -> Result<(), EmitError> {
+    let mut at = chunk.range.start;
+    for &number in &chunk.motions {
+        let (Some(motion), Some(planned)) =
+            (context.program.motions.get(number), context.plan.motions.get(number))
+        else {
+            continue;
+        };
+        for (target, planned) in motion.targets.iter().zip(&planned.targets) {
+            let literal = target.literal.map(|span| context.program.file(span.file).text(span.range));
+            out.extend_from_slice(file.text(TextRange::new(at, target.range.start)));
+            let element1 = element1(literal, planned)?;
+            TargetArray { name: String::new(), element1, planned }.write_element(out, bucket)?;
+            at = target.range.end;
+        }
+    }
+    out.extend_from_slice(file.text(TextRange::new(at, chunk.range.end)));
+    Ok(())
+}
+
+/// Breaks lines that are too long for RAPID behind a comma, outside of strings and comments.
+fn break_lines(text: &mut Vec<u8>, from: usize, eol: &[u8]) {
+    if text[from..].split(|b| *b == b'\n' || *b == b'\r').all(|line| line.len() <= MAX_LINE) {
+        return;
+    }
+    let tail = text.split_off(from);
+    for line in tail.split_inclusive(|b| *b == b'\n') {
+        let mut rest = line;
+        while rest.len() > MAX_LINE {
+            let (mut string, mut comma) = (false, None);
+            for (at, &byte) in rest.iter().enumerate().take(MAX_LINE - 4) {
+                match byte {
+                    b'"' => string = !string,
+                    b'!' if !string => break,
+                    b',' if !string => comma = Some(at + 1),
+                    _ => {}
+                }
+            }
+            let Some(comma) = comma else { break };
+            text.extend_from_slice(&rest[..comma]);
+            text.extend_from_slice(eol);
+            rest = &rest[comma..];
+        }
+        text.extend_from_slice(rest);
+    }
+}
+
+/// Letters and digits of a file's name without its extension.
+fn stem(path: &str) -> String {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    let name = name.split('.').next().unwrap_or(name);
+    name.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').take(20).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_are_broken_behind_commas() {
+        let mut text = b"short\n".to_vec();
+        text.extend([b"MoveL [", "1234567.8,".repeat(30).as_bytes(), b"1],v100; ! a, b\n"].concat());
+        let joined = text.iter().copied().filter(|b| *b != b'\n').collect::<Vec<u8>>();
+        break_lines(&mut text, 6, b"\n");
+        assert!(text.split(|b| *b == b'\n').all(|line| line.len() <= MAX_LINE));
+        assert_eq!(text.iter().copied().filter(|b| *b != b'\n').collect::<Vec<u8>>(), joined);
+    }
+
+    #[test]
+    fn parameters_are_declared_as_rapid_does() {
+        let row = Passed { name: "pRow".into(), mode: "", type_name: "robtarget".into(), dims: 2 };
+        assert_eq!(parameter(&row), "robtarget pRow{*,*}");
+        let tool = Passed { name: "t".into(), mode: "PERS ", type_name: "tooldata".into(), dims: 0 };
+        assert_eq!(parameter(&tool), "PERS tooldata t");
+        assert_eq!(stem("a/b/My prog-2.mod"), "Myprog2");
+    }
+}
