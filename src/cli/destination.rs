@@ -86,13 +86,17 @@ impl Destination {
             return path.clone();
         }
         let path = Path::new(&emitted.path);
-        let (beside, sub) = match (emitted.on_disk, path.parent()) {
-            (true, Some(disk)) => (disk.parent(), disk.file_name()),
-            (_, folder) => (folder, None),
+        let folder = path.parent().unwrap_or(Path::new(""));
+        // A folder of the disk stands above the modules in a backup, and is new beside them.
+        let (above, sub) = match folder.parent() {
+            Some(above) if emitted.on_disk => (above, folder.file_name()),
+            _ => (folder, None),
         };
-        let beside = given.paths.iter().position(|p| p.parent() == beside).unwrap_or(0);
-        let folder = self.modules.get(beside).and_then(|p| p.parent()).unwrap_or(Path::new(""));
-        folder.join(sub.unwrap_or_default()).join(path.file_name().unwrap_or_default())
+        let below = given.paths.iter().position(|p| p.starts_with(above)).unwrap_or(0);
+        let depth =
+            given.paths.get(below).and_then(|p| p.strip_prefix(above).ok()).map_or(1, |p| p.iter().count());
+        let to = self.modules.get(below).and_then(|p| p.ancestors().nth(depth)).unwrap_or(Path::new(""));
+        to.join(sub.unwrap_or_default()).join(path.file_name().unwrap_or_default())
     }
 
     /// Writes the emitted files, and beside them what stays as it is; all are written before any is put in

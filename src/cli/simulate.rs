@@ -30,6 +30,10 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     pub entry: Option<String>,
 
+    /// The task of a controller's backup (a folder TASKn) [default: the first].
+    #[arg(long, value_name = "TASK")]
+    pub task: Option<String>,
+
     /// The robot at these warm-up minutes, cold start called and running since: a list such as 0,5,37.5 or FROM:TO:STEP.
     #[arg(long, value_name = "MINUTES", allow_hyphen_values = true, conflicts_with = "scenario")]
     pub minutes: Option<Minutes>,
@@ -114,10 +118,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let program_names = names(&program);
     let original_names = original.as_ref().map(names);
-    let original_files = original.as_ref().zip(original_names.as_ref()).map(|(g, n)| loaded(g, n));
-    let mut session =
-        Session::new(&loaded(&program, &program_names), original_files.as_deref(), truth, options)
-            .map_err(|e| refused(&e))?;
+    let original_files =
+        original.as_ref().zip(original_names.as_ref()).map(|(g, n)| loaded(g, n, args.task.as_deref()));
+    let mut session = Session::new(
+        &loaded(&program, &program_names, args.task.as_deref()),
+        original_files.as_deref(),
+        truth,
+        options,
+    )
+    .map_err(|e| refused(&e))?;
     for (path, bytes) in program.disk()? {
         session.program.put_file(&path, &bytes);
     }
@@ -157,8 +166,21 @@ fn names(given: &Given) -> Vec<String> {
     given.paths.iter().map(|p| p.display().to_string().replace('\\', "/")).collect()
 }
 
-fn loaded<'g>(given: &'g Given, names: &'g [String]) -> Vec<File<'g>> {
-    names.iter().map(String::as_str).zip(given.bytes.iter().map(Vec::as_slice)).collect()
+/// The files of one task: those of its folder `TASKn`, and those outside of any.
+fn loaded<'g>(given: &'g Given, names: &'g [String], task: Option<&str>) -> Vec<File<'g>> {
+    let first = names.iter().find_map(|name| task_of(name));
+    let wanted = task.or(first);
+    let files = names.iter().map(String::as_str).zip(given.bytes.iter().map(Vec::as_slice));
+    let same = |of: &str| wanted.is_some_and(|wanted| of.eq_ignore_ascii_case(wanted));
+    files.filter(|(name, _)| task_of(name).is_none_or(same)).collect()
+}
+
+/// The folder `TASKn` in a path.
+fn task_of(name: &str) -> Option<&str> {
+    name.split('/').find(|part| {
+        let digits = part.get(..4).filter(|head| head.eq_ignore_ascii_case("task")).and(part.get(4..));
+        digits.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+    })
 }
 
 fn refused(error: &SimulateError) -> Diagnostic {

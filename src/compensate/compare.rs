@@ -28,6 +28,34 @@ pub struct Comparison {
     pub only_after: Vec<usize>,
 }
 
+impl Comparison {
+    /// Takes in the same program with the targets of one more bucket: a step more for each motion that is not
+    /// scheduled by itself. Whatever else is different counts once.
+    pub fn add_bucket(&mut self, bucket: &Self) {
+        for (own, other) in self.motions.iter_mut().zip(&bucket.motions) {
+            own.same_frames &= own.before == other.before && other.same_frames;
+            if let [step] = other.steps.as_slice() {
+                own.steps.push(*step);
+            }
+        }
+        for (own, other) in
+            [(&mut self.only_before, &bucket.only_before), (&mut self.only_after, &bucket.only_after)]
+        {
+            own.extend(other);
+            own.sort_unstable();
+            own.dedup();
+        }
+    }
+
+    /// Leaves one step to motions that are the same in every bucket.
+    pub fn forget_unchanged(&mut self) {
+        let still = |step: &Step| step.distance_m == 0.0 && step.angle_rad == 0.0 && step.same_configuration;
+        for motion in self.motions.iter_mut().filter(|m| m.steps.iter().all(still)) {
+            motion.steps.truncate(1);
+        }
+    }
+}
+
 /// A motion of both programs.
 #[derive(Clone, Debug)]
 pub struct ComparedMotion {

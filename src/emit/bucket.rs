@@ -124,7 +124,7 @@ impl Buckets {
         }
         bytes.extend_from_slice(b"ENDMODULE");
         bytes.extend_from_slice(style.eol);
-        let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
+        let folder = disk_of(&beside.path);
         let path = format!("{folder}{DISK}/{name}.mod");
         Ok(EmittedFile { source: None, on_disk: true, path, bytes, edits: Vec::new() })
     }
@@ -222,6 +222,19 @@ fn break_lines(text: &mut Vec<u8>, from: usize, eol: &[u8]) {
     }
 }
 
+/// The folder that `HOME` stands in: beside the module, or beside `RAPID` in a controller's backup.
+fn disk_of(path: &str) -> &str {
+    let folder = path.rfind('/').map_or("", |at| &path[..=at]);
+    let mut at = 0;
+    for part in folder.split_inclusive('/') {
+        if part.eq_ignore_ascii_case("RAPID/") {
+            return &folder[..at];
+        }
+        at += part.len();
+    }
+    folder
+}
+
 /// Letters and digits of a file's name without its extension.
 fn stem(path: &str) -> String {
     let name = path.rsplit('/').next().unwrap_or(path);
@@ -250,5 +263,7 @@ mod tests {
         let tool = Passed { name: "t".into(), mode: "PERS ", type_name: "tooldata".into(), dims: 0 };
         assert_eq!(parameter(&tool), "PERS tooldata t");
         assert_eq!(stem("a/b/My prog-2.mod"), "Myprog2");
+        assert_eq!(disk_of("x/backup/RAPID/TASK1/PROGMOD/M.mod"), "x/backup/");
+        assert_eq!((disk_of("a/M.mod"), disk_of("M.mod"), disk_of("RAPID/TASK1/M.mod")), ("a/", "", ""));
     }
 }

@@ -17,6 +17,7 @@ mod number;
 mod options;
 mod place;
 mod restore;
+mod stand_in;
 mod target;
 
 use std::collections::BTreeMap;
@@ -25,6 +26,8 @@ pub use identity::{Difference, differences};
 pub use memory::{Memory, megabytes};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, Sensor};
 pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
+
+pub use stand_in::{bucket_of, standing_in};
 
 use crate::compensate::plan::{Plan, Status, Tick};
 use crate::diagnostic::FileId;

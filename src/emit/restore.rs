@@ -143,7 +143,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
 }
 
 /// The first comment of a block of ours in a module.
-fn header_of(bytes: &[u8], module: &Module) -> Option<TextRange> {
+pub(super) fn header_of(bytes: &[u8], module: &Module) -> Option<TextRange> {
     module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_))).find_map(|item| match item
     {
         ModuleItem::Comment(range) if header::begins(range.of(bytes)) => Some(*range),
@@ -152,7 +152,7 @@ fn header_of(bytes: &[u8], module: &Module) -> Option<TextRange> {
 }
 
 /// The lines from `start` on, without line ends, as long as they are comments.
-fn comment_block(bytes: &[u8], start: u32) -> Vec<TextRange> {
+pub(super) fn comment_block(bytes: &[u8], start: u32) -> Vec<TextRange> {
     let mut lines = Vec::new();
     let mut at = start as usize;
     while at < bytes.len() {
@@ -275,8 +275,8 @@ impl<'w> Work<'w> {
                 break; // from here on the routines are ours
             }
             for stmt in place::statements(routine) {
-                if let Some([before, behind]) = self.choice(stmt, &index) {
-                    removed.extend([removal(before), removal(behind)]);
+                if let Some(choice) = choice(self.bytes, stmt, &index) {
+                    removed.extend([removal(choice.before), removal(choice.behind)]);
                 }
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 if call.args.is_empty() && matches!(call.callee, Callee::Name(name) if same(name, &tick)) {
@@ -324,26 +324,6 @@ impl<'w> Work<'w> {
         Ok(touched)
     }
 
-    /// What stands round the statements that a bucket's module may stand in for: `IF index>1 THEN %"tc..."%; ELSE`
-    /// before them, `ENDIF` behind.
-    fn choice(&self, stmt: &Stmt, index: &str) -> Option<[TextRange; 2]> {
-        let StmtKind::If { arms, otherwise: Some(own) } = &stmt.kind else { return None };
-        let [(cond, body)] = arms.as_slice() else { return None };
-        let [Stmt { kind: StmtKind::Call(call), .. }] = body.as_slice() else { return None };
-        let cond: Vec<u8> = cond.range.of(self.bytes).iter().copied().filter(|b| !white(*b)).collect();
-        let Callee::Late(late) = &call.callee else { return None };
-        let ours =
-            late.range.of(self.bytes).get(..3).is_some_and(|begin| begin.eq_ignore_ascii_case(b"\"tc"));
-        if !ours || !cond.eq_ignore_ascii_case(format!("{index}>1").as_bytes()) {
-            return None;
-        }
-        let (first, last) = (own.first()?, own.last()?);
-        Some([
-            TextRange::new(stmt.range.start, first.range.start),
-            TextRange::new(last.range.end, stmt.range.end),
-        ])
-    }
-
     /// Puts touched-up values into declarations: where a target is named, declared in this file, and all
     /// its arrays say the same. Gives the arrays for which that was done.
     fn declarations<'a>(
@@ -383,6 +363,36 @@ impl<'w> Work<'w> {
         let data = local.chain(module).find(|data| data.name.of(self.bytes).eq_ignore_ascii_case(text))?;
         data.init.as_ref().filter(|_| data.dims.is_empty()).map(|init| init.range)
     }
+}
+
+/// What stands round statements that a routine of the buckets' modules may stand in for:
+/// `IF index>1 THEN %"tc..."%; ELSE` before them, `ENDIF` behind.
+pub(super) struct Choice {
+    /// From IF to the first of the statements.
+    pub(super) before: TextRange,
+    /// From the end of the last to that of ENDIF.
+    pub(super) behind: TextRange,
+    /// The routine's name in its quotes.
+    pub(super) name: TextRange,
+}
+
+/// Whether a statement is such a choice; `index` in lower case.
+pub(super) fn choice(bytes: &[u8], stmt: &Stmt, index: &str) -> Option<Choice> {
+    let StmtKind::If { arms, otherwise: Some(own) } = &stmt.kind else { return None };
+    let [(cond, body)] = arms.as_slice() else { return None };
+    let [Stmt { kind: StmtKind::Call(call), .. }] = body.as_slice() else { return None };
+    let cond: Vec<u8> = cond.range.of(bytes).iter().copied().filter(|b| !white(*b)).collect();
+    let Callee::Late(late) = &call.callee else { return None };
+    let ours = late.range.of(bytes).get(..3).is_some_and(|begin| begin.eq_ignore_ascii_case(b"\"tc"));
+    if !ours || !cond.eq_ignore_ascii_case(format!("{index}>1").as_bytes()) {
+        return None;
+    }
+    let (first, last) = (own.first()?, own.last()?);
+    Some(Choice {
+        before: TextRange::new(stmt.range.start, first.range.start),
+        behind: TextRange::new(last.range.end, stmt.range.end),
+        name: late.range,
+    })
 }
 
 /// Name and index of `name{index}`.

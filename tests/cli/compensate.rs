@@ -150,3 +150,35 @@ fn the_list_of_modules_names_the_core_too() {
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     assert_eq!(bench.text("cell/cell.pgf"), with_core);
 }
+
+#[test]
+fn a_controllers_backup_goes_through_whole() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    let main = "MODULE Main\n  PROC main()\n    Cube45;\n  ENDPROC\nENDMODULE\n";
+    bench.file("backup/RAPID/TASK1/PROGMOD/Cube45.mod", &cube);
+    bench.file("backup/RAPID/TASK1/PROGMOD/Main.mod", main);
+    bench.file(
+        "backup/RAPID/TASK1/SYSMOD/user.sys",
+        "MODULE user(SYSMODULE)\n  PERS num nUser:=1;\nENDMODULE\n",
+    );
+    // Another task has the same names, and the disk a copy of the program.
+    bench.file(
+        "backup/RAPID/TASK2/PROGMOD/Main.mod",
+        "MODULE Main\n  PROC main()\n    WaitTime 1;\n  ENDPROC\nENDMODULE\n",
+    );
+    bench.file("backup/HOME/old/Cube45.mod", &cube);
+    bench.file("backup/BACKINFO/backinfo.txt", "IRC5");
+    let backup = bench.path("backup").display().to_string();
+    for form in ["schedule", "modules"] {
+        let to = bench.path(form).display().to_string();
+        let output = driftpost(&["compensate", &backup, "-o", &to, "--form", form, "--diff", "none"]);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        assert_eq!(bench.text(&format!("{form}/HOME/old/Cube45.mod")), cube);
+        assert_eq!(bench.text(&format!("{form}/BACKINFO/backinfo.txt")), "IRC5");
+        assert_eq!(bench.path(&format!("{form}/HOME/tcCube45_b3.mod")).exists(), form == "modules");
+        let output = driftpost(&["simulate", &to, "--original", &backup, "--minutes", "0,61,420"]);
+        assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+        assert!(out(&output).contains("138 moves executed"), "{}", out(&output));
+    }
+}

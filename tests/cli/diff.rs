@@ -77,3 +77,74 @@ fn a_changed_speed_tool_or_move_is_told() {
     let dropped = told("        MoveL tc40{tcI}", "        ! MoveL tc40{tcI}");
     assert!(dropped.contains("Only in the first program"), "{dropped}");
 }
+
+#[test]
+fn every_bucket_of_the_form_modules_is_looked_into() {
+    let bench = Bench::default();
+    let schedule = compensated(&bench);
+    let to = bench.path("m/tc.mod").display().to_string();
+    let made = driftpost(&["compensate", CUBE, "-o", &to, "--form", "modules", "--diff", "none"]);
+    assert!(made.status.success());
+    let figures = |to: &str| {
+        let output = driftpost(&["diff", CUBE, to, "--json", "-"]);
+        assert_eq!(output.status.code(), Some(1));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (json["same_elsewhere"].clone(), json["motions"].as_array().unwrap().clone())
+    };
+    let ((same, modules), (_, arrays)) = (figures(&to), figures(&schedule));
+    assert_eq!((same, modules.len()), (Value::Bool(true), 46));
+    for (a, b) in modules.iter().zip(&arrays) {
+        let list = |m: &Value| {
+            m["buckets"].as_array().unwrap().iter().map(|b| b["dp_mm"].clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(list(a), list(b));
+    }
+    // One digit of a target and one zone of a bucket's module; one file that is missing.
+    let path = bench.path("m/HOME/tcCube45_b7.mod");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let zone = text.replacen("rdkSpeed,z1,", "rdkSpeed,z5,", 1);
+    assert_ne!(zone, text);
+    std::fs::write(&path, zone).unwrap();
+    assert_eq!(figures(&to).0, Value::Bool(false));
+    std::fs::remove_dir_all(bench.path("m/HOME")).unwrap();
+    let output = driftpost(&["diff", CUBE, &to]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn three_touched_up_points_go_through_restore_and_a_new_run() {
+    let bench = Bench::default();
+    compensated(&bench);
+    // ModPos on the controller changes element 1: half a millimetre up, for three targets.
+    let mut text = bench.text("tc.mod");
+    for line in ["tc35{", "tc48{", "tc60{"] {
+        let array = text.find(&format!("robtarget {line}")).unwrap();
+        let at = array + text[array..].find("[[").unwrap();
+        let end = at + text[at..].find(']').unwrap();
+        let [x, y, z] = position(&text[at..=end]);
+        text.replace_range(at..end, &format!("[[{x},{y},{}", z + 0.5));
+    }
+    let touched = bench.file("touched.mod", &text);
+    let restored = bench.path("restored.mod").display().to_string();
+    assert!(driftpost(&["restore", &touched, "-o", &restored]).status.success());
+    let json: Value =
+        serde_json::from_slice(&driftpost(&["diff", CUBE, &restored, "--json", "-"]).stdout).unwrap();
+    assert_eq!(json["same_elsewhere"], Value::Bool(true));
+    let moved: Vec<(u64, f64)> = json["motions"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|m| (m["line"].as_u64().unwrap(), m["buckets"][0]["dp_mm"].as_f64().unwrap()))
+        .filter(|(_, dp)| *dp > 0.0)
+        .collect();
+    assert_eq!(moved.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [35, 48, 60]);
+    assert!(moved.iter().all(|(_, dp)| (dp - 0.5).abs() < 1e-4), "{moved:?}");
+    let again = bench.path("again.mod").display().to_string();
+    assert!(driftpost(&["compensate", &restored, "-o", &again, "--diff", "none"]).status.success());
+    let run = |program: &str, original: &str| {
+        driftpost(&["simulate", program, "--original", original, "--minutes", "0,37.5,120"]).status.code()
+    };
+    assert_eq!(run(&again, &restored), Some(0));
+    // Until then the touched-up program runs the buckets of the old points.
+    assert_eq!(run(&touched, CUBE), Some(0));
+}
