@@ -1,5 +1,6 @@
 //! From the statements of a routine to the ways through it.
 
+use super::convert;
 use super::draft::Drafts;
 use super::flow::{Binding, Hold, Node, Step, Ways, every_step};
 use super::fold::{Constant, Folder};
@@ -14,6 +15,7 @@ use crate::diagnostic::{Span, TextRange};
 use crate::syntax::tree::{
     Arg, ArgKind, BinaryOp, CallStmt, Callee, DataKind, Expr, ExprKind, RoutineKind, Stmt, StmtKind,
 };
+use nalgebra::Isometry3;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -350,10 +352,12 @@ impl<'a> Lower<'_, 'a> {
         };
         let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
         let on = if conditional { None } else { Some(!has("off")) };
+        let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
         let step = match lower.as_str() {
             "confl" => Step::ConfL(on),
             "confj" => Step::ConfJ(on),
+            "pdispset" if displaces_nothing => Step::Hold(Hold::Displacement, None),
             "pdispon" | "pdispset" => {
                 Step::Hold(Hold::Displacement, active("a program displacement is in force"))
             }
@@ -402,6 +406,14 @@ impl<'a> Lower<'_, 'a> {
             }
         };
         out.push(Node::Step(step));
+    }
+
+    /// Whether the pose given to PDispSet is a constant that displaces nothing.
+    fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
+        let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        let ctx = self.ctx;
+        let pose = self.folder.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
+        matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
     }
 
     fn by_number(&self, start: &str, out: &mut Vec<Node<'a>>) {
