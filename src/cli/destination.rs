@@ -4,6 +4,7 @@ use super::files::{self, Pending};
 use super::given::{Given, Shape};
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::emit::EmittedFile;
+use crate::program::module_facts::EMITTED_MARK;
 use crate::program::{modules_of_pgf, pgf_with_module};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -69,6 +70,16 @@ impl Destination {
         Ok(())
     }
 
+    /// Refuses other results in the place of the modules'.
+    ///
+    /// # Errors
+    /// `output::twice`, naming the path.
+    pub fn keep_apart(&self, others: &[Option<&Path>]) -> Result<(), Diagnostic> {
+        let modules = self.modules.iter().map(PathBuf::as_path);
+        let others = others.iter().flatten().filter(|path| **path != Path::new("none"));
+        files::keep_apart(&[], &modules.chain(others.copied()).collect::<Vec<_>>())
+    }
+
     /// Makes sure that everything can be written, before the long work.
     ///
     /// # Errors
@@ -105,6 +116,7 @@ impl Destination {
     /// # Errors
     /// `output::unwritable` or `input::unreadable`.
     pub fn write(&self, given: &Given, emitted: &[EmittedFile]) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
+        self.check_new(given, emitted)?;
         let mut pending = Vec::new();
         let mut add = |path: &Path, from: &mut dyn std::io::Read| -> Result<(), Diagnostic> {
             let mut file = Pending::new(path)?;
@@ -141,6 +153,26 @@ impl Destination {
         Ok(written)
     }
 
+    /// Refuses new modules in the place of others: an input, another result, or what belongs to another
+    /// program.
+    fn check_new(&self, given: &Given, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
+        let paths: Vec<PathBuf> = emitted.iter().map(|file| self.path_of(file, given)).collect();
+        let inputs: Vec<&Path> = given.paths.iter().map(PathBuf::as_path).collect();
+        let new = emitted.iter().zip(&paths).filter(|(file, _)| file.source.is_none());
+        let unchanged = self.modules.iter().filter(|path| !paths.contains(path) && self.whole);
+        let outputs: Vec<&Path> = paths.iter().chain(unchanged).map(PathBuf::as_path).collect();
+        for (file, path) in new.filter(|(file, _)| !file.on_disk) {
+            files::keep_apart(&inputs, &[path])?;
+            if let Some(other) = of_another_program(path, &file.bytes, &outputs) {
+                let text = format!("{} is there already, and {other}", path.display());
+                return Err(Diagnostic::error("output::other-core", text).help(
+                    "compensate programs that are loaded together in one run, or name another folder with -o",
+                ));
+            }
+        }
+        files::keep_apart(&[], &outputs)
+    }
+
     /// A `.pgf` that lists a changed module lists the new ones that are loaded with it, too.
     fn list_with(
         &self,
@@ -164,6 +196,29 @@ impl Destination {
         }
         bytes
     }
+}
+
+/// Why a common module that is there already must stay; `None` where it may be written.
+fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<String> {
+    let there = fs::read(core).ok()?;
+    let ours = |bytes: &[u8]| memchr::memmem::find(bytes, EMITTED_MARK.as_bytes()).is_some();
+    if there == bytes {
+        return None;
+    }
+    if !ours(&there) {
+        return Some("it is no module of this program's making".to_owned());
+    }
+    // Of this program alone where all compensated modules beside it are written anew.
+    let written: Vec<PathBuf> = outputs.iter().map(|path| files::identity(path)).collect();
+    let beside = fs::read_dir(core.parent()?).ok()?;
+    let mut others: Vec<PathBuf> = beside.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    others.sort();
+    let other = others.into_iter().find(|path| {
+        path.is_file()
+            && !written.contains(&files::identity(path))
+            && fs::read(path).is_ok_and(|bytes| ours(&bytes))
+    })?;
+    Some(format!("{} was made with it", other.display()))
 }
 
 fn is_pgf(path: &Path) -> bool {

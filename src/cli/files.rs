@@ -48,9 +48,13 @@ fn similar_neighbour(path: &Path) -> Option<PathBuf> {
 
 /// A file that will be written: opened beside its place before the long work begins, so that a folder
 /// that cannot be written to is found at once, and renamed into its place when it is whole.
+///
+/// What is no regular file (a device, a pipe) is written to, not replaced; a symbolic link stays one.
 pub struct Pending {
     path: PathBuf,
     file: tempfile::NamedTempFile,
+    /// The path is no regular file.
+    through: bool,
 }
 
 impl Pending {
@@ -65,11 +69,17 @@ impl Pending {
         if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
             return Err(unwritable(path, "it is write-protected"));
         }
+        let path = &followed(path);
+        let through = fs::metadata(path).is_ok_and(|m| !m.is_file());
+        if through {
+            let file = builder().tempfile().map_err(|cause| unwritable(path, cause))?;
+            return Ok(Self { path: path.clone(), file, through });
+        }
         let folder = folder_of(path);
         let there = folder.ancestors().find(|f| f.exists() || f.as_os_str().is_empty()).unwrap_or(folder);
         let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
         let file = builder().tempfile_in(there).map_err(|cause| unwritable(path, cause))?;
-        Ok(Self { path: path.to_path_buf(), file })
+        Ok(Self { path: path.clone(), file, through })
     }
 
     /// Its path.
@@ -85,6 +95,9 @@ impl Pending {
     pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
         let failed = |cause| unwritable(&self.path, cause);
         io::copy(from, &mut self.file).map_err(failed)?;
+        if self.through {
+            return Ok(());
+        }
         fs::create_dir_all(folder_of(&self.path)).map_err(failed)
     }
 
@@ -94,6 +107,12 @@ impl Pending {
     /// `output::unwritable`; the file at the path is then as it was.
     pub fn place(self) -> Result<(), Diagnostic> {
         let path = self.path;
+        if self.through {
+            let failed = |cause| unwritable(&path, cause);
+            let mut whole = self.file.reopen().map_err(failed)?;
+            let mut to = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
+            return io::copy(&mut whole, &mut to).map(drop).map_err(failed);
+        }
         self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
         Ok(())
     }
@@ -151,6 +170,64 @@ impl Output {
             Self::Standard => Ok(console.out().write_all(&bytes()?)?),
             Self::File(pending) => Ok(pending.write(&bytes()?)?),
         }
+    }
+}
+
+/// Refuses outputs that are an input or, where one stands in for a folder, a file of it, and two outputs at
+/// one place.
+///
+/// # Errors
+/// `output::is-input` or `output::twice`, naming the path.
+pub fn keep_apart(inputs: &[&Path], outputs: &[&Path]) -> Result<(), Diagnostic> {
+    let inputs: Vec<PathBuf> = inputs.iter().map(|path| identity(path)).collect();
+    let mut seen: Vec<PathBuf> = Vec::new();
+    if outputs.iter().filter(|path| **path == Path::new("-")).count() > 1 {
+        let text = "two results would be written to standard output";
+        return Err(Diagnostic::error("output::twice", text).help("give one of them a file"));
+    }
+    for output in outputs.iter().filter(|path| **path != Path::new("-")) {
+        if fs::metadata(output).is_ok_and(|m| !m.is_file()) {
+            continue; // a folder, or a device
+        }
+        let own = identity(output);
+        if inputs.iter().any(|input| own == *input || own.exists() && own.starts_with(input)) {
+            let text = format!("{} is an input and would be overwritten", output.display());
+            return Err(Diagnostic::error("output::is-input", text)
+                .help("name another place; only compensate --in-place overwrites its own modules"));
+        }
+        if seen.contains(&own) {
+            let text = format!("two results would be written to {}", output.display());
+            return Err(Diagnostic::error("output::twice", text).help("give each a place of its own"));
+        }
+        seen.push(own);
+    }
+    Ok(())
+}
+
+/// A path by which two names of one file are the same, also of a file that is not there yet.
+pub fn identity(path: &Path) -> PathBuf {
+    if let Ok(path) = fs::canonicalize(path) {
+        return path;
+    }
+    match (path.parent(), path.file_name()) {
+        (Some(parent), Some(name)) if !parent.as_os_str().is_empty() => identity(parent).join(name),
+        (_, Some(name)) => fs::canonicalize(".").unwrap_or_default().join(name),
+        (Some(parent), None) => identity(parent).parent().map(Path::to_path_buf).unwrap_or_default(),
+        (None, None) => path.to_path_buf(),
+    }
+}
+
+/// Where a symbolic link leads, also where nothing is there yet.
+fn followed(path: &Path) -> PathBuf {
+    if fs::read_link(path).is_err() {
+        return path.to_path_buf();
+    }
+    if let Ok(to) = fs::canonicalize(path) {
+        return to;
+    }
+    match fs::read_link(path) {
+        Ok(to) => folder_of(path).join(to),
+        Err(_) => path.to_path_buf(),
     }
 }
 

@@ -87,12 +87,14 @@ impl Given {
     }
 
     fn list(shape: Shape, name: &Path, paths: &[PathBuf]) -> Self {
-        let common = common_folder(paths);
+        // By where they really stand: a name may hold `..`.
+        let real: Vec<PathBuf> = paths.iter().map(|path| real_place(path)).collect();
+        let common = common_folder(&real);
         let place = |path: &PathBuf| path.strip_prefix(&common).unwrap_or(path).to_path_buf();
         Self {
             shape,
             name: name.to_path_buf(),
-            places: paths.iter().map(place).collect(),
+            places: real.iter().map(place).collect(),
             paths: paths.to_vec(),
             bytes: Vec::new(),
             others: Vec::new(),
@@ -216,6 +218,9 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.sort();
     for path in paths {
+        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.')) {
+            continue; // hidden: .git, .driftpost
+        }
         let is_result = path.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("_tc"));
         if is_result {
             continue;
@@ -234,6 +239,13 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
 fn on_disk(path: &Path, folder: &Path) -> bool {
     let below = path.strip_prefix(folder).unwrap_or(path).parent();
     below.is_some_and(|below| below.components().any(|c| c.as_os_str().eq_ignore_ascii_case(DISK)))
+}
+
+/// A file by its real folder and its own name.
+fn real_place(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+    path.file_name().map_or_else(|| path.to_path_buf(), |name| folder.join(name))
 }
 
 /// The folder that all of `paths` stand in.

@@ -69,14 +69,23 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
 }
 
-/// Folders that hold a `source` folder, in order of name.
+/// What a folder of a case holds.
+const CASE: [&str; 3] = ["source", "expected", "options.toml"];
+
+/// Folders of cases, in order of name.
 fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
     let entries = fs::read_dir(dir).map_err(|cause| files::cannot_read(dir, "folder of cases", &cause))?;
     let mut cases: Vec<PathBuf> = entries
         .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.join("source").is_dir())
+        .filter(|path| CASE.iter().any(|part| path.join(part).exists()))
         .collect();
     cases.sort();
+    if let Some(case) = cases.iter().find(|case| !case.join("source").is_dir()) {
+        let text = format!("the case {} has no folder source/", case.display());
+        return Err(
+            Diagnostic::error("golden::no-source", text).help("put the program back, or take the case away")
+        );
+    }
     if cases.is_empty() {
         let text = format!("{} holds no case", dir.display());
         return Err(Diagnostic::error("golden::no-case", text)

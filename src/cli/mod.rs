@@ -29,7 +29,9 @@ pub mod validate;
 pub use console::Console;
 pub use outcome::Outcome;
 
-use clap::{Parser, Subcommand};
+use crate::diagnostic::Diagnostic;
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Drift compensation for ABB RAPID programs, and diagnosis of why a robot does not stand where its
@@ -71,6 +73,9 @@ enum Command {
     Validate(validate::Args),
 }
 
+/// Options that name a result, beside those that end in `-out`.
+const OUTPUTS: [&str; 5] = ["json", "csv", "diff", "joints_csv", "output"];
+
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Compensate(args) => compensate::run(args, console),
@@ -87,22 +92,49 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
     }
 }
 
+/// Refuses results in the place of inputs or of each other, as far as the command line names them.
+fn keep_apart(matches: &ArgMatches) -> Result<(), Diagnostic> {
+    let Some((_, given)) = matches.subcommand() else { return Ok(()) };
+    let (mut inputs, mut outputs): (Vec<PathBuf>, Vec<PathBuf>) = (Vec::new(), Vec::new());
+    for id in given.ids() {
+        let name = id.as_str();
+        let paths = given.try_get_many::<PathBuf>(name).ok().flatten().into_iter().flatten().cloned();
+        let is_output = name.ends_with("_out") || OUTPUTS.contains(&name);
+        if is_output { outputs.extend(paths) } else { inputs.extend(paths) }
+    }
+    inputs.extend(given.try_get_one::<String>("robot").ok().flatten().map(PathBuf::from));
+    // A .pgf stands for the modules that it lists.
+    let folders =
+        inputs.iter().filter(|path| path.extension().is_some_and(|e| e.eq_ignore_ascii_case("pgf")));
+    let folders: Vec<PathBuf> = folders.filter_map(|path| Some(path.parent()?.to_path_buf())).collect();
+    inputs.extend(folders);
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    let outputs: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
+    files::keep_apart(&inputs, &outputs)
+}
+
 /// Runs the program on the process's own arguments.
 #[must_use]
 pub fn run() -> ExitCode {
     let mut console = Console::of_process();
-    let cli = match Cli::try_parse() {
-        Ok(cli) => cli,
+    let parsed = Cli::command().try_get_matches().and_then(|matches| {
+        let cli = Cli::from_arg_matches(&matches)?;
+        Ok((matches, cli))
+    });
+    let (matches, cli) = match parsed {
+        Ok(parsed) => parsed,
         Err(error) => return console.usage(&error).into(),
     };
-    let outcome = dispatch(&cli.command, &mut console).unwrap_or_else(|error| console.fail(&error));
+    let outcome = keep_apart(&matches)
+        .map_err(anyhow::Error::from)
+        .and_then(|()| dispatch(&cli.command, &mut console))
+        .unwrap_or_else(|error| console.fail(&error));
     console.finish(outcome).into()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_command_line_is_well_formed() {

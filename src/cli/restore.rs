@@ -70,10 +70,16 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
 /// Where an original goes.
 fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagnostic> {
+    // The header is text that anybody may have edited: a name, never a way to elsewhere.
+    let name = restored.source_name.rsplit(['/', '\\']).next().unwrap_or_default();
+    if name.is_empty() || name == ".." {
+        let text = format!("the header of {} names no file", path.display());
+        return Err(Diagnostic::error("restore::damaged", text).help("say with -o where the original goes"));
+    }
     let to = match &args.output {
-        Some(folder) if args.emitted.len() > 1 || folder.is_dir() => folder.join(&restored.source_name),
+        Some(folder) if args.emitted.len() > 1 || folder.is_dir() => folder.join(name),
         Some(file) => file.clone(),
-        None => path.with_file_name(&restored.source_name),
+        None => path.with_file_name(name),
     };
     if args.output.is_none() && to.exists() {
         let text = format!("{} exists", to.display());

@@ -103,6 +103,21 @@ impl Messages {
         self.add(None, Diagnostic::warning("schedule::over-tolerance", message).help(help));
     }
 
+    /// Motions between which no tick can stand for longer than the clock's gap.
+    pub(super) fn add_long_gaps(&mut self, program: &Program, too_long: &[usize]) {
+        for motion in too_long.iter().filter_map(|&i| program.motions.get(i)) {
+            let message = format!(
+                "line {}: from here on the arm may move for longer than the gap that the clock takes for a pause",
+                motion.line
+            );
+            let help = "it would then take the arm for cooling: give a longer --gap-min, or correct this routine too";
+            self.add(
+                Some(motion.routine),
+                Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),
+            );
+        }
+    }
+
     /// All, by place.
     pub(super) fn finish(self) -> Vec<Diagnostic> {
         let mut all: Vec<Diagnostic> = self

@@ -71,6 +71,8 @@ pub enum CompensateError {
         line: u32,
         /// Its reason.
         first: Keep,
+        /// The reasons of all, by motion.
+        kept: Vec<Keep>,
         /// What there is to be said about all of them.
         diagnostics: Vec<Diagnostic>,
     },
@@ -143,13 +145,14 @@ pub fn plan(
     messages.add_paths(program, &motions, options);
     messages.add_schedule(&chosen, &summary, options);
     conditions::check_schedule(&model, &chosen.schedule, &mut messages);
-    let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule);
+    let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule, options.gap_min);
+    messages.add_long_gaps(program, &ticks.too_long);
     let temperature_c = by_temperature.map(|(range_c, _)| range_c);
     Ok(Plan {
         schedule: chosen.schedule,
         temperature_c,
         motions,
-        ticks,
+        ticks: ticks.places,
         summary,
         diagnostics: messages.finish(),
     })
@@ -209,6 +212,7 @@ fn nothing<'a>(
             motions: program.motions.len(),
             line,
             first,
+            kept: (0..program.motions.len()).filter_map(|i| reason(i).cloned()).collect(),
             diagnostics: messages.finish(),
         },
         None => CompensateError::NoMotion,

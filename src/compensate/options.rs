@@ -26,6 +26,9 @@ pub struct Options {
     pub absolute_accuracy: bool,
     /// Every kept motion counts as refused.
     pub strict: bool,
+    /// The clock takes a longer gap between two of its readings for a pause, minutes; `None` where it does
+    /// not tell running from standing.
+    pub gap_min: Option<f64>,
     /// An identified model, on top of the deformation.
     pub model: Option<Arc<Identified>>,
     /// Load on the flange where the tools' load data do not say it, kg; `None` = as they say.
@@ -46,6 +49,7 @@ impl Default for Options {
             keep_moveabsj: false,
             absolute_accuracy: false,
             strict: false,
+            gap_min: Some(5.0),
             model: None,
             payload_kg: None,
             joint_temperature_c: None,

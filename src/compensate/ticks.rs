@@ -1,5 +1,6 @@
 //! Where the clock is brought up to date: often enough that the bucket in use is no staler than half the
-//! narrowest bucket's width, and no more often than that asks for.
+//! narrowest bucket's width, and that the clock does not take motion for a pause; no more often than that
+//! asks for.
 
 use super::nominal::{Point, Resolved};
 use super::plan::{PlannedMotion, Status, Tick};
@@ -21,15 +22,34 @@ const UNKNOWN_WAY_RAD: f64 = 3.0;
 const SLOWER: f64 = 1.5;
 const PASSING_S: f64 = 0.02;
 const STOPPING_S: f64 = 0.5;
+/// Of the time from which on the clock takes a gap between two ticks for a pause, motion between them may
+/// take this share by the estimate: speed may be turned down to a quarter on the pendant.
+const SHARE_OF_GAP: f64 = 0.25;
 
-/// All places, in file order of what they stand before.
+/// Seconds in a minute.
+const SECONDS: f64 = 60.0;
+
+/// Where the clock is brought up to date.
+pub(super) struct Ticks {
+    /// All places, in file order of what they stand before.
+    pub(super) places: Vec<Tick>,
+    /// Motions that may take longer, alone or with those after them in a routine that holds no tick, than
+    /// the gap that the clock takes for a pause.
+    pub(super) too_long: Vec<usize>,
+}
+
+/// All places. A gap between two ticks of more than `gap_min` minutes counts as standing; `None` where the
+/// clock does not tell.
 pub(super) fn ticks(
     program: &Program,
     resolved: &[Resolved],
     planned: &[PlannedMotion],
     schedule: &Schedule,
-) -> Vec<Tick> {
-    let stale_s = schedule.narrowest_min().map_or(f64::INFINITY, |width_min| 0.5 * width_min * 60.0);
+    gap_min: Option<f64>,
+) -> Ticks {
+    let stale_s = schedule.narrowest_min().map_or(f64::INFINITY, |width_min| 0.5 * width_min * SECONDS);
+    let gap_s = gap_min.map_or(f64::INFINITY, |gap_min| gap_min * SECONDS);
+    let moving_s = SHARE_OF_GAP * gap_s;
     let times: Vec<Time> =
         (0..program.motions.len()).map(|i| time(resolved, &program.motions[i], i)).collect();
     let compensated = |i: usize| matches!(planned[i].status, Status::Compensated);
@@ -47,33 +67,55 @@ pub(super) fn ticks(
         motion.loops.iter().for_each(|&l| held[l].push(i));
         of_routine[motion.routine].push(i);
     }
+    let ours: Vec<bool> = of_routine.iter().map(|of| of.iter().any(|&i| compensated(i))).collect();
     // Inner loops stand after the loops round them.
-    for l in (0..program.loops.len()).rev().filter(|&l| held[l].iter().any(|&i| compensated(i))) {
-        let body_s: f64 = held[l].iter().map(|&i| times[i].all_s() * repeats(i, Some(l), &ticking)).sum();
-        if program.loops[l].unconditional || passes(l).is_infinite() || body_s * passes(l) > stale_s {
+    for l in
+        (0..program.loops.len()).rev().filter(|&l| held[l].iter().any(|&i| ours[program.motions[i].routine]))
+    {
+        let sum = |of: &dyn Fn(&Time) -> f64| -> f64 {
+            held[l].iter().map(|&i| of(&times[i]) * repeats(i, Some(l), &ticking)).sum()
+        };
+        let (body_s, body_moving_s) = (sum(&Time::all_s), sum(&|time| time.move_s));
+        let endless = program.loops[l].unconditional || passes(l).is_infinite();
+        let stale = held[l].iter().any(|&i| compensated(i)) && (endless || body_s * passes(l) > stale_s);
+        if stale || body_moving_s * passes(l) > moving_s {
             ticking[l] = true;
             ticks.insert(Tick::Loop(l));
         }
     }
-    for (r, motions) in of_routine.iter().enumerate().filter(|(_, of)| of.iter().any(|&i| compensated(i))) {
+    for (r, motions) in of_routine.iter().enumerate().filter(|(r, _)| ours[*r]) {
         ticks.insert(Tick::Routine(r));
-        let mut since_s = 0.0;
+        let (mut since_s, mut since_moving_s) = (0.0, 0.0);
         let mut inside: &[usize] = &[];
         for &i in motions {
             let loops = &program.motions[i].loops;
             if loops.iter().any(|&l| ticking[l] && !inside.contains(&l)) {
-                since_s = 0.0;
+                (since_s, since_moving_s) = (0.0, 0.0);
             }
             inside = loops;
             let repeats = repeats(i, None, &ticking);
-            since_s += (times[i].all_s() + called_s(program, i, &of_routine, &times)) * repeats;
-            if since_s > stale_s && compensated(i) {
+            let called_s = called_s(program, i, &of_routine, &times);
+            since_s += (times[i].all_s() + called_s) * repeats;
+            since_moving_s += (times[i].move_s + called_s) * repeats;
+            if since_s > stale_s && compensated(i) || since_moving_s > moving_s {
                 ticks.insert(Tick::Motion(i));
                 since_s = times[i].move_s * repeats;
+                since_moving_s = since_s;
             }
         }
     }
-    ticks.into_iter().collect()
+    // Where no tick can stand between: one move, or all the moves of a routine that nothing is corrected in.
+    let too_long = |i: &usize| {
+        let of = program.motions[*i].routine;
+        times[*i].move_s > gap_s
+            || !ours[of] && of_routine[of].first() == Some(i) && {
+                let all_s: f64 =
+                    of_routine[of].iter().map(|&i| times[i].move_s * repeats(i, None, &ticking)).sum();
+                all_s > gap_s
+            }
+    };
+    let too_long = (0..program.motions.len()).filter(too_long).collect();
+    Ticks { places: ticks.into_iter().collect(), too_long }
 }
 
 /// Where the arm comes back from a called routine: what that one's motions take, seconds.

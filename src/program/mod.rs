@@ -18,6 +18,7 @@ mod functions;
 mod index;
 mod instructions;
 mod lower;
+pub mod made_for;
 mod names;
 mod order;
 mod overrides;

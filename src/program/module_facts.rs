@@ -2,6 +2,7 @@
 //! taken, what RoboDK says of the kinematics it used, and whether a module is already compensated.
 
 use super::index::Index;
+use super::made_for::{self, RobotRemark};
 use super::names::{as_text, lower_case};
 use super::writes::words;
 use crate::diagnostic::{FileId, Span, TextRange};
@@ -21,6 +22,8 @@ pub struct Facts {
     pub identifiers: Vec<BTreeSet<String>>,
     /// `! Using X kinematics.`, in file order.
     pub kinematics: Vec<KinematicsRemark>,
+    /// The robots that programs say they were made for, in file order.
+    pub made_for: Vec<RobotRemark>,
     /// Routines that nothing in the given files calls: a program can begin there. In file order.
     pub entries: Vec<Entry>,
 }
@@ -92,9 +95,15 @@ pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
             match item {
                 FileItem::Module(module) => {
                     facts.modules.push(module_facts(file, module));
-                    for_each_comment(module, &mut |range| facts.kinematics.extend(remark(file, range)));
+                    for_each_comment(module, &mut |range| {
+                        facts.kinematics.extend(remark(file, range));
+                        facts.made_for.extend(made_for::remark(file, range));
+                    });
                 }
-                FileItem::Comment(range) => facts.kinematics.extend(remark(file, *range)),
+                FileItem::Comment(range) => {
+                    facts.kinematics.extend(remark(file, *range));
+                    facts.made_for.extend(made_for::remark(file, *range));
+                }
                 FileItem::Opaque(_) => {}
             }
         }

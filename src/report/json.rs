@@ -4,6 +4,7 @@ use super::review::target_name;
 use crate::compensate::plan::{Plan, Status};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::program::Program;
+use crate::program::motion::{Keep, Motion};
 use crate::syntax::SourceFile;
 use crate::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -102,11 +103,29 @@ impl Serialize for Motions<'_> {
     }
 }
 
-/// The same keys for a program for which there is no plan.
+/// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
+/// are.
 #[must_use]
-pub fn refusal(files: &[SourceFile], list: &[Diagnostic]) -> Value {
+pub fn refusal(program: &Program, kept: &[Keep], list: &[Diagnostic]) -> Value {
+    let files = &program.files;
+    let row = |(index, (motion, why)): (usize, (&Motion, &Keep))| {
+        json!({
+            "file": program.file(motion.file).path,
+            "line": motion.line,
+            "routine": program.routines.get(motion.routine).map(|r| &r.name),
+            "index": index,
+            "kind": motion.kind,
+            "target": target_name(motion),
+            "status": "kept",
+            "reason": why.reason,
+            "code": why.code,
+            "max_correction_mm": 0.0,
+            "max_correction_deg": 0.0,
+            "mid_path_mm": null,
+        })
+    };
     json!({
-        "motions": [],
+        "motions": program.motions.iter().zip(kept).enumerate().map(row).collect::<Vec<_>>(),
         "buckets": [],
         "worst_before_mm": null,
         "worst_after_mm": null,
@@ -153,7 +172,7 @@ mod tests {
     #[test]
     fn a_message_without_a_place_has_null_for_it() {
         let list = [Diagnostic::warning("a::b", "w"), Diagnostic::error("c::d", "e").help("h")];
-        let value = refusal(&[], &list);
+        let value = refusal(&Program::default(), &[], &list);
         assert_eq!(
             value["warnings"][0],
             json!({"code":"a::b","file":null,"line":null,"message":"w","help":null})

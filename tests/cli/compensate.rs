@@ -182,3 +182,54 @@ fn a_controllers_backup_goes_through_whole() {
         assert!(out(&output).contains("138 moves executed"), "{}", out(&output));
     }
 }
+
+const SLOW: &str = "MODULE m
+  PERS tooldata tGrip:=[TRUE,[[0,0,90],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST robtarget p1:=[[450,-100,300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p2:=[[450,100,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num d:=0;
+  PROC main()
+    WHILE TRUE DO
+@    ENDWHILE
+  ENDPROC
+ENDMODULE
+";
+
+/// The largest error of the corrected moves after five hours of work, mm; `speed` is what the program is run
+/// at in place of v10.
+fn after_five_hours(body: &str, speed: &str, more: &[&str]) -> f64 {
+    let bench = Bench::default();
+    let original = bench.file("p.mod", SLOW.replace('@', body));
+    let emitted = bench.path("p_tc.mod").display().to_string();
+    let run = driftpost(&[&["compensate", &original, "-o", &emitted, "--diff", "none"][..], more].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", err(&run));
+    for path in [&original, &emitted] {
+        let text = fs::read_to_string(path).unwrap().replace("v10,", speed);
+        fs::write(path, text).unwrap();
+    }
+    let scenario = bench.file("s.toml", "steps = [\"call tcColdStart\", \"run 300\"]\n");
+    let run =
+        driftpost(&["simulate", &emitted, "--original", &original, "--scenario", &scenario, "--json", "-"]);
+    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let minutes = json["minutes"].as_array().unwrap();
+    assert!(minutes.len() > 2, "{minutes:?}");
+    minutes.iter().map(|m| m["corrected"]["max_mm"].as_f64().unwrap()).fold(0.0, f64::max)
+}
+
+#[test]
+fn slow_work_is_not_taken_for_a_pause() {
+    let there_and_back = "      MoveL p1,v10,fine,tGrip;\n      MoveL p2,v10,fine,tGrip;\n".repeat(10);
+    // A bucket is right to its tolerance; a tick is at most half the narrowest bucket late.
+    for (speed, more, limit) in [
+        ("v10,", &[][..], 0.0075),
+        ("v5,", &["--tolerance-mm", "0.01"], 0.015),
+        ("v5,", &["--gap-min", "2"], 0.0075),
+    ] {
+        let worst_mm = after_five_hours(&there_and_back, speed, more);
+        assert!(worst_mm < limit, "{speed} {more:?}: {worst_mm} mm");
+    }
+    // One corrected move among many that are kept.
+    let kept = "      MoveL p1,v10,fine,tGrip;\n      FOR i FROM 1 TO 10 DO\n        d:=i;\n        MoveL Offs(p2,0,0,d),v10,fine,tGrip;\n        MoveL Offs(p1,0,0,d),v10,fine,tGrip;\n      ENDFOR\n";
+    let worst_mm = after_five_hours(kept, "v10,", &[]);
+    assert!(worst_mm < 0.0075, "{worst_mm} mm");
+}

@@ -151,3 +151,141 @@ fn fifty_megabytes_of_no_module_are_refused_at_once() {
     refused(&bench, &[&file], "input::no-module");
     assert!(start.elapsed().as_secs() < 60);
 }
+
+/// Runs a command that would write over one of its inputs, and expects them all as they were.
+fn spares(bench: &Bench, arguments: &[&str], code: &str) {
+    let before: Vec<(String, Vec<u8>)> = bench
+        .files()
+        .into_iter()
+        .map(|name| (name.clone(), std::fs::read(bench.path(&name)).unwrap()))
+        .collect();
+    let output = driftpost(arguments);
+    let message = err(&output);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}\n{message}");
+    assert!(message.contains(&format!("error[{code}]")), "{arguments:?}: {code} is not in\n{message}");
+    for (name, bytes) in before {
+        assert!(std::fs::read(bench.path(&name)).unwrap() == bytes, "{arguments:?} changed {name}");
+    }
+}
+
+#[test]
+fn no_result_goes_where_an_input_stands() {
+    let bench = Bench::default();
+    let program = bench.file("a.mod", GOOD);
+    let table = bench.file("def/t.csv", format!("{HEADER}{}", "0,0,0,0,0,0.01\n".repeat(6)));
+    let result = bench.path("q.mod").display().to_string();
+    let folder = bench.path("def").display().to_string();
+    for option in ["--json", "--diff", "--joints-csv"] {
+        spares(&bench, &["compensate", &program, "-o", &result, option, &program], "output::is-input");
+        spares(&bench, &["compensate", &program, "-o", &result, option, &result], "output::twice");
+    }
+    let with_table = ["compensate", &program, "--deformation", &table, "--growth", "none"];
+    spares(&bench, &[&with_table[..], &["-o", &table]].concat(), "output::is-input");
+    spares(&bench, &["inspect", &program, "--json", &program], "output::is-input");
+    spares(&bench, &["diff", &program, &program, "--json", &program], "output::is-input");
+    spares(&bench, &["golden", &folder, "--json", &table], "output::is-input");
+    spares(&bench, &["tabulate", &table, "--joints-csv", &table], "output::is-input");
+    spares(&bench, &["tabulate", &table, "--joints-csv", "-", "--json", "-"], "output::twice");
+}
+
+#[test]
+fn results_stay_inside_the_folder_that_is_named() {
+    let bench = Bench::default();
+    let one = bench.file("d1/b.mod", GOOD.replace("MODULE m", "MODULE n").replace("main", "other"));
+    bench.file("d2/a.mod", GOOD);
+    let crooked = bench.path("d1/../d2/a.mod").display().to_string();
+    let to = bench.path("any").display().to_string();
+    assert_eq!(driftpost(&["compensate", &crooked, &one, "-o", &to]).status.code(), Some(0));
+    assert_eq!(bench.text("d2/a.mod"), GOOD);
+    assert!(bench.text("any/d2/a.mod").contains("! driftpost"));
+    assert!(bench.text("any/d1/b.mod").contains("! driftpost"));
+}
+
+#[test]
+fn a_common_module_of_another_program_stays() {
+    let bench = Bench::default();
+    let (a, b) = (bench.file("a.mod", GOOD), bench.file("b.mod", GOOD.replace("MODULE m", "MODULE n")));
+    let separate = |path: &str, more: &[&str]| {
+        let output = driftpost(&[&["compensate", path, "--core", "separate"][..], more].concat());
+        (output.status.code(), err(&output))
+    };
+    assert_eq!(separate(&a, &[]).0, Some(0));
+    // The same program anew, with other buckets, brings its own core with it.
+    assert_eq!(separate(&a, &["--tolerance-mm", "0.02"]).0, Some(0));
+    let core = bench.text("tcCore.mod");
+    let (code, message) = separate(&b, &["--tolerance-mm", "0.05"]);
+    assert!(code == Some(2) && message.contains("output::other-core"), "{message}");
+    assert_eq!((bench.text("tcCore.mod"), bench.path("b_tc.mod").exists()), (core, false));
+    bench.file("own/tcCore.mod", "MODULE mine ENDMODULE");
+    let own = bench.file("own/c.mod", GOOD);
+    assert!(separate(&own, &[]).1.contains("output::other-core"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_written_to_and_a_link_stays_one() {
+    let bench = Bench::default();
+    let program = bench.file("a.mod", GOOD);
+    bench.file("real.json", "");
+    let link = bench.path("link.json");
+    std::os::unix::fs::symlink("real.json", &link).unwrap();
+    let link = link.display().to_string();
+    let output = driftpost(&["inspect", &program, "--json", &link]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(bench.text("real.json").contains("\"motions\""));
+    let output = driftpost(&["inspect", &program, "--json", "/dev/null"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
+}
+
+#[test]
+fn a_case_without_its_program_is_missed() {
+    let bench = Bench::default();
+    bench.file("gold/a/source/a.mod", GOOD);
+    bench.file("gold/b/options.toml", "");
+    let folder = bench.path("gold").display().to_string();
+    let output = driftpost(&["golden", &folder]);
+    assert!(
+        output.status.code() == Some(2) && err(&output).contains("golden::no-source"),
+        "{}",
+        err(&output)
+    );
+}
+
+#[test]
+fn a_restored_file_stays_in_its_folder() {
+    let bench = Bench::default();
+    let program = bench.file("p/a.mod", GOOD);
+    assert_eq!(driftpost(&["compensate", &program]).status.code(), Some(0));
+    let crooked = bench.text("p/a_tc.mod").replace(" a.mod\n", " ../../x.mod\n");
+    let emitted = bench.file("p/q/a_tc.mod", crooked);
+    let output = driftpost(&["restore", &emitted]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.text("p/q/x.mod"), GOOD);
+}
+
+#[test]
+fn another_robot_is_told() {
+    let bench = Bench::default();
+    let made_for =
+        "! Program generated by RoboDK 5.6 for ABB IRB 2600-12/1.65 on 01/02/2026 10:00:00\n  PROC main";
+    let program = bench.file("a.mod", GOOD.replace("PROC main", made_for));
+    let to = bench.path("b.mod").display().to_string();
+    let output = driftpost(&["compensate", &program, "-o", &to]);
+    assert!(err(&output).contains("robot::other"), "{}", err(&output));
+    let output = driftpost(&["compensate", CUBE, "--robot", "irb120", "-o", &to]);
+    assert!(err(&output).contains("deform::other-robot"), "{}", err(&output));
+}
+
+#[test]
+fn where_nothing_is_compensated_the_json_says_why_for_each() {
+    let bench = Bench::default();
+    let program = bench.file("a.mod", GOOD.replace("MoveL p", "MoveL CRobT()").replace("tool0", "unknown"));
+    let output = driftpost(&["compensate", &program, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(2));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let row = &json["motions"][0];
+    assert_eq!((&row["status"], &row["line"]), (&"kept".into(), &4.into()));
+    assert!(!row["reason"].as_str().unwrap().is_empty());
+}

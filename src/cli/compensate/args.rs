@@ -216,6 +216,7 @@ impl Args {
             keep_moveabsj: self.keep_moveabsj,
             absolute_accuracy: self.absolute_accuracy,
             strict: self.strict,
+            gap_min: matches!(self.clock, ClockName::Warmth).then_some(self.gap_min),
         }
     }
 

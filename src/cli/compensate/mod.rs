@@ -43,21 +43,25 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
     let given = Given::read(&args.program)?;
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
     let job = Job::new(args)?;
+    destination.keep_apart(&[args.json.as_deref(), args.diff.as_deref(), args.joints_csv.as_deref()])?;
     destination.open()?;
     let diff_file = diff_file(args)?;
-    let joints_file = args.joints_csv.as_deref().map(Pending::new).transpose()?;
+    let joints_file = Output::new(args.joints_csv.as_deref())?;
+    let quiet = quiet || joints_file.is_standard();
 
     let made = console.while_busy("compensating", || job.make(&given))?;
 
-    let joints = joints_file.map(|file| Ok((file, job.joints(&made)?))).transpose();
+    let joints = if args.joints_csv.is_some() { job.joints(&made) } else { Ok(Vec::new()) };
     let joints = joints.map_err(|message| made.refuse(message))?;
     let diff = diff_file.map(|file| Ok((file, made.diff(&given, &destination)?))).transpose();
     let diff = diff.map_err(|message| made.refuse(message))?;
     console.explain(&made.messages, &made.program.files, args.all);
     let written = destination.write(&given, &made.emitted).map_err(|message| made.refuse(message))?;
-    for (file, bytes) in joints.into_iter().chain(diff) {
+    if let Some((file, bytes)) = diff {
         file.write(&bytes).map_err(|message| made.refuse(message))?;
     }
+    let kept = joints_file.write(console, || Ok(joints));
+    kept.map_err(|error| made.refuse(no_output(&std::io::Error::other(error))))?;
     if !quiet {
         show(args, console, &made, &given, &destination).map_err(|cause| made.refuse(no_output(&cause)))?;
     }

@@ -9,6 +9,7 @@ use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit, megabytes};
+use crate::program::motion::Keep;
 use crate::program::{Overrides, Program};
 use crate::report::{self, Compensation, Review};
 use crate::robot::Robot;
@@ -23,8 +24,13 @@ pub struct Job {
     emit: EmitOptions,
     overrides: Overrides,
     allow_non_nominal: bool,
+    /// No table and no model was given.
+    default_table: bool,
     form: FormName,
 }
+
+/// The robot that the built-in deformation table is of.
+const PAPER_ROBOT: &str = "irb140";
 
 /// A compensated program.
 #[derive(Debug)]
@@ -49,6 +55,8 @@ pub struct Refusal {
     pub program: Program,
     /// As far as it was made.
     pub plan: Option<Plan>,
+    /// Why each motion is kept, where all are.
+    pub kept: Vec<Keep>,
     /// Warnings, and at least one error.
     pub messages: Vec<Diagnostic>,
 }
@@ -65,6 +73,7 @@ impl Job {
             emit: args.emit_options(&robot, &deformation),
             overrides: args.overrides(),
             allow_non_nominal: args.allow_non_nominal,
+            default_table: args.deformation.is_none() && args.model.is_none(),
             form: args.form,
             robot,
             deformation,
@@ -88,8 +97,9 @@ impl Job {
         let plan = match plan(&program, &self.robot.model, &self.deformation.model, &self.options) {
             Ok(plan) => plan,
             Err(error) => {
-                messages.extend(why_no_plan(error));
-                return Err(Refusal::of(program, None, messages));
+                let (why, kept) = why_no_plan(error);
+                messages.extend(why);
+                return Err(Box::new(Refusal { program, plan: None, kept, messages }));
             }
         };
         messages.extend(plan.diagnostics.iter().cloned());
@@ -142,6 +152,7 @@ impl Job {
         messages.extend(program.diagnostics.iter().cloned());
         let other = self.options.model.as_deref().and_then(|m| model::of_another_robot(m, &self.robot.model));
         messages.extend(other);
+        messages.extend(self.about_robot(program));
         for module in &program.facts.modules {
             if let Some(range) = module.compensated {
                 let text = format!("module {} is already compensated", module.name);
@@ -167,6 +178,23 @@ impl Job {
         messages
     }
 
+    /// Warnings where the program or the deformation belongs to another robot.
+    fn about_robot(&self, program: &Program) -> Vec<Diagnostic> {
+        let robot = &self.robot.model.name;
+        let mut messages = Vec::new();
+        if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
+            let text = format!("made for {}, and taken as one for {robot}", remark.robot);
+            let help = "name the robot that runs it with --robot";
+            messages.push(Diagnostic::warning("robot::other", text).at(remark.span).help(help));
+        }
+        if self.default_table && self.robot.source.name != PAPER_ROBOT {
+            let text = format!("the built-in deformation table is an IRB 140's, the robot is {robot}");
+            let help = "give a table of this robot with --deformation";
+            messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
+        }
+        messages
+    }
+
     fn provenance(&self, given: &Given) -> Vec<(&'static str, String)> {
         let named = |name: &str, sha256: &str| format!("{name}, SHA-256 {sha256}");
         let program = given.places.iter().map(|p| p.display().to_string()).collect::<Vec<_>>();
@@ -185,14 +213,15 @@ fn is_error(message: &Diagnostic) -> bool {
     message.severity == Severity::Error
 }
 
-fn why_no_plan(error: CompensateError) -> Vec<Diagnostic> {
+/// What there is to be said, and why each motion is kept.
+fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Keep>) {
     let (code, text) = (error.code(), error.to_string());
-    let mut messages = match error {
-        CompensateError::NothingToCompensate { diagnostics, .. } => diagnostics,
-        _ => Vec::new(),
+    let (mut messages, kept) = match error {
+        CompensateError::NothingToCompensate { diagnostics, kept, .. } => (diagnostics, kept),
+        _ => (Vec::new(), Vec::new()),
     };
     messages.push(Diagnostic::error(code, text));
-    messages
+    (messages, kept)
 }
 
 impl Made {
@@ -276,7 +305,7 @@ fn in_memory(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Vec
 
 impl Refusal {
     fn of(program: Program, plan: Option<Plan>, messages: Vec<Diagnostic>) -> Box<Self> {
-        Box::new(Self { program, plan, messages })
+        Box::new(Self { program, plan, kept: Vec::new(), messages })
     }
 
     /// The files that the messages are about.
@@ -292,7 +321,7 @@ impl Refusal {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
             Some(plan) => pretty(&Compensation { program, plan, messages }),
-            None => pretty(&report::refusal(&program.files, messages)),
+            None => pretty(&report::refusal(program, &self.kept, messages)),
         }
     }
 }
