@@ -107,7 +107,7 @@ pub(super) fn ticks(
     // Where no tick can stand between: one move, or all the moves of a routine that nothing is corrected in.
     let too_long = |i: &usize| {
         let of = program.motions[*i].routine;
-        times[*i].move_s > gap_s
+        times[*i].is_known && times[*i].move_s > gap_s
             || !ours[of] && of_routine[of].first() == Some(i) && {
                 let all_s: f64 =
                     of_routine[of].iter().map(|&i| times[i].move_s * repeats(i, None, &ticking)).sum();
@@ -134,6 +134,8 @@ fn called_s(program: &Program, i: usize, of_routine: &[Vec<usize>], times: &[Tim
 struct Time {
     wait_s: f64,
     move_s: f64,
+    /// The way is known, not assumed.
+    is_known: bool,
 }
 
 impl Time {
@@ -151,10 +153,8 @@ fn time(resolved: &[Resolved], motion: &Motion, i: usize) -> Time {
     };
     let points = |i: usize| resolved.get(i).and_then(|resolved| resolved.points.as_ref().ok());
     let from = motion.previous.and_then(points).and_then(|points| points.last());
-    let (way_m, turn_rad) = match (from, points(i)) {
-        (Some(from), Some(points)) => way(from, points),
-        _ => (UNKNOWN_WAY_M, UNKNOWN_WAY_RAD),
-    };
+    let known = from.zip(points(i)).map(|(from, points)| way(from, points));
+    let (way_m, turn_rad) = known.unwrap_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD));
     let (v, w) = match motion.speed {
         Some(speed) => {
             (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
@@ -164,7 +164,7 @@ fn time(resolved: &[Resolved], motion: &Motion, i: usize) -> Time {
     let stops =
         motion.zone.is_none_or(|zone| zone.finep) || matches!(motion.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };
-    Time { wait_s, move_s: SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s }
+    Time { wait_s, move_s: SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s, is_known: known.is_some() }
 }
 
 /// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.

@@ -243,7 +243,9 @@ impl Session {
             pass.n += 1;
             pass.before.add(&before);
             pass.after.add(&after);
-            if a.q_rad == b.q_rad && a.via_q_rad == b.via_q_rad {
+            if is_same(a.q_rad.as_ref(), b.q_rad.as_ref())
+                && is_same(a.via_q_rad.as_ref(), b.via_q_rad.as_ref())
+            {
                 same.push((b, after.position_m));
             } else {
                 pass.corrected.add(&after);
@@ -415,5 +417,16 @@ fn failure(outcome: &Outcome) -> Option<String> {
         Outcome::Finished | Outcome::Passes | Outcome::Exited => None,
         Outcome::OutOfSteps => Some("the program does not come to an end".into()),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
+    }
+}
+
+/// Joints closer than this are the same but for rounding, radians.
+const ROUNDING_RAD: f64 = 1e-9;
+
+fn is_same(a: Option<&[f64; 6]>, b: Option<&[f64; 6]>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING_RAD),
+        (None, None) => true,
+        _ => false,
     }
 }

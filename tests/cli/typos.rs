@@ -9,6 +9,7 @@ fn a_misspelt_option_is_answered_with_the_right_one() {
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
     let options: Vec<&str> = help
         .lines()
+        .filter(|line| line.trim_start().starts_with('-'))
         .filter_map(|line| line.split_whitespace().find(|w| w.starts_with("--")))
         .filter(|w| w.len() > 7)
         .collect();
