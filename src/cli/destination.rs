@@ -110,49 +110,6 @@ impl Destination {
         to.join(sub.unwrap_or_default()).join(path.file_name().unwrap_or_default())
     }
 
-    /// Writes the emitted files, and beside them what stays as it is; all are written before any is put in
-    /// its place. Gives the paths of the emitted ones with their sizes.
-    ///
-    /// # Errors
-    /// `output::unwritable` or `input::unreadable`.
-    pub fn write(&self, given: &Given, emitted: &[EmittedFile]) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
-        self.check_new(given, emitted)?;
-        let mut pending = Vec::new();
-        let mut add = |path: &Path, from: &mut dyn std::io::Read| -> Result<(), Diagnostic> {
-            let mut file = Pending::new(path)?;
-            file.fill(from)?;
-            pending.push(file);
-            Ok(())
-        };
-        let mut written = Vec::new();
-        for file in emitted {
-            let path = self.path_of(file, given);
-            add(&path, &mut file.bytes.as_slice())?;
-            written.push((path, file.bytes.len()));
-        }
-        if self.whole {
-            for (id, (path, bytes)) in (0..).zip(self.modules.iter().zip(&given.bytes)) {
-                if !emitted.iter().any(|file| file.source == Some(FileId(id))) {
-                    add(path, &mut bytes.as_slice())?;
-                }
-            }
-        }
-        for (from, to) in &self.others {
-            if is_pgf(from) {
-                let listed = files::read(from, "list of modules")?;
-                let now = self.list_with(from, to, &listed, given, emitted);
-                if from != to || now != listed {
-                    add(to, &mut now.as_slice())?;
-                }
-                continue;
-            }
-            let mut file = fs::File::open(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
-            add(to, &mut file)?;
-        }
-        pending.into_iter().try_for_each(Pending::place)?;
-        Ok(written)
-    }
-
     /// Refuses new modules in the place of others: an input, another result, or what belongs to another
     /// program.
     fn check_new(&self, given: &Given, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
@@ -219,6 +176,67 @@ fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<St
             && fs::read(path).is_ok_and(|bytes| ours(&bytes))
     })?;
     Some(format!("{} was made with it", other.display()))
+}
+
+/// Files of a result, each written beside its place; all are written before any is put in its place.
+#[derive(Default)]
+pub struct Writing {
+    pending: Vec<Pending>,
+    written: Vec<(PathBuf, usize)>,
+    /// The emitted files; of the common module alone with what stands in it.
+    emitted: Vec<EmittedFile>,
+}
+
+impl Writing {
+    /// Writes an emitted file.
+    ///
+    /// # Errors
+    /// `output::unwritable`.
+    pub fn add(&mut self, to: &Destination, given: &Given, file: EmittedFile) -> Result<(), Diagnostic> {
+        let path = to.path_of(&file, given);
+        self.put(&path, &mut file.bytes.as_slice())?;
+        self.written.push((path, file.bytes.len()));
+        let bytes = if file.source.is_none() && !file.on_disk { file.bytes } else { Vec::new() };
+        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
+        Ok(())
+    }
+
+    fn put(&mut self, path: &Path, from: &mut dyn std::io::Read) -> Result<(), Diagnostic> {
+        let mut file = Pending::new(path)?;
+        file.fill(from)?;
+        self.pending.push(file);
+        Ok(())
+    }
+
+    /// Writes what stays as it is and puts everything in its place. Gives the paths of the emitted files with
+    /// their sizes.
+    ///
+    /// # Errors
+    /// `output::unwritable` or `input::unreadable`.
+    pub fn finish(mut self, to: &Destination, given: &Given) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
+        to.check_new(given, &self.emitted)?;
+        if to.whole {
+            for (id, (path, bytes)) in (0..).zip(to.modules.iter().zip(&given.bytes)) {
+                if !self.emitted.iter().any(|file| file.source == Some(FileId(id))) {
+                    self.put(path, &mut bytes.as_slice())?;
+                }
+            }
+        }
+        for (from, place) in &to.others {
+            if is_pgf(from) {
+                let listed = files::read(from, "list of modules")?;
+                let now = to.list_with(from, place, &listed, given, &self.emitted);
+                if from != place || now != listed {
+                    self.put(place, &mut now.as_slice())?;
+                }
+                continue;
+            }
+            let mut file = fs::File::open(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
+            self.put(place, &mut file)?;
+        }
+        self.pending.into_iter().try_for_each(Pending::place)?;
+        Ok(self.written)
+    }
 }
 
 fn is_pgf(path: &Path) -> bool {

@@ -101,6 +101,11 @@ impl Pending {
         fs::create_dir_all(folder_of(&self.path)).map_err(failed)
     }
 
+    /// The file, still beside its place, to be written to.
+    pub fn out(&mut self) -> &mut dyn io::Write {
+        &mut self.file
+    }
+
     /// Puts the file in its place.
     ///
     /// # Errors

@@ -4,12 +4,14 @@
 //! (`tolerance-mm = 0.05`, `strict = true`, `tool = ["t=[...]"]`; files are relative to the case), and
 //! `CASE/expected/` the emitted files, `review.txt`, `changes.diff` and `messages.txt`.
 
-use super::compensate::{self, Job, Refusal};
+use super::compensate::{self, Job, Refusal, write_diff};
 use super::destination::Destination;
 use super::files::{self, Output, Pending};
 use super::given::Given;
 use super::{Console, Outcome};
 use crate::diagnostic::Diagnostic;
+use crate::emit::EmittedFile;
+use crate::program::Program;
 use crate::report::{self, Look};
 use crate::syntax::SourceFile;
 use clap::{Args as _, FromArgMatches};
@@ -106,17 +108,22 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
     let mut result = Files::new();
     let look = Look::Plain;
     let mut said = Vec::new();
-    let (messages, sources): (Vec<Diagnostic>, Vec<SourceFile>) = match Job::new(&args)?.make(&given) {
+    let mut diff = Vec::new();
+    let mut take = |program: &Program, file: EmittedFile| {
+        write_diff(&mut diff, program, &file, &given, &destination)
+            .map_err(|cause| Diagnostic::error("output::unwritable", cause.to_string()))?;
+        let path = destination.path_of(&file, &given);
+        let place = path.strip_prefix("expected").unwrap_or(&path);
+        result.insert(place.to_string_lossy().replace('\\', "/"), file.bytes);
+        Ok(())
+    };
+    let job = Job::new(&args)?.make(&given, &mut take);
+    let (messages, sources): (Vec<Diagnostic>, Vec<SourceFile>) = match job {
         Ok(made) => {
             let mut text = Vec::new();
             made.write_review(&mut text, true)?;
             result.insert("review.txt".to_owned(), text);
-            result.insert("changes.diff".to_owned(), made.diff(&given, &destination)?);
-            for file in &made.emitted {
-                let path = destination.path_of(file, &given);
-                let place = path.strip_prefix("expected").unwrap_or(&path);
-                result.insert(place.to_string_lossy().replace('\\', "/"), file.bytes.clone());
-            }
+            result.insert("changes.diff".to_owned(), diff);
             (made.messages, made.program.files)
         }
         Err(refusal) => {

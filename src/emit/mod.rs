@@ -20,7 +20,7 @@ mod restore;
 mod stand_in;
 mod target;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use identity::{Difference, differences};
 pub use memory::{Memory, megabytes};
@@ -49,8 +49,28 @@ use place::Style;
 /// # Errors
 /// [`EmitError`] says which rule of an emitted program could not be kept, and where.
 pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec<EmittedFile>, EmitError> {
-    if let Some((file, line)) = program.files.iter().find_map(|f| Some((f, compensated_at(f)?))) {
-        return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line });
+    let mut emitted = Vec::new();
+    emit_each(program, plan, options, &mut |file| {
+        emitted.push(file);
+        Ok::<(), EmitError>(())
+    })?;
+    Ok(emitted)
+}
+
+/// The same, file by file: a large program's result need not be held at once. Whatever can be refused for the
+/// program as a whole is, before `take` is called.
+///
+/// # Errors
+/// As [`emit`], and those of `take`.
+pub fn emit_each<E: From<EmitError>>(
+    program: &Program,
+    plan: &Plan,
+    options: &EmitOptions,
+    take: &mut dyn FnMut(EmittedFile) -> Result<(), E>,
+) -> Result<(), E> {
+    let already = program.files.iter().find_map(|f| Some((f, compensated_at(f)?)));
+    if let Some((file, line)) = already {
+        return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line }.into());
     }
     check_plan(program, plan)?;
     let law = Law::of(&options.clock, plan.temperature_c)?;
@@ -67,11 +87,11 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
 
     let changes = changes(program, plan)?;
     if !changes.values().any(|c| !c.motions.is_empty()) {
-        return Ok(Vec::new());
+        return Ok(());
     }
     let core = options.core.unwrap_or(if changes.len() > 1 { Core::Separate } else { Core::Embedded });
     if core == Core::Embedded && changes.len() > 1 {
-        return Err(EmitError::EmbeddedInSeveral { modules: changes.len() });
+        return Err(EmitError::EmbeddedInSeveral { modules: changes.len() }.into());
     }
     let about = about(plan, options, core, &names);
     let buckets = match options.form {
@@ -81,31 +101,30 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
     let buckets = buckets.as_ref();
     let context = module::Context { program, plan, buckets, names: &names, law: &law, core, about: &about };
 
-    let mut emitted: Vec<EmittedFile> = Vec::new();
-    let mut edits: BTreeMap<FileId, Vec<Edit>> = BTreeMap::new();
-    for (&(id, index), change) in &changes {
+    let changed: BTreeSet<FileId> = changes.keys().map(|(id, _)| *id).collect();
+    for id in changed {
         let file = program.file(id);
-        let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
-        edits.entry(id).or_default().extend(module::edits(&context, file, (index, module), change)?);
-    }
-    for (id, mut edits) in edits {
-        let file = program.file(id);
+        let mut edits: Vec<Edit> = Vec::new();
+        for (&(_, index), change) in changes.range((id, 0)..=(id, usize::MAX)) {
+            let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
+            edits.extend(module::edits(&context, file, (index, module), change)?);
+        }
         edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
         let bytes = apply(&file.bytes, &edits)
             .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
-        emitted.push(EmittedFile { source: Some(id), on_disk: false, path: file.path.clone(), bytes, edits });
+        take(EmittedFile { source: Some(id), on_disk: false, path: file.path.clone(), bytes, edits })?;
     }
     if core == Core::Separate
         && let Some((&(id, _), _)) = changes.first_key_value()
     {
-        emitted.push(core_file(&context, program.file(id)));
+        take(core_file(&context, program.file(id)))?;
     }
     if let (Some(buckets), Some((&(id, _), _))) = (buckets, changes.first_key_value()) {
         for bucket in 0..plan.schedule.buckets.len() {
-            emitted.push(buckets.file(&context, program.file(id), bucket)?);
+            take(buckets.file(&context, program.file(id), bucket)?)?;
         }
     }
-    Ok(emitted)
+    Ok(())
 }
 
 /// The line of the comment block that says that `file` holds a module of ours; `None` where none does.

@@ -17,7 +17,7 @@ use crate::diagnostic::TextRange;
 use crate::syntax::tree::{
     ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, Stmt, StmtKind,
 };
-use crate::syntax::{Edit, LineIndex, apply, parse};
+use crate::syntax::{Edit, LineIndex, apply, parse, parts_of_numbers};
 
 /// An original, got back.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -220,6 +220,11 @@ impl<'w> Work<'w> {
             let name = self.name(data.name);
             let element1 = match data.init.as_ref().map(|init| &init.kind) {
                 Some(ExprKind::Aggregate(elements)) => elements.first().map(|e| e.range.of(self.bytes)),
+                Some(ExprKind::Numbers) => {
+                    let range = data.init.as_ref().map(|init| init.range);
+                    let elements = range.map(|range| parts_of_numbers(self.bytes, range)).unwrap_or_default();
+                    elements.first().map(|e| e.range.of(self.bytes))
+                }
                 _ => None,
             };
             let element1 = element1

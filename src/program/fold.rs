@@ -13,6 +13,7 @@ use super::predefined::predefined;
 use super::value::{self, DataName, Reached, Value, Why};
 use super::writes::{How, Writes};
 use crate::diagnostic::{Diagnostic, Span, TextRange};
+use crate::syntax::parts_of_numbers;
 use crate::syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, UnaryOp};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -103,6 +104,12 @@ impl<'a> Folder<'a> {
             ExprKind::Name => self.name(expr.range, ctx, state),
             ExprKind::Paren(inner) => self.fold_typed(inner, ctx, state),
             ExprKind::Aggregate(parts) => {
+                let parts: Result<Rc<[Value]>, Why> =
+                    parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
+                Ok(untyped(Value::Parts(parts?)))
+            }
+            ExprKind::Numbers => {
+                let parts = parts_of_numbers(&self.index.file(ctx.file).bytes, expr.range);
                 let parts: Result<Rc<[Value]>, Why> =
                     parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
                 Ok(untyped(Value::Parts(parts?)))

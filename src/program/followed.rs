@@ -158,6 +158,7 @@ pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, see: &mut impl 
             }
         }
         ExprKind::Number
+        | ExprKind::Numbers
         | ExprKind::String
         | ExprKind::Bool(_)
         | ExprKind::Placeholder

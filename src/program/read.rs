@@ -124,6 +124,7 @@ impl<'a> Finish<'_, 'a> {
         };
         let joints_wanted = motion.path == Path::AbsJoint;
         let mut reached = Vec::new();
+        motion.targets.reserve_exact(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
             motion.targets.push(target);
@@ -253,7 +254,7 @@ impl<'a> Finish<'_, 'a> {
         let literal =
             |expr: &Expr, ctx: Ctx| is_literal(expr).then_some(Span { file: ctx.file, range: expr.range });
         match &expr.kind {
-            ExprKind::Aggregate(_) => (Origin::Inline, literal(expr, ctx)),
+            ExprKind::Aggregate(_) | ExprKind::Numbers => (Origin::Inline, literal(expr, ctx)),
             ExprKind::Name => {
                 let name = as_text(self.folder.index.text(ctx.file, expr.range));
                 let here = Span { file: ctx.file, range: expr.range };
@@ -415,7 +416,7 @@ fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> Keep {
 /// Whether an expression is made of literals alone.
 fn is_literal(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Number | ExprKind::String | ExprKind::Bool(_) => true,
+        ExprKind::Number | ExprKind::Numbers | ExprKind::String | ExprKind::Bool(_) => true,
         ExprKind::Aggregate(parts) => parts.iter().all(is_literal),
         ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => {
             matches!(operand.kind, ExprKind::Number)

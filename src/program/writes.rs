@@ -425,6 +425,7 @@ pub(super) fn every_call<'a>(expr: &'a Expr, see: &mut impl FnMut(TextRange, &'a
             every_call(rhs, see);
         }
         ExprKind::Number
+        | ExprKind::Numbers
         | ExprKind::String
         | ExprKind::Bool(_)
         | ExprKind::Name

@@ -2,8 +2,8 @@
 
 use super::ir::{Arg, Call, Callee, Code, Expr, ExprKind, LocalDecl, Name, Op, Param, Step};
 use crate::diagnostic::TextRange;
-use crate::syntax::SourceFile;
 use crate::syntax::tree;
+use crate::syntax::{SourceFile, parts_of_numbers};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -311,6 +311,10 @@ impl<'f> Compiler<'f> {
             E::Field { base, name } => ExprKind::Field(Box::new(self.expr(base)), name_of(self.file, *name)),
             E::Index { base, indices } => {
                 ExprKind::Index(Box::new(self.expr(base)), indices.iter().map(|i| self.expr(i)).collect())
+            }
+            E::Numbers => {
+                let parts = parts_of_numbers(&self.file.bytes, expr.range);
+                ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect())
             }
             E::Aggregate(parts) => ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect()),
             E::Call { name, args } => ExprKind::Call(Rc::new(Call {

@@ -6,6 +6,7 @@ use super::ir::{Expr, ExprKind};
 use super::memory::State;
 use super::outcome::{Fault, fatal};
 use super::value::{Type, Value};
+use crate::syntax::parts_of_numbers;
 use crate::syntax::tree::{self, DataKind};
 
 /// Where a value is kept.
@@ -270,21 +271,25 @@ impl Controller {
         let (module, mut ty) = (datum.module, datum.ty.clone());
         let Some(m) = self.memory.modules.get(module) else { return Ok(None) };
         let file = m.file.clone();
-        let Some(mut expr) = m.data_decl(datum.at).and_then(|d| d.init.as_ref()) else { return Ok(None) };
+        let Some(mut expr) = m.data_decl(datum.at).and_then(|d| d.init.clone()) else { return Ok(None) };
         for select in path {
-            let tree::ExprKind::Aggregate(parts) = &expr.kind else { return Ok(None) };
+            let mut parts = match expr.kind {
+                tree::ExprKind::Aggregate(parts) => parts,
+                tree::ExprKind::Numbers => parts_of_numbers(&file.bytes, expr.range),
+                _ => return Ok(None),
+            };
             let (Select::Field(at) | Select::Element(at)) = select;
             let inner = match (&ty, select) {
                 (Type::Array(inner), Select::Element(_)) => Some((**inner).clone()),
                 (Type::Record(r), Select::Field(at)) => r.fields.get(*at).map(|(_, ty)| ty.clone()),
                 _ => None,
             };
-            match (parts.get(*at), inner) {
-                (Some(part), Some(inner)) => (expr, ty) = (part, inner),
+            match inner {
+                Some(inner) if *at < parts.len() => (expr, ty) = (parts.swap_remove(*at), inner),
                 _ => return fatal(format!("index {} outside of the array", at + 1)),
             }
         }
-        let expr = compile::constant(&file, expr);
+        let expr = compile::constant(&file, &expr);
         let value = self.in_module(module, |c| c.eval(&expr, Some(&ty)))?;
         match value.coerced(&ty) {
             Some(value) => Ok(Some(value)),

@@ -4,6 +4,7 @@ use super::input::{MAX_HEIGHT, MAX_NESTING, Read, Text};
 use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
+use super::numbers::is_plain;
 use super::recover::balanced;
 use super::tree::{Arg, ArgKind, BinaryOp, Expr, ExprKind, UnaryOp};
 use super::word::Word;
@@ -191,8 +192,14 @@ fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
 
 /// `aggregate = "[" [ expression { "," expression } ] "]" ;`
 pub(super) fn aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
-    let (rest, parts) = list(i.skip(1), b']')?;
-    Ok((rest, Expr { range: i.until(rest), kind: ExprKind::Aggregate(parts) }))
+    let (rest, mut parts) = list(i.skip(1), b']')?;
+    let range = i.until(rest);
+    let plain = !parts.is_empty() && parts.iter().all(is_plain);
+    if plain && memchr::memchr(b'!', i.bytes_until(rest)).is_none() {
+        return Ok((rest, Expr { range, kind: ExprKind::Numbers }));
+    }
+    parts.shrink_to_fit();
+    Ok((rest, Expr { range, kind: ExprKind::Aggregate(parts) }))
 }
 
 /// Expressions between commas up to the closing sign; leaves the height of the whole.

@@ -15,6 +15,7 @@ mod input;
 mod lexical;
 pub mod literal;
 mod module;
+mod numbers;
 mod recover;
 mod same;
 pub mod source;
@@ -25,6 +26,7 @@ pub mod word;
 
 pub use edit::{Edit, EditError, apply};
 pub use literal::{number_value, string_value};
+pub use numbers::parts_of_numbers;
 pub use same::first_difference;
 pub use source::{LineIndex, SourceFile};
 pub use word::{Word, fold, is_reserved, same_name};

@@ -416,6 +416,8 @@ pub enum ExprKind {
     },
     /// `[a,b,c]`
     Aggregate(Vec<Expr>),
+    /// `[1,[2,-3]]`, nothing but numbers and no comment: [`parts_of_numbers`](super::parts_of_numbers) gives its parts.
+    Numbers,
     /// `name(args)`: a function call.
     Call {
         /// The function's name.

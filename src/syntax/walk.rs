@@ -215,6 +215,7 @@ impl Walk {
     fn expr(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Number => self.leaf(e.range, "number"),
+            ExprKind::Numbers => self.leaf(e.range, "numbers"),
             ExprKind::String => self.leaf(e.range, "string"),
             ExprKind::Bool(_) => self.leaf(e.range, "bool"),
             ExprKind::Name => self.leaf(e.range, "name"),

@@ -8,8 +8,8 @@ use driftpost::diagnostic::FileId;
 use driftpost::emit::{EmittedFile, emit, restore};
 use driftpost::program::{Overrides, Program};
 use driftpost::robot::Robot;
-use driftpost::syntax::SourceFile;
 use driftpost::syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, FileItem, ModuleItem, Stmt, StmtKind};
+use driftpost::syntax::{SourceFile, parts_of_numbers};
 use driftpost::units::{deg_from_rad, mm_from_m};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -45,6 +45,11 @@ fn arrays_in_order(emitted: &[u8]) -> Vec<Vec<Vec<f64>>> {
     arrays
         .map(|data| match &data.init.as_ref().unwrap().kind {
             ExprKind::Aggregate(elements) => {
+                elements.iter().map(|e| toy::numbers(file.text(e.range))).collect()
+            }
+            ExprKind::Numbers => {
+                let init = data.init.as_ref().unwrap();
+                let elements = parts_of_numbers(&file.bytes, init.range);
                 elements.iter().map(|e| toy::numbers(file.text(e.range))).collect()
             }
             other => panic!("{other:?}"),

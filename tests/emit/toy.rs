@@ -139,7 +139,7 @@ impl Reader<'_> {
             literal: None,
         };
         match &expr.kind {
-            ExprKind::Aggregate(_) => {
+            ExprKind::Aggregate(_) | ExprKind::Numbers => {
                 target.origin = Origin::Inline;
                 target.literal = Some(self.file.span(expr.range));
             }
@@ -148,7 +148,10 @@ impl Reader<'_> {
                 if let Some((file, data)) = self.declaration(name) {
                     let name = String::from_utf8_lossy(name).into_owned();
                     target.origin = Origin::Named { name, declaration: file.span(data.range) };
-                    let init = data.init.as_ref().filter(|i| matches!(i.kind, ExprKind::Aggregate(_)));
+                    let init = data
+                        .init
+                        .as_ref()
+                        .filter(|i| matches!(i.kind, ExprKind::Aggregate(_) | ExprKind::Numbers));
                     target.literal = init.map(|i| file.span(i.range));
                 }
             }

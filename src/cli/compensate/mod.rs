@@ -5,14 +5,17 @@ mod work;
 
 pub(in crate::cli) use args::temperatures;
 pub use args::{Args, ClockName, CoreName, FormName, Models, Temperatures};
-pub(in crate::cli) use work::{Job, Made, Refusal};
+pub(in crate::cli) use work::{Job, Made, Refusal, write_diff};
 
-use super::destination::Destination;
+use super::destination::{Destination, Writing};
 use super::files::{Output, Pending};
 use super::given::Given;
 use super::{Console, Outcome};
 use crate::diagnostic::Diagnostic;
+use crate::emit::EmittedFile;
+use crate::program::Program;
 use crate::report;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 /// A diff on standard output is cut after so many lines.
@@ -45,25 +48,42 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
     let job = Job::new(args)?;
     destination.keep_apart(&[args.json.as_deref(), args.diff.as_deref(), args.joints_csv.as_deref()])?;
     destination.open()?;
-    let diff_file = diff_file(args)?;
+    let mut diff_file = diff_file(args)?;
     let joints_file = Output::new(args.joints_csv.as_deref())?;
     let quiet = quiet || joints_file.is_standard();
+    let (diff_file_wanted, shown) = (diff_file.is_some(), !quiet && args.diff.is_none());
 
-    let made = console.while_busy("compensating", || job.make(&given))?;
+    // File by file: the result of a large program is larger than what is needed to make it.
+    let mut writing = Writing::default();
+    let mut head = Vec::new();
+    let mut cut = report::Cut::new(&mut head, if quiet || args.diff.is_some() { 0 } else { DIFF_LINES });
+    let mut take = |program: &Program, file: EmittedFile| {
+        let diff: &mut dyn Write = match &mut diff_file {
+            Some(pending) => pending.out(),
+            None => &mut cut,
+        };
+        if diff_file_wanted || shown {
+            let mut diff = BufWriter::with_capacity(1 << 16, diff);
+            let written =
+                write_diff(&mut diff, program, &file, &given, &destination).and_then(|()| diff.flush());
+            written.map_err(|cause| no_output(&cause))?;
+        }
+        writing.add(&destination, &given, file)
+    };
+    let made = console.while_busy("compensating", || job.make(&given, &mut take))?;
+    let dropped = cut.dropped;
 
     let joints = if args.joints_csv.is_some() { job.joints(&made) } else { Ok(Vec::new()) };
     let joints = joints.map_err(|message| made.refuse(message))?;
-    let diff = diff_file.map(|file| Ok((file, made.diff(&given, &destination)?))).transpose();
-    let diff = diff.map_err(|message| made.refuse(message))?;
     console.explain(&made.messages, &made.program.files, args.all);
-    let written = destination.write(&given, &made.emitted).map_err(|message| made.refuse(message))?;
-    if let Some((file, bytes)) = diff {
-        file.write(&bytes).map_err(|message| made.refuse(message))?;
+    let written = writing.finish(&destination, &given).map_err(|message| made.refuse(message))?;
+    if let Some(diff) = diff_file {
+        diff.write(&[]).map_err(|message| made.refuse(message))?;
     }
     let kept = joints_file.write(console, || Ok(joints));
     kept.map_err(|error| made.refuse(no_output(&std::io::Error::other(error))))?;
     if !quiet {
-        show(args, console, &made, &given, &destination).map_err(|cause| made.refuse(no_output(&cause)))?;
+        show(args, console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;
     }
     console.say(made.about_form());
     for (path, size) in written {
@@ -73,21 +93,11 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
 }
 
 /// The review and the diff, on standard output.
-fn show(
-    args: &Args,
-    console: &mut Console,
-    made: &Made,
-    given: &Given,
-    destination: &Destination,
-) -> std::io::Result<()> {
+fn show(args: &Args, console: &mut Console, made: &Made, diff: &[u8], dropped: usize) -> std::io::Result<()> {
     made.write_review(console.out(), args.all)?;
-    if args.diff.is_none() {
-        let mut cut = report::Cut::new(console.out(), DIFF_LINES);
-        made.write_diff(&mut cut, given, destination)?;
-        if cut.dropped > 0 {
-            let more = cut.dropped;
-            writeln!(console.out(), "... and {more} more lines; --diff FILE writes all of them")?;
-        }
+    console.out().write_all(diff)?;
+    if dropped > 0 {
+        writeln!(console.out(), "... and {dropped} more lines; --diff FILE writes all of them")?;
     }
     console.out().flush()
 }

@@ -8,7 +8,7 @@ use crate::compensate::plan::Plan;
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit, megabytes};
+use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit_each, megabytes};
 use crate::program::motion::Keep;
 use crate::program::{Overrides, Program};
 use crate::report::{self, Compensation, Review};
@@ -41,8 +41,6 @@ pub struct Made {
     pub plan: Plan,
     /// How the targets are held.
     pub form: Form,
-    /// The changed files.
-    pub emitted: Vec<EmittedFile>,
     /// All warnings.
     pub messages: Vec<Diagnostic>,
     provenance: Vec<(&'static str, String)>,
@@ -59,6 +57,20 @@ pub struct Refusal {
     pub kept: Vec<Keep>,
     /// Warnings, and at least one error.
     pub messages: Vec<Diagnostic>,
+}
+
+/// Why emitting stopped.
+enum Halt {
+    /// The program cannot be emitted.
+    Emit(EmitError),
+    /// A file could not be taken.
+    Taking(Diagnostic),
+}
+
+impl From<EmitError> for Halt {
+    fn from(error: EmitError) -> Self {
+        Self::Emit(error)
+    }
 }
 
 impl Job {
@@ -80,11 +92,15 @@ impl Job {
         })
     }
 
-    /// Reads, plans and emits.
+    /// Reads, plans and emits; each changed file is given to `take` with the program that it comes from.
     ///
     /// # Errors
-    /// Why not.
-    pub fn make(&self, given: &Given) -> Result<Made, Box<Refusal>> {
+    /// Why not; what was taken until then must not be used.
+    pub fn make(
+        &self,
+        given: &Given,
+        take: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
+    ) -> Result<Made, Box<Refusal>> {
         let files = given.sources();
         if let Err(message) = given::check_modules(&files) {
             return Err(Refusal::of(Program { files, ..Program::default() }, None, vec![message]));
@@ -110,18 +126,22 @@ impl Job {
         if self.form == FormName::Auto {
             options.form = Memory::of_plan(&plan).suits();
         }
-        let mut emitted = emit(&program, &plan, &options);
-        if self.form == FormName::Auto && matches!(emitted, Err(EmitError::NoRun)) {
+        let mut hand_over = |file| take(&program, file).map_err(Halt::Taking);
+        let mut emitted = emit_each(&program, &plan, &options, &mut hand_over);
+        if self.form == FormName::Auto && matches!(emitted, Err(Halt::Emit(EmitError::NoRun))) {
             options.form = Form::Schedule;
-            emitted = emit(&program, &plan, &options);
+            emitted = emit_each(&program, &plan, &options, &mut hand_over);
         }
         match emitted {
-            Ok(emitted) => {
+            Ok(()) => {
                 let provenance = self.provenance(given);
-                Ok(Made { program, plan, form: options.form, emitted, messages, provenance })
+                Ok(Made { program, plan, form: options.form, messages, provenance })
             }
-            Err(error) => {
-                messages.push(Diagnostic::error(error.code(), error.to_string()));
+            Err(halt) => {
+                messages.push(match halt {
+                    Halt::Emit(error) => Diagnostic::error(error.code(), error.to_string()),
+                    Halt::Taking(message) => message,
+                });
                 Err(Refusal::of(program, Some(plan), messages))
             }
         }
@@ -258,40 +278,30 @@ impl Made {
         report::write_review(out, &Review { program, plan, provenance, all })
     }
 
-    /// The diff of all changed files.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_diff(
-        &self,
-        out: &mut dyn Write,
-        given: &Given,
-        destination: &Destination,
-    ) -> io::Result<()> {
-        for file in &self.emitted {
-            let path = destination.path_of(file, given).display().to_string();
-            match file.source {
-                Some(id) => {
-                    let source = self.program.file(id);
-                    report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)?;
-                }
-                None => report::write_created(out, &path, &file.bytes)?,
-            }
-        }
-        Ok(())
-    }
-
-    /// The same, in memory.
-    ///
-    /// # Errors
-    /// None that memory knows.
-    pub fn diff(&self, given: &Given, destination: &Destination) -> Result<Vec<u8>, Diagnostic> {
-        in_memory(|out| self.write_diff(out, given, destination))
-    }
-
     /// The refusal of what is made but cannot be written.
     pub fn refuse(&self, message: Diagnostic) -> Box<Refusal> {
         Refusal::of(self.program.clone(), Some(self.plan.clone()), vec![message])
+    }
+}
+
+/// The diff of a changed file.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_diff(
+    out: &mut dyn Write,
+    program: &Program,
+    file: &EmittedFile,
+    given: &Given,
+    destination: &Destination,
+) -> io::Result<()> {
+    let path = destination.path_of(file, given).display().to_string();
+    match file.source {
+        Some(id) => {
+            let source = program.file(id);
+            report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)
+        }
+        None => report::write_created(out, &path, &file.bytes),
     }
 }
 

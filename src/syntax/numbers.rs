@@ -1,0 +1,75 @@
+//! Aggregates of nothing but numbers: most of a large program's text, so their parts are read when asked for.
+
+use super::tree::{Expr, ExprKind, UnaryOp};
+use crate::diagnostic::TextRange;
+
+/// Whether an expression is a number, with or without sign, or an aggregate of such.
+pub(super) fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::Numbers => true,
+        ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => operand.kind == ExprKind::Number,
+        _ => false,
+    }
+}
+
+/// The parts of an [`ExprKind::Numbers`] that stands in `source`, in order.
+#[must_use]
+pub fn parts_of_numbers(source: &[u8], range: TextRange) -> Vec<Expr> {
+    let text = range.of(source);
+    let mut parts = Vec::new();
+    let (mut depth, mut from) = (0_u32, 1);
+    for (at, &byte) in text.iter().enumerate() {
+        let ends = match byte {
+            b'[' => {
+                depth += 1;
+                false
+            }
+            b']' => {
+                depth = depth.saturating_sub(1);
+                depth == 0
+            }
+            b',' => depth == 1,
+            _ => false,
+        };
+        if ends {
+            parts.push(part(text, range.start, from, at));
+            from = at + 1;
+        }
+    }
+    parts
+}
+
+fn part(text: &[u8], start: u32, from: usize, to: usize) -> Expr {
+    let white = |b: &u8| b.is_ascii_whitespace();
+    let piece = text.get(from..to).unwrap_or_default();
+    let from = from + piece.iter().take_while(|b| white(b)).count();
+    let to = to - piece.iter().rev().take_while(|b| white(b)).count();
+    let range = |from: usize| TextRange::new(start + from as u32, start + to.max(from) as u32);
+    let op = match text.get(from) {
+        Some(b'[') => return Expr { range: range(from), kind: ExprKind::Numbers },
+        Some(b'-') => UnaryOp::Neg,
+        Some(b'+') => UnaryOp::Plus,
+        _ => return Expr { range: range(from), kind: ExprKind::Number },
+    };
+    let blanks = text.get(from + 1..to).unwrap_or_default().iter().take_while(|b| white(b)).count();
+    let operand = Box::new(Expr { range: range(from + 1 + blanks), kind: ExprKind::Number });
+    Expr { range: range(from), kind: ExprKind::Unary { op, operand } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_found_with_their_signs_and_blanks() {
+        let source = b"x:=[ [1, -2.5 ],\r\n + 3 ,[[0]],9E+09];";
+        let range = TextRange::new(3, source.len() as u32 - 1);
+        let parts = parts_of_numbers(source, range);
+        let texts: Vec<&[u8]> = parts.iter().map(|p| p.range.of(source)).collect();
+        assert_eq!(texts, [&b"[1, -2.5 ]"[..], b"+ 3", b"[[0]]", b"9E+09"]);
+        let inner = parts_of_numbers(source, parts[0].range);
+        let ExprKind::Unary { op: UnaryOp::Neg, operand } = &inner[1].kind else { panic!("{inner:?}") };
+        assert_eq!(operand.range.of(source), b"2.5");
+        assert!(parts.iter().all(is_plain));
+    }
+}
