@@ -1,6 +1,6 @@
 //! Where the files of a result go.
 
-use super::files::{self, Pending};
+use super::files::{self, PENDING, Pending};
 use super::given::{Given, Shape};
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::emit::EmittedFile;
@@ -172,6 +172,7 @@ fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<St
     others.sort();
     let other = others.into_iter().find(|path| {
         path.is_file()
+            && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))
             && !written.contains(&files::identity(path))
             && fs::read(path).is_ok_and(|bytes| ours(&bytes))
     })?;

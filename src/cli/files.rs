@@ -6,6 +6,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// What the names of files begin with that wait beside their places.
+pub const PENDING: &str = ".driftpost-";
+
 /// The bytes of `path`; `what` names the file's part in the work ("program", "deformation table").
 ///
 /// # Errors
@@ -244,7 +247,7 @@ fn folder_of(path: &Path) -> &Path {
 /// Temporary files get the permissions that any new file of the user's has.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".driftpost-");
+    builder.prefix(PENDING);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder
