@@ -154,3 +154,32 @@ fn what_a_program_cannot_know_is_asked_for() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("model::temperature"));
 }
+
+/// The whole loop on a virtual robot whose physics is not that of the diagnosis: withhold, measure, diagnose, compensate,
+/// measure again.
+#[test]
+fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    for (effects, seed) in
+        [("joint_compliance:2,gear_mesh:3:20", "3"), ("joint_offset:3,joint_compliance:3", "2")]
+    {
+        let output =
+            driftpost(&["rehearse", CUBE, "--withhold", effects, "--seed", seed, "--json", &at("r.json")]);
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{effects}: {said}{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let r = json(&at("r.json"));
+        let figure = |when: &str, what: &str| r[when][what].as_f64().unwrap();
+        let floor = r["floor_rms_mm"].as_f64().unwrap();
+        assert!(figure("before", "true_rms_mm") > 3.0 * floor, "{said}");
+        assert!(figure("after", "measured_rms_mm") < 1.3 * floor, "{said}");
+        assert!(figure("after", "true_rms_mm") < 0.5 * floor, "{said}");
+    }
+    let drift = driftpost(&["rehearse", CUBE, "--withhold", "base_drift"]);
+    assert_eq!(drift.status.code(), Some(2));
+}

@@ -106,7 +106,7 @@ fn options(args: &Args) -> Result<Options, Diagnostic> {
     Ok(Options { tool_m, sigma_m: args.sigma_mm.map(m_from_mm) })
 }
 
-fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
+pub(super) fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
     let wrong = || {
         Diagnostic::error("diagnose::tool", format!("--tool {text}: three numbers are needed, x,y,z in mm"))
             .help("for example --tool -12,0,80; leave it out where the target's place is not known")

@@ -18,8 +18,10 @@ pub mod compensate;
 pub mod diagnose;
 pub mod diff;
 pub mod exam;
+pub mod fit;
 pub mod golden;
 pub mod inspect;
+pub mod rehearse;
 pub mod restore;
 pub mod simulate;
 pub mod synth;
@@ -69,6 +71,10 @@ enum Command {
     /// Diagnose measurements: which unmodelled effect opens the gap between robot and model, and when that
     /// cannot be said.
     Diagnose(diagnose::Args),
+    /// Fit a deformation table to fixed points touched over a warm-up and one stop.
+    Fit(fit::Args),
+    /// Rehearse the whole loop on a virtual robot: withhold an effect, measure, diagnose, compensate, measure again.
+    Rehearse(rehearse::Args),
     /// Apply an identified model to measurements that it has not seen.
     Validate(validate::Args),
 }
@@ -88,6 +94,8 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Synth(args) => synth::run(args, console),
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),
+        Command::Fit(args) => fit::run(args, console),
+        Command::Rehearse(args) => rehearse::run(args, console),
         Command::Validate(args) => validate::run(args, console),
     }
 }

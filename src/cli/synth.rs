@@ -1,13 +1,17 @@
 //! `driftpost synth`: measurement sets of a virtual robot, their truth sealed beside them.
 
 use super::{Console, Outcome, files, model, suggest};
+use crate::deform::GrowthLaw;
+use crate::diagnose::warmup::Stop;
 use crate::diagnostic::Diagnostic;
 use crate::exam::draw::Draw;
 use crate::exam::generate::{DataSet, Recipe, data_set};
 use crate::exam::poses::{Recorded, Spread};
+use crate::exam::touch::{TouchRecipe, touches};
 use crate::exam::truth::{Kind, Sealed, seal};
 use crate::exam::{choose, mixture};
 use crate::robot::Robot;
+use crate::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
 /// Options of `synth`.
@@ -49,6 +53,34 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Spread::Wide)]
     pub poses: Spread,
 
+    /// Instead: so many fixed points touched over a warm-up and one stop, for fit.
+    #[arg(long, value_name = "POINTS", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub touches: Option<u32>,
+
+    /// With --touches: touches of each point.
+    #[arg(long, value_name = "N", default_value_t = 37, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    pub times: u32,
+
+    /// With --touches: minutes between two touches while the robot runs.
+    #[arg(long, value_name = "MIN", default_value_t = 5.0)]
+    pub every_min: f64,
+
+    /// With --touches: the robot stands from one minute to another.
+    #[arg(long, value_name = "FROM:TO", default_value = "120:165", value_parser = super::fit::stop)]
+    pub stop: Stop,
+
+    /// With --touches: the true robot's settled deformation (static CSV) [default: the reference paper's Table 2].
+    #[arg(long, value_name = "FILE")]
+    pub deformation: Option<PathBuf>,
+
+    /// With --touches: how it grows, exp:TAU or two-stage:TAU.
+    #[arg(long, value_name = "LAW", default_value = "two-stage:46")]
+    pub growth: String,
+
+    /// With --touches: time constant of cooling, minutes.
+    #[arg(long, value_name = "MIN", default_value_t = 60.0)]
+    pub tau_cool: f64,
+
     /// What was made, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
@@ -63,6 +95,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     check(args)?;
     let robot = model::robot(&args.robot)?;
     let json = files::Output::new(args.json.as_deref())?;
+    if let Some(points) = args.touches {
+        return touched(args, points, &robot, json, console);
+    }
     let mut sealed = Sealed { seed: args.seed, sets: Vec::new() };
     let mut sets = Vec::new();
     for number in 0..args.sets {
@@ -77,6 +112,58 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         "{} measurement sets in {}; what was put into them is in sealed/truth.json, its SHA-256 in SEAL",
         sets.len(),
         args.out_dir.display()
+    ));
+    Ok(Outcome::Done)
+}
+
+/// Fixed points touched over a warm-up.
+fn touched(
+    args: &Args,
+    points: u32,
+    robot: &Robot,
+    json: files::Output,
+    console: &mut Console,
+) -> anyhow::Result<Outcome> {
+    let deformation = model::deformation(args.deformation.as_deref(), Some(&args.growth))?;
+    let law = deformation.growth().copied();
+    let tau_min = law.and_then(|law| law.tau_min()).ok_or_else(|| {
+        Diagnostic::error("option::range", format!("--growth {} has no time constant", args.growth))
+            .help("write exp:TAU or two-stage:TAU")
+    })?;
+    for (name, value) in [("every-min", args.every_min), ("tau-cool", args.tau_cool)] {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(Diagnostic::error("option::range", format!("--{name} {value} is no time"))
+                .help("give a number above 0")
+                .into());
+        }
+    }
+    let recipe = TouchRecipe {
+        points: points as usize,
+        times: args.times as usize,
+        every_min: args.every_min,
+        stop_min: [args.stop.from_min, args.stop.to_min],
+        sigma_mm: args.sigma_mm,
+        tau_min: [tau_min, args.tau_cool],
+        two_stage: matches!(law, Some(GrowthLaw::TwoStage { .. })),
+        table: deformation.settled().0,
+        within_m: [[400.0, -300.0, 250.0], [700.0, 300.0, 550.0]].map(|corner| corner.map(m_from_mm)),
+        tool_m: [0.0, 0.0, m_from_mm(100.0)],
+    };
+    let csv = touches(robot, &recipe, &mut Draw::new(args.seed, 0)).ok_or_else(|| {
+        Diagnostic::error("synth::no-signal", "the arm does not reach into the box where the points would be")
+            .help("the points are put into the cube of the reference paper: use an arm of its size")
+    })?;
+    files::Pending::new(&args.out_dir.join("touches.csv"))?.write(csv.as_bytes())?;
+    let truth = serde_json::to_vec_pretty(&recipe)?;
+    files::Pending::new(&args.out_dir.join("sealed").join("truth.json"))?.write(&truth)?;
+    files::Pending::new(&args.out_dir.join("SEAL"))?.write(format!("{}\n", seal(&truth)).as_bytes())?;
+    let summary = serde_json::json!({ "out_dir": args.out_dir, "seed": args.seed, "points": points, "times": args.times });
+    json.write(console, || Ok(format!("{summary:#}\n").into_bytes()))?;
+    let file = args.out_dir.join("touches.csv");
+    console.say(format_args!(
+        "{points} points touched {} times in {}; tool 0,0,100",
+        args.times,
+        file.display()
     ));
     Ok(Outcome::Done)
 }
@@ -110,7 +197,7 @@ fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
         let recipe = if args.effects == "mix" {
             mixture::recipe(number as usize, &mut draw)
         } else {
-            chosen(args, number, &mut draw)?
+            recipe(&Ask::of(args, number), &mut draw)?
         };
         if let Some(set) = data_set(robot, &args.robot, &recipe, &mut draw) {
             return Ok(set);
@@ -123,7 +210,37 @@ fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
     .help("it lies inside the registration of base and tool, or --rho is too large for it"))
 }
 
-fn chosen(args: &Args, number: u32, draw: &mut Draw) -> Result<Recipe, Diagnostic> {
+/// What is asked of one data set.
+pub(super) struct Ask<'a> {
+    /// Effects, with commas.
+    pub effects: &'a str,
+    /// Its name.
+    pub name: String,
+    /// Rows.
+    pub n: usize,
+    /// Noise of each coordinate.
+    pub sigma_mm: f64,
+    /// Each effect's rms over the noise's.
+    pub rho: f64,
+    /// How the poses are spread.
+    pub spread: Spread,
+}
+
+impl<'a> Ask<'a> {
+    fn of(args: &'a Args, number: u32) -> Self {
+        Self {
+            effects: &args.effects,
+            name: format!("set_{number:04}"),
+            n: args.n as usize,
+            sigma_mm: args.sigma_mm,
+            rho: args.rho,
+            spread: args.poses,
+        }
+    }
+}
+
+/// The recipe of what is asked.
+pub(super) fn recipe(args: &Ask<'_>, draw: &mut Draw) -> Result<Recipe, Diagnostic> {
     let mut effects = Vec::new();
     for text in args.effects.split(',').filter(|t| *t != "none") {
         let effect = choose::effect(text, draw).map_err(|e| {
@@ -142,16 +259,16 @@ fn chosen(args: &Args, number: u32, draw: &mut Draw) -> Result<Recipe, Diagnosti
         [_] => Kind::One,
         _ => Kind::Two,
     };
-    let n = args.n as usize;
+    let n = args.n;
     Ok(Recipe {
-        name: format!("set_{number:04}"),
+        name: args.name.clone(),
         kind,
         effects,
         n,
         repeats: n / 6,
         sigma_mm: args.sigma_mm,
         stated_sigma_mm: Some(args.sigma_mm),
-        spread: args.poses,
+        spread: args.spread,
         recorded: Recorded {
             time: true,
             direction: true,

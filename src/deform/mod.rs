@@ -10,10 +10,12 @@ mod growth;
 pub mod identified;
 mod paper;
 mod table;
+mod warmth;
 
 pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};
+pub use warmth::Warmth;
 
 use crate::kinematics::FrameOffsets;
 

@@ -18,6 +18,7 @@ mod search;
 mod shrink;
 mod validate;
 mod verdict;
+pub mod warmup;
 
 pub use outcome::{
     Cause, Detectable, Diagnosis, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual, Shrink,

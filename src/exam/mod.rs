@@ -6,6 +6,7 @@
 //! code with `kinematics`, `deform` or `diagnose`: a mistake made there cannot hide here. Reads the
 //! diagnosis only as the JSON that any script would read.
 
+pub mod again;
 pub mod arm;
 pub mod choose;
 pub mod draw;
@@ -16,4 +17,5 @@ pub mod poses;
 pub mod registration;
 
 pub mod score;
+pub mod touch;
 pub mod truth;

@@ -9,12 +9,14 @@ mod fault;
 mod read;
 mod register;
 mod station;
+mod touch;
 
 pub use check::{Finding, check_rows};
 pub use error::MeasureError;
 pub use fault::{Fault, FaultKind, find_fault};
 pub use register::{RegisterError, Registration, register, register_base};
 pub use station::{Repeats, Station, Stations, gather};
+pub use touch::{Touch, Touches};
 
 use crate::diagnostic::Diagnostic;
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,6 +1,6 @@
 //! Reading the measurement CSV: columns by name, in any order, checked cell by cell.
 
-use super::{Channels, MeasureError, Measurements, Row};
+use super::{Channels, MeasureError, Measurements, Row, Touch, Touches};
 use crate::diagnostic::Diagnostic;
 use crate::units::{m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -16,6 +16,8 @@ const TEMPERATURES: [&str; 6] =
 const OTHERS: [&str; 7] = ["id", "pose_id", "t_min", "target", "kind", "payload_kg", "temp_air_c"];
 /// Instead of a point; read where fixed points are.
 const UNSUPPORTED: [&str; 2] = ["length_mm", "fixed_id"];
+/// The same unknown fixed point touched again.
+const FIXED: &str = "fixed_id";
 /// A quaternion whose length is further from 1 than this is no orientation.
 const QUATERNION_LENGTH: f64 = 0.02;
 
@@ -23,7 +25,7 @@ pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
     let header = reader.headers().map_err(not_csv)?.clone();
-    let columns = Columns::new(&header)?;
+    let columns = Columns::new(&header, &POINT)?;
     let mut warnings = columns.warnings.clone();
 
     let mut rows = Vec::new();
@@ -71,6 +73,47 @@ pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
     Ok(Measurements { rows, channels, targets: names, joint_decimals: decimals, warnings })
 }
 
+/// Touches of fixed points, or, in a file without `fixed_id`, of poses with measured points; in order of time.
+pub(super) fn touches(bytes: &[u8]) -> Result<Touches, MeasureError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
+    let header = reader.headers().map_err(not_csv)?.clone();
+    if !header.iter().any(|name| name.eq_ignore_ascii_case(FIXED)) {
+        let measurements = from_csv(bytes)?;
+        let missing = || missing("t_min", &header);
+        return Touches::of_poses(&measurements).ok_or_else(missing);
+    }
+    let columns = Columns::new(&header, &[FIXED, "t_min"])?;
+    let mut names: BTreeMap<String, usize> = BTreeMap::new();
+    let mut touches = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(not_csv)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let cells = Cells { columns: &columns, record: &record, line };
+        if record.iter().all(str::is_empty) {
+            continue;
+        }
+        let next = names.len();
+        let point = *names.entry(cells.text(FIXED).unwrap_or_default().to_owned()).or_insert(next);
+        touches.push(Touch {
+            line,
+            point,
+            t_min: cells.number("t_min")?,
+            q_rad: cells.joints()?,
+            seen_m: None,
+        });
+    }
+    if touches.is_empty() {
+        return Err(MeasureError::NoRows);
+    }
+    touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
+    let mut points = vec![String::new(); names.len()];
+    for (name, index) in names {
+        points[index] = name;
+    }
+    Ok(Touches { touches, points })
+}
+
 /// Where each known column stands.
 struct Columns {
     at: BTreeMap<String, usize>,
@@ -78,7 +121,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(header: &StringRecord) -> Result<Self, MeasureError> {
+    fn new(header: &StringRecord, needed: &[&'static str]) -> Result<Self, MeasureError> {
         if header.iter().all(str::is_empty) {
             return Err(MeasureError::NoHeader);
         }
@@ -90,12 +133,15 @@ impl Columns {
             if joint.and_then(|n| n.parse::<u32>().ok()).is_some_and(|n| n > 6) {
                 return Err(MeasureError::TooManyJoints { column: name });
             }
-            if UNSUPPORTED.contains(&name.as_str()) && !header.iter().any(|n| n.eq_ignore_ascii_case("x_mm"))
+            let fixed = needed.contains(&FIXED) && name == FIXED;
+            if UNSUPPORTED.contains(&name.as_str())
+                && !fixed
+                && !header.iter().any(|n| n.eq_ignore_ascii_case("x_mm"))
             {
                 return Err(MeasureError::Unsupported { column: name });
             }
             let known = [&JOINTS[..], &POINT, &QUATERNION, &DIRECTIONS, &TEMPERATURES, &OTHERS].concat();
-            if !known.contains(&name.as_str()) {
+            if !known.contains(&name.as_str()) && !fixed {
                 warnings.push(
                     Diagnostic::warning(
                         "measure::unknown-column",
@@ -109,7 +155,7 @@ impl Columns {
                 return Err(MeasureError::DoubledColumn { column: name });
             }
         }
-        for column in JOINTS.iter().chain(&POINT) {
+        for column in JOINTS.iter().chain(needed) {
             if !at.contains_key(*column) {
                 return Err(missing(column, header));
             }
@@ -212,7 +258,7 @@ impl Cells<'_> {
         }
     }
 
-    fn row(&self, pose: usize, target: usize) -> Result<Row, MeasureError> {
+    fn joints(&self) -> Result<[f64; 6], MeasureError> {
         let mut q_rad = [0.0; 6];
         for (q, name) in q_rad.iter_mut().zip(JOINTS) {
             let deg = self.number(name)?;
@@ -221,6 +267,11 @@ impl Cells<'_> {
             }
             *q = rad_from_deg(deg);
         }
+        Ok(q_rad)
+    }
+
+    fn row(&self, pose: usize, target: usize) -> Result<Row, MeasureError> {
+        let q_rad = self.joints()?;
         let mut position_m = Vector3::zeros();
         for (k, name) in POINT.into_iter().enumerate() {
             let mm = self.number(name)?;

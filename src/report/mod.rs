@@ -6,6 +6,7 @@
 mod comparison;
 pub mod diagnosis;
 mod diff;
+pub mod fit;
 mod inspect;
 mod joints;
 mod json;

@@ -35,5 +35,5 @@ pub use outcome::{Message, Outcome, Place, SimulateError};
 pub use path::{PathKind, Way};
 pub use scenario::Scenario;
 pub use session::{Report, Session};
-pub use truth::{TrueRobot, Warmth};
+pub use truth::TrueRobot;
 pub use value::{RecordType, Type, Value};

@@ -7,8 +7,8 @@
 use super::controller::Backup;
 use super::outcome::SimulateError;
 use super::session::Session;
-use super::truth::Warmth;
 use crate::deform::Index;
+use crate::deform::Warmth;
 use serde::Deserialize;
 
 /// A robot that deforms by temperature begins with this, degrees Celsius.

@@ -144,7 +144,7 @@ impl Term {
         let grown = self.shape.at(at.when, self.joint);
         match self.kind {
             Kind::JointOffset => to.turns_rad[joint] += v(0),
-            Kind::LinkGeometry => self.add_frame(joint + 1, 1.0, to),
+            Kind::LinkGeometry => self.add_frame(joint + 1, grown, to),
             Kind::BaseDrift | Kind::BaseStep => self.add_frame(0, grown, to),
             Kind::GearEccentricity | Kind::GearSecondHarmonic | Kind::GearMesh => {
                 let n = f64::from(self.n.unwrap_or(1));

@@ -1,0 +1,201 @@
+//! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
+
+use super::given::Given;
+use super::{Console, Outcome, diagnose, files, model};
+use crate::compensate::{self, targets};
+use crate::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
+use crate::diagnostic::Diagnostic;
+use crate::measure::Touches;
+use crate::program::{Overrides, Program};
+use crate::report::fit as report;
+use crate::robot::Robot;
+use crate::units::{m_from_mm, rad_from_deg};
+use nalgebra::Vector3;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Options of `fit`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Touches (CSV): fixed_id, t_min, q1_deg..q6_deg; or measurements of a few poses again and again, with t_min.
+    #[arg(value_name = "MEASUREMENTS")]
+    pub measurements: PathBuf,
+
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Place of the touching tip (or reflector) in the flange's frame, mm, to about 1 mm.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub tool: Option<String>,
+
+    /// The robot stood from one minute to another; repeatable, or none [default: the longest pause].
+    #[arg(long, value_name = "FROM:TO|none")]
+    pub stop: Vec<String>,
+
+    /// What it means at these targets (CSV, flange poses).
+    #[arg(long, value_name = "FILE", conflicts_with = "program")]
+    pub targets: Option<PathBuf>,
+
+    /// What it means at the targets of this program (RAPID).
+    #[arg(long, value_name = "PROGRAM", num_args = 1..)]
+    pub program: Vec<PathBuf>,
+
+    /// The deformation table, scheduled, for compensate --deformation.
+    #[arg(long, value_name = "FILE")]
+    pub table_out: Option<PathBuf>,
+
+    /// The same as a model, for compensate --model.
+    #[arg(long, value_name = "FILE")]
+    pub model_out: Option<PathBuf>,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// `FROM:TO` in minutes.
+pub(super) fn stop(text: &str) -> Result<Stop, String> {
+    let number = |t: &str| t.trim().parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
+    let (from, to) = text.split_once(':').ok_or("write FROM:TO in minutes, e.g. 120:165")?;
+    match (number(from), number(to)) {
+        (Some(from_min), Some(to_min)) if to_min >= from_min => Ok(Stop { from_min, to_min }),
+        _ => Err("write FROM:TO in minutes, the earlier one first, e.g. 120:165".to_owned()),
+    }
+}
+
+/// Runs `fit`.
+///
+/// # Errors
+/// A file that cannot be read or written, touches that say too little.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let robot = model::robot(&args.robot)?;
+    let options = FitOptions {
+        tool_m: args.tool.as_deref().map(diagnose::tool).transpose()?.unwrap_or_else(Vector3::zeros),
+        stops: stops(&args.stop)?,
+    };
+    let bytes = files::read(&args.measurements, "measurement file")?;
+    let touches = Touches::from_csv(&bytes).map_err(|error| {
+        Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
+    })?;
+    let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
+    let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
+    let json = files::Output::new(args.json.as_deref())?;
+
+    let warm_up = fit(&touches, &robot, &options).map_err(|error| refused(&error))?;
+    let places = places(args, &robot, &warm_up)?;
+    let there =
+        (!places.is_empty()).then(|| at_targets(&warm_up, &robot, &places, &variants(&robot, &places)));
+
+    if let Some(file) = table_out {
+        file.write(report::table_csv(&warm_up).as_bytes())?;
+    }
+    if let Some(file) = model_out {
+        let mut identified = warm_up.identified(&robot);
+        identified.data = model::file_name(&args.measurements);
+        identified.data_sha256 = model::sha256(&bytes);
+        file.write(identified.to_toml().as_bytes())?;
+    }
+    let takes_standard_output = json.is_standard();
+    json.write(console, || Ok(format!("{:#}\n", report::json(&warm_up, there.as_ref())).into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    to.write_all(report::text(&warm_up, there.as_ref()).as_bytes())?;
+    hint(to, args, &warm_up, there.as_ref())?;
+    Ok(Outcome::Done)
+}
+
+/// How to go on.
+fn hint(to: &mut dyn Write, args: &Args, warm_up: &WarmUp, there: Option<&AtTargets>) -> std::io::Result<()> {
+    if let Some(file) = &args.table_out {
+        let cool = warm_up.tau_cool_min.map_or_else(|| "MIN".to_owned(), |[tau, _]| format!("{tau:.0}"));
+        writeln!(to, "\ndriftpost compensate PROGRAM --deformation {} --tau-cool {cool}", file.display())?;
+    }
+    if there.is_none() {
+        writeln!(to, "\n--targets FILE or --program FILE says how well this holds where you work")?;
+    }
+    Ok(())
+}
+
+fn stops(given: &[String]) -> Result<Option<Vec<Stop>>, Diagnostic> {
+    if given.is_empty() {
+        return Ok(None);
+    }
+    let mut stops = Vec::new();
+    for text in given.iter().filter(|t| *t != "none") {
+        stops.push(stop(text).map_err(|help| {
+            Diagnostic::error("fit::stop", format!("--stop {text} cannot be read")).help(help)
+        })?);
+    }
+    stops.sort_by(|a: &Stop, b| a.from_min.total_cmp(&b.from_min));
+    Ok(Some(stops))
+}
+
+fn refused(error: &FitError) -> Diagnostic {
+    let code = match error {
+        FitError::TooFew { .. } => "fit::too-few",
+        FitError::OtherPose { .. } => "fit::other-pose",
+        FitError::NoTime { .. } => "fit::no-time",
+        FitError::Register(_) => "measure::registration",
+    };
+    Diagnostic::error(code, error.to_string())
+        .help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
+}
+
+/// Where the fit is to hold.
+fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Place>> {
+    if let Some(path) = &args.targets {
+        let bytes = files::read(path, "file of targets")?;
+        let in_file = |error: Diagnostic| model::in_file(&path.display().to_string(), error);
+        let read = targets::read(&bytes, None).map_err(|error| in_file(error.into()))?;
+        let table = compensate::tabulate::tabulate(robot, &warm_up.deformation(), &read, None, &[0.0])
+            .map_err(|error| in_file(error.into()))?;
+        let of = |(target, nominal): (&targets::Target, &crate::kinematics::Solution)| Place {
+            name: target.name.clone(),
+            q_rad: nominal.q_rad,
+            tool_m: Vector3::zeros(),
+        };
+        return Ok(read.iter().zip(&table.nominal).map(of).collect());
+    }
+    if args.program.is_empty() {
+        return Ok(Vec::new());
+    }
+    let given = Given::read(&args.program)?;
+    let program = Program::read(given.sources(), &Overrides::default());
+    let loose = compensate::Options {
+        max_correction_m: m_from_mm(1e3),
+        max_correction_rad: rad_from_deg(90.0),
+        ..compensate::Options::default()
+    };
+    let plan = compensate::plan(&program, robot, &warm_up.deformation(), &loose)
+        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+    let mut places = Vec::new();
+    for (motion, planned) in program.motions.iter().zip(&plan.motions) {
+        let tool = motion.tool.as_ref().filter(|tool| tool.robhold);
+        for target in &planned.targets {
+            places.push(Place {
+                name: format!("line {}", motion.line),
+                q_rad: target.nominal_q_rad,
+                tool_m: tool.map_or_else(Vector3::zeros, |t| t.frame_from_tcp.translation.vector),
+            });
+        }
+    }
+    Ok(places)
+}
+
+/// Poses round the places in which another point could be touched.
+fn variants(robot: &Robot, places: &[Place]) -> Vec<Place> {
+    const TURNS_DEG: [(usize, f64); 6] = [(0, 25.0), (1, 15.0), (2, 15.0), (3, 40.0), (4, 25.0), (5, 60.0)];
+    let mut all = Vec::new();
+    for place in places.iter().step_by(places.len().div_ceil(60).max(1)) {
+        for (j, turn_deg) in TURNS_DEG {
+            for sign in [-1.0, 1.0] {
+                let mut q_rad = place.q_rad;
+                q_rad[j] += rad_from_deg(sign * turn_deg);
+                if robot.within_range(&q_rad).is_ok() {
+                    all.push(Place { q_rad, ..place.clone() });
+                }
+            }
+        }
+    }
+    all
+}

@@ -1,0 +1,58 @@
+//! Few points measured again and again while a robot warms up: fixed points touched (`fixed_id`), or poses seen by a tracker.
+
+use super::read;
+use super::{MeasureError, Measurements};
+use nalgebra::Vector3;
+
+/// One touch, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Touch {
+    /// Line in the file, from 1.
+    pub line: u64,
+    /// Which point, index into [`Touches::points`].
+    pub point: usize,
+    /// Minutes since the cold start.
+    pub t_min: f64,
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// The measured point in the instrument's frame; `None` where a fixed point was touched.
+    pub seen_m: Option<Vector3<f64>>,
+}
+
+/// A file of touches.
+#[derive(Clone, Debug, Default)]
+pub struct Touches {
+    /// In order of time.
+    pub touches: Vec<Touch>,
+    /// Names of the points.
+    pub points: Vec<String>,
+}
+
+impl Touches {
+    /// Reads touches of fixed points, or of poses (`pose_id`) with measured points.
+    ///
+    /// # Errors
+    /// A column or cell that is missing or wrong; a row without time.
+    pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
+        read::touches(bytes)
+    }
+
+    /// The touches of a whole measurement file, pose by pose.
+    #[must_use]
+    pub fn of_poses(measurements: &Measurements) -> Option<Self> {
+        let mut touches = Vec::with_capacity(measurements.rows.len());
+        let mut last = 0;
+        for row in &measurements.rows {
+            last = last.max(row.pose);
+            touches.push(Touch {
+                line: row.line,
+                point: row.pose,
+                t_min: row.t_min?,
+                q_rad: row.q_rad,
+                seen_m: Some(row.position_m),
+            });
+        }
+        touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
+        Some(Self { touches, points: (0..=last).map(|k| format!("pose {}", k + 1)).collect() })
+    }
+}

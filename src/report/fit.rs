@@ -1,0 +1,169 @@
+//! A fitted warm-up for people, as table and as JSON.
+
+use crate::deform::Deformation;
+use crate::diagnose::warmup::{AtTargets, PARAMETERS, WarmUp};
+use crate::units::{deg_from_rad, mm_from_m};
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+const NAMES: [&str; 6] = ["dx", "dy", "dz", "rx", "ry", "rz"];
+/// A parameter of which the touches tell less than this stands at its prior.
+const TOLD: f64 = 0.2;
+
+fn unit(i: usize) -> (&'static str, fn(f64) -> f64) {
+    if i % 6 < 3 { ("mm", mm_from_m) } else { ("deg", deg_from_rad) }
+}
+
+/// For people.
+#[must_use]
+pub fn text(w: &WarmUp, there: Option<&AtTargets>) -> String {
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        "{} touches of {} points, minutes {:.0} to {:.0}; noise of one coordinate {:.4} mm",
+        w.touches,
+        w.points.len(),
+        w.span_min[0],
+        w.span_min[1],
+        mm_from_m(w.sigma_m)
+    );
+    for stop in &w.stops {
+        let _ = writeln!(out, "the robot stood from minute {:.0} to {:.0}", stop.from_min, stop.to_min);
+    }
+    let tau = w.growth.tau_min().unwrap_or(0.0);
+    let law = w.growth.to_string();
+    let law = law.split(':').next().unwrap_or_default();
+    let _ = writeln!(
+        out,
+        "growth {law}, tau {tau:.1} +- {:.1} min (the other law has {:.1} %)",
+        w.tau_sigma_min,
+        100.0 * w.other_law
+    );
+    let _ = match w.tau_cool_min {
+        Some([cool, sigma]) => writeln!(out, "cooling tau {cool:.1} +- {sigma:.1} min"),
+        None => writeln!(out, "no stop: how fast it cools is not known"),
+    };
+    out.push_str("\nHow far each point moves when settled (its own touches), mm\n");
+    for point in &w.points {
+        let [x, y, z] = [point.settled_m.x, point.settled_m.y, point.settled_m.z].map(mm_from_m);
+        let _ = writeln!(out, "  {:12} {x:8.4} {y:8.4} {z:8.4}", point.name);
+    }
+    out.push_str("\nWhat these points can tell of the settled deformation\n");
+    let mut silent = 0;
+    for i in 0..PARAMETERS {
+        if w.told(i) < TOLD {
+            silent += 1;
+            continue;
+        }
+        let (unit, of) = unit(i);
+        let _ = writeln!(
+            out,
+            "  joint {} {} {:9.5} +- {:.5} {unit}, {:.0} % told",
+            i / 6 + 1,
+            NAMES[i % 6],
+            of(w.settled[i]),
+            of(w.sigma(i)),
+            100.0 * w.told(i)
+        );
+    }
+    let _ = writeln!(out, "  {silent} of {PARAMETERS} parameters are told less than {:.0} %", 100.0 * TOLD);
+    if let Some(there) = there {
+        at_targets(&mut out, there);
+    }
+    out
+}
+
+fn at_targets(out: &mut String, there: &AtTargets) {
+    let _ = writeln!(out, "\nAt {} targets, settled, rms in space", there.targets.len());
+    let share = |m: f64| 100.0 * m / there.drift_rms_m.max(1e-12);
+    for (what, rms_m) in [
+        ("without correction", there.drift_rms_m),
+        ("one shift of the work object would leave", there.shift_left_rms_m),
+        ("this table is expected to leave", there.left_rms_m),
+    ] {
+        let _ = writeln!(out, "  {what:42} {:.4} mm, {:.0} %", mm_from_m(rms_m), share(rms_m));
+    }
+    let worst = there.targets.iter().max_by(|a, b| a.sigma_m.norm().total_cmp(&b.sigma_m.norm()));
+    if let Some(worst) = worst {
+        let _ =
+            writeln!(out, "  least is known at {}: +- {:.4} mm", worst.name, mm_from_m(worst.sigma_m.norm()));
+    }
+    if let Some(next) = &there.next {
+        let [x, y, z] = [next.at_m.x, next.at_m.y, next.at_m.z].map(mm_from_m);
+        let q: Vec<String> = next.q_rad.iter().map(|q| format!("{:.1}", deg_from_rad(*q))).collect();
+        let _ = writeln!(
+            out,
+            "  the next point helps most near {x:.0}, {y:.0}, {z:.0} mm, joints {} deg: {:.4} mm are then left",
+            q.join(", "),
+            mm_from_m(next.rms_m)
+        );
+    }
+}
+
+/// For scripts: mm, degrees, minutes.
+#[must_use]
+pub fn json(w: &WarmUp, there: Option<&AtTargets>) -> Value {
+    let mm = |v: &Vector3<f64>| [v.x, v.y, v.z].map(mm_from_m);
+    let parameters: Vec<Value> = (0..PARAMETERS)
+        .map(|i| {
+            let (unit, of) = unit(i);
+            json!({
+                "joint": i / 6 + 1, "parameter": NAMES[i % 6], "unit": unit, "value": of(w.settled[i]),
+                "sigma": of(w.sigma(i)), "told": w.told(i),
+            })
+        })
+        .collect();
+    json!({
+        "touches": w.touches, "growth": w.growth.to_string(), "tau_sigma_min": w.tau_sigma_min, "other_law": w.other_law,
+        "tau_cool_min": w.tau_cool_min.map(|c| c[0]), "tau_cool_sigma_min": w.tau_cool_min.map(|c| c[1]),
+        "stops": w.stops.iter().map(|s| [s.from_min, s.to_min]).collect::<Vec<_>>(),
+        "sigma_mm": mm_from_m(w.sigma_m),
+        "prior_mm": mm_from_m(w.prior[0]), "prior_deg": deg_from_rad(w.prior[1]),
+        "points": w.points.iter().map(|p| json!({ "point": p.name, "settled_mm": mm(&p.settled_m) })).collect::<Vec<_>>(),
+        "parameters": parameters,
+        "targets": there.map(|t| json!({
+            "drift_rms_mm": mm_from_m(t.drift_rms_m), "left_rms_mm": mm_from_m(t.left_rms_m),
+            "shift_left_rms_mm": mm_from_m(t.shift_left_rms_m),
+            "each": t.targets.iter().map(|one| json!({
+                "target": one.name, "drift_mm": mm(&one.drift_m), "sigma_mm": mm(&one.sigma_m),
+            })).collect::<Vec<_>>(),
+            "next": t.next.as_ref().map(|n| json!({
+                "q_deg": n.q_rad.map(deg_from_rad), "at_mm": mm(&n.at_m), "left_rms_mm": mm_from_m(n.rms_m),
+            })),
+        })),
+    })
+}
+
+/// Minutes of the scheduled table: every minute at first, then as the drift flattens.
+fn minutes(w: &WarmUp) -> Vec<f64> {
+    let tau_min = w.growth.tau_min().unwrap_or(1.0);
+    let mut all = vec![0.0];
+    let mut step_min = (tau_min / 40.0).max(0.25);
+    while let Some(&last) = all.last()
+        && last < 12.0 * tau_min
+    {
+        all.push(last + step_min);
+        if last > 2.0 * tau_min {
+            step_min *= 1.15;
+        }
+    }
+    all
+}
+
+/// The deformation table in the scheduled long form.
+#[must_use]
+pub fn table_csv(w: &WarmUp) -> String {
+    let deformation: Deformation = w.deformation();
+    let mut out = String::from("t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n");
+    for t_min in minutes(w) {
+        for (joint, row) in deformation.offsets_at(t_min).0.iter().take(6).enumerate() {
+            let _ = write!(out, "{t_min:.3},{}", joint + 1);
+            for (k, value) in row.iter().enumerate() {
+                let _ = write!(out, ",{:.8}", unit(k).1(*value));
+            }
+            out.push('\n');
+        }
+    }
+    out
+}
