@@ -1,8 +1,8 @@
 //! Arguments, files, progress, exit codes; one file per subcommand. No formulas.
 //!
 //! A subcommand is a file with `Args` (clap) and `run(&Args, &mut Console) -> anyhow::Result<Outcome>`,
-//! one variant of [`Command`] and one line of [`dispatch`].
-//! An error that leaves `run` is best a [`Diagnostic`](crate::diagnostic::Diagnostic): its help line is
+//! one variant of `Command` and one line of `dispatch`.
+//! An error that leaves `run` is best a [`Diagnostic`]: its help line is
 //! shown then, and its code stands in `docs/MESSAGES.md`.
 
 mod console;

@@ -1,5 +1,10 @@
 //! `driftpost tabulate`: joints of a list of targets at every minute of warm-up.
 
+#![allow(
+    rustdoc::broken_intra_doc_links,
+    reason = "doc comments of options are their help texts: brackets are brackets"
+)]
+
 use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::{Console, Outcome, model};

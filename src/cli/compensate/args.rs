@@ -1,5 +1,10 @@
 //! The options of `driftpost compensate`, and what they say to the library.
 
+#![allow(
+    rustdoc::broken_intra_doc_links,
+    reason = "doc comments of options are their help texts: brackets are brackets"
+)]
+
 use crate::cli::model::{self, Named};
 use crate::cli::suggest;
 use crate::compensate::Options;
