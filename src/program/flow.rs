@@ -1,6 +1,7 @@
 //! The ways through a routine: its statements reduced to what matters for motion, and the walk that
 //! carries a state along all of them, joining where ways meet, until nothing changes any more.
 
+use super::errors::Recovery;
 use super::index::{Ctx, DatumId, RoutineId};
 use super::names::Sym;
 use super::value::Why;
@@ -16,6 +17,7 @@ pub(super) type Slot = usize;
 pub(super) struct Ways<'a> {
     pub(super) body: Vec<Node<'a>>,
     pub(super) handlers: Vec<Vec<Node<'a>>>,
+    pub(super) recovery: Recovery,
 }
 
 /// A step, or a place where ways part.
@@ -33,7 +35,7 @@ pub(super) enum Node<'a> {
     Goto(Sym),
     /// The routine ends here.
     Return,
-    /// The program or the way ends here: EXIT, RAISE, RETRY, TRYNEXT.
+    /// The program or the way ends here: EXIT, RETRY, TRYNEXT, RAISE where no handler goes on behind it.
     Stop,
 }
 
@@ -52,8 +54,11 @@ pub(super) enum Step<'a> {
     ConfJ(Option<bool>),
     /// A displacement and the like comes into force, or goes.
     Hold(Hold, Option<Why>),
-    /// Routines of the program, one of which is called; `maybe`: or none.
-    Call { routines: Vec<RoutineId>, bindings: Vec<Binding<'a>>, maybe: bool, ctx: Ctx },
+    /// Routines of the program, one of which is called; `maybe`: or none. `recovery`: what becomes of an
+    /// error in one of them.
+    Call { routines: Vec<RoutineId>, bindings: Vec<Binding<'a>>, maybe: bool, recovery: Recovery, ctx: Ctx },
+    /// An error may come here; what becomes of it.
+    MayFail(Recovery),
     /// A routine that is not given, or text that was not understood: where the arm stands after it is
     /// not known.
     Away,

@@ -166,10 +166,7 @@ impl<'a> Folder<'a> {
     /// What a name means.
     pub(super) fn resolve(&mut self, range: TextRange, ctx: Ctx) -> Result<Found, Why> {
         let written = self.index.text(ctx.file, range);
-        let resolved = match self.index.names.find(written) {
-            Some(name) => self.index.datum(name, ctx),
-            None => Resolved::Nowhere,
-        };
+        let resolved = self.index.datum(range, ctx);
         let lower = || super::names::lower_case(written);
         match resolved {
             Resolved::Here(datum) => Ok(Found::Datum(datum)),

@@ -2,9 +2,10 @@
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
 use super::draft::Drafts;
+use super::expressions::{every_call, expressions_of, root_of};
 use super::flow::Slot;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, every_statement};
-use super::writes::{Writes, match_arguments, root_of};
+use super::writes::{Writes, match_arguments};
 use crate::syntax::tree::{Arg, ArgKind, Callee, DataKind, Expr, ExprKind, StmtKind};
 use std::collections::BTreeSet;
 
@@ -93,8 +94,8 @@ fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
                 }
                 _ => {}
             }
-            for expr in super::writes::expressions_of(stmt) {
-                super::writes::every_call(expr, &mut |name, args| {
+            for expr in expressions_of(stmt) {
+                every_call(expr, &mut |name, args| {
                     arguments(index, ctx, name, args, &mut out);
                 });
             }
@@ -125,7 +126,7 @@ fn arguments(
 }
 
 fn datum_at(index: &Index<'_>, ctx: Ctx, name: crate::diagnostic::TextRange) -> Option<DatumId> {
-    match index.datum(index.name_at(ctx.file, name)?, ctx) {
+    match index.datum(name, ctx) {
         Resolved::Here(datum) | Resolved::Elsewhere(datum) => Some(datum),
         Resolved::Twice(..) | Resolved::Nowhere => None,
     }

@@ -1,7 +1,7 @@
 //! What is declared where: modules, routines and data of all files, and which of them a name means.
 //!
-//! RAPID's scopes: data and parameters of the routine before those of its module, `LOCAL` or not, before
-//! the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
+//! RAPID's scopes: the variable of a FOR inside its loop, before data and parameters of the routine, before
+//! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
 //! files outside such a folder share one.
 
 use super::names::{Names, Sym, lower_case};
@@ -109,6 +109,8 @@ pub(super) struct Index<'a> {
     pub(super) routines: Vec<RoutineEntry<'a>>,
     pub(super) data: Vec<Datum<'a>>,
     data_at: HashMap<(Place, Sym), Found>,
+    /// Variables of FOR with the statements they are seen in, outer loops first.
+    loop_variables: HashMap<(RoutineId, Sym), Vec<(TextRange, DatumId)>>,
     routines_at: HashMap<(Place, Sym), Found>,
     records: HashMap<Sym, (FileId, &'a RecordDecl)>,
     aliases: HashMap<Sym, Sym>,
@@ -124,6 +126,7 @@ impl<'a> Index<'a> {
             routines: Vec::new(),
             data: Vec::new(),
             data_at: HashMap::new(),
+            loop_variables: HashMap::new(),
             routines_at: HashMap::new(),
             records: HashMap::new(),
             aliases: HashMap::new(),
@@ -157,9 +160,15 @@ impl<'a> Index<'a> {
         self.names.find(self.text(file, range))
     }
 
-    /// The datum that a name means.
-    pub(super) fn datum(&self, name: Sym, ctx: Ctx) -> Resolved {
-        self.look_up(&self.data_at, name, ctx)
+    /// The datum that the name in a range means.
+    pub(super) fn datum(&self, name: TextRange, ctx: Ctx) -> Resolved {
+        let Some(sym) = self.name_at(ctx.file, name) else { return Resolved::Nowhere };
+        let loops = ctx.routine.and_then(|routine| self.loop_variables.get(&(routine, sym)));
+        let inside = |(body, _): &&(TextRange, DatumId)| body.contains(TextRange::empty(name.start));
+        match loops.and_then(|loops| loops.iter().rfind(inside)) {
+            Some((_, variable)) => Resolved::Here(*variable),
+            None => self.look_up(&self.data_at, sym, ctx),
+        }
     }
 
     /// The routine that a name means.
@@ -319,7 +328,10 @@ impl<'a> Index<'a> {
         for body in std::iter::once(&tree.body).chain(handlers) {
             every_statement(body, &mut |stmt| match &stmt.kind {
                 StmtKind::Data(decl) => self.add_data(file, decl, ctx, task),
-                StmtKind::For { var, .. } => loop_variables.push(*var),
+                StmtKind::For { var, body, .. } => {
+                    let first = body.first().map_or(stmt.range.end, |first| first.range.start);
+                    loop_variables.push((*var, TextRange::new(first, stmt.range.end)));
+                }
                 StmtKind::Label(label) => {
                     self.names.intern(file.text(*label));
                 }
@@ -327,16 +339,14 @@ impl<'a> Index<'a> {
             });
         }
         let num = self.names.intern(b"num");
-        for var in loop_variables {
+        for (var, seen_in) in loop_variables {
             let name = self.names.intern(file.text(var));
-            if self.data_at.contains_key(&(Place::Routine(id), name)) {
-                continue; // loops may share a variable's name
-            }
             let kind = DatumKind::LoopVariable;
             let (array, local, init) = (false, true, None);
             let datum =
                 Datum { ctx, kind, name, type_name: num, array, local, init, range: var, name_range: var };
-            self.push_datum(datum, task);
+            self.loop_variables.entry((id, name)).or_default().push((seen_in, self.data.len()));
+            self.data.push(datum);
         }
     }
 

@@ -181,16 +181,6 @@ pub(super) fn is_written_option(name: &str) -> bool {
     )
 }
 
-/// Positions of the arguments that a function writes.
-pub(super) fn written_by_function(name: &str) -> &'static [usize] {
-    match name {
-        "strtoval" => &[1],
-        "getnextsym" => &[0, 1],
-        "bitset" => &[0],
-        _ => &[],
-    }
-}
-
 /// Whether an instruction waits for something of unknown length.
 pub(super) fn waits(name: &str) -> bool {
     name.starts_with("wait")

@@ -1,7 +1,10 @@
 //! From the statements of a routine to the ways through it.
 
+use super::built_in::is_built_in_function;
 use super::convert;
 use super::draft::Drafts;
+use super::errors::{Recovery, any_handled, arguments_may_fail, expression_may_fail, may_fail};
+use super::expressions::{every_call, expressions_of, root_of, words};
 use super::flow::{Binding, Hold, Node, Step, Ways, every_step};
 use super::fold::{Constant, Folder};
 use super::followed::FollowedData;
@@ -10,7 +13,7 @@ use super::instructions::{harmless, is_written_option, waits, written_arguments}
 use super::motion::Keep;
 use super::names::{Sym, as_text, lower_case};
 use super::value::{Value, Why};
-use super::writes::{doubtful_arguments, every_call, expressions_of, match_arguments, root_of, words};
+use super::writes::{NotGiven, doubtful_arguments, match_arguments};
 use crate::diagnostic::{Span, TextRange};
 use crate::syntax::tree::{
     Arg, ArgKind, BinaryOp, CallStmt, Callee, DataKind, Expr, ExprKind, RoutineKind, Stmt, StmtKind,
@@ -33,11 +36,15 @@ impl<'a> Lowered<'a> {
     pub(super) fn new(folder: &mut Folder<'a>, drafts: &Drafts<'a>, followed: &FollowedData) -> Self {
         let mut out = Self::default();
         let index = folder.index;
+        let fallible = any_handled(index);
         for routine in &index.routines {
-            let mut lower = Lower { folder: &mut *folder, drafts, followed, ctx: routine.ctx, out: &mut out };
+            let (ctx, folder) = (routine.ctx, &mut *folder);
+            let recovery = Recovery::of(index, ctx, routine.tree);
+            let mut lower = Lower { folder, drafts, followed, ctx, fallible, recovery, out: &mut out };
             let body = lower.body(&routine.tree.body);
+            lower.recovery = Recovery::default(); // an error in a handler goes to the caller
             let handlers = routine.tree.handlers.iter().map(|h| lower.body(&h.body)).collect();
-            out.ways.push(Ways { body, handlers });
+            out.ways.push(Ways { body, handlers, recovery });
         }
         out
     }
@@ -69,6 +76,10 @@ struct Lower<'l, 'a> {
     drafts: &'l Drafts<'a>,
     followed: &'l FollowedData,
     ctx: Ctx,
+    /// Some routine handles errors: they are to be followed.
+    fallible: bool,
+    /// What becomes of an error.
+    recovery: Recovery,
     out: &'l mut Lowered<'a>,
 }
 
@@ -94,10 +105,15 @@ impl<'a> Lower<'_, 'a> {
     }
 
     fn statement(&mut self, stmt: &'a Stmt, out: &mut Vec<Node<'a>>) {
-        if !matches!(stmt.kind, StmtKind::While { .. }) {
-            self.functions(&expressions_of(stmt), out);
-        }
         let at = Span { file: self.ctx.file, range: stmt.range };
+        if !matches!(stmt.kind, StmtKind::While { .. }) {
+            self.functions(&expressions_of(stmt), at, out);
+        }
+        let fails = may_fail(self.index(), self.ctx, stmt);
+        if fails {
+            self.fail(out);
+        }
+        let skipped = fails && self.recovery.next;
         match &stmt.kind {
             StmtKind::Data(decl) => {
                 if decl.kind != DataKind::Const
@@ -116,7 +132,7 @@ impl<'a> Lower<'_, 'a> {
             StmtKind::If { arms, otherwise } => {
                 let mut bodies: Vec<_> = arms.iter().map(|(_, body)| self.body(body)).collect();
                 bodies.extend(otherwise.as_ref().map(|body| self.body(body)));
-                branch(bodies, otherwise.is_none(), out);
+                branch(bodies, otherwise.is_none() || skipped, out);
             }
             StmtKind::CompactIf { then, .. } => {
                 let body = self.body(std::slice::from_ref(then));
@@ -125,7 +141,7 @@ impl<'a> Lower<'_, 'a> {
             StmtKind::Test { cases, default, .. } => {
                 let mut bodies: Vec<_> = cases.iter().map(|(_, body)| self.body(body)).collect();
                 bodies.extend(default.as_ref().map(|body| self.body(body)));
-                branch(bodies, default.is_none(), out);
+                branch(bodies, default.is_none() || skipped, out);
             }
             StmtKind::For { from, to, step, body, .. } => {
                 let at_least_once = self.runs(from, to, step.as_ref());
@@ -134,24 +150,37 @@ impl<'a> Lower<'_, 'a> {
                     out.push(Node::Loop { body, at_least_once, endless: false });
                 }
             }
-            StmtKind::While { cond, body } => self.while_loop(cond, body, out),
+            StmtKind::While { cond, body } => self.while_loop(cond, body, at, out),
             StmtKind::Label(name) => out.extend(self.label(*name).map(Node::Label)),
             StmtKind::Goto(name) => out.extend(self.label(*name).map(Node::Goto)),
+            StmtKind::Return(_) if skipped => {
+                out.push(Node::Branch { arms: vec![vec![Node::Return]], otherwise: true });
+            }
             StmtKind::Return(_) => out.push(Node::Return),
+            StmtKind::Raise(_) if self.recovery.next => {}
             StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
             StmtKind::Opaque => self.opaque(stmt.range, out),
             StmtKind::Connect { .. } | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
         }
     }
 
-    fn while_loop(&mut self, cond: &'a Expr, body: &'a [Stmt], out: &mut Vec<Node<'a>>) {
+    fn fail(&self, out: &mut Vec<Node<'a>>) {
+        if self.fallible {
+            out.push(Node::Step(Step::MayFail(self.recovery)));
+        }
+    }
+
+    fn while_loop(&mut self, cond: &'a Expr, body: &'a [Stmt], at: Span, out: &mut Vec<Node<'a>>) {
         let ctx = self.ctx;
         let known = self.folder.fold(cond, ctx, &Constant).map(|t| t.value);
         let endless = matches!(known, Ok(Value::Bool(true)));
-        self.functions(&[cond], out);
+        self.functions(&[cond], at, out);
         let mut body = self.body(body);
-        self.functions(&[cond], &mut body);
-        let still = |node: &Node<'_>| matches!(node, Node::Step(Step::Wait(_)));
+        self.functions(&[cond], at, &mut body);
+        if expression_may_fail(cond) {
+            self.fail(&mut body);
+        }
+        let still = |node: &Node<'_>| matches!(node, Node::Step(Step::Wait(_) | Step::MayFail(_)));
         if body.iter().all(still) {
             body.push(Node::Step(Step::Wait(None))); // it waits for its condition
         }
@@ -199,7 +228,7 @@ impl<'a> Lower<'_, 'a> {
     }
 
     fn slot(&self, name: TextRange) -> Option<usize> {
-        match self.index().datum(self.label(name)?, self.ctx) {
+        match self.index().datum(name, self.ctx) {
             Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.followed.slot(datum),
             Resolved::Twice(..) | Resolved::Nowhere => None,
         }
@@ -214,7 +243,10 @@ impl<'a> Lower<'_, 'a> {
         match &call.callee {
             Callee::Late(expr) => self.late(expr, &call.args, out),
             Callee::Name(name) => match self.routine(*name) {
-                Some(routine) => out.push(self.known_call(vec![routine], &call.args, false)),
+                Some(routine) => {
+                    let skipped = self.recovery.next && arguments_may_fail(&call.args);
+                    out.push(self.known_call(vec![routine], &call.args, skipped));
+                }
                 None => {
                     self.written(&call.args, call, at, out);
                     self.instruction(*name, call, at, out);
@@ -242,17 +274,28 @@ impl<'a> Lower<'_, 'a> {
                 }
             }
         }
-        Node::Step(Step::Call { routines, bindings, maybe, ctx: self.ctx })
+        Node::Step(Step::Call { routines, bindings, maybe, recovery: self.recovery, ctx: self.ctx })
     }
 
-    /// Functions of the program that are called in expressions.
-    fn functions(&self, expressions: &[&'a Expr], out: &mut Vec<Node<'a>>) {
+    /// Functions that are called in expressions, those of the program and those that are not given.
+    fn functions(&self, expressions: &[&'a Expr], at: Span, out: &mut Vec<Node<'a>>) {
         for expr in expressions {
-            every_call(expr, &mut |name, args| {
-                if let Some(routine) = self.routine(name) {
-                    out.push(self.known_call(vec![routine], args, true));
-                }
+            every_call(expr, &mut |name, args| match self.routine(name) {
+                Some(routine) => out.push(self.known_call(vec![routine], args, true)),
+                None if is_built_in_function(&lower_case(self.text(name))) => {}
+                None => self.doubtful(name, args, NotGiven::Function, at, out),
             });
+        }
+    }
+
+    /// Followed data that a routine that is not given may write.
+    fn doubtful(&self, name: TextRange, args: &[Arg], callee: NotGiven, at: Span, out: &mut Vec<Node<'a>>) {
+        for root in doubtful_arguments(self.index(), self.ctx, args, callee) {
+            if let Some(slot) = self.slot(root) {
+                let written = as_text(self.text(name));
+                let why = self.why(at, format!("{written} is not given and may change it"));
+                out.push(Node::Step(Step::Lose { slot, why, at }));
+            }
         }
     }
 
@@ -291,7 +334,7 @@ impl<'a> Lower<'_, 'a> {
         };
         let routines: Vec<RoutineId> = (0..index.routines.len()).filter(fits).collect();
         if !routines.is_empty() {
-            out.push(self.known_call(routines.clone(), args, !whole));
+            out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
         }
         if !whole || routines.is_empty() {
             out.push(Node::Step(Step::Away));
@@ -395,12 +438,7 @@ impl<'a> Lower<'_, 'a> {
             _ if harmless(&lower) => return,
             _ => {
                 let first = Span { file: self.ctx.file, range: name };
-                for root in doubtful_arguments(self.index(), self.ctx, &call.args) {
-                    if let Some(slot) = self.slot(root) {
-                        let why = self.why(at, format!("{written} is not given and may change it"));
-                        out.push(Node::Step(Step::Lose { slot, why, at }));
-                    }
-                }
+                self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
                 self.out.not_given.entry(lower).or_insert(first);
                 Step::Away
             }

@@ -9,8 +9,11 @@ pub mod module_facts;
 pub mod motion;
 pub mod pgf;
 
+mod built_in;
 mod convert;
 mod draft;
+mod errors;
+mod expressions;
 mod flow;
 mod fold;
 mod followed;

@@ -1,10 +1,10 @@
 //! Facts about modules that an emitted program must respect: where each begins and ends, which names are
 //! taken, what RoboDK says of the kinematics it used, and whether a module is already compensated.
 
+use super::expressions::words;
 use super::index::Index;
 use super::made_for::{self, RobotRemark};
 use super::names::{as_text, lower_case};
-use super::writes::words;
 use crate::diagnostic::{FileId, Span, TextRange};
 use crate::syntax::SourceFile;
 use crate::syntax::tree::{FileItem, Module, ModuleItem, Stmt, StmtKind};
@@ -128,25 +128,26 @@ pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
 fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
     let mut last_data_end = None;
     let mut first_routine = None;
-    let mut compensated = None;
+    let mut mark = None;
+    let (mut index, mut tick) = (None, None);
     for item in &module.items {
         match item {
             ModuleItem::Data(data) => {
                 last_data_end = Some(data.range.end);
                 if lower_case(file.text(data.name)) == "tci" {
-                    compensated = compensated.or(Some(data.range));
+                    index = index.or(Some(data.range));
                 }
             }
             ModuleItem::Routine(routine) => {
                 first_routine = first_routine.or(Some(routine.range.start));
                 if lower_case(file.text(routine.name)) == "tctick" {
-                    compensated = compensated.or(Some(routine.head));
+                    tick = tick.or(Some(routine.head));
                 }
             }
             ModuleItem::Comment(range) => {
                 let text = as_text(file.text(*range));
                 if first_routine.is_none() && text.trim_end().to_lowercase().starts_with(EMITTED_MARK) {
-                    compensated = compensated.or(Some(*range));
+                    mark = mark.or(Some(*range));
                 }
             }
             ModuleItem::Record(_) | ModuleItem::Alias(_) | ModuleItem::Opaque(_) => {}
@@ -159,7 +160,8 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
         last_data_end,
         first_routine,
         end: module.end.map(|e| e.start),
-        compensated,
+        // The names alone may be the user's own: both together are not by chance.
+        compensated: mark.or(index.filter(|_| tick.is_some())),
     }
 }
 
@@ -183,11 +185,19 @@ fn for_each_comment(module: &Module, see: &mut impl FnMut(TextRange)) {
     }
 }
 
-/// `! Using nominal kinematics.`
+/// `! Using nominal kinematics.`, whatever its case and blanks.
 fn remark(file: &SourceFile, range: TextRange) -> Option<KinematicsRemark> {
     let text = as_text(file.text(range));
-    let text = text.trim_start_matches('!').trim();
-    let rest = text.strip_prefix("Using ").or_else(|| text.strip_prefix("using "))?;
-    let word = rest.trim_end_matches('.').strip_suffix("kinematics")?.trim();
-    Some(KinematicsRemark { word: word.to_owned(), span: file.span(range) })
+    let text = text.trim_start_matches('!').trim_end_matches(|c: char| c == '.' || c.is_whitespace());
+    let words: Vec<&str> = text.split_whitespace().collect();
+    match words.as_slice() {
+        [using, word @ .., kinematics]
+            if !word.is_empty()
+                && using.eq_ignore_ascii_case("using")
+                && kinematics.eq_ignore_ascii_case("kinematics") =>
+        {
+            Some(KinematicsRemark { word: word.join(" "), span: file.span(range) })
+        }
+        _ => None,
+    }
 }

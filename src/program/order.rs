@@ -1,7 +1,7 @@
 //! Which motion runs just before which, and what waits lie between, where the text alone says so.
 
 use super::draft::Drafts;
-use super::flow::{Carried, Step, walk};
+use super::flow::{Carried, Node, Step, every_step, walk};
 use super::index::{Index, RoutineId};
 use super::instructions::Special;
 use super::lower::Lowered;
@@ -43,6 +43,7 @@ pub(super) fn order(
         exits: vec![None; routines],
         calls: Vec::new(),
         busy: Vec::new(),
+        moved_by_handlers: lowered.ways.iter().map(|ways| ways.handlers.iter().any(|h| moves(h))).collect(),
     };
     for id in 0..routines {
         walker.exit(id);
@@ -71,6 +72,8 @@ struct Walker<'w, 'a> {
     /// Caller, callee, and where the arm comes from in terms of the caller.
     calls: Vec<(RoutineId, RoutineId, Came)>,
     busy: Vec<RoutineId>,
+    /// For each routine whether its handlers may move the arm.
+    moved_by_handlers: Vec<bool>,
 }
 
 impl Walker<'_, '_> {
@@ -156,9 +159,13 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
                     Some(Special::Search) | None => ANYWHERE, // it stops somewhere on its way
                 })
             }
-            Step::Call { routines, maybe, .. } => {
+            Step::Call { routines, maybe, recovery, .. } => {
                 let caller = self.busy.last().copied();
                 let mut out = maybe.then_some(state);
+                if recovery.next {
+                    out = Some(ANYWHERE); // the call may end anywhere
+                }
+                let state = if recovery.again { ANYWHERE } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
                         self.calls.push((caller, callee, state));
@@ -170,6 +177,11 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
                 }
                 out
             }
+            Step::MayFail(recovery) => {
+                let moved = self.busy.last().and_then(|&routine| self.moved_by_handlers.get(routine));
+                let away = recovery.resumes() && moved.copied().unwrap_or(false);
+                Some(if away { ANYWHERE } else { state })
+            }
             Step::Away => Some(ANYWHERE),
             Step::Wait(seconds) => Some(Came { wait: longer(state.wait, *seconds), ..state }),
             Step::Assign { .. } | Step::Lose { .. } | Step::ConfL(_) | Step::ConfJ(_) | Step::Hold(..) => {
@@ -177,6 +189,14 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
             }
         }
     }
+}
+
+fn moves(nodes: &[Node<'_>]) -> bool {
+    let mut moves = false;
+    every_step(nodes, &mut |step| {
+        moves |= matches!(step, Step::Motion(_) | Step::Call { .. } | Step::Away);
+    });
+    moves
 }
 
 /// What is said in terms of a routine's entry, with the entry known.

@@ -3,7 +3,7 @@
 use super::Overrides;
 use super::convert;
 use super::fold::{Constant, Folder};
-use super::index::{Index, Resolved};
+use super::index::Index;
 use super::names::lower_case;
 use super::value::Value;
 use super::writes::Writes;
@@ -61,12 +61,11 @@ fn value(type_name: &str, name: &str, text: &str) -> Result<Value, String> {
     let writes = Writes::new(&index);
     let mut folder = Folder::new(&index, &writes);
     let sym = index.names.find(name.as_bytes());
-    let found =
-        sym.map(|sym| index.datum(sym, super::index::Ctx { file: FileId(0), module: 0, routine: None }));
-    let (Some(Resolved::Here(datum)), true) = (found, files[0].warnings.is_empty()) else {
-        return Err("it is no RAPID value".into());
-    };
-    let value = folder.datum(datum, &Constant).map_err(|why| why.reason.clone())?;
+    match index.data.as_slice() {
+        [declared] if Some(declared.name) == sym && files[0].warnings.is_empty() => {}
+        _ => return Err("it is no RAPID value".into()),
+    }
+    let value = folder.datum(0, &Constant).map_err(|why| why.reason.clone())?;
     match type_name {
         "tooldata" => convert::tooldata(&value).map(|_| ()),
         _ => convert::wobjdata(&value).map(|_| ()),

@@ -9,7 +9,7 @@ use super::index::{Ctx, Index};
 use super::instructions::Special;
 use super::lower::Lowered;
 use super::module_facts::facts;
-use super::motion::{Keep, Motion, Origin, Path, Target, TargetValue};
+use super::motion::{Keep, Motion, Origin, Path, RoutineInfo, Target, TargetValue};
 use super::names::{as_text, lower_case};
 use super::order::order;
 use super::predefined::guessed;
@@ -55,6 +55,7 @@ impl Program {
             motion.wait_since_entry = since_entry;
             motions.push(motion);
         }
+        diagnostics.extend(external_axes(&motions, &routines));
         diagnostics.extend(finish.folder.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
@@ -379,6 +380,36 @@ impl<'a> Finish<'_, 'a> {
             self.kept_over.insert(datum, warning);
         }
     }
+}
+
+/// One warning for each routine whose motions place external axes: a track carries the robot's base along.
+fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic> {
+    let moved = |motion: &&Motion| {
+        motion.keep.is_none()
+            && motion.targets.iter().filter_map(|target| target.value).any(|value| {
+                let ext = match value {
+                    TargetValue::Rob(target) => target.ext,
+                    TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+                };
+                ext.iter().flatten().any(|&place| place != 0.0)
+            })
+    };
+    let mut by_routine: BTreeMap<usize, Vec<&Motion>> = BTreeMap::new();
+    for motion in motions.iter().filter(moved) {
+        by_routine.entry(motion.routine).or_default().push(motion);
+    }
+    let warning = |(routine, motions): (usize, Vec<&Motion>)| {
+        let (first, name) = (motions.first()?, &routines.get(routine)?.name);
+        let text = match motions.len() {
+            1 => format!("a target of {name} places external axes"),
+            n => format!("targets of {n} motions of {name} place external axes"),
+        };
+        let at = Span { file: first.file, range: first.range };
+        Some(Diagnostic::warning("motion::external-axes", text).at(at).help(
+            "the correction takes the robot's base as standing still: where one of them moves the base, as a track does, it is wrong",
+        ))
+    };
+    by_routine.into_iter().filter_map(warning).collect()
 }
 
 fn special(special: Special, name: &str) -> Option<Keep> {

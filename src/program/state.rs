@@ -3,9 +3,13 @@
 //!
 //! A routine is walked once for each state it is called with; a routine called with many is from then
 //! on walked with what they have in common. What a motion sees is what all its visits have in common.
+//!
+//! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
+//! on with TRYNEXT or RETRY, it goes on with that.
 
 use super::draft::Drafts;
-use super::flow::{Binding, Carried, HOLDS, Hold, Step, every_step, walk};
+use super::errors::Recovery;
+use super::flow::{Binding, Carried, HOLDS, Hold, Step, Ways, every_step, walk};
 use super::fold::{Constant, Folder, Followed};
 use super::followed::FollowedData;
 use super::index::{Ctx, DatumId, DatumKind, RoutineId};
@@ -71,6 +75,7 @@ pub(super) fn states_at_motions<'a>(
         common: vec![None; routines],
         busy: Vec::new(),
         steps: 0,
+        in_handlers: Vec::new(),
         touched: touched(lowered),
         folder,
         lowered,
@@ -85,11 +90,22 @@ struct Walker<'w, 'a> {
     lowered: &'w Lowered<'a>,
     followed: &'w FollowedData,
     at_motions: Vec<Option<State>>,
-    walked: Vec<Vec<(State, Option<State>)>>,
+    walked: Vec<Vec<(State, After)>>,
     common: Vec<Option<State>>,
     busy: Vec<Busy>,
     steps: u64,
     touched: Vec<Touched>,
+    /// What the handlers of each routine and those they call may change.
+    in_handlers: Vec<Touched>,
+}
+
+/// What a routine leaves.
+#[derive(Clone, Debug, Default)]
+struct After {
+    /// At its end; `None` where it never comes back.
+    exit: Option<State>,
+    /// Where an error leaves it; `None` where none does.
+    failed: Option<State>,
 }
 
 /// A routine that is being walked.
@@ -98,7 +114,9 @@ struct Busy {
     /// What it was entered with, by the calls of itself further down too.
     entry: State,
     /// What it is known to leave so far.
-    exit: Option<State>,
+    after: After,
+    /// Where an error may have come in this walk.
+    failed: Option<State>,
     recursive: bool,
 }
 
@@ -114,6 +132,7 @@ struct Touched {
 
 impl Walker<'_, '_> {
     fn run(&mut self) {
+        self.in_handlers = self.lowered.ways.iter().map(|ways| self.in_handlers_of(ways)).collect();
         let index = self.folder.index;
         let called: BTreeSet<RoutineId> = self.touched.iter().flat_map(|t| t.calls.iter().copied()).collect();
         let declared = self.declared();
@@ -145,18 +164,11 @@ impl Walker<'_, '_> {
     fn at_any_time(&mut self) {
         let index = self.folder.index;
         let mut any = Touched::default();
-        for (id, ways) in self.lowered.ways.iter().enumerate() {
+        for (id, in_handlers) in self.in_handlers.iter().enumerate() {
             if index.routines[id].tree.kind == RoutineKind::Trap {
                 add(&mut any, &self.touched[id]);
             }
-            for handler in &ways.handlers {
-                let mut own = Touched::default();
-                every_step(handler, &mut |step| touch(&mut own, step));
-                for callee in &own.calls {
-                    add(&mut any, &self.touched[*callee]);
-                }
-                add(&mut any, &own);
-            }
+            add(&mut any, in_handlers);
         }
         for state in self.at_motions.iter_mut().flatten() {
             state.conf_l = state.conf_l.filter(|_| !any.conf_l);
@@ -167,6 +179,17 @@ impl Walker<'_, '_> {
                 }
             }
         }
+    }
+
+    fn in_handlers_of(&self, ways: &Ways<'_>) -> Touched {
+        let mut own = Touched::default();
+        for handler in &ways.handlers {
+            every_step(handler, &mut |step| touch(&mut own, step));
+        }
+        for callee in own.calls.clone() {
+            add(&mut own, &self.touched[callee]);
+        }
+        own
     }
 
     /// The state a program starts with: declared values, everything else off.
@@ -211,17 +234,17 @@ impl Walker<'_, '_> {
         }
     }
 
-    /// The state after a routine that is called in `entry`; `None` where it never comes back.
-    fn call(&mut self, routine: RoutineId, mut entry: State) -> Option<State> {
+    /// What a routine leaves that is called in `entry`.
+    fn call(&mut self, routine: RoutineId, mut entry: State) -> After {
         if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
             return self.call_again(at, &entry);
         }
-        if let Some((_, exit)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
-            return exit.clone();
+        if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+            return after.clone();
         }
         if self.busy.len() >= DEEPEST_CALL {
             self.steps = MOST_STEPS + 1;
-            return Some(entry);
+            return After { exit: Some(entry), failed: None };
         }
         if self.walked[routine].len() >= MOST_STATES {
             if let Some(mut common) = self.common[routine].take() {
@@ -229,23 +252,28 @@ impl Walker<'_, '_> {
                 entry = common;
             }
             self.common[routine] = Some(entry.clone());
-            if let Some((_, exit)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
-                return exit.clone();
+            if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+                return after.clone();
             }
         }
         let known: Vec<usize> = self.walked.iter().map(Vec::len).collect();
-        let mut exit = None;
+        let mut after = After::default();
         loop {
-            self.busy.push(Busy { routine, entry: entry.clone(), exit: exit.clone(), recursive: false });
-            let after = self.body(routine, &entry);
+            let (entered, known_after) = (entry.clone(), after.clone());
+            self.busy.push(Busy {
+                routine,
+                entry: entered,
+                after: known_after,
+                failed: None,
+                recursive: false,
+            });
+            let exit = self.body(routine, &entry);
             let Some(busy) = self.busy.pop() else { break };
-            let before = exit.take();
-            exit = self.either(before.clone(), after);
-            let settled = match (&before, &exit) {
-                (None, None) => true,
-                (Some(before), Some(exit)) => same(before, exit),
-                _ => false,
-            };
+            let before = std::mem::take(&mut after);
+            after.exit = self.either(before.exit.clone(), exit);
+            after.failed = self.either(before.failed.clone(), busy.failed);
+            let settled = same_or_none(before.exit.as_ref(), after.exit.as_ref())
+                && same_or_none(before.failed.as_ref(), after.failed.as_ref());
             if !busy.recursive || settled && same(&busy.entry, &entry) {
                 break;
             }
@@ -255,24 +283,27 @@ impl Walker<'_, '_> {
             }
             entry = busy.entry;
         }
-        self.walked[routine].push((entry, exit.clone()));
-        exit
+        self.walked[routine].push((entry, after.clone()));
+        after
     }
 
     /// A routine that calls itself: the outer call is walked again until it covers this one as well.
-    fn call_again(&mut self, at: usize, entry: &State) -> Option<State> {
-        let mut covered = self.busy.get(at)?.entry.clone();
+    fn call_again(&mut self, at: usize, entry: &State) -> After {
+        let Some(mut covered) = self.busy.get(at).map(|busy| busy.entry.clone()) else {
+            return After::default();
+        };
         self.join(&mut covered, entry);
-        let busy = self.busy.get_mut(at)?;
+        let Some(busy) = self.busy.get_mut(at) else { return After::default() };
         busy.entry = covered;
         busy.recursive = true;
-        busy.exit.clone()
+        busy.after.clone()
     }
 
     fn body(&mut self, routine: RoutineId, entry: &State) -> Option<State> {
         let lowered = self.lowered;
         let ways = &lowered.ways[routine];
         let mut exit = walk(self, &ways.body, entry);
+        let failed_in_body = self.busy.last_mut().and_then(|busy| busy.failed.take());
         if !ways.handlers.is_empty() {
             let mut failed = entry.clone();
             let reason = unknown("an error may come before or after it is set");
@@ -282,7 +313,27 @@ impl Walker<'_, '_> {
                 exit = self.either(exit, handled);
             }
         }
+        if let Some(failed) = failed_in_body.filter(|_| !ways.recovery.catches_all) {
+            self.fails(&failed);
+        }
         exit
+    }
+
+    /// An error may leave what is being walked with this state.
+    fn fails(&mut self, state: &State) {
+        let known = self.busy.last_mut().and_then(|busy| busy.failed.take());
+        let failed = self.either(known, Some(state.clone()));
+        if let Some(busy) = self.busy.last_mut() {
+            busy.failed = failed;
+        }
+    }
+
+    /// The state behind the handlers of what is being walked.
+    fn handled(&self, state: &mut State) {
+        let in_handlers = self.busy.last().and_then(|busy| self.in_handlers.get(busy.routine));
+        if let Some(in_handlers) = in_handlers {
+            lose(state, in_handlers, &unknown("an error handler may change it"));
+        }
     }
 
     fn either(&mut self, a: Option<State>, b: Option<State>) -> Option<State> {
@@ -300,6 +351,7 @@ impl Walker<'_, '_> {
         routines: &[RoutineId],
         bindings: &[Binding<'_>],
         maybe: bool,
+        recovery: Recovery,
         ctx: Ctx,
         state: &State,
     ) -> Option<State> {
@@ -315,8 +367,22 @@ impl Walker<'_, '_> {
         }
         let mut out = maybe.then(|| state.clone());
         for &routine in routines {
-            let exit = self.call(routine, entry.clone());
-            out = self.either(out, exit);
+            let mut entry = entry.clone();
+            loop {
+                let after = self.call(routine, entry.clone());
+                if let Some(mut failed) = after.failed {
+                    self.fails(&failed);
+                    self.handled(&mut failed);
+                    if recovery.again && self.join(&mut entry, &failed) {
+                        continue;
+                    }
+                    if recovery.next {
+                        out = self.either(out, Some(failed));
+                    }
+                }
+                out = self.either(out, after.exit);
+                break;
+            }
         }
         out
     }
@@ -403,8 +469,14 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
                     }
                 }
             }
-            Step::Call { routines, bindings, maybe, ctx } => {
-                return self.call_any(routines, bindings, *maybe, *ctx, &state);
+            Step::MayFail(recovery) => {
+                self.fails(&state);
+                if recovery.resumes() {
+                    self.handled(&mut state);
+                }
+            }
+            Step::Call { routines, bindings, maybe, recovery, ctx } => {
+                return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
             }
             Step::Away | Step::Wait(_) => {}
         }
@@ -417,6 +489,14 @@ fn same(a: &State, b: &State) -> bool {
         && a.conf_j == b.conf_j
         && a.holds.iter().zip(&b.holds).all(|(a, b)| a.is_some() == b.is_some())
         && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
+}
+
+fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some(a), Some(b)) => same(a, b),
+        _ => false,
+    }
 }
 
 fn lose(state: &mut State, touched: &Touched, why: &Why) {
@@ -477,7 +557,7 @@ fn touch(touched: &mut Touched, step: &Step<'_>) {
             touched.calls.extend(routines);
             touched.slots.extend(bindings.iter().map(|b| b.slot));
         }
-        Step::Motion(_) | Step::Hold(_, None) | Step::Away | Step::Wait(_) => {}
+        Step::Motion(_) | Step::Hold(_, None) | Step::Away | Step::Wait(_) | Step::MayFail(_) => {}
     }
 }
 

@@ -1,8 +1,10 @@
 //! Which data a program changes while it runs, and where: by assignment, whole or by component, by an
 //! instruction that writes its argument, or through a routine that writes its parameter.
 
+use super::built_in::{is_built_in_function, written_by_function};
+use super::expressions::{every_call, expressions_of, root_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineId, every_statement};
-use super::instructions::{is_written_option, move_form, written_arguments, written_by_function};
+use super::instructions::{is_written_option, move_form, written_arguments};
 use super::names::Sym;
 use super::value;
 use crate::diagnostic::{Span, TextRange};
@@ -105,39 +107,34 @@ impl Writes {
     }
 }
 
-/// The name at the root of `a.b{1}.c`, and whether an index lies on the way.
-pub(super) fn root_of(expr: &Expr) -> Option<(TextRange, bool)> {
-    let mut at = expr;
-    let mut indexed = false;
-    loop {
-        at = match &at.kind {
-            ExprKind::Name => return Some((at.range, indexed)),
-            ExprKind::Field { base, .. } => base,
-            ExprKind::Index { base, .. } => {
-                indexed = true;
-                base
-            }
-            ExprKind::Paren(inner) => inner,
-            _ => return None,
-        };
-    }
+/// What is called and is not among the files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NotGiven {
+    /// A procedure: tools, work objects, speeds and zones are taken to be left alone, as moves leave them.
+    Procedure,
+    /// A function: it moves nothing, so it may be there to write any of its arguments.
+    Function,
 }
 
-/// The names handed to a routine that is not given, and that it may write: targets, numbers and so on.
-/// Tools, work objects, speeds and zones are taken to be left alone, as moves leave them.
-pub(super) fn doubtful_arguments(index: &Index<'_>, ctx: Ctx, args: &[Arg]) -> Vec<TextRange> {
+/// The names handed to a routine that is not given, and that it may write.
+pub(super) fn doubtful_arguments(
+    index: &Index<'_>,
+    ctx: Ctx,
+    args: &[Arg],
+    callee: NotGiven,
+) -> Vec<TextRange> {
     let mut out = Vec::new();
     for arg in args {
         let (ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. }) = &arg.kind else {
             continue;
         };
         let Some((root, _)) = root_of(expr) else { continue };
-        let Some(name) = index.name_at(ctx.file, root) else { continue };
-        if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(name, ctx) {
-            let left_alone = matches!(
-                index.type_text(index.data[datum].type_name),
-                "tooldata" | "wobjdata" | "speeddata" | "zonedata" | "loaddata"
-            );
+        if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx) {
+            let left_alone = callee == NotGiven::Procedure
+                && matches!(
+                    index.type_text(index.data[datum].type_name),
+                    "tooldata" | "wobjdata" | "speeddata" | "zonedata" | "loaddata"
+                );
             if !left_alone {
                 out.push(root);
             }
@@ -184,6 +181,13 @@ fn parameter_named(index: &Index<'_>, ctx: Ctx, params: &[DatumId], name: TextRa
     params.iter().copied().find(|&p| index.data[p].name == name)
 }
 
+fn positional(arg: &Arg) -> Option<&Expr> {
+    match &arg.kind {
+        ArgKind::Positional(expr) => Some(expr),
+        _ => None,
+    }
+}
+
 struct Scan<'i, 'a> {
     index: &'i Index<'a>,
     writes: Writes,
@@ -207,7 +211,7 @@ impl Scan<'_, '_> {
                 _ => {}
             }
             for expr in expressions_of(stmt) {
-                self.functions_in(expr, ctx, at);
+                self.functions_in(expr, ctx, at, any_time);
             }
         });
     }
@@ -225,7 +229,6 @@ impl Scan<'_, '_> {
     }
 
     fn datum(&self, name: TextRange, ctx: Ctx) -> Option<DatumId> {
-        let name = self.index.name_at(ctx.file, name)?;
         match self.index.datum(name, ctx) {
             Resolved::Here(id) | Resolved::Elsewhere(id) => Some(id),
             Resolved::Twice(..) | Resolved::Nowhere => None,
@@ -235,7 +238,7 @@ impl Scan<'_, '_> {
     fn call(&mut self, call: &CallStmt, ctx: Ctx, at: Span, any_time: bool) {
         let doubtful = if any_time { How::AnyTime } else { How::Perhaps };
         let Callee::Name(name) = &call.callee else {
-            return self.perhaps(&call.args, ctx, Write { at, how: doubtful });
+            return self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful });
         };
         let lower = super::names::lower_case(self.index.text(ctx.file, *name));
         if let Some(sym) = self.index.names.find(lower.as_bytes())
@@ -247,9 +250,10 @@ impl Scan<'_, '_> {
         let how = if any_time { How::AnyTime } else { How::Instruction };
         self.built_in(&call.args, written_arguments(&lower), ctx, Write { at, how });
         match lower.as_str() {
-            "setdataval" | "setalldataval" => self.by_name(&call.args, at),
+            "setdataval" => self.by_name(call.args.first().and_then(positional), at),
+            "setalldataval" => self.by_type(&call.args, ctx, at),
             _ if super::instructions::harmless(&lower) || move_form(&lower).is_some() => {}
-            _ => self.perhaps(&call.args, ctx, Write { at, how: doubtful }),
+            _ => self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful }),
         }
     }
 
@@ -289,36 +293,75 @@ impl Scan<'_, '_> {
     }
 
     /// A routine that is not among the files may write what it is handed.
-    fn perhaps(&mut self, args: &[Arg], ctx: Ctx, write: Write) {
-        for root in doubtful_arguments(self.index, ctx, args) {
+    fn perhaps(&mut self, args: &[Arg], callee: NotGiven, ctx: Ctx, write: Write) {
+        for root in doubtful_arguments(self.index, ctx, args, callee) {
             self.written_name(root, ctx, write);
         }
     }
 
-    fn by_name(&mut self, args: &[Arg], at: Span) {
-        match args.first().map(|a| &a.kind) {
-            Some(ArgKind::Positional(Expr { kind: ExprKind::String, range })) => {
-                let name = value::string(self.index.text(at.file, *range));
+    /// `SetDataVal "name",value`
+    fn by_name(&mut self, name: Option<&Expr>, at: Span) {
+        match self.literal(name, at) {
+            Some(name) => {
                 if let Some(name) = self.index.names.find(&name) {
                     self.writes.by_name.push((name, at));
                 }
             }
-            _ => {
+            None => {
                 self.writes.by_computed_name.get_or_insert(at);
             }
         }
     }
 
-    fn functions_in(&mut self, expr: &Expr, ctx: Ctx, at: Span) {
+    /// `SetAllDataVal "type"\Object:="pattern",value`: a pattern of letters, digits and underscores alone
+    /// stands for the very name, any other, or none, for all data of the type.
+    fn by_type(&mut self, args: &[Arg], ctx: Ctx, at: Span) {
+        let object = args.iter().find_map(|arg| match &arg.kind {
+            ArgKind::Named { name, value } => {
+                let name = super::names::lower_case(self.index.text(ctx.file, *name));
+                value.as_ref().filter(|_| name == "object")
+            }
+            _ => None,
+        });
+        let plain = |name: &Vec<u8>| name.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_');
+        if self.literal(object, at).as_ref().is_some_and(plain) {
+            return self.by_name(object, at);
+        }
+        let Some(type_name) = self.literal(args.first().and_then(positional), at) else {
+            self.writes.by_computed_name.get_or_insert(at);
+            return;
+        };
+        let type_name = super::names::lower_case(&type_name);
+        for (id, datum) in self.index.data.iter().enumerate() {
+            if self.index.names.text(datum.type_name) == type_name
+                || self.index.type_text(datum.type_name) == type_name
+            {
+                self.writes.add(id, Write { at, how: How::AnyTime }, datum.kind);
+            }
+        }
+    }
+
+    fn literal(&self, expr: Option<&Expr>, at: Span) -> Option<Vec<u8>> {
+        match expr? {
+            Expr { kind: ExprKind::String, range } => Some(value::string(self.index.text(at.file, *range))),
+            _ => None,
+        }
+    }
+
+    fn functions_in(&mut self, expr: &Expr, ctx: Ctx, at: Span, any_time: bool) {
         every_call(expr, &mut |name, args| {
             let lower = super::names::lower_case(self.index.text(ctx.file, name));
             match self.index.names.find(lower.as_bytes()).map(|sym| self.index.routine(sym, ctx)) {
                 Some(Resolved::Here(id) | Resolved::Elsewhere(id) | Resolved::Twice(id, _)) => {
                     self.handed_to(args, id, ctx, at);
                 }
-                Some(Resolved::Nowhere) | None => {
+                Some(Resolved::Nowhere) | None if is_built_in_function(&lower) => {
                     let write = Write { at, how: How::AnyTime };
                     self.built_in(args, written_by_function(&lower), ctx, write);
+                }
+                Some(Resolved::Nowhere) | None => {
+                    let how = if any_time { How::AnyTime } else { How::Perhaps };
+                    self.perhaps(args, NotGiven::Function, ctx, Write { at, how });
                 }
             }
         });
@@ -346,103 +389,5 @@ impl Scan<'_, '_> {
                 break;
             }
         }
-    }
-}
-
-/// The words in bytes that begin at `start`, strings and comments left out.
-pub(super) fn words(bytes: &[u8], start: u32) -> Vec<TextRange> {
-    let letter = |b: u8| b.is_ascii_alphabetic() || b >= 0x80;
-    let mut out = Vec::new();
-    let mut at = 0;
-    while let Some(&b) = bytes.get(at) {
-        let rest = &bytes[at..];
-        let length = match b {
-            b'"' => {
-                rest[1..].iter().position(|b| matches!(b, b'"' | b'\n' | b'\r')).map_or(rest.len(), |n| n + 2)
-            }
-            b'!' => rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len()),
-            _ if letter(b) || b == b'_' || b.is_ascii_digit() => {
-                let end = rest.iter().position(|&b| !(letter(b) || b == b'_' || b.is_ascii_digit()));
-                let end = end.unwrap_or(rest.len());
-                if letter(b) {
-                    out.push(TextRange::new(start + at as u32, start + (at + end) as u32));
-                }
-                end
-            }
-            _ => 1,
-        };
-        at += length;
-    }
-    out
-}
-
-/// The expressions that stand directly in a statement.
-pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
-    fn of_args(args: &[Arg]) -> impl Iterator<Item = &Expr> {
-        args.iter().filter_map(|arg| match &arg.kind {
-            ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. } => Some(expr),
-            ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
-        })
-    }
-    match &stmt.kind {
-        StmtKind::Data(decl) => decl.init.iter().collect(),
-        StmtKind::Assign { target, value } => vec![target, value],
-        StmtKind::Call(call) => match &call.callee {
-            Callee::Late(expr) => std::iter::once(expr).chain(of_args(&call.args)).collect(),
-            Callee::Name(_) => of_args(&call.args).collect(),
-        },
-        StmtKind::If { arms, .. } => arms.iter().map(|(cond, _)| cond).collect(),
-        StmtKind::CompactIf { cond, .. } | StmtKind::While { cond, .. } => vec![cond],
-        StmtKind::For { from, to, step, .. } => [from, to].into_iter().chain(step.as_ref()).collect(),
-        StmtKind::Test { value, cases, .. } => {
-            std::iter::once(value).chain(cases.iter().flat_map(|(values, _)| values)).collect()
-        }
-        StmtKind::Return(value) | StmtKind::Raise(value) => value.iter().collect(),
-        _ => Vec::new(),
-    }
-}
-
-/// Calls `see` with the name and arguments of every function call in an expression, inner ones first.
-pub(super) fn every_call<'a>(expr: &'a Expr, see: &mut impl FnMut(TextRange, &'a [Arg])) {
-    match &expr.kind {
-        ExprKind::Call { name, args } => {
-            for arg in args {
-                if let ArgKind::Positional(e) | ArgKind::Named { value: Some(e), .. } = &arg.kind {
-                    every_call(e, see);
-                }
-            }
-            see(*name, args);
-        }
-        ExprKind::Field { base, .. } | ExprKind::Paren(base) => every_call(base, see),
-        ExprKind::Unary { operand, .. } => every_call(operand, see),
-        ExprKind::Index { base, indices } => {
-            every_call(base, see);
-            indices.iter().for_each(|i| every_call(i, see));
-        }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, see)),
-        ExprKind::Binary { lhs, rhs, .. } => {
-            every_call(lhs, see);
-            every_call(rhs, see);
-        }
-        ExprKind::Number
-        | ExprKind::Numbers
-        | ExprKind::String
-        | ExprKind::Bool(_)
-        | ExprKind::Name
-        | ExprKind::Placeholder
-        | ExprKind::Opaque => {}
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::words;
-    use crate::diagnostic::TextRange;
-
-    #[test]
-    fn words_outside_strings_and_comments() {
-        let text = b"p1 := \"p2\" + 3x_p3 ! p4\n tool\xE4.x;";
-        let found: Vec<&[u8]> = words(text, 0).into_iter().map(|r: TextRange| r.of(text)).collect();
-        assert_eq!(found, [b"p1".as_slice(), b"tool\xE4", b"x"]);
     }
 }
