@@ -4,7 +4,7 @@ use super::{Console, Outcome, files, model};
 use crate::diagnose::{Diagnosis, Options, diagnose, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
 use crate::measure::Measurements;
-use crate::report::diagnosis;
+use crate::report::{diagnosis, plots};
 use crate::units::m_from_mm;
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
@@ -39,6 +39,10 @@ pub struct Args {
     /// Residuals of every row, before and after, as CSV.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+
+    /// A folder for pictures (SVG) of the residuals by joint angle, over time and in the workspace.
+    #[arg(long, value_name = "FOLDER")]
+    pub plots: Option<PathBuf>,
 }
 
 /// Runs `diagnose`.
@@ -88,6 +92,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     if let Some(csv) = csv {
         csv.write(diagnosis::residuals_csv(&diagnosis).as_bytes())?;
+    }
+    if let Some(folder) = &args.plots {
+        for (name, picture) in plots::pictures(&diagnosis, &robot.name) {
+            files::Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
+        }
     }
     Ok(Outcome::Done)
 }

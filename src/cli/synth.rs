@@ -37,6 +37,10 @@ pub struct Args {
     #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
     pub robot: String,
 
+    /// With mix: sets of more rows than this get this many.
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(30..=300))]
+    pub most_rows: u32,
+
     /// Rows of each set (not with mix).
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(4..=100_000))]
     pub n: u32,
@@ -195,7 +199,7 @@ fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
     let mut draw = Draw::new(args.seed, u64::from(number));
     for _ in 0..TRIES {
         let recipe = if args.effects == "mix" {
-            mixture::recipe(number as usize, &mut draw)
+            mixture::recipe(number as usize, args.most_rows as usize, &mut draw)
         } else {
             recipe(&Ask::of(args, number), &mut draw)?
         };

@@ -7,7 +7,7 @@ use crate::robot::{Link, Robot};
 use nalgebra::{Isometry3, Vector3};
 
 /// Standard gravity, m/s2 (CGPM 1901).
-const GRAVITY_M_S2: f64 = 9.80665;
+pub const GRAVITY_M_S2: f64 = 9.80665;
 /// Mass of the moving links guessed for an arm of 1 m reach, kg; it grows with the cube of the reach.
 const GUESS_KG: f64 = 100.0;
 /// How that mass is shared over the links.

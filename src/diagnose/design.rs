@@ -55,6 +55,16 @@ pub struct Products {
     cross: Vec<Vec<f64>>,
 }
 
+/// Candidates that only turn one joint: there are many, and their products come by matrix products.
+#[derive(Clone, Debug)]
+pub struct Turning {
+    joint: usize,
+    /// Indices into the candidates.
+    pub members: Vec<usize>,
+    /// Angles per usual size: two rows for each member, a column for each site in the order of atoms.
+    angles: DMatrix<f64>,
+}
+
 /// A candidate's products over a subset of atoms.
 #[derive(Clone, Debug)]
 pub struct Sums {
@@ -212,6 +222,18 @@ impl Design {
         columns
     }
 
+    /// A column times a number for each site.
+    #[must_use]
+    pub fn modulated(&self, scene: &Scene, column: usize, factor: impl Fn(&Site) -> f64) -> Vec<f64> {
+        let d = self.rows_per_site;
+        let mut out = self.columns[column].clone();
+        for (rows, &i) in out.chunks_exact_mut(d).zip(&self.order) {
+            let factor = factor(&scene.sites[i]);
+            rows.iter_mut().for_each(|v| *v *= factor);
+        }
+        out
+    }
+
     /// Products of `columns` with each other and with the design.
     #[must_use]
     pub fn products(&self, columns: &[Vec<f64>]) -> Products {
@@ -241,60 +263,73 @@ impl Design {
         }
     }
 
-    /// Products of a candidate.
+    /// Angles of the candidates that only turn `joint`: one row for each parameter, one column for each
+    /// site in the order of atoms.
     #[must_use]
-    pub fn products_of(&self, scene: &Scene, candidate: &Candidate) -> Products {
-        let Some((joint, angles)) = self.angles_of(scene, candidate) else {
-            return self.products(&self.columns_of(scene, candidate));
-        };
-        let p = angles.len();
-        let mut own = Vec::with_capacity(self.atoms.len() * p * p);
-        let squares = &self.turn_squares[joint];
-        let weighted: Vec<Vec<f64>> =
-            angles.iter().map(|a| a.iter().zip(squares).map(|(x, w)| x * w).collect()).collect();
-        for rows in &self.atoms {
-            let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
-            for a in &angles {
-                for b in &weighted {
-                    own.push(dot(&a[sites.clone()], &b[sites.clone()]));
+    pub fn turning(&self, scene: &Scene, candidates: &[Candidate], joint: usize) -> Turning {
+        let members: Vec<usize> = (0..candidates.len())
+            .filter(|&c| {
+                let form = &candidates[c].form;
+                form.joint == Some(joint)
+                    && scene.sites.first().is_some_and(|s| candidates[c].effect().angles(form, s).is_some())
+            })
+            .collect();
+        let mut angles = DMatrix::zeros(2 * members.len(), self.order.len());
+        for (mut column, &i) in angles.column_iter_mut().zip(&self.order) {
+            for (k, &c) in members.iter().enumerate() {
+                let candidate = &candidates[c];
+                let here = candidate.effect().angles(&candidate.form, &scene.sites[i]).unwrap_or_default();
+                for a in 0..2 {
+                    column[2 * k + a] = here[a] * candidate.usual.get(a).copied().unwrap_or(0.0);
                 }
             }
         }
-        let mut products = Products { p, own, cross: vec![Vec::new(); self.atoms.len()] };
-        self.extend_turns(&mut products, joint, &angles);
-        products
+        Turning { joint, members, angles }
     }
 
-    /// Brings a candidate's products up to date with columns appended since.
-    pub fn extend_candidate(&self, products: &mut Products, scene: &Scene, candidate: &Candidate) {
-        match self.angles_of(scene, candidate) {
-            Some((joint, angles)) => self.extend_turns(products, joint, &angles),
-            None => self.extend(products, &self.columns_of(scene, candidate)),
-        }
-    }
-
-    /// Angles of a candidate that only turns a joint, site by site in the order of atoms.
-    fn angles_of(&self, scene: &Scene, candidate: &Candidate) -> Option<(usize, Vec<Vec<f64>>)> {
-        let effect = candidate.effect();
-        effect.angles(&candidate.form, scene.sites.first()?)?;
-        let mut angles = vec![Vec::with_capacity(self.order.len()); candidate.usual.len()];
-        for &i in &self.order {
-            let here = effect.angles(&candidate.form, &scene.sites[i]).unwrap_or_default();
-            for ((to, angle), usual) in angles.iter_mut().zip(here).zip(&candidate.usual) {
-                to.push(angle * usual);
+    /// Products of all members of `turning` with themselves, into `products`.
+    pub fn begin_turning(&self, turning: &Turning, products: &mut [Products]) {
+        let squares = &self.turn_squares[turning.joint];
+        for (k, &c) in turning.members.iter().enumerate() {
+            let mut own = Vec::with_capacity(self.atoms.len() * 4);
+            for rows in &self.atoms {
+                let mut sums = [0.0; 3];
+                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
+                for (site, w) in sites.clone().zip(&squares[sites]) {
+                    let (s, c) = (turning.angles[(2 * k, site)], turning.angles[(2 * k + 1, site)]);
+                    sums[0] += w * s * s;
+                    sums[1] += w * s * c;
+                    sums[2] += w * c * c;
+                }
+                own.extend([sums[0], sums[1], sums[1], sums[2]]);
             }
+            products[c] = Products { p: 2, own, cross: vec![Vec::new(); self.atoms.len()] };
         }
-        Some((candidate.form.joint?.min(5), angles))
     }
 
-    fn extend_turns(&self, products: &mut Products, joint: usize, angles: &[Vec<f64>]) {
-        let d = self.rows_per_site;
-        for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {
-            let known = cross.len() / products.p.max(1);
-            let sites = rows.start / d..rows.end / d;
-            for b in &self.turn_products[joint][known..] {
-                for a in angles {
-                    cross.push(dot(&a[sites.clone()], &b[sites.clone()]));
+    /// Brings the members' products up to date with columns appended since: one matrix product per atom.
+    pub fn extend_turning(&self, turning: &Turning, products: &mut [Products]) {
+        let Some(first) = turning.members.first().and_then(|&c| products.get(c)) else { return };
+        let known = first.cross.first().map_or(0, |c| c.len() / 2);
+        let columns = &self.turn_products[turning.joint][known..];
+        if columns.is_empty() {
+            return;
+        }
+        let crossed: Vec<DMatrix<f64>> = self
+            .atoms
+            .par_iter()
+            .map(|rows| {
+                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
+                let with = DMatrix::from_fn(sites.len(), columns.len(), |r, c| columns[c][sites.start + r]);
+                turning.angles.columns(sites.start, sites.len()) * with
+            })
+            .collect();
+        for (k, &c) in turning.members.iter().enumerate() {
+            for (to, from) in products[c].cross.iter_mut().zip(&crossed) {
+                to.reserve(2 * from.ncols());
+                for column in from.column_iter() {
+                    to.push(column[2 * k]);
+                    to.push(column[2 * k + 1]);
                 }
             }
         }
@@ -307,12 +342,6 @@ impl Design {
                 products.push(by_site(turn, column, d));
             }
         }
-    }
-
-    /// Products of every candidate, each on its own: the order of work does not change a bit.
-    #[must_use]
-    pub fn all_products(&self, scene: &Scene, candidates: &[Candidate]) -> Vec<Products> {
-        candidates.par_iter().map(|c| self.products_of(scene, c)).collect()
     }
 
     /// Residual of `coefficients` (one for each column after the data) at each site, unwhitened: metres, radians.
@@ -356,6 +385,30 @@ impl Design {
 }
 
 impl Products {
+    /// None yet.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { p: 0, own: Vec::new(), cross: Vec::new() }
+    }
+
+    /// Adds the columns that `sums` lacks.
+    pub fn sum_more(&self, subset: &[usize], sums: &mut Sums) {
+        let (p, known) = (self.p, sums.cross.ncols());
+        let width = self.cross.first().map_or(0, |c| c.len() / p.max(1));
+        if width <= known {
+            return;
+        }
+        let mut more = vec![0.0; p * (width - known)];
+        for &atom in subset {
+            for (to, from) in more.iter_mut().zip(&self.cross[atom][p * known..]) {
+                *to += from;
+            }
+        }
+        let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
+        sums.cross = cross.resize_horizontally(width, 0.0);
+        sums.cross.as_mut_slice()[p * known..].copy_from_slice(&more);
+    }
+
     /// Over a subset of atoms.
     #[must_use]
     pub fn sum(&self, subset: &[usize]) -> Sums {

@@ -6,66 +6,13 @@
 //! Rasmussen and Williams 2006, ch. 5).
 
 use super::design::{Design, Sums};
-use crate::measure::Repeats;
+use super::marginal::{Marginal, Noise, SIGMA_M, log_add, log_sum, normal};
 use nalgebra::{DMatrix, DVector};
 
-/// Share of the prior on noise as the repeats say; the rest is noise that they do not show.
-const REPEATS_HOLD: f64 = 0.8;
-/// Repeats are never trusted beyond so many degrees of freedom: they are near in time and place.
-const MOST_FREEDOM: f64 = 60.0;
-/// Noise can lie between these, metres.
-const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
 /// Prior weight of geometry exactly as drawn.
 const NO_GEOMETRY: f64 = 0.25;
 /// Directions that the flat columns tell less than this share of the best are not told.
 const RANK: f64 = 1e-10;
-
-/// What is known of the noise before the fit.
-#[derive(Clone, Copy, Debug)]
-pub struct Noise {
-    /// Sigma of a row of weight 1 and its degrees of freedom, from repeats or as stated.
-    pub known: Option<(f64, f64)>,
-}
-
-impl Noise {
-    /// From the repeats, or from `stated_m`.
-    #[must_use]
-    pub fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
-        let known = match (stated_m, repeats) {
-            (Some(sigma_m), _) => Some((sigma_m, MOST_FREEDOM)),
-            (None, Some(r)) if r.degrees_of_freedom >= 6 => {
-                Some((r.sigma_m, (r.degrees_of_freedom as f64).min(MOST_FREEDOM)))
-            }
-            _ => None,
-        };
-        Self { known }
-    }
-
-    /// ln of the integral over ln sigma of prior times sigma^-m exp(-q / 2 sigma^2), and the sigma that
-    /// carries it.
-    fn marginal(&self, m: f64, q: f64) -> (f64, f64) {
-        let q = q.max(1e-300);
-        // Log-uniform between bounds; the mass within them by the normal shape of ln sigma.
-        let wide = |low_m: f64, high_m: f64| {
-            let at = 0.5 * (q / m).ln();
-            let width = 1.0 / (2.0 * m).sqrt();
-            let mass = normal_below((high_m.ln() - at) / width) - normal_below((low_m.ln() - at) / width);
-            let whole = -m * at - 0.5 * m + (width * std::f64::consts::TAU.sqrt()).ln();
-            (whole + mass.max(1e-300).ln() - (high_m / low_m).ln().ln(), at.exp())
-        };
-        let Some((sigma_m, freedom)) = self.known else { return wide(SIGMA_M[0], SIGMA_M[1]) };
-        let scatter = freedom * sigma_m * sigma_m;
-        // ln of the integral of sigma^-m e^(-q/2s^2) over the repeats' own posterior.
-        let held = 0.5 * freedom * (0.5 * scatter).ln() - ln_gamma(0.5 * freedom)
-            + ln_gamma(0.5 * (m + freedom))
-            - 0.5 * (m + freedom) * (0.5 * (q + scatter)).ln();
-        let held = held + REPEATS_HOLD.ln();
-        let (more, at) = wide(sigma_m, (30.0 * sigma_m).max(SIGMA_M[1]));
-        let more = more + (1.0 - REPEATS_HOLD).ln();
-        let together = ((q + scatter) / (m + freedom)).sqrt();
-        (log_add(held, more), if held > more { together } else { at })
-    }
-}
 
 /// What a candidate reaches.
 #[derive(Clone, Copy, Debug)]
@@ -84,25 +31,38 @@ pub struct Reached {
 pub struct Background {
     /// Rows less flat directions.
     m: f64,
+    rows: f64,
     noise: Noise,
+    marginal: Marginal,
     /// ln-spaced s_g/sigma, beginning with 0.
     ratios: Vec<f64>,
     size_ratios: Vec<f64>,
     /// <y, y> with the flat columns projected out.
     yy: f64,
-    /// Each candidate's products (columns x) to hat coordinates.
-    to_hat: DMatrix<f64>,
-    to_geometry: DMatrix<f64>,
-    y_hat: DVector<f64>,
+    /// Each flat direction, normalised, as weights of the design's columns.
+    directions: Vec<Vec<f64>>,
+    /// Data along each direction.
+    y_hat: Vec<f64>,
+    /// Geometry along each direction.
+    geometry_hat: Vec<DVector<f64>>,
+    /// Geometry with itself and with the data, flat directions projected out.
+    gg: DMatrix<f64>,
+    gy_raw: DVector<f64>,
+    geometry: Vec<usize>,
+    /// Eigenvectors of `gg`, its eigenvalues, the data along them.
+    turn: DMatrix<f64>,
     lambda: DVector<f64>,
     gy: DVector<f64>,
 }
 
-/// A candidate over a background.
+/// A candidate over a background; [`Background::update`] follows a background that has grown.
 pub struct Projected {
     own: DMatrix<f64>,
     with_y: DVector<f64>,
-    with_geometry: DMatrix<f64>,
+    /// With the geometry's columns.
+    geometry: DMatrix<f64>,
+    /// Along each of the background's directions.
+    hat: Vec<DVector<f64>>,
 }
 
 impl Background {
@@ -110,49 +70,105 @@ impl Background {
     #[must_use]
     pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: Noise) -> Self {
         let gram = design.gram(subset);
-        let flat: Vec<usize> = design.flat.clone().chain(also.iter().copied()).collect();
+        let flat: Vec<usize> = design.flat.clone().collect();
         let geometry: Vec<usize> = design.geometry.clone().collect();
-        let width = design.width();
-        let pick = |rows: &[usize], columns: &[usize]| {
-            DMatrix::from_fn(rows.len(), columns.len(), |r, c| gram[(rows[r], columns[c])])
-        };
         let scale: Vec<f64> =
             flat.iter().map(|&i| gram[(i, i)]).map(|v| if v > 0.0 { 1.0 / v.sqrt() } else { 0.0 }).collect();
-        let mut nn = pick(&flat, &flat);
-        for r in 0..flat.len() {
-            for c in 0..flat.len() {
-                nn[(r, c)] *= scale[r] * scale[c];
-            }
-        }
+        let nn =
+            DMatrix::from_fn(flat.len(), flat.len(), |r, c| gram[(flat[r], flat[c])] * scale[r] * scale[c]);
         let eigen = nn.symmetric_eigen();
         let top = eigen.eigenvalues.max();
-        let kept: Vec<usize> = (0..flat.len()).filter(|&i| eigen.eigenvalues[i] > RANK * top).collect();
-        let mut to_hat = DMatrix::zeros(kept.len(), width);
-        for (r, &i) in kept.iter().enumerate() {
+        let rows = design.rows(subset) as f64;
+        let gy_raw = DVector::from_iterator(geometry.len(), geometry.iter().map(|&g| gram[(g, 0)]));
+        let gg = DMatrix::from_fn(geometry.len(), geometry.len(), |r, c| gram[(geometry[r], geometry[c])]);
+        let mut background = Self {
+            m: rows,
+            rows,
+            noise,
+            marginal: noise.over(rows),
+            ratios: Vec::new(),
+            size_ratios: Vec::new(),
+            yy: gram[(0, 0)],
+            directions: Vec::new(),
+            y_hat: Vec::new(),
+            geometry_hat: Vec::new(),
+            gg,
+            gy_raw,
+            geometry,
+            turn: DMatrix::zeros(0, 0),
+            lambda: DVector::zeros(0),
+            gy: DVector::zeros(0),
+        };
+        for i in (0..flat.len()).filter(|&i| eigen.eigenvalues[i] > RANK * top) {
+            let mut direction = vec![0.0; design.width()];
             for (c, &column) in flat.iter().enumerate() {
-                to_hat[(r, column)] = eigen.eigenvectors[(c, i)] * scale[c] / eigen.eigenvalues[i].sqrt();
+                direction[column] = eigen.eigenvectors[(c, i)] * scale[c] / eigen.eigenvalues[i].sqrt();
+            }
+            background.push(&gram, direction);
+        }
+        background.add(&gram, also);
+        background.finish();
+        background
+    }
+
+    /// Eliminates more columns of `design` over the same `subset`.
+    pub fn grow(&mut self, design: &Design, subset: &[usize], also: &[usize]) {
+        let gram = design.gram(subset);
+        self.add(&gram, also);
+        self.finish();
+    }
+
+    /// One column after the other, made orthogonal to those before (Gram and Schmidt).
+    fn add(&mut self, gram: &DMatrix<f64>, also: &[usize]) {
+        for direction in &mut self.directions {
+            direction.resize(gram.ncols(), 0.0);
+        }
+        for &column in also {
+            let mut direction = vec![0.0; gram.ncols()];
+            direction[column] = 1.0;
+            let whole = gram[(column, column)];
+            // Twice: the second pass takes out what rounding left of the first.
+            for _ in 0..2 {
+                let seen = times(gram, &direction);
+                for known in &self.directions {
+                    let along = dot(known, &seen);
+                    for (to, from) in direction.iter_mut().zip(known) {
+                        *to -= along * from;
+                    }
+                }
+            }
+            let left = dot(&direction, &times(gram, &direction));
+            if left > RANK * whole && left > 0.0 {
+                let length = left.sqrt();
+                direction.iter_mut().for_each(|d| *d /= length);
+                self.push(gram, direction);
             }
         }
-        let hat = &to_hat * &gram;
-        let y_hat = hat.column(0).into_owned();
-        let yy = gram[(0, 0)] - y_hat.norm_squared();
-        let g_hat = hat.select_columns(&geometry);
-        let gg = pick(&geometry, &geometry) - g_hat.transpose() * &g_hat;
-        let eigen = gg.symmetric_eigen();
+    }
+
+    fn push(&mut self, gram: &DMatrix<f64>, direction: Vec<f64>) {
+        let along = times(gram, &direction);
+        let y = along[0];
+        let g = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along[g]));
+        self.yy -= y * y;
+        self.gg -= &g * g.transpose();
+        self.gy_raw -= &g * y;
+        self.y_hat.push(y);
+        self.geometry_hat.push(g);
+        self.directions.push(direction);
+    }
+
+    fn finish(&mut self) {
+        let eigen = self.gg.clone().symmetric_eigen();
         let top = eigen.eigenvalues.max().max(1e-300);
-        let kept_g: Vec<usize> = (0..geometry.len()).filter(|&i| eigen.eigenvalues[i] > 1e-9 * top).collect();
-        let vectors = eigen.eigenvectors.select_columns(&kept_g);
-        let lambda = DVector::from_iterator(kept_g.len(), kept_g.iter().map(|&i| eigen.eigenvalues[i]));
-        // <G, a> = c_G - G_hat' a_hat, turned into the eigenvectors.
-        let mut select = DMatrix::zeros(geometry.len(), width);
-        for (r, &c) in geometry.iter().enumerate() {
-            select[(r, c)] = 1.0;
-        }
-        let to_geometry = vectors.transpose() * (select - g_hat.transpose() * &to_hat);
-        let gy = &to_geometry * gram.column(0);
-        let m = (design.rows(subset) as f64 - kept.len() as f64).max(1.0);
-        let (ratios, size_ratios) = grids(&noise, m, yy, &lambda, &gy);
-        Self { m, noise, ratios, size_ratios, yy, to_hat, to_geometry, y_hat, lambda, gy }
+        let kept: Vec<usize> =
+            (0..self.geometry.len()).filter(|&i| eigen.eigenvalues[i] > 1e-9 * top).collect();
+        self.turn = eigen.eigenvectors.select_columns(&kept).transpose();
+        self.lambda = DVector::from_iterator(kept.len(), kept.iter().map(|&i| eigen.eigenvalues[i]));
+        self.gy = &self.turn * &self.gy_raw;
+        self.m = (self.rows - self.directions.len() as f64).max(1.0);
+        self.marginal = self.noise.over(self.m);
+        (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
     }
 
     /// Degrees of freedom left by the flat columns.
@@ -165,17 +181,43 @@ impl Background {
     #[must_use]
     pub fn parameters(&self, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
-        self.to_hat.nrows() as f64 + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
+        self.directions.len() as f64 + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
     }
 
     /// A candidate with the background's flat columns projected out.
     #[must_use]
     pub fn project(&self, sums: &Sums) -> Projected {
-        let hat = &self.to_hat * sums.cross.transpose();
-        let own = &sums.own - hat.transpose() * &hat;
-        let with_y = sums.cross.column(0) - hat.transpose() * &self.y_hat;
-        let with_geometry = &self.to_geometry * sums.cross.transpose();
-        Projected { own, with_y, with_geometry }
+        let p = sums.own.nrows();
+        let geometry = DMatrix::from_fn(self.geometry.len(), p, |g, a| sums.cross[(a, self.geometry[g])]);
+        let mut projected = Projected {
+            own: sums.own.clone(),
+            with_y: sums.cross.column(0).into_owned(),
+            geometry,
+            hat: Vec::with_capacity(self.directions.len()),
+        };
+        self.update(&mut projected, sums);
+        projected
+    }
+
+    /// Projects out the directions that the background has gained.
+    pub fn update(&self, candidate: &mut Projected, sums: &Sums) {
+        let p = sums.own.nrows();
+        for k in candidate.hat.len()..self.directions.len() {
+            let mut hat = DVector::<f64>::zeros(p);
+            for (c, d) in self.directions[k].iter().enumerate().filter(|(_, d)| **d != 0.0) {
+                for a in 0..p {
+                    hat[a] += d * sums.cross[(a, c)];
+                }
+            }
+            for a in 0..p {
+                candidate.with_y[a] -= hat[a] * self.y_hat[k];
+                for b in 0..p {
+                    candidate.own[(a, b)] -= hat[a] * hat[b];
+                }
+                candidate.geometry.column_mut(a).axpy(-hat[a], &self.geometry_hat[k], 1.0);
+            }
+            candidate.hat.push(hat);
+        }
     }
 
     /// Share of the candidate's own signal that the flat columns leave.
@@ -191,8 +233,9 @@ impl Background {
     pub fn strength(&self, candidate: &Projected, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
         let mut own = candidate.own[(0, 0)];
-        for (k, l) in self.lambda.iter().enumerate() {
-            own -= r2 / (1.0 + r2 * l) * candidate.with_geometry[(k, 0)].powi(2);
+        let with_geometry = &self.turn * candidate.geometry.column(0);
+        for (l, g) in self.lambda.iter().zip(with_geometry.iter()) {
+            own -= r2 / (1.0 + r2 * l) * g.powi(2);
         }
         own.max(0.0).sqrt()
     }
@@ -214,44 +257,79 @@ impl Background {
     }
 
     fn at_ratio(&self, ratio: f64) -> (f64, f64) {
+        let (q, log_det) = self.with_ratio(ratio);
+        let (log, sigma_m) = self.marginal.at(q);
+        (log - 0.5 * log_det + geometry_prior(ratio * sigma_m), sigma_m)
+    }
+
+    /// Squares that geometry of this ratio leaves, and its ln determinant.
+    fn with_ratio(&self, ratio: f64) -> (f64, f64) {
+        let r2 = ratio * ratio;
         let mut q = self.yy;
         let mut log_det = 0.0;
         for (l, g) in self.lambda.iter().zip(self.gy.iter()) {
-            let r2 = ratio * ratio;
             q -= r2 / (1.0 + r2 * l) * g * g;
             log_det += (r2 * l).ln_1p();
         }
-        let (log, sigma_m) = self.noise.marginal(self.m, q);
-        (log - 0.5 * log_det + geometry_prior(ratio * sigma_m), sigma_m)
+        (q, log_det)
     }
 
     /// Evidence of a projected candidate.
     #[must_use]
     pub fn evidence(&self, candidate: &Projected) -> Reached {
-        self.over_ratios(|ratio| self.size_terms(candidate, ratio))
+        let with_geometry = &self.turn * &candidate.geometry;
+        self.over_ratios(|ratio| self.size_terms(candidate, &with_geometry, ratio))
     }
 
-    /// A quick estimate of ln evidence: the best of few ratios around the null's best and without geometry.
+    /// The few ratios round the null's best at which [`Self::first_look`] looks.
     #[must_use]
-    pub fn first_look(&self, candidate: &Projected, null: &Reached) -> f64 {
+    pub fn looks(&self, null: &Reached) -> Vec<Look> {
+        [0.0, null.geometry_ratio, 0.25 * null.geometry_ratio]
+            .into_iter()
+            .map(|ratio| {
+                let (log, sigma_m) = self.at_ratio(ratio);
+                let (q, _) = self.with_ratio(ratio);
+                Look { ratio, q, base: log - self.marginal.at(q).0, sigma_m }
+            })
+            .collect()
+    }
+
+    /// No evidence of the candidate at these ratios is above this: its whole signal at no price.
+    #[must_use]
+    pub fn bound(&self, candidate: &Projected, looks: &[Look]) -> f64 {
+        let with_geometry = &self.turn * &candidate.geometry;
+        looks
+            .iter()
+            .map(|look| {
+                let off: f64 = self
+                    .pairs(candidate, &with_geometry, look.ratio)
+                    .into_iter()
+                    .filter(|(h, _)| *h > 0.0)
+                    .map(|(h, u)| u * u / h)
+                    .sum();
+                look.base + self.marginal.at(look.q - off).0
+            })
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// A quick estimate of ln evidence: the best of few ratios, sizes in steps of four.
+    #[must_use]
+    pub fn first_look(&self, candidate: &Projected, looks: &[Look]) -> f64 {
+        let with_geometry = &self.turn * &candidate.geometry;
         let mut best = f64::NEG_INFINITY;
-        for ratio in [0.0, null.geometry_ratio, 0.25 * null.geometry_ratio] {
-            let (base, sigma_m) = self.at_ratio(ratio);
-            let mut q = self.yy;
-            for (l, g) in self.lambda.iter().zip(self.gy.iter()) {
-                q -= ratio * ratio / (1.0 + ratio * ratio * l) * g * g;
-            }
-            let base = base - self.noise.marginal(self.m, q).0;
-            for (size, off, gain) in self.size_terms(candidate, ratio) {
-                let log = base + self.noise.marginal(self.m, q - off).0 + gain + size_prior(size * sigma_m);
+        for look in looks {
+            let terms = self.size_terms(candidate, &with_geometry, look.ratio);
+            for (size, off, gain) in terms.into_iter().step_by(2) {
+                let log =
+                    look.base + self.marginal.at(look.q - off).0 + gain + size_prior(size * look.sigma_m);
                 best = best.max(log);
             }
         }
         best
     }
 
-    /// For each size ratio: it, what it takes off the squares, and what it adds to ln evidence.
-    fn size_terms(&self, candidate: &Projected, ratio: f64) -> Vec<(f64, f64, f64)> {
+    /// The candidate's signal and its product with the data along its own directions, geometry at `ratio` out.
+    fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Vec<(f64, f64)> {
         let p = candidate.own.nrows();
         let mut own = candidate.own.clone();
         let mut with_y = candidate.with_y.clone();
@@ -259,7 +337,7 @@ impl Background {
             let r2 = ratio * ratio;
             for (k, l) in self.lambda.iter().enumerate() {
                 let f = r2 / (1.0 + r2 * l);
-                let row = candidate.with_geometry.row(k);
+                let row = with_geometry.row(k);
                 for a in 0..p {
                     let fa = f * row[a];
                     with_y[a] -= fa * self.gy[k];
@@ -269,19 +347,35 @@ impl Background {
                 }
             }
         }
-        let pairs = diagonal(own, &with_y);
+        diagonal(own, &with_y)
+    }
+
+    /// For each size ratio: it, what it takes off the squares, and what it adds to ln evidence.
+    fn size_terms(
+        &self,
+        candidate: &Projected,
+        with_geometry: &DMatrix<f64>,
+        ratio: f64,
+    ) -> Vec<(f64, f64, f64)> {
+        let pairs = self.pairs(candidate, with_geometry, ratio);
         self.size_ratios
             .iter()
             .map(|&size| {
                 let s2 = size * size;
                 let mut off = 0.0;
                 let mut log_det = 0.0;
+                let mut det = 1.0_f64;
                 for &(h, u) in &pairs {
                     let h = h.max(0.0);
                     off += s2 / (1.0 + s2 * h) * u * u;
-                    log_det += (s2 * h).ln_1p();
+                    det *= 1.0 + s2 * h;
+                    // One logarithm for many factors, short of overflow.
+                    if det > 1e100 {
+                        log_det += det.ln();
+                        det = 1.0;
+                    }
                 }
-                (size, off, -0.5 * log_det)
+                (size, off, -0.5 * (log_det + det.ln()))
             })
             .collect()
     }
@@ -296,15 +390,9 @@ impl Background {
         };
         let mut total = f64::NEG_INFINITY;
         for &ratio in &self.ratios {
-            let mut q = self.yy;
-            let mut log_det = 0.0;
-            for (l, g) in self.lambda.iter().zip(self.gy.iter()) {
-                let r2 = ratio * ratio;
-                q -= r2 / (1.0 + r2 * l) * g * g;
-                log_det += (r2 * l).ln_1p();
-            }
+            let (q, log_det) = self.with_ratio(ratio);
             for (size, off, gain) in terms(ratio) {
-                let (log, sigma_m) = self.noise.marginal(self.m, q - off);
+                let (log, sigma_m) = self.marginal.at(q - off);
                 let mut log = log - 0.5 * log_det + gain + geometry_prior(ratio * sigma_m);
                 if size > 0.0 {
                     log += size_prior(size * sigma_m);
@@ -318,6 +406,30 @@ impl Background {
         best.log_evidence = total;
         best
     }
+}
+
+/// One geometry ratio prepared for a first look.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    ratio: f64,
+    q: f64,
+    base: f64,
+    sigma_m: f64,
+}
+
+/// gram x.
+fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; gram.nrows()];
+    for (c, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+        for (to, from) in out.iter_mut().zip(gram.column(c).iter()) {
+            *to += x * from;
+        }
+    }
+    out
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Eigenvalues of `own` with `with_y` turned into its eigenvectors.
@@ -369,96 +481,4 @@ fn size_prior(s: f64) -> f64 {
     let x = s.max(1e-9).ln();
     let density = 0.8 * normal(x, 0.0, 0.9) + 0.2 * normal(x, 1.2, 1.3);
     (density * std::f64::consts::LN_2).max(1e-12).ln()
-}
-
-fn normal(x: f64, mean: f64, sigma: f64) -> f64 {
-    let z = (x - mean) / sigma;
-    (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
-}
-
-/// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
-fn normal_below(z: f64) -> f64 {
-    let t = 1.0 / (1.0 + 0.231_641_9 * z.abs());
-    let poly = t
-        * (0.319_381_530
-            + t * (-0.356_563_782 + t * (1.781_477_937 + t * (-1.821_255_978 + t * 1.330_274_429))));
-    let tail = normal(z.abs(), 0.0, 1.0) * poly;
-    if z > 0.0 { 1.0 - tail } else { tail }
-}
-
-/// ln of the gamma function (Lanczos 1964, g = 7).
-fn ln_gamma(x: f64) -> f64 {
-    const C: [f64; 9] = [
-        0.999_999_999_999_809_9,
-        676.520_368_121_885_1,
-        -1_259.139_216_722_402_8,
-        771.323_428_777_653_1,
-        -176.615_029_162_140_6,
-        12.507_343_278_686_905,
-        -0.138_571_095_265_720_12,
-        9.984_369_578_019_572e-6,
-        1.505_632_735_149_311_6e-7,
-    ];
-    let x = x - 1.0;
-    let t = x + 7.5;
-    let sum = C[0] + C[1..].iter().zip(1..).map(|(c, i)| c / (x + f64::from(i))).sum::<f64>();
-    0.5 * std::f64::consts::TAU.ln() + (x + 0.5) * t.ln() - t + sum.ln()
-}
-
-/// ln(e^a + e^b).
-#[must_use]
-pub fn log_add(a: f64, b: f64) -> f64 {
-    let (high, low) = if a > b { (a, b) } else { (b, a) };
-    if low == f64::NEG_INFINITY { high } else { high + (low - high).exp().ln_1p() }
-}
-
-/// ln of the sum of exponentials.
-#[must_use]
-pub fn log_sum(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(f64::NEG_INFINITY, log_add)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn special_functions_match_tables() {
-        // ln Gamma(0.5) = ln sqrt(pi); Gamma(10) = 9!; Phi(1.96) = 0.975002 (Abramowitz and Stegun).
-        assert!((ln_gamma(0.5) - 0.5 * std::f64::consts::PI.ln()).abs() < 1e-12);
-        assert!((ln_gamma(10.0) - 362_880.0_f64.ln()).abs() < 1e-10);
-        assert!((normal_below(1.96) - 0.975_002).abs() < 1e-6);
-        assert!((normal_below(-1.96) - 0.024_998).abs() < 1e-6);
-    }
-
-    #[test]
-    fn sigma_is_integrated_as_a_fine_sum_does() {
-        let (m, q) = (120.0, 120.0 * 2.5e-5_f64.powi(2));
-        for known in [None, Some((2e-5, 30.0))] {
-            let noise = Noise { known };
-            let steps = 40_000;
-            let (low, high) = (SIGMA_M[0].ln(), 3e-3_f64.ln());
-            let h = (high - low) / f64::from(steps);
-            let sum = log_sum((0..steps).map(|i| {
-                let x = low + h * (f64::from(i) + 0.5);
-                let likelihood = -m * x - 0.5 * q * (-2.0 * x).exp();
-                let flat = |from: f64| if x > from { 1.0 / (high - from) } else { 0.0 };
-                let prior = match known {
-                    None => flat(low),
-                    Some((s, v)) => {
-                        let c = 0.5 * v * s * s;
-                        let held = (2.0_f64.ln() + 0.5 * v * c.ln()
-                            - ln_gamma(0.5 * v)
-                            - v * x
-                            - c * (-2.0 * x).exp())
-                        .exp();
-                        REPEATS_HOLD * held + (1.0 - REPEATS_HOLD) * flat(s.ln())
-                    }
-                };
-                likelihood + (prior * h).ln()
-            }));
-            let (log, _) = noise.marginal(m, q);
-            assert!((log - sum).abs() < 0.05, "{known:?}: {log} {sum}");
-        }
-    }
 }

@@ -261,6 +261,8 @@ fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term
             }
             all
         }
+        // The model has a shift of the target, not its turn: the point is all that the model places.
+        Kind::ToolDrift | Kind::ToolStep => values.into_iter().take(3).collect(),
         _ => values,
     };
     let shape = match form.driver {
@@ -277,8 +279,8 @@ fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term
             Shape::Temperature { from_c: ranges.map(|r| r[0]), to_c: ranges.map(|r| r[1]) }
         }
     };
-    let held = (kind == Kind::Backlash && form.variant > 0)
-        .then(|| scene.torque_limit_n_m[form.joint.unwrap_or(0).min(5)][form.variant.min(2)]);
+    let held =
+        (kind == Kind::Backlash && form.variant > 0).then(|| super::effects::held_above_n_m(form, scene));
     Some(Term {
         joint_b: form.joint_b,
         n: form.n,

@@ -26,6 +26,14 @@ pub enum Kernel {
     Time,
     /// A faster shift over time.
     TimeFine,
+    /// A shift of the target on the flange over time.
+    ToolTime,
+    /// A joint that turns slowly over time.
+    JointTime(usize),
+    /// A function of one joint's angle that repeats so many times per turn, of any shape: steps, teeth.
+    Periodic(usize, u32),
+    /// The cause in this place of the model, growing or fading over the measurement.
+    Varying(usize),
 }
 
 /// Usual size of the structure at the point, metres.
@@ -40,14 +48,14 @@ const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
 /// Every kernel that these data can show, with its prior weight.
 #[must_use]
-pub fn kernels(scene: &Scene) -> Vec<(Kernel, f64)> {
+pub fn kernels() -> Vec<(Kernel, f64)> {
     let mut all = vec![(Kernel::Workspace, 2.0), (Kernel::WorkspaceFine, 1.0), (Kernel::AllJoints, 1.0)];
     for j in 0..6 {
         all.extend([(Kernel::Joint(j), 0.5), (Kernel::JointFine(j), 0.5), (Kernel::Joints(j), 0.5)]);
     }
-    if scene.time_min.is_some() {
-        all.extend([(Kernel::Time, 2.0), (Kernel::TimeFine, 1.0)]);
-    }
+    // Without a time column the rows still stand in the order in which they were measured.
+    all.extend([(Kernel::Time, 2.0), (Kernel::TimeFine, 1.0), (Kernel::ToolTime, 1.0)]);
+    all.extend((0..6).map(|j| (Kernel::JointTime(j), 0.5)));
     let total: f64 = all.iter().map(|k| k.1).sum();
     all.iter().map(|&(kernel, weight)| (kernel, weight / total)).collect()
 }
@@ -69,18 +77,58 @@ pub fn columns(kernel: Kernel, design: &Design, scene: &Scene) -> Vec<Vec<f64>> 
         }
         Kernel::Workspace => shift_columns(design, scene, place, 40, PLACE_M[0]),
         Kernel::WorkspaceFine => shift_columns(design, scene, place, 60, PLACE_M[1]),
-        Kernel::Time => shift_columns(design, scene, |s| share_of_time(scene, s), 10, TIME_SHARE[0]),
-        Kernel::TimeFine => shift_columns(design, scene, |s| share_of_time(scene, s), 30, TIME_SHARE[1]),
+        Kernel::Time => shift_columns(design, scene, |s| vec![scene.progress(s)], 10, TIME_SHARE[0]),
+        Kernel::TimeFine => shift_columns(design, scene, |s| vec![scene.progress(s)], 30, TIME_SHARE[1]),
+        Kernel::ToolTime => {
+            let centres: Vec<Vec<f64>> = (0..9).map(|k| vec![f64::from(k) / 8.0]).collect();
+            compress(design.stack(scene, 3 * centres.len(), |_, site, out| {
+                for f in bumps(&[scene.progress(site)], &centres, 0.5 * TIME_SHARE[0]) {
+                    for k in 0..3 {
+                        let axis = site.flange.column(k);
+                        out.push([f * axis[0], f * axis[1], f * axis[2], 0.0, 0.0, 0.0]);
+                    }
+                }
+            }))
+        }
+        Kernel::JointTime(j) => {
+            let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
+            compress(design.stack(scene, centres.len(), |_, site, out| {
+                let features = bumps(&[scene.progress(site)], &centres, TIME_SHARE[0]);
+                out.extend(features.into_iter().map(|f| scaled(site.joint(j), f)));
+            }))
+        }
+        Kernel::Periodic(j, n) => design.stack(scene, 2 * OVERTONES as usize, |_, site, out| {
+            for k in 1..=OVERTONES {
+                // Steps and teeth: the k-th overtone has 1/k of the first's size.
+                let size_rad = PERIODIC_RAD / f64::from(k);
+                let (sin, cos) = (f64::from(k * n) * site.q_rad[j]).sin_cos();
+                out.extend([scaled(site.joint(j), size_rad * sin), scaled(site.joint(j), size_rad * cos)]);
+            }
+        }),
+        Kernel::Varying(_) => Vec::new(),
     }
 }
 
-fn place(site: &Site) -> Vec<f64> {
-    site.point_m.iter().copied().collect()
+/// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
+/// that is not constant leaves beside its mean.
+#[must_use]
+pub fn varying(design: &Design, scene: &Scene, cause: &[usize]) -> Vec<Vec<f64>> {
+    const WAVES: i32 = 3;
+    let mut all = Vec::new();
+    for k in 1..=WAVES {
+        let wave =
+            |site: &Site| (std::f64::consts::PI * f64::from(k) * scene.progress(site)).cos() / f64::from(k);
+        all.extend(cause.iter().map(|&column| design.modulated(scene, column, wave)));
+    }
+    compress(all)
 }
 
-fn share_of_time(scene: &Scene, site: &Site) -> Vec<f64> {
-    let [low, high] = scene.time_min.unwrap_or([0.0, 1.0]);
-    vec![(site.t_min.unwrap_or(low) - low) / (high - low)]
+/// Overtones of a periodic structure, and the usual size of the first.
+const OVERTONES: u32 = 16;
+const PERIODIC_RAD: f64 = 1e-4;
+
+fn place(site: &Site) -> Vec<f64> {
+    site.point_m.iter().copied().collect()
 }
 
 fn joint_columns(design: &Design, scene: &Scene, joints: &[usize], length_rad: f64) -> Vec<Vec<f64>> {

@@ -9,10 +9,12 @@ mod evidence;
 mod identify;
 mod kernel;
 mod linearise;
+mod marginal;
 mod model;
 mod next;
 mod outcome;
 mod rounding;
+mod scatter;
 mod scene;
 mod search;
 mod shrink;
@@ -31,17 +33,18 @@ use crate::deform::identified::Identified;
 use crate::kinematics::Chain;
 use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
 use crate::robot::Robot;
-use crate::units::mm_from_m;
+use crate::units::{deg_from_rad, mm_from_m};
 use effects::Candidate;
-use evidence::{Background, Noise};
+use evidence::Background;
 use linearise::{Linear, linearise};
+use marginal::Noise;
 use nalgebra::{Isometry3, Vector3};
 
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
 const FEWEST_POSES: usize = 8;
 /// Geometry this many tolerances off, all joints together, is no background any more.
-const FAR_OFF: f64 = 2.5;
+const BEYOND: f64 = 1.0;
 /// Of which less than this share is left by the registration: no signal.
 const INVISIBLE: f64 = 1e-7;
 
@@ -126,6 +129,17 @@ fn examine(
         }
     };
     let noise = Noise::new(stations.repeats.as_ref(), options.sigma_m);
+    if let (true, Some(seen)) =
+        (Noise::contradicted(stations.repeats.as_ref(), options.sigma_m), stations.repeats)
+    {
+        warnings.push(Warning {
+            code: "diagnose::noise",
+            message: format!(
+                "the repeats scatter by {:.4} mm in one coordinate, which is not the noise that was stated; the repeats are believed",
+                mm_from_m(seen.sigma_m)
+            ),
+        });
+    }
     let mut diagnosis = evaluate(measurements, robot, &stations, &linear, noise, options, identified);
     diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
     diagnosis.stations = stations.stations.len();
@@ -165,8 +179,9 @@ fn evaluate(
     if let Some(to) = identified {
         *to = identify::identify(measurements, robot, stations, linear, &model, options.tool_m);
     }
+    model.library.kernels.clear();
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
-    let far_off = model.reached.geometry_ratio * model.reached.sigma_m > FAR_OFF;
+    let far_off = model.reached.geometry_ratio * model.reached.sigma_m > BEYOND;
     let geometry = judged.verdict == Verdict::Geometry || far_off;
     let mut diagnosis = Diagnosis::bare(judged.verdict, judged.reason);
     diagnosis.shrink = shrink::shrink(&mut model, linear, &folds, geometry);
@@ -185,6 +200,7 @@ fn evaluate(
         repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
         model_sigma_mm: Some(mm_from_m(model.reached.sigma_m)),
         reduced_chi_square: judged.reduced_chi_square,
+        geometry_tolerances: Some(model.reached.geometry_ratio * model.reached.sigma_m),
     };
     (diagnosis.next_measurements, diagnosis.next_reason) =
         next::next(robot, &model, linear, judged.pair, judged.verdict, options);
@@ -202,7 +218,7 @@ fn evaluate(
     let repeats = stations.false_rows.iter().filter_map(|&i| measurements.rows.get(i)).map(|r| r.line);
     diagnosis.false_lines.extend(repeats);
     diagnosis.false_lines.sort_unstable();
-    diagnosis.residuals = residuals(measurements, stations, &model);
+    diagnosis.residuals = residuals(measurements, linear, stations, &model);
     diagnosis
 }
 
@@ -269,7 +285,12 @@ fn detectable(model: &model::Model<'_>) -> Vec<Detectable> {
     seen
 }
 
-fn residuals(measurements: &Measurements, stations: &Stations, model: &model::Model<'_>) -> Vec<RowResidual> {
+fn residuals(
+    measurements: &Measurements,
+    linear: &Linear,
+    stations: &Stations,
+    model: &model::Model<'_>,
+) -> Vec<RowResidual> {
     let atoms: Vec<usize> = (0..model.design.atoms()).collect();
     let before = model.design.residuals(&model::solve(&model.design, &atoms, &[], None).coefficients);
     let mm = |m: &scene::Motion| [m[0], m[1], m[2]].map(mm_from_m);
@@ -279,6 +300,12 @@ fn residuals(measurements: &Measurements, stations: &Stations, model: &model::Mo
             all.push(RowResidual {
                 line: row.line,
                 id: row.id.clone(),
+                q_deg: row.q_rad.map(deg_from_rad),
+                t_min: row.t_min,
+                point_mm: {
+                    let point = linear.scene.sites[i].point_m;
+                    [point.x, point.y, point.z].map(mm_from_m)
+                },
                 before_mm: mm(&before[i]),
                 after_mm: mm(&model.residuals[i]),
                 outlier: model.outliers[i],

@@ -2,10 +2,11 @@
 
 use super::design::{Design, Whitening};
 use super::effects::Candidate;
-use super::evidence::{Background, Noise, Reached};
+use super::evidence::{Background, Reached};
 use super::linearise::{Linear, norm3};
+use super::marginal::Noise;
 use super::scene::Motion;
-use super::search::{Chosen, Library, flat};
+use super::search::{ALARM_NATS, Chosen, Library, flat};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
@@ -72,9 +73,8 @@ pub fn build<'a>(
         let mut design = Design::new(scene, &linear.residuals, targets, whitening, atom_of);
         let mut library = Library::new(&design, scene, candidates);
         let all_atoms: Vec<usize> = (0..design.atoms()).collect();
-        let among: Vec<usize> = (0..candidates.len()).collect();
         let mut place = BTreeMap::new();
-        let chosen = library.search(&mut design, &all_atoms, noise, &among, &mut place);
+        let chosen = library.search(&mut design, &all_atoms, noise, &mut place, ALARM_NATS);
         let background = Background::new(&design, &all_atoms, &flat(&chosen, None), noise);
         let reached = background.null();
         let fit = solve(&design, &all_atoms, &chosen, Some(reached.geometry_ratio));

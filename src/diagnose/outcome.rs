@@ -203,6 +203,8 @@ pub struct NoiseFound {
     pub model_sigma_mm: Option<f64>,
     /// Scatter left over scatter expected, squared.
     pub reduced_chi_square: Option<f64>,
+    /// Size of all joints' geometry errors together, in tolerances (0.15 mm, 0.25 mrad).
+    pub geometry_tolerances: Option<f64>,
 }
 
 /// Residuals of one row's station.
@@ -212,6 +214,12 @@ pub struct RowResidual {
     pub line: u64,
     /// `id` of the row.
     pub id: Option<String>,
+    /// Joints.
+    pub q_deg: [f64; 6],
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// The measured point in the base, as predicted.
+    pub point_mm: [f64; 3],
     /// Measured minus predicted in the base, registration only.
     pub before_mm: [f64; 3],
     /// With causes and geometry.

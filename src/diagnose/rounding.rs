@@ -1,13 +1,17 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
+use super::evidence::Background;
 use super::linearise::Linear;
-use super::model::Model;
+use super::model::{Model, solve};
 use crate::measure::{Fault, FaultKind, Measurements};
 use crate::units::{mm_from_m, rad_from_deg};
 use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeMap;
 
 /// More decimals than this cannot matter.
 const FINE_DECIMALS: usize = 2;
+/// A joint's value in more than this share of the stations is a posture.
+const OFTEN: f64 = 0.2;
 /// Rounding must be likelier than plain noise by so much, nats.
 const CLEAR_NATS: f64 = 8.0;
 
@@ -22,12 +26,21 @@ pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> 
     let step_deg = 10.0_f64.powi(-(measurements.joint_decimals as i32));
     // Uniform over one step.
     let variance = rad_from_deg(step_deg).powi(2) / 12.0;
+    // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
+    let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
+    for site in &linear.scene.sites {
+        for (j, q) in site.q_rad.iter().enumerate() {
+            *times.entry((j, q.to_bits())).or_default() += 1;
+        }
+    }
+    let often = (OFTEN * linear.scene.sites.len() as f64).max(4.0) as usize;
     let shapes: Vec<Matrix3<f64>> = linear
         .scene
         .sites
         .iter()
         .map(|site| {
             (0..6)
+                .filter(|&j| times.get(&(j, site.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
                 .map(|j| {
                     let v = site.joint(j);
                     let v = Vector3::new(v[0], v[1], v[2]);
@@ -36,14 +49,11 @@ pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> 
                 .sum()
         })
         .collect();
-    let residuals: Vec<Vector3<f64>> =
-        model.residuals.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect();
-    let n = residuals.len() as f64;
-    let plain_m2 = residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * n);
-    let log_likelihood = |share: f64, noise_m2: f64| -> f64 {
+    let n = linear.scene.sites.len() as f64;
+    let log_likelihood = |residuals: &[Vector3<f64>], share: f64, noise_m2: f64| -> f64 {
         shapes
             .iter()
-            .zip(&residuals)
+            .zip(residuals)
             .map(|(shape, e)| {
                 let c = shape * share + Matrix3::identity() * noise_m2.max(1e-14);
                 c.cholesky()
@@ -51,17 +61,35 @@ pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> 
             })
             .sum()
     };
+    let mean_square =
+        |residuals: &[Vector3<f64>]| residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * n);
+    let plain = |residuals: &[Vector3<f64>]| log_likelihood(residuals, 0.0, mean_square(residuals));
+    let rounded = |residuals: &[Vector3<f64>]| {
+        let plain_m2 = mean_square(residuals);
+        [0.05, 0.15, 0.4, 0.7]
+            .into_iter()
+            .map(|k| log_likelihood(residuals, 0.9, k * plain_m2))
+            .chain([log_likelihood(residuals, 0.9, model.noise.known.map_or(1e-10, |(s, _)| s * s))])
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let points = |motions: &[super::scene::Motion]| -> Vec<Vector3<f64>> {
+        motions.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
+    };
+    // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let ratio = Background::new(&model.design, &atoms, &[], model.noise).null().geometry_ratio;
+    let bare = points(&model.design.residuals(&solve(&model.design, &atoms, &[], Some(ratio)).coefficients));
+    let best = points(&model.residuals);
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
+    let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();
+    let price = 0.5 * parameters * (3.0 * n).ln();
+    let without_causes = rounded(&bare) > plain(&bare) + CLEAR_NATS && rounded(&bare) > plain(&best) - price;
+    let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + CLEAR_NATS;
+    let plain_m2 = mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
-    let plain = log_likelihood(0.0, plain_m2);
-    let rounded = [0.05, 0.15, 0.4, 0.7]
-        .into_iter()
-        .map(|k| log_likelihood(0.9, k * plain_m2))
-        .chain([log_likelihood(0.9, model.noise.known.map_or(1e-10, |(s, _)| s * s))])
-        .fold(f64::NEG_INFINITY, f64::max);
-    (rounded > plain + CLEAR_NATS).then(|| Fault {
+    (without_causes || beside_causes).then(|| Fault {
         kind: FaultKind::RoundedJoints,
         reason: format!(
             "the joints are rounded to {step_deg} deg, and the points scatter just as that rounding would make them \

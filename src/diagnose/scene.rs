@@ -40,6 +40,8 @@ pub struct Site {
     pub target: usize,
     /// Rows in the mean.
     pub repeats: usize,
+    /// Middle of its rows' places in the file: stands in for the time where that is not recorded.
+    pub row: f64,
 }
 
 impl Site {
@@ -69,6 +71,7 @@ impl Site {
             pose: station.pose,
             target: station.target,
             repeats: station.rows.len(),
+            row: station.rows.iter().map(|&r| r as f64).sum::<f64>() / station.rows.len().max(1) as f64,
         }
     }
 
@@ -111,9 +114,13 @@ pub struct Scene {
     /// Lowest and highest temperature of each joint.
     pub joint_temperature_c: Option<[[f64; 2]; 6]>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
-    pub torque_limit_n_m: [[f64; 3]; 6],
+    pub torque_limit_n_m: [[f64; 6]; 6],
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
+    /// Largest payload.
+    pub largest_payload_kg: f64,
+    /// Place of the last row in the file.
+    pub last_row: f64,
     /// Rows per station that count: 3 or, with orientation, 6.
     pub rows_per_site: usize,
 }
@@ -138,6 +145,8 @@ impl Scene {
             })
         });
         Self {
+            largest_payload_kg: sites.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
+            last_row: sites.iter().map(|s| s.row).fold(0.0, f64::max),
             torque_limit_n_m: super::effects::torque_limits_n_m(&sites),
             sites,
             channels,
@@ -145,6 +154,15 @@ impl Scene {
             joint_temperature_c,
             masses_known: robot.links.is_some(),
             rows_per_site: if channels.orientation { 6 } else { 3 },
+        }
+    }
+
+    /// How far the measurement has gone at `site`, 0 to 1: by time or, where that is missing, by row.
+    #[must_use]
+    pub fn progress(&self, site: &Site) -> f64 {
+        match (self.time_min, site.t_min) {
+            (Some([low, high]), Some(t_min)) => (t_min - low) / (high - low),
+            _ => site.row / self.last_row.max(1.0),
         }
     }
 

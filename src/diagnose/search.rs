@@ -1,13 +1,14 @@
 //! The search: the best effect above the alarm is added, then the next; each is tried against all others in
 //! its own place; what falls below is dropped.
 
-use super::design::{Design, Products};
+use super::design::{Design, Products, Sums, Turning};
 use super::effects::Candidate;
-use super::evidence::{Background, Noise, Reached, log_sum};
+use super::evidence::{Background, Projected, Reached};
 use super::kernel::Kernel;
+use super::marginal::{Noise, log_sum};
 use super::scene::Scene;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Prior probability that nothing is there, and that something outside the library is.
 pub const NULL_PRIOR: f64 = 0.5;
@@ -23,8 +24,22 @@ const MOST_LINES: usize = 80;
 /// Gear lines that are added together when each is this clear.
 const LINES_AT_ONCE: usize = 7;
 const CLEAR_NATS: f64 = 25.0;
+/// An arm whose geometry is this many tolerances off, all joints together, was never calibrated.
+const FAR_OFF: f64 = 1.5;
+/// Rounds of adding and trying in turn.
+const PASSES: usize = 3;
+/// Candidates that are looked at after their upper bounds.
+const LONG_LIST: usize = 320;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
+/// Numbers that the columns of all candidates may take to be kept: 600 MB.
+const MOST_KEPT: usize = 75_000_000;
+
+/// Whitened columns of one candidate.
+type Columns = Vec<Vec<f64>>;
+
+/// A kernel's features.
+pub type ColumnsOf<'a> = dyn Fn(Kernel) -> Vec<Vec<f64>> + Sync + 'a;
 
 /// What the search looks at: candidates with their products, and kernels.
 pub struct Library<'a> {
@@ -38,8 +53,31 @@ pub struct Library<'a> {
     pub log_prior: Vec<f64>,
     /// Columns of the design that the products cover.
     width: usize,
-    /// Kernels with products and ln prior.
-    pub kernels: Vec<(Kernel, Products, f64)>,
+    /// Candidates that come many at once, by joint.
+    turning: Vec<Turning>,
+    /// Columns of the other candidates, where there is room to keep them.
+    columns: Vec<Option<Columns>>,
+    /// Kernels.
+    pub kernels: Vec<Structure>,
+}
+
+/// A kernel over the data.
+pub struct Structure {
+    /// Which.
+    pub kernel: Kernel,
+    /// Its features as columns.
+    columns: Vec<Vec<f64>>,
+    /// Their products with the design.
+    pub products: Products,
+    /// ln prior.
+    pub log_prior: f64,
+}
+
+/// A candidate over the background of a search, with what is needed to follow it.
+struct Follower {
+    candidate: usize,
+    sums: Sums,
+    projected: Projected,
 }
 
 /// One cause in the model.
@@ -75,39 +113,59 @@ pub struct Slot {
     pub null: Reached,
 }
 
-impl Slot {
-    /// ln evidence of `which` over nothing.
-    #[must_use]
-    pub fn gain(&self, which: Hypothesis) -> Option<f64> {
-        self.ranked
-            .iter()
-            .find(|(h, _, _)| *h == which)
-            .map(|(_, _, r)| r.log_evidence - self.null.log_evidence)
-    }
-}
-
 impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
     pub fn new(design: &Design, scene: &'a Scene, candidates: &'a [Candidate]) -> Self {
-        let products = design.all_products(scene, candidates);
-        let effects: std::collections::BTreeSet<usize> = candidates.iter().map(|c| c.effect).collect();
+        let turning: Vec<Turning> =
+            (0..6_usize).into_par_iter().map(|j| design.turning(scene, candidates, j)).collect();
+        let mut many = vec![false; candidates.len()];
+        turning.iter().flat_map(|t| &t.members).for_each(|&c| many[c] = true);
+        let single = |c: usize| design.columns_of(scene, &candidates[c]);
+        let parameters: usize =
+            candidates.iter().zip(&many).filter(|(_, many)| !**many).map(|(c, _)| c.usual.len()).sum();
+        let keep = parameters * scene.sites.len() * scene.rows_per_site <= MOST_KEPT;
+        let (mut products, columns): (Vec<Products>, Vec<Option<Columns>>) = (0..candidates.len())
+            .into_par_iter()
+            .map(|c| {
+                if many[c] {
+                    return (Products::none(), None);
+                }
+                let columns = single(c);
+                (design.products(&columns), keep.then_some(columns))
+            })
+            .unzip();
+        for turning in &turning {
+            design.begin_turning(turning, &mut products);
+            design.extend_turning(turning, &mut products);
+        }
+        let effects: BTreeSet<usize> = candidates.iter().map(|c| c.effect).collect();
         let family = ((1.0 - NULL_PRIOR - UNEXPLAINED_PRIOR) / effects.len().max(1) as f64).ln();
         let log_prior = candidates.iter().map(|c| family + c.weight.ln()).collect();
-        Self { scene, candidates, products, log_prior, width: design.width(), kernels: Vec::new() }
+        Self {
+            scene,
+            candidates,
+            products,
+            log_prior,
+            width: design.width(),
+            turning,
+            columns,
+            kernels: Vec::new(),
+        }
     }
 
-    /// Adds the kernels' products.
-    pub fn add_kernels(&mut self, design: &Design) {
-        let list = super::kernel::kernels(self.scene);
-        self.kernels = list
+    /// Adds `list` of kernels, each with its share of the prior of what no effect explains.
+    pub fn add_kernels(&mut self, design: &Design, list: Vec<(Kernel, f64)>, columns: &ColumnsOf<'_>) {
+        let more: Vec<Structure> = list
             .into_par_iter()
             .map(|(kernel, weight)| {
-                let columns = super::kernel::columns(kernel, design, self.scene);
-                (kernel, design.products(&columns), (UNEXPLAINED_PRIOR * weight).ln())
+                let columns = columns(kernel);
+                let products = design.products(&columns);
+                Structure { kernel, columns, products, log_prior: (UNEXPLAINED_PRIOR * weight).ln() }
             })
-            .filter(|(_, products, _)| products.p > 0)
+            .filter(|structure| structure.products.p > 0)
             .collect();
+        self.kernels.extend(more);
     }
 
     /// Brings all products up to date with columns appended to `design`.
@@ -117,34 +175,85 @@ impl<'a> Library<'a> {
         }
         self.width = design.width();
         let (scene, candidates) = (self.scene, self.candidates);
-        self.products.par_iter_mut().zip(candidates).for_each(|(products, candidate)| {
-            design.extend_candidate(products, scene, candidate);
+        for turning in &self.turning {
+            design.extend_turning(turning, &mut self.products);
+        }
+        let mut many = vec![false; candidates.len()];
+        self.turning.iter().flat_map(|t| &t.members).for_each(|&c| many[c] = true);
+        let columns = &self.columns;
+        self.products.par_iter_mut().enumerate().filter(|(c, _)| !many[*c]).for_each(|(c, products)| {
+            match &columns[c] {
+                Some(columns) => design.extend(products, columns),
+                None => design.extend(products, &design.columns_of(scene, &candidates[c])),
+            }
         });
-        self.kernels.par_iter_mut().for_each(|(kernel, products, _)| {
-            design.extend(products, &super::kernel::columns(*kernel, design, scene));
-        });
+        self.kernels.par_iter_mut().for_each(|s| design.extend(&mut s.products, &s.columns));
     }
 
-    /// Every hypothesis over `background`; `among` limits the candidates.
-    #[must_use]
-    pub fn scan(&self, background: &Background, subset: &[usize], among: &[usize], kernels: bool) -> Slot {
-        let null = background.null();
-        let projected: Vec<_> = among
-            .par_iter()
-            .map(|&c| {
-                let sums = self.products[c].sum(subset);
+    /// All candidates over `background`.
+    fn follow(&self, background: &Background, subset: &[usize]) -> Vec<Follower> {
+        (0..self.candidates.len())
+            .into_par_iter()
+            .map(|candidate| {
+                let sums = self.products[candidate].sum(subset);
                 let projected = background.project(&sums);
-                let first = background.first_look(&projected, &null) + self.log_prior[c];
-                (c, projected, first)
+                Follower { candidate, sums, projected }
             })
-            .collect();
-        let mut order: Vec<usize> = (0..projected.len()).collect();
-        order.sort_by(|&a, &b| projected[b].2.total_cmp(&projected[a].2).then(a.cmp(&b)));
-        order.truncate(SHORT_LIST);
+            .collect()
+    }
+
+    /// Every hypothesis over `background`, but the candidates in `without`.
+    #[must_use]
+    pub fn scan(&self, background: &Background, subset: &[usize], without: &[usize]) -> Slot {
+        let followers = self.follow(background, subset);
+        let open: Vec<&Follower> = followers.iter().filter(|f| !without.contains(&f.candidate)).collect();
+        self.rank(background, subset, &open, true)
+    }
+
+    /// Every kernel over `background`, weighed against nothing.
+    #[must_use]
+    pub fn scan_kernels(&self, background: &Background, subset: &[usize]) -> Slot {
+        self.rank(background, subset, &[], true)
+    }
+
+    /// ln evidence of one candidate over nothing.
+    #[must_use]
+    pub fn gain(&self, background: &Background, subset: &[usize], candidate: usize) -> f64 {
+        let projected = background.project(&self.products[candidate].sum(subset));
+        background.evidence(&projected).log_evidence - background.null().log_evidence
+    }
+
+    /// Every hypothesis over `background`, its candidates already projected.
+    fn rank(
+        &self,
+        background: &Background,
+        subset: &[usize],
+        followers: &[&Follower],
+        kernels: bool,
+    ) -> Slot {
+        let null = background.null();
+        let looks = background.looks(&null);
+        let best = |scores: Vec<f64>, among: Vec<usize>, most: usize| {
+            let mut order: Vec<(usize, f64)> = among.into_iter().zip(scores).collect();
+            order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            order.truncate(most);
+            order.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
+        };
+        let all: Vec<usize> = (0..followers.len()).collect();
+        let score = |among: &[usize], of: &(dyn Fn(&Projected) -> f64 + Sync)| -> Vec<f64> {
+            among
+                .par_iter()
+                .map(|&i| of(&followers[i].projected) + self.log_prior[followers[i].candidate])
+                .collect()
+        };
+        let bounds = score(&all, &|p| background.bound(p, &looks));
+        let long = best(bounds, all, LONG_LIST);
+        let firsts = score(&long, &|p| background.first_look(p, &looks));
+        let order = best(firsts, long, if kernels { SHORT_LIST } else { SHORT_LIST / 2 });
         let mut ranked: Vec<(Hypothesis, f64, Reached)> = order
             .par_iter()
             .map(|&i| {
-                let (c, projected, _) = &projected[i];
+                let Follower { candidate: c, projected, .. } = followers[i];
                 let reached = background.evidence(projected);
                 (Hypothesis::Effect(*c), reached.log_evidence + self.log_prior[*c], reached)
             })
@@ -154,9 +263,9 @@ impl<'a> Library<'a> {
                 .kernels
                 .par_iter()
                 .enumerate()
-                .map(|(k, (_, products, log_prior))| {
-                    let reached = background.evidence(&background.project(&products.sum(subset)));
-                    (Hypothesis::Kernel(k), reached.log_evidence + log_prior, reached)
+                .map(|(k, s)| {
+                    let reached = background.evidence(&background.project(&s.products.sum(subset)));
+                    (Hypothesis::Kernel(k), reached.log_evidence + s.log_prior, reached)
                 })
                 .collect();
             ranked.extend(scanned);
@@ -191,7 +300,8 @@ impl<'a> Library<'a> {
         })) - slot.null.log_evidence
     }
 
-    /// Adds effects while one passes the alarm, tries each against all in its place, drops what falls under.
+    /// Adds effects while one passes `alarm_nats`; then tries each against all others in its place, drops what
+    /// falls under, and, where that changed anything, goes on.
     ///
     /// `design` gains the chosen effects' columns; `place` remembers where.
     pub fn search(
@@ -199,32 +309,96 @@ impl<'a> Library<'a> {
         design: &mut Design,
         subset: &[usize],
         noise: Noise,
-        among: &[usize],
         place: &mut BTreeMap<usize, Vec<usize>>,
+        alarm_nats: f64,
     ) -> Vec<Chosen> {
         let mut chosen: Vec<Chosen> = Vec::new();
-        let mut swaps = 0;
-        loop {
-            let background = Background::new(design, subset, &flat(&chosen, None), noise);
-            let open: Vec<usize> = among.iter().copied().filter(|&c| self.allowed(c, &chosen)).collect();
-            let slot = self.scan(&background, subset, &open, false);
-            let Some((candidate, gain, reached)) = self.best_effect(&slot) else { break };
-            if gain < ALARM_NATS || background.freedom() < 12.0 {
+        let mut background = Background::new(design, subset, &[], noise);
+        let mut followers = self.follow(&background, subset);
+        // What was ever near the top: only these can take another's place.
+        let mut near: BTreeSet<usize> = BTreeSet::new();
+        let null = background.null();
+        let uncalibrated = null.geometry_ratio * null.sigma_m > FAR_OFF;
+        for _ in 0..PASSES {
+            loop {
+                let open: Vec<&Follower> = followers
+                    .iter()
+                    .filter(|f| self.allowed(f.candidate, &chosen))
+                    .filter(|f| uncalibrated && chosen.is_empty() || !self.all_offsets(f.candidate))
+                    .collect();
+                let slot = self.rank(&background, subset, &open, false);
+                near.extend(slot.ranked.iter().filter_map(|(h, _, _)| match h {
+                    Hypothesis::Effect(c) => Some(*c),
+                    _ => None,
+                }));
+                // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
+                let offsets = slot.ranked.iter().find_map(|(h, _, r)| match h {
+                    Hypothesis::Effect(c) if self.all_offsets(*c) => {
+                        Some((*c, r.log_evidence - slot.null.log_evidence, *r))
+                    }
+                    _ => None,
+                });
+                let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&slot));
+                let Some((candidate, gain, reached)) = best else { break };
+                if gain < alarm_nats || background.freedom() < 12.0 {
+                    break;
+                }
+                let mut added = Vec::new();
+                let first = if self.all_offsets(candidate) {
+                    self.single_offsets().into_iter().map(|c| (c, gain, reached)).collect()
+                } else {
+                    vec![(candidate, gain, reached)]
+                };
+                for (candidate, gain, reached) in first.into_iter().chain(self.more_lines(&slot, candidate)) {
+                    let columns = self.place(design, place, candidate);
+                    added.extend(columns.iter().copied());
+                    let size_ratio = reached.size_ratio;
+                    chosen.push(Chosen { candidate, columns, gain_nats: gain, size_ratio });
+                }
+                self.extend(design);
+                background.grow(design, subset, &added);
+                self.catch_up(&background, subset, &mut followers);
+            }
+            if chosen.len() < 2 || chosen.len() > MOST_CAUSES + 1 {
                 break;
             }
-            for (candidate, gain, reached) in
-                std::iter::once((candidate, gain, reached)).chain(self.more_lines(&slot, candidate))
-            {
-                let columns = self.place(design, place, candidate);
-                chosen.push(Chosen { candidate, columns, gain_nats: gain, size_ratio: reached.size_ratio });
+            let before: Vec<usize> = chosen.iter().map(|c| c.candidate).collect();
+            self.swap(design, subset, noise, place, &mut chosen, &near, &mut followers);
+            if before == chosen.iter().map(|c| c.candidate).collect::<Vec<_>>() {
+                break;
             }
-            self.extend(design);
-            if chosen.len() > 1 && chosen.len() <= MOST_CAUSES + 1 && swaps < 8 {
-                swaps += 1;
-                self.swap(design, subset, noise, among, place, &mut chosen);
-            }
+            background = Background::new(design, subset, &flat(&chosen, None), noise);
+            followers.par_iter_mut().for_each(|f| {
+                self.products[f.candidate].sum_more(subset, &mut f.sums);
+                f.projected = background.project(&f.sums);
+            });
         }
+        self.drop_offsets(design, subset, noise, &mut chosen);
         chosen
+    }
+
+    /// Takes out the joint offsets that came with the others and are not needed.
+    fn drop_offsets(&self, design: &Design, subset: &[usize], noise: Noise, chosen: &mut Vec<Chosen>) {
+        let mut i = 0;
+        while i < chosen.len() {
+            let c = chosen[i].candidate;
+            if self.candidates[c].effect().name() == "joint_offset" && chosen.len() > MOST_CAUSES {
+                let background = Background::new(design, subset, &flat(chosen, Some(i)), noise);
+                if self.gain(&background, subset, c) < DROP_NATS {
+                    chosen.remove(i);
+                    continue;
+                }
+            }
+            i += 1;
+        }
+    }
+
+    /// Brings the followers up to date with a background that has grown.
+    fn catch_up(&self, background: &Background, subset: &[usize], followers: &mut [Follower]) {
+        followers.par_iter_mut().for_each(|f| {
+            self.products[f.candidate].sum_more(subset, &mut f.sums);
+            background.update(&mut f.projected, &f.sums);
+        });
     }
 
     /// Further gear lines of the same scan that are so clear, and so far from each other, that they need
@@ -250,23 +424,30 @@ impl<'a> Library<'a> {
         more
     }
 
-    /// Each chosen effect against all others in its place.
+    /// Each chosen effect against all that were ever near, in its place.
+    #[allow(clippy::too_many_arguments, reason = "the state of one search")]
     fn swap(
         &mut self,
         design: &mut Design,
         subset: &[usize],
         noise: Noise,
-        among: &[usize],
         place: &mut BTreeMap<usize, Vec<usize>>,
         chosen: &mut Vec<Chosen>,
+        near: &BTreeSet<usize>,
+        followers: &mut [Follower],
     ) {
         let mut i = 0;
         while i < chosen.len() {
             let background = Background::new(design, subset, &flat(chosen, Some(i)), noise);
             let others: Vec<Chosen> =
                 chosen.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, c)| c.clone()).collect();
-            let open: Vec<usize> = among.iter().copied().filter(|&c| self.allowed(c, &others)).collect();
-            let slot = self.scan(&background, subset, &open, false);
+            for &c in near {
+                self.products[c].sum_more(subset, &mut followers[c].sums);
+                followers[c].projected = background.project(&followers[c].sums);
+            }
+            let open: Vec<&Follower> =
+                near.iter().filter(|&&c| self.allowed(c, &others)).map(|&c| &followers[c]).collect();
+            let slot = self.rank(&background, subset, &open, false);
             match self.best_effect(&slot) {
                 Some((_, gain, _)) if gain < DROP_NATS => {
                     chosen.remove(i);
@@ -284,12 +465,32 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// Whether `candidate` is the offsets of all joints at once.
+    fn all_offsets(&self, candidate: usize) -> bool {
+        let this = &self.candidates[candidate];
+        this.effect().name() == "joint_offset" && this.form.joint.is_none()
+    }
+
+    /// The offsets of single joints.
+    fn single_offsets(&self) -> Vec<usize> {
+        let offset = |c: &usize| self.candidates[*c].effect().name() == "joint_offset";
+        (0..self.candidates.len()).filter(|c| offset(c) && !self.all_offsets(*c)).collect()
+    }
+
     /// Whether `candidate` may join: not twice the same, not too many.
     fn allowed(&self, candidate: usize, chosen: &[Chosen]) -> bool {
         let this = &self.candidates[candidate];
         let line = |c: &Candidate| c.effect().name() == "gear_mesh";
-        let lines = chosen.iter().filter(|c| line(&self.candidates[c.candidate])).count();
-        let room = if line(this) { lines < MOST_LINES } else { chosen.len() - lines < MOST_CAUSES };
+        let offset = |c: &Candidate| c.effect().name() == "joint_offset";
+        let count = |of: &dyn Fn(&Candidate) -> bool| {
+            chosen.iter().filter(|c| of(&self.candidates[c.candidate])).count()
+        };
+        let lines = count(&line);
+        let room = if line(this) {
+            lines < MOST_LINES
+        } else {
+            offset(this) || chosen.len() - lines - count(&offset) < MOST_CAUSES
+        };
         room && chosen.iter().all(|c| {
             let other = &self.candidates[c.candidate];
             let same = other.effect == this.effect

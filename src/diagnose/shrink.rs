@@ -4,6 +4,7 @@ use super::linearise::{Linear, norm3};
 use super::model::{Model, solve};
 use super::outcome::{HeldOut, Shrink};
 use super::scene::Scene;
+use super::search::ALARM_NATS;
 use crate::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -128,9 +129,11 @@ fn floor_m(model: &Model<'_>, linear: &Linear) -> f64 {
 }
 
 fn held_out(model: &mut Model<'_>, folds: &Folds, atoms: &[usize], squares: &mut [Option<Squares>]) {
+    let all: Vec<usize> = (0..model.design.atoms()).collect();
     let train: Vec<usize> = (0..model.design.atoms()).filter(|a| !atoms.contains(a)).collect();
-    let among: Vec<usize> = (0..model.library.candidates.len()).collect();
-    let chosen = model.library.search(&mut model.design, &train, model.noise, &among, &mut model.place);
+    // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
+    let alarm = ALARM_NATS * model.design.rows(&train) as f64 / model.design.rows(&all) as f64;
+    let chosen = model.library.search(&mut model.design, &train, model.noise, &mut model.place, alarm);
     let ratio = Some(model.reached.geometry_ratio);
     let fits = [
         solve(&model.design, &train, &[], None),

@@ -1,13 +1,16 @@
 //! The verdict: what the evidence says, what it cannot tell apart, and when it must not say anything.
 
 use super::effects::{self, Candidate};
-use super::evidence::{Background, log_sum};
+use super::evidence::Background;
 use super::kernel::{self, Kernel};
 use super::linearise::{Linear, norm3};
+use super::marginal::log_sum;
 use super::model::{Fit, Model, solve};
 use super::outcome::{Cause, Region, Verdict, Where};
-use super::search::{ALARM_NATS, Chosen, Hypothesis, Slot, UNEXPLAINED_PRIOR, flat};
+use super::scatter::{self, JointScatter};
+use super::search::{ALARM_NATS, Chosen, Hypothesis, NULL_PRIOR, Slot, UNEXPLAINED_PRIOR, flat};
 use crate::units::mm_from_m;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
@@ -19,6 +22,20 @@ const MANY: usize = 8;
 const LEFT_OVER: f64 = 0.5;
 /// And structure smaller than this share leaves them in their right, even where it could replace one.
 const SMALL_BESIDE: f64 = 0.25;
+
+/// More lines of one joint than this are many gears, not one shape.
+const MOST_OVERTONES: usize = 6;
+/// Prior of one period, and of one cause that varies, over that of all other structure: dozens are possible.
+const PERIOD_WEIGHT: f64 = 0.01;
+const VARYING_WEIGHT: f64 = 0.1;
+/// Candidates that together are this likely among the causes make up the set that cannot be told apart.
+const CREDIBLE: f64 = 0.95;
+/// Structure of no cause must be this much likelier than a cause to take its place.
+const KERNEL_ODDS: f64 = 3.0;
+/// A set larger than this, with structure of no cause as likely, is no set.
+const LARGE_SET: usize = 6;
+/// Scatter beyond a noise that is only stated, not seen in repeats, counts from this reduced chi-square on.
+const STATED_SCATTER: f64 = 2.8;
 
 /// The verdict and what it rests on.
 pub struct Judged {
@@ -74,6 +91,21 @@ fn groups(model: &Model<'_>, slot: &Slot) -> Vec<Group> {
     groups
 }
 
+/// The likeliest groups that together make up nearly all of the causes' probability.
+fn credible(groups: &[Group]) -> Vec<&Group> {
+    let total: f64 = groups.iter().map(|g| g.probability).sum();
+    let first = groups.first().map_or(0.0, |g| g.probability);
+    let mut sum = 0.0;
+    groups
+        .iter()
+        .take_while(|g| {
+            let more = sum < CREDIBLE * total && g.probability >= RIVAL * first;
+            sum += g.probability;
+            more
+        })
+        .collect()
+}
+
 fn kernel_share(slot: &Slot) -> f64 {
     slot.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::Kernel(_))).map(|r| r.1).sum()
 }
@@ -81,7 +113,9 @@ fn kernel_share(slot: &Slot) -> f64 {
 /// ln evidence of structure over nothing, priors within the kernels included; and the likeliest kernel.
 fn structure(model: &Model<'_>, slot: &Slot) -> Option<(f64, usize)> {
     let gain = log_sum(slot.ranked.iter().filter_map(|(h, _, r)| match h {
-        Hypothesis::Kernel(k) => Some(r.log_evidence + model.library.kernels[*k].2 - UNEXPLAINED_PRIOR.ln()),
+        Hypothesis::Kernel(k) => {
+            Some(r.log_evidence + model.library.kernels[*k].log_prior - UNEXPLAINED_PRIOR.ln())
+        }
         _ => None,
     })) - slot.null.log_evidence;
     let best = slot.ranked.iter().find_map(|(h, _, _)| match h {
@@ -96,18 +130,18 @@ fn scan(model: &Model<'_>, chosen: &[Chosen], without: Option<usize>) -> (Slot, 
     let background = Background::new(&model.design, &atoms, &flat(chosen, without), model.noise);
     let taken: Vec<usize> =
         chosen.iter().enumerate().filter(|(i, _)| Some(*i) != without).map(|(_, c)| c.candidate).collect();
-    let among: Vec<usize> = (0..model.library.candidates.len()).filter(|c| !taken.contains(c)).collect();
-    (model.library.scan(&background, &atoms, &among, true), background.geometry_gain())
+    (model.library.scan(&background, &atoms, &taken), background.geometry_gain())
 }
 
 /// Judges the model.
 #[must_use]
 pub fn judge(model: &mut Model<'_>, linear: &Linear) -> Judged {
-    model.library.add_kernels(&model.design);
     let chosen = model.chosen.clone();
+    add_kernels(model, linear, &chosen);
     let (rest, geometry_gain) = scan(model, &chosen, None);
     let chi = reduced_chi_square(model, linear);
-    let scatter = chi.filter(|&(value, limit)| value > limit).map(|c| c.0);
+    let along = joint_scatter(model, linear).filter(|j| j.gain_nats > ALARM_NATS);
+    let scatter = Scatter { chi: chi.filter(|&(value, limit)| value > limit).map(|c| c.0), along };
     let mut judged = if chosen.is_empty() {
         without_cause(model, linear, &rest, geometry_gain, scatter)
     } else {
@@ -117,12 +151,98 @@ pub fn judge(model: &mut Model<'_>, linear: &Linear) -> Judged {
     judged
 }
 
+/// Structure that no effect takes: everywhere, and round the causes that were found.
+fn add_kernels(model: &mut Model<'_>, linear: &Linear, chosen: &[Chosen]) {
+    let scene = &linear.scene;
+    let mut list = kernel::kernels();
+    let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
+    for (joint, lines) in lines_by_joint(model, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
+    {
+        let orders: Vec<u32> =
+            lines.iter().filter_map(|&i| model.library.candidates[chosen[i].candidate].form.n).collect();
+        let common = orders.iter().copied().fold(0, greatest_common_divisor);
+        periods.extend(orders.into_iter().chain([common]).filter(|n| *n > 0).map(|n| (joint, n)));
+    }
+    list.extend(periods.into_iter().map(|(joint, n)| (Kernel::Periodic(joint, n), PERIOD_WEIGHT)));
+    if scene.time_min.is_none() && chosen.len() <= MANY {
+        list.extend((0..chosen.len()).map(|i| (Kernel::Varying(i), VARYING_WEIGHT)));
+    }
+    let design = &model.design;
+    model.library.add_kernels(design, list, &|kernel| match kernel {
+        Kernel::Varying(i) => kernel::varying(design, scene, &chosen[i].columns),
+        other => kernel::columns(other, design, scene),
+    });
+}
+
+fn greatest_common_divisor(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
+}
+
+/// Places in `chosen` of lines of each joint's gear.
+fn lines_by_joint(model: &Model<'_>, chosen: &[Chosen]) -> BTreeMap<usize, Vec<usize>> {
+    let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (i, one) in chosen.iter().enumerate() {
+        let form = &model.library.candidates[one.candidate].form;
+        if let (Some(joint), Some(_)) = (form.joint, form.n) {
+            lines.entry(joint).or_default().push(i);
+        }
+    }
+    lines
+}
+
+/// A kernel that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
+/// many gears.
+fn shape_of_lines(model: &Model<'_>, linear: &Linear, chosen: &[Chosen]) -> Option<usize> {
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let whole_m = total_rms_m(model, linear, chosen);
+    for (joint, lines) in lines_by_joint(model, chosen) {
+        let rest: Vec<Chosen> =
+            (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
+        let taken_m = (whole_m.powi(2) - total_rms_m(model, linear, &rest).powi(2)).max(0.0).sqrt();
+        if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
+            continue;
+        }
+        let mut others: Vec<usize> = (0..chosen.len())
+            .filter(|i| !lines.contains(i))
+            .flat_map(|i| chosen[i].columns.iter().copied())
+            .collect();
+        let background = Background::new(&model.design, &atoms, &others, model.noise);
+        let bare = background.null().log_evidence;
+        let mut best: Option<(f64, usize)> = None;
+        for (k, structure) in model.library.kernels.iter().enumerate() {
+            let fits = match structure.kernel {
+                Kernel::Periodic(j, _) | Kernel::Joint(j) | Kernel::JointFine(j) => j == joint,
+                _ => false,
+            };
+            if fits {
+                let reached = background.evidence(&background.project(&structure.products.sum(&atoms)));
+                let odds = reached.log_evidence - bare + structure.log_prior - NULL_PRIOR.ln();
+                if best.is_none_or(|(b, _)| odds > b) {
+                    best = Some((odds, k));
+                }
+            }
+        }
+        let mut together = 0.0;
+        for &i in &lines {
+            let background = Background::new(&model.design, &atoms, &others, model.noise);
+            let c = chosen[i].candidate;
+            together +=
+                model.library.gain(&background, &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+            others.extend(chosen[i].columns.iter().copied());
+        }
+        if let Some((_, kernel)) = best.filter(|(odds, _)| *odds > together) {
+            return Some(kernel);
+        }
+    }
+    None
+}
+
 fn without_cause(
     model: &mut Model<'_>,
     linear: &Linear,
     slot: &Slot,
     geometry_gain: f64,
-    scatter: Option<f64>,
+    scatter: Scatter,
 ) -> Judged {
     let groups = groups(model, slot);
     let mut causes = Vec::new();
@@ -142,10 +262,12 @@ fn without_cause(
     if let Some((_, kernel)) = structure {
         judged.verdict = Verdict::UnexplainedStructure;
         judged.place = place_of_kernel(model, linear, &[], kernel);
-        judged.reason = structure_reason(model.library.kernels[kernel].0);
-    } else if let Some(chi) = scatter {
+        judged.reason =
+            structure_reason(model.library.kernels[kernel].kernel, linear.scene.time_min.is_some());
+    } else if scatter.chi.is_some() || scatter.along.is_some() {
         judged.verdict = Verdict::UnexplainedScatter;
-        judged.reason = scatter_reason(chi);
+        judged.place.joint = scatter.along.map(|a| a.joint + 1);
+        judged.reason = scatter.reason();
     } else if geometry_gain > ALARM_NATS {
         judged.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out".clone_into(&mut judged.reason);
@@ -158,26 +280,35 @@ fn with_causes(
     linear: &Linear,
     chosen: &[Chosen],
     rest: &Slot,
-    scatter: Option<f64>,
+    scatter: Scatter,
 ) -> Judged {
     let mut causes = Vec::new();
     let mut rivals = Vec::new();
     let mut pair = None;
     let mut told_apart = true;
     let mut kernel_wins: Option<usize> = None;
+    let mut needed = 0;
     for i in 0..chosen.len() {
         if chosen.len() > MANY && model.library.candidates[chosen[i].candidate].form.n.is_some() {
             causes.push(line_among_many(model, linear, chosen, i));
+            needed += 1;
             continue;
         }
         let (slot, _) = scan(model, chosen, Some(i));
         let groups = groups(model, &slot);
         let Some(first) = groups.first() else { continue };
-        if kernel_share(&slot) > first.probability {
+        let near = credible(&groups);
+        let nothing = slot.ranked.iter().find(|r| r.0 == Hypothesis::Null).map_or(0.0, |r| r.1);
+        if nothing > first.probability.max(kernel_share(&slot)) {
+            // Beside the others it is no longer needed.
+            continue;
+        }
+        needed += 1;
+        if kernel_share(&slot) > KERNEL_ODDS * first.probability
+            || near.len() > LARGE_SET && kernel_share(&slot) > first.probability
+        {
             kernel_wins = structure(model, &slot).map(|s| s.1);
         }
-        let near: Vec<&Group> =
-            groups.iter().filter(|g| g.probability >= RIVAL * first.probability).collect();
         told_apart &= near.len() == 1;
         if i == 0 {
             pair = Some((first.best, groups.get(1).map(|g| g.best)));
@@ -185,7 +316,7 @@ fn with_causes(
         for group in &near {
             causes.push(cause(model, linear, chosen, Some(i), group));
         }
-        for group in groups.iter().filter(|g| g.probability < RIVAL * first.probability).take(3) {
+        for group in groups.iter().skip(near.len()).take(3) {
             rivals.push(cause_unfitted(model, group));
         }
     }
@@ -199,15 +330,22 @@ fn with_causes(
         // A scale of the instrument and a scale of all links are one and the same to these data.
         causes.push(Cause::of(effects::LIBRARY[1], 0.0));
     }
-    causes.sort_by(|a, b| b.posterior.total_cmp(&a.posterior));
+    let thousandths = |p: f64| (1000.0 * p).round();
+    causes.sort_by(|a, b| {
+        let size = |c: &Cause| c.rms_mm.unwrap_or(0.0);
+        thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
+    });
 
     let cause_rms_m = total_rms_m(model, linear, chosen);
     let left = structure(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(model, rest, k));
     let together = chosen.len() > 1 && kernel_takes_all(model, chosen);
+    let shape = shape_of_lines(model, linear, chosen);
+    let varies = varying_cause(model, rest);
+    kernel_wins = shape.or(varies).or(kernel_wins);
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
-    let alone = (kernel_wins.is_some() || together) && !beside;
+    let alone = (kernel_wins.is_some() || together) && !beside || shape.or(varies).is_some();
 
     let mut place = Where { joint: causes.first().and_then(|c| c.joint), ..Where::default() };
     place.time = causes.first().map(|c| c.time);
@@ -215,30 +353,44 @@ fn with_causes(
     let names = causes.iter().map(describe).collect::<Vec<_>>();
     let (verdict, reason) = if alone || left_rms_m > LEFT_OVER * cause_rms_m {
         let kernel = kernel_wins.or(left.map(|l| l.1)).or_else(|| {
-            let (bare, _) = scan(model, &[], None);
-            structure(model, &bare).map(|s| s.1)
+            let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+            let bare = Background::new(&model.design, &atoms, &[], model.noise);
+            structure(model, &model.library.scan_kernels(&bare, &atoms)).map(|s| s.1)
         });
-        let reason = kernel.map_or_else(String::new, |k| structure_reason(model.library.kernels[k].0));
+        let reason = kernel.map_or_else(String::new, |k| {
+            structure_reason(model.library.kernels[k].kernel, linear.scene.time_min.is_some())
+        });
         if let Some(kernel) = kernel {
             place = place_of_kernel(model, linear, &[], kernel);
         }
         (Verdict::UnexplainedStructure, reason)
-    } else if let Some(chi) = scatter.filter(|_| scatter_rivals(model, linear, cause_rms_m)) {
-        (Verdict::UnexplainedScatter, scatter_reason(chi))
+    } else if scatter.rivals(model, linear, cause_rms_m) {
+        place.joint = scatter.along.map(|a| a.joint + 1);
+        (Verdict::UnexplainedScatter, scatter.reason())
     } else if !told_apart || scale {
-        (Verdict::Ambiguous, format!("these data cannot tell apart: {}", names.join(", or ")))
-    } else if chosen.len() > 1 {
-        (Verdict::Several, format!("{} causes, each needed: {}", chosen.len(), names.join("; ")))
+        (Verdict::Ambiguous, format!("these data cannot tell apart: {}", in_short(&names)))
+    } else if needed > 1 {
+        (Verdict::Several, format!("{needed} causes, each needed: {}", in_short(&names)))
+    } else if names.is_empty() {
+        (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
     } else {
         (Verdict::Explained, names.first().cloned().unwrap_or_default())
     };
     Judged { verdict, reason, causes, rivals, place, pair, reduced_chi_square: None }
 }
 
+/// The first few names, and how many more there are.
+fn in_short(names: &[String]) -> String {
+    const SAID: usize = 6;
+    let more = names.len().saturating_sub(SAID);
+    let said = names[..names.len() - more].join("; ");
+    if more > 0 { format!("{said}; and {more} more") } else { said }
+}
+
 /// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
 fn line_among_many(model: &mut Model<'_>, linear: &Linear, chosen: &[Chosen], i: usize) -> Cause {
     let one = &chosen[i];
-    let odds = one.gain_nats + model.library.log_prior[one.candidate] - super::search::NULL_PRIOR.ln();
+    let odds = one.gain_nats + model.library.log_prior[one.candidate] - NULL_PRIOR.ln();
     let group =
         Group { best: one.candidate, probability: 1.0 / (1.0 + (-odds).exp()), gain_nats: one.gain_nats };
     cause(model, linear, chosen, Some(i), &group)
@@ -270,7 +422,6 @@ fn cause(
     group: &Group,
 ) -> Cause {
     let columns = model.library.place(&mut model.design, &mut model.place, group.best);
-    model.library.extend(&model.design);
     let size_ratio = i.and_then(|i| chosen.get(i)).map_or(1.0 / model.reached.sigma_m, |c| c.size_ratio);
     let this =
         Chosen { candidate: group.best, columns: columns.clone(), gain_nats: group.gain_nats, size_ratio };
@@ -370,6 +521,16 @@ fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
+/// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
+fn varying_cause(model: &Model<'_>, rest: &Slot) -> Option<usize> {
+    rest.ranked.iter().find_map(|(h, _, reached)| match h {
+        Hypothesis::Kernel(k) if matches!(model.library.kernels[*k].kernel, Kernel::Varying(_)) => {
+            (reached.log_evidence - rest.null.log_evidence > ALARM_NATS).then_some(*k)
+        }
+        _ => None,
+    })
+}
+
 /// How large the structure is that a kernel takes after the causes, 3-D rms, metres.
 fn left_over_m(model: &Model<'_>, slot: &Slot, kernel: usize) -> f64 {
     let sigma_with = slot
@@ -383,21 +544,64 @@ fn left_over_m(model: &Model<'_>, slot: &Slot, kernel: usize) -> f64 {
 
 /// Whether one kernel alone is likelier than all causes together.
 fn kernel_takes_all(model: &Model<'_>, chosen: &[Chosen]) -> bool {
-    let (bare, _) = scan(model, &[], None);
-    let Some((gain, _)) = structure(model, &bare) else { return false };
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let over = |k: usize| Background::new(&model.design, &atoms, &flat(&chosen[..k], None), model.noise);
+    let Some((gain, _)) = structure(model, &model.library.scan_kernels(&over(0), &atoms)) else {
+        return false;
+    };
     let mut total = 0.0;
-    for k in 0..chosen.len() {
-        let (slot, _) = scan(model, &chosen[..k], None);
-        let c = chosen[k].candidate;
-        total += slot.gain(Hypothesis::Effect(c)).unwrap_or(chosen[k].gain_nats) + model.library.log_prior[c]
-            - super::search::NULL_PRIOR.ln();
+    for (k, one) in chosen.iter().enumerate() {
+        let c = one.candidate;
+        total += model.library.gain(&over(k), &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
     }
-    gain + UNEXPLAINED_PRIOR.ln() - super::search::NULL_PRIOR.ln() > total
+    gain + UNEXPLAINED_PRIOR.ln() - NULL_PRIOR.ln() > total
 }
 
-/// Scatter beyond the repeats that is not small against what the causes take.
-fn scatter_rivals(model: &Model<'_>, linear: &Linear, cause_rms_m: f64) -> bool {
-    let Some((sigma_m, _)) = model.noise.known else { return false };
+/// Scatter that the model does not know.
+#[derive(Clone, Copy, Debug)]
+struct Scatter {
+    /// Reduced chi-square against the noise, where it is too large.
+    chi: Option<f64>,
+    /// Along a joint.
+    along: Option<JointScatter>,
+}
+
+impl Scatter {
+    /// Whether it is not small against what the causes take.
+    fn rivals(&self, model: &Model<'_>, linear: &Linear, cause_rms_m: f64) -> bool {
+        self.along.is_some_and(|a| a.rms_m > LEFT_OVER * cause_rms_m)
+            || self.chi.is_some() && excess_m(model, linear) > LEFT_OVER * cause_rms_m
+    }
+
+    fn reason(&self) -> String {
+        let what = match (self.along, self.chi) {
+            (Some(a), _) => format!("poses scatter along joint {}", a.joint + 1),
+            (None, Some(chi)) => format!("poses scatter {:.1} times as much as the noise allows", chi.sqrt()),
+            (None, None) => "poses scatter".to_owned(),
+        };
+        format!("{what}, and nothing that is recorded explains it: a channel is missing")
+    }
+}
+
+fn joint_scatter(model: &Model<'_>, linear: &Linear) -> Option<JointScatter> {
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let background = Background::new(&model.design, &atoms, &flat(&model.chosen, None), model.noise);
+    // Orientation has rows of its own; half of the parameters are then the points'.
+    let share = 3.0 / linear.scene.rows_per_site as f64;
+    let used = share * background.parameters(model.reached.geometry_ratio);
+    scatter::along_joints(
+        &linear.scene,
+        &model.residuals,
+        &model.base_weights,
+        &model.outliers,
+        &model.noise,
+        used,
+    )
+}
+
+/// Scatter beyond the noise as known, 3-D rms, metres.
+fn excess_m(model: &Model<'_>, linear: &Linear) -> f64 {
+    let Some((sigma_m, _)) = model.noise.known else { return 0.0 };
     let kept: Vec<f64> = model
         .residuals
         .iter()
@@ -407,8 +611,7 @@ fn scatter_rivals(model: &Model<'_>, linear: &Linear, cause_rms_m: f64) -> bool 
         .collect();
     let expected = linear.scene.sites.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
         / linear.scene.sites.len() as f64;
-    let excess = (rms(&kept).powi(2) - expected).max(0.0).sqrt();
-    excess > LEFT_OVER * cause_rms_m
+    (rms(&kept).powi(2) - expected).max(0.0).sqrt()
 }
 
 /// Scatter about the model over what the repeats allow, and the limit for as many repeats as there are.
@@ -426,21 +629,30 @@ fn reduced_chi_square(model: &Model<'_>, linear: &Linear) -> Option<(f64, f64)> 
     let background = Background::new(&model.design, &atoms, &flat(&model.chosen, None), model.noise);
     let used = background.parameters(model.reached.geometry_ratio);
     let free: f64 = (rows - used).max(6.0);
-    Some((sum / (sigma_m * sigma_m) / free, SCATTER + 1.5 * (2.0 / freedom + 2.0 / free).sqrt()))
+    let least = if model.noise.seen { SCATTER } else { STATED_SCATTER };
+    Some((sum / (sigma_m * sigma_m) / free, least + 1.5 * (2.0 / freedom + 2.0 / free).sqrt()))
 }
 
 fn place_of_kernel(model: &Model<'_>, linear: &Linear, chosen: &[Chosen], kernel: usize) -> Where {
     let atoms: Vec<usize> = (0..model.design.atoms()).collect();
     let fit = solve(&model.design, &atoms, chosen, Some(model.reached.geometry_ratio));
     let left: Vec<f64> = model.design.residuals(&fit.coefficients).iter().map(norm3).collect();
-    let kind = model.library.kernels[kernel].0;
+    let kind = model.library.kernels[kernel].kernel;
     Where {
         joint: match kind {
-            Kernel::Joint(j) | Kernel::JointFine(j) | Kernel::Joints(j) => Some(j + 1),
+            Kernel::Joint(j)
+            | Kernel::JointFine(j)
+            | Kernel::Joints(j)
+            | Kernel::JointTime(j)
+            | Kernel::Periodic(j, _) => Some(j + 1),
             _ => None,
         },
         time: Some(match kind {
-            Kernel::Time | Kernel::TimeFine => "drift",
+            Kernel::Time
+            | Kernel::TimeFine
+            | Kernel::ToolTime
+            | Kernel::JointTime(_)
+            | Kernel::Varying(_) => "drift",
             _ => "constant",
         }),
         region: region_of(linear, &left),
@@ -452,22 +664,21 @@ fn region_of(linear: &Linear, moved_m: &[f64]) -> Region {
     Region { center_mm: [centre.x, centre.y, centre.z].map(mm_from_m), radius_mm: mm_from_m(radius_m) }
 }
 
-fn structure_reason(kernel: Kernel) -> String {
+fn structure_reason(kernel: Kernel, timed: bool) -> String {
+    let time = if timed { "time" } else { "the order of the rows; the time (t_min) is not in the file" };
     let of = match kernel {
         Kernel::Joint(j) | Kernel::JointFine(j) => format!("the angle of joint {}", j + 1),
         Kernel::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
         Kernel::AllJoints => "the angles of several joints".to_owned(),
         Kernel::Workspace | Kernel::WorkspaceFine => "the place in the workspace".to_owned(),
-        Kernel::Time | Kernel::TimeFine => "time".to_owned(),
+        Kernel::Time | Kernel::TimeFine | Kernel::Varying(_) => time.to_owned(),
+        Kernel::ToolTime => format!("the target on the flange, over {time}"),
+        Kernel::JointTime(j) => format!("joint {}, over {time}", j + 1),
+        Kernel::Periodic(j, n) => {
+            format!("the angle of joint {}, {n} times per turn, with steps or corners", j + 1)
+        }
     };
     format!("the gap has a structure that no effect of the library takes; it follows {of}")
-}
-
-fn scatter_reason(chi: f64) -> String {
-    format!(
-        "poses scatter {:.1} times as much as their repeats, and nothing that is recorded explains it: a channel is missing",
-        chi.sqrt()
-    )
 }
 
 /// A candidate in words.

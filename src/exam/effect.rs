@@ -271,8 +271,9 @@ impl Effect {
             Self::JointOffset { joint } => to.joint_rad[joint - 1] += amplitude,
             Self::LinkGeometry { joint, direction } => {
                 let (shift, turn) = rigid(&direction, amplitude);
-                to.seat_m[joint - 1] += shift;
-                to.seat_rad[joint - 1] += turn;
+                // link i follows joint i: its error is in the seat of the joint after it
+                to.seat_m[joint] += shift;
+                to.seat_rad[joint] += turn;
             }
             Self::JointCompliance { joint } => {
                 to.joint_rad[joint - 1] += amplitude * now.torque_n_m[joint - 1];

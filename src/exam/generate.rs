@@ -103,6 +103,15 @@ impl Scene<'_> {
     fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
         rms_after_registration_m(&self.flanges, &self.nominal_m, off_m)
     }
+
+    /// The same over the rows that are not grossly wrong.
+    fn sound_rms_m(&self, off_m: &[Vector3<f64>], gross: &[bool]) -> f64 {
+        let sound: Vec<usize> = (0..off_m.len()).filter(|&k| !gross[k]).collect();
+        let flanges: Vec<_> = sound.iter().map(|&k| self.flanges[k]).collect();
+        let nominal_m: Vec<_> = sound.iter().map(|&k| self.nominal_m[k]).collect();
+        let off_m: Vec<_> = sound.iter().map(|&k| off_m[k]).collect();
+        rms_after_registration_m(&flanges, &nominal_m, &off_m)
+    }
 }
 
 /// Where the instrument stands in the base frame, metres.
@@ -153,7 +162,7 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
         background.seat_m[i] = Vector3::from(draw.normal3()) * (1.5e-4 * recipe.geometry);
         background.seat_rad[i] = Vector3::from(draw.normal3()) * (2.5e-4 * recipe.geometry);
     }
-    let noise_m = noise(recipe, draw);
+    let (noise_m, gross) = noise(recipe, draw);
     let clean = scene.off_m(&effects, &background);
     let with: Vec<_> = clean.iter().zip(&noise_m).map(|(a, b)| a + b).collect();
     let without: Vec<_> = scene.off_m(&[], &background).iter().zip(&noise_m).map(|(a, b)| a + b).collect();
@@ -167,8 +176,9 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
         recorded: recipe.recorded,
         slow_noise: recipe.slowness > 0.0,
         outliers: recipe.outliers,
-        before_rms_mm: mm_from_m(scene.rms_m(&with)),
-        oracle_rms_mm: mm_from_m(scene.rms_m(&without)),
+        geometry: recipe.geometry,
+        before_rms_mm: mm_from_m(scene.sound_rms_m(&with, &gross)),
+        oracle_rms_mm: mm_from_m(scene.sound_rms_m(&without, &gross)),
     };
     let csv = csv(&scene, recipe, &effects, &background, &with, draw);
     let told = tool_m.map(|c| mm_from_m(c) + 0.5 * draw.normal());
@@ -180,17 +190,19 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
     Some(DataSet { csv, task, truth })
 }
 
-fn noise(recipe: &Recipe, draw: &mut Draw) -> Vec<Vector3<f64>> {
+/// The noise of each row, and which rows are grossly wrong.
+fn noise(recipe: &Recipe, draw: &mut Draw) -> (Vec<Vector3<f64>>, Vec<bool>) {
     let sigma_m = m_from_mm(recipe.sigma_mm);
     let fresh = (1.0 - recipe.slowness * recipe.slowness).sqrt();
     let mut last = Vector3::from(draw.normal3());
     (0..recipe.n)
         .map(|_| {
             last = last * recipe.slowness + Vector3::from(draw.normal3()) * fresh;
-            let gross = if draw.chance(recipe.outliers) { draw.uniform(8.0, 30.0) } else { 1.0 };
-            last * (sigma_m * gross)
+            let gross = draw.chance(recipe.outliers);
+            let factor = if gross { draw.uniform(8.0, 30.0) } else { 1.0 };
+            (last * (sigma_m * factor), gross)
         })
-        .collect()
+        .unzip()
 }
 
 fn csv(

@@ -71,11 +71,11 @@ fn outside_effect(draw: &mut Draw) -> Effect {
     }
 }
 
-/// The recipe of data set number `number`.
+/// The recipe of data set number `number`, of at most `most_rows` rows.
 #[must_use]
-pub fn recipe(number: usize, draw: &mut Draw) -> Recipe {
+pub fn recipe(number: usize, most_rows: usize, draw: &mut Draw) -> Recipe {
     let kind = kind(draw);
-    let n = [30, 60, 100, 150, 300][draw.below(5)];
+    let n = [30, 60, 100, 150, 300][draw.below(5)].min(most_rows);
     let spread = match draw.below(10) {
         0..=5 => Spread::Wide,
         6 | 7 => Spread::Cube,

@@ -58,7 +58,9 @@ pub struct Truth {
     pub slow_noise: bool,
     /// Share of rows that are grossly wrong.
     pub outliers: f64,
-    /// rms of the error with registration only, mm.
+    /// Geometry errors in the background, in parts of the manufacturing tolerance.
+    pub geometry: f64,
+    /// rms of the error with registration only, over the rows that are not grossly wrong, mm.
     pub before_rms_mm: f64,
     /// rms once every effect that was put in is taken out, mm: what an oracle reaches.
     pub oracle_rms_mm: f64,

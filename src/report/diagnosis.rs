@@ -3,6 +3,9 @@
 use crate::diagnose::{Cause, Diagnosis, Verdict, describe};
 use std::fmt::Write;
 
+/// More causes than this are counted, not listed: a gear has dozens of lines.
+const MOST_LISTED: usize = 12;
+
 /// The page in the terminal.
 #[must_use]
 pub fn text(d: &Diagnosis, robot: &str) -> String {
@@ -68,8 +71,11 @@ fn evidence(page: &mut String, d: &Diagnosis) {
         matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
     line(page, "");
     line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
-    for cause in &d.causes {
+    for cause in d.causes.iter().take(MOST_LISTED) {
         line(page, &format!("  {}", in_words(cause)));
+    }
+    if d.causes.len() > MOST_LISTED {
+        line(page, &format!("  and {} more: see the JSON", d.causes.len() - MOST_LISTED));
     }
     let wanting: Vec<String> =
         d.rivals.iter().take(4).map(|c| format!("{} ({})", describe(c), percent(c.posterior))).collect();
@@ -80,8 +86,40 @@ fn evidence(page: &mut String, d: &Diagnosis) {
     }
 }
 
+/// What an effect is, for someone who has never read its name.
+fn plainly(effect: &str) -> &'static str {
+    match effect {
+        "joint_offset" => "its zero is off",
+        "link_geometry" => "the link is not as drawn",
+        "joint_compliance" => "its gear gives under gravity's torque",
+        "link_bending" => "the link bends under what hangs beyond it",
+        "base_tilt" => "the stand gives under the robot's weight",
+        "gear_eccentricity" => "a gear or encoder disc runs out of centre",
+        "gear_second_harmonic" => "a gear or bearing is oval",
+        "gear_mesh" => "teeth or rollers of its gear",
+        "joint_gain" => "it turns a little more or less than it says",
+        "joint_coupling" => "one joint turns the other a little",
+        "backlash" => "play in its gear",
+        "thermal_link_growth" => "links grow as they warm up",
+        "thermal_joint_drift" => "its zero drifts as it warms up",
+        "base_drift" => "base and instrument creep apart",
+        "base_step" => "base or instrument was moved",
+        "instrument_scale" => "the instrument's lengths are scaled",
+        "tool_drift" => "the target creeps on the flange",
+        "tool_step" => "the target was moved on the flange",
+        "payload_mass" => "the payload weighs more or less than declared",
+        "joint_rounding" => "joints are written with too few decimals",
+        "swapped_axes" => "measured axes are swapped or mirrored",
+        _ => "",
+    }
+}
+
 fn in_words(cause: &Cause) -> String {
     let mut text = describe(cause);
+    let plain = plainly(cause.effect);
+    if !plain.is_empty() {
+        let _ = write!(text, " ({plain})");
+    }
     if let Some(size) = cause.size {
         let _ = write!(text, ": {}", number(size)); // writing to a String cannot fail
         if let Some(sigma) = cause.sigma {

@@ -11,7 +11,9 @@ mod inspect;
 mod joints;
 mod json;
 mod message;
+pub mod plots;
 mod review;
+mod svg;
 mod table;
 
 pub use comparison::Compared;

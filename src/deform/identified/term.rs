@@ -93,7 +93,8 @@ pub struct Term {
     pub n: Option<u32>,
     /// Growth.
     pub shape: Shape,
-    /// Backlash: above this torque gravity holds the teeth on one side, N.m.
+    /// Backlash: above this torque gravity holds the teeth on one side, N.m; negative where gravity's side counts
+    /// against the direction's (the joint lags behind its motor, and its load pulls it ahead).
     pub held_above_n_m: Option<f64>,
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
@@ -164,9 +165,9 @@ impl Term {
             Kind::Backlash => {
                 let mut side = f64::from(at.direction[joint]);
                 if let (Some(limit), Some((loads, _))) = (self.held_above_n_m, at.loads)
-                    && loads.torque_n_m[joint].abs() > limit
+                    && loads.torque_n_m[joint].abs() > limit.abs()
                 {
-                    side = loads.torque_n_m[joint].signum();
+                    side = loads.torque_n_m[joint].signum() * limit.signum();
                 }
                 to.turns_rad[joint] += 0.5 * v(0) * side;
             }

@@ -6,7 +6,9 @@ use super::{Candidate, Effect, Form, Motion, Scene, Site, turn_joint};
 pub struct Backlash;
 
 /// Share of stations whose torque is taken as large enough to hold the teeth on one side.
-const HELD: [f64; 3] = [0.0, 0.35, 0.7];
+const HELD: [f64; 6] = [0.0, 0.12, 0.3, 0.5, 0.7, 0.9];
+/// Prior weight of all forms in which gravity holds the teeth, over that in which it does not.
+const HELD_WEIGHT: f64 = 1.5;
 
 impl Effect for Backlash {
     fn name(&self) -> &'static str {
@@ -34,9 +36,13 @@ impl Effect for Backlash {
                 continue;
             }
             let loaded = scene.sites.iter().any(|s| s.loads.torque_n_m[j].abs() > 1.0);
-            for variant in 0..if loaded { HELD.len() } else { 1 } {
+            // A driven joint lags behind its motor while its load pulls it ahead: opposite signs. Files that
+            // count the direction the other way are taken as well, at a price.
+            let forms = if loaded { 2 * HELD.len() - 1 } else { 1 };
+            for variant in 0..forms {
                 let form = Form { variant, ..Form::of_joint(j) };
-                let weight = if variant == 0 { 1.0 } else { 0.25 };
+                let share = if variant < HELD.len() { 0.75 } else { 0.25 };
+                let weight = if variant == 0 { 1.0 } else { HELD_WEIGHT * share / (HELD.len() - 1) as f64 };
                 all.push(Candidate { weight, ..Candidate::new(form, vec![usual]) });
             }
         }
@@ -45,19 +51,29 @@ impl Effect for Backlash {
     fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
         let j = form.joint.unwrap_or(0).min(5);
         let mut side = f64::from(site.direction.map_or(0, |d| d[j]));
-        if form.variant > 0 {
-            let torque = site.loads.torque_n_m[j];
-            if torque.abs() > scene.torque_limit_n_m[j][form.variant.min(HELD.len() - 1)] {
-                side = torque.signum();
-            }
+        let torque = site.loads.torque_n_m[j];
+        let limit_n_m = held_above_n_m(form, scene);
+        if form.variant > 0 && torque.abs() > limit_n_m.abs() {
+            side = torque.signum() * limit_n_m.signum();
         }
         turn_joint(site, form.joint, 0.5 * side, out);
     }
 }
 
+/// The torque above which gravity holds the teeth, N.m; negative where its side counts against the direction's.
+#[must_use]
+pub(in crate::diagnose) fn held_above_n_m(form: &Form, scene: &Scene) -> f64 {
+    let j = form.joint.unwrap_or(0).min(5);
+    let (limit, sign) = match form.variant {
+        v if v < HELD.len() => (v, -1.0),
+        v => ((v + 1 - HELD.len()).min(HELD.len() - 1), 1.0),
+    };
+    sign * scene.torque_limit_n_m[j][limit].max(1e-9)
+}
+
 /// For each joint the torque above which a share of [`HELD`] of the stations lies, N.m.
 #[must_use]
-pub(in crate::diagnose) fn torque_limits_n_m(sites: &[Site]) -> [[f64; 3]; 6] {
+pub(in crate::diagnose) fn torque_limits_n_m(sites: &[Site]) -> [[f64; 6]; 6] {
     std::array::from_fn(|j| {
         let mut torques: Vec<f64> = sites.iter().map(|s| s.loads.torque_n_m[j].abs()).collect();
         torques.sort_by(f64::total_cmp);

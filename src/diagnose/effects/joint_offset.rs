@@ -19,9 +19,15 @@ impl Effect for JointOffset {
         "Mooring, Roth, Driels, Fundamentals of Manipulator Calibration, 1991, ch. 2"
     }
     fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
-        (0..6).map(|j| Candidate::new(Form::of_joint(j), vec![4e-4])).collect()
+        let mut all: Vec<Candidate> = (0..6).map(|j| Candidate::new(Form::of_joint(j), vec![4e-4])).collect();
+        // All at once, for an arm that was never calibrated: the search takes it apart again.
+        all.push(Candidate { weight: 0.1, ..Candidate::new(Form::PLAIN, vec![4e-4; 6]) });
+        all
     }
     fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        turn_joint(site, form.joint, 1.0, out);
+        match form.joint {
+            Some(_) => turn_joint(site, form.joint, 1.0, out),
+            None => (0..6).for_each(|j| turn_joint(site, Some(j), 1.0, out)),
+        }
     }
 }

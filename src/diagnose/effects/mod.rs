@@ -25,7 +25,7 @@ mod thermal_link_growth;
 mod tool_drift;
 mod tool_step;
 
-pub(in crate::diagnose) use backlash::torque_limits_n_m;
+pub(in crate::diagnose) use backlash::{held_above_n_m, torque_limits_n_m};
 pub(in crate::diagnose) use payload_mass::COMPLIANCE;
 
 use super::scene::{Driver, Motion, Scene, Site};
@@ -180,6 +180,22 @@ fn turn_joint(site: &Site, joint: Option<usize>, angle: f64, out: &mut Vec<Motio
 fn move_base(site: &Site, factor: f64, out: &mut Vec<Motion>) {
     for k in 0..6 {
         out.push(super::scene::scaled(site.offset(0, k), factor));
+    }
+}
+
+/// A rigid motion of the target on the flange: three shifts in the flange's axes and, where the orientation
+/// is measured, three turns (without it a turn of the target is a shift), times `factor`.
+fn move_tool(scene: &Scene, site: &Site, factor: f64, out: &mut Vec<Motion>) {
+    for k in 0..3 {
+        let axis = site.flange.column(k);
+        out.push(super::scene::scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], factor));
+    }
+    if scene.rows_per_site == 6 {
+        for k in 0..3 {
+            // About the measured point itself: its shift stands above.
+            let axis = site.flange.column(k);
+            out.push(super::scene::scaled([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]], factor));
+        }
     }
 }
 

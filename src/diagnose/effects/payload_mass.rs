@@ -1,11 +1,15 @@
 //! The payload weighs more or less than the controller believes.
 
 use super::{Candidate, Effect, Form, Motion, Scene, Site};
+use crate::deform::gravity::GRAVITY_M_S2;
 use crate::diagnose::scene::scaled;
+use nalgebra::Vector3;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
 
+/// How far from the measured point a payload usually pulls, metres.
+const LEVER_M: f64 = 0.08;
 /// Usual compliance of each joint, rad/(N.m).
 pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
 
@@ -29,11 +33,27 @@ impl Effect for PayloadMass {
         }
         (!scene.sites.iter().any(|s| loaded(s.payload_kg))).then(|| "no row has a payload".to_owned())
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
-        vec![Candidate { counted: 1, ..Candidate::new(Form::PLAIN, vec![0.6, 0.3, 0.3, 0.3]) }]
+    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+        // Wrong by as much whenever something hangs there; always, as a tool's mass is; or by a factor.
+        let alike = scene.sites.iter().all(|s| s.payload_kg == scene.sites[0].payload_kg);
+        [2.0, 1.0, 1.0]
+            .into_iter()
+            .take(if alike { 1 } else { 3 })
+            .enumerate()
+            .map(|(variant, weight)| Candidate {
+                counted: 1,
+                weight,
+                ..Candidate::new(Form { variant, ..Form::PLAIN }, vec![0.6, 0.3, 0.3, 0.3, 0.6, 0.6, 0.6])
+            })
+            .collect()
     }
-    fn motions(&self, _form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let hangs = f64::from(u8::from(site.payload_kg.is_some_and(|kg| kg > 0.0)));
+    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
+        let payload_kg = site.payload_kg.unwrap_or(0.0);
+        let hangs = match form.variant {
+            0 => f64::from(u8::from(payload_kg > 0.0)),
+            1 => 1.0,
+            _ => payload_kg / scene.largest_payload_kg.max(1e-9),
+        };
         let give = |j: usize| scaled(site.joint(j), hangs * COMPLIANCE[j] * site.loads.unit_torque_n_m[j]);
         let mut all = [0.0; 6];
         for j in 0..6 {
@@ -44,5 +64,18 @@ impl Effect for PayloadMass {
         out.push(all);
         // The joints that carry most may be softer or stiffer than usual.
         out.extend([give(1), give(2), give(4)]);
+        // And its weight may pull elsewhere than at the measured point.
+        for k in 0..3 {
+            let off_m: Vector3<f64> = site.flange.column(k) * LEVER_M;
+            let mut all = [0.0; 6];
+            let moment = off_m.cross(&Vector3::new(0.0, 0.0, -GRAVITY_M_S2));
+            for (j, compliance) in COMPLIANCE.iter().enumerate() {
+                let turn = hangs * compliance * site.axes[j].dot(&moment);
+                for (sum, part) in all.iter_mut().zip(site.joint(j)) {
+                    *sum += turn * part;
+                }
+            }
+            out.push(all);
+        }
     }
 }

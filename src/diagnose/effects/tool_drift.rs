@@ -1,10 +1,10 @@
 //! The target creeps on the flange: glue, a warm spindle.
 
-use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, hours};
-use crate::diagnose::scene::{Driver, scaled};
+use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, hours, move_tool};
+use crate::diagnose::scene::Driver;
 use crate::units::mm_from_m;
 
-/// A shift of the measured point in the flange's axes that grows over the measurement.
+/// A shift of the measured point in the flange's axes, with orientation also a turn, that grows over the measurement.
 pub struct ToolDrift;
 
 impl Effect for ToolDrift {
@@ -37,17 +37,14 @@ impl Effect for ToolDrift {
         shapes
             .into_iter()
             .map(|(driver, weight)| Candidate {
+                counted: 3,
                 factor: mm_from_m(1.0),
                 weight,
-                ..Candidate::new(Form { driver, ..Form::PLAIN }, vec![grown_m; 3])
+                ..Candidate::new(Form { driver, ..Form::PLAIN }, vec![grown_m; scene.rows_per_site])
             })
             .collect()
     }
     fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let drive = scene.drive(form.driver, site, None);
-        for k in 0..3 {
-            let axis = site.flange.column(k);
-            out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], drive));
-        }
+        move_tool(scene, site, scene.drive(form.driver, site, None), out);
     }
 }

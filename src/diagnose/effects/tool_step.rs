@@ -1,10 +1,10 @@
 //! The target moved on the flange at one moment: reseated, knocked.
 
-use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, step_times};
-use crate::diagnose::scene::{Driver, scaled};
+use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, move_tool, step_times};
+use crate::diagnose::scene::Driver;
 use crate::units::mm_from_m;
 
-/// A shift of the measured point in the flange's axes from t0 on, t0 scanned.
+/// A shift of the measured point in the flange's axes, with orientation also a turn, from t0 on, t0 scanned.
 pub struct ToolStep;
 
 impl Effect for ToolStep {
@@ -30,16 +30,16 @@ impl Effect for ToolStep {
         step_times(scene, 80, 4)
             .into_iter()
             .map(|t0_min| Candidate {
+                counted: 3,
                 factor: mm_from_m(1.0),
-                ..Candidate::new(Form { driver: Driver::Step { t0_min }, ..Form::PLAIN }, vec![1e-4; 3])
+                ..Candidate::new(
+                    Form { driver: Driver::Step { t0_min }, ..Form::PLAIN },
+                    vec![1e-4; scene.rows_per_site],
+                )
             })
             .collect()
     }
     fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let drive = scene.drive(form.driver, site, None);
-        for k in 0..3 {
-            let axis = site.flange.column(k);
-            out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], drive));
-        }
+        move_tool(scene, site, scene.drive(form.driver, site, None), out);
     }
 }

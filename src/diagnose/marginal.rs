@@ -1,0 +1,217 @@
+//! Noise whose size is not known: sigma integrated out in closed form against what the repeats say of it
+//! (MacKay 1992; Gelman et al. 2013, ch. 3).
+
+use crate::measure::Repeats;
+
+/// Share of the prior on noise as the repeats say; the rest is noise that they do not show.
+const REPEATS_HOLD: f64 = 0.8;
+/// Repeats are never trusted beyond so many degrees of freedom: they are near in time and place.
+const MOST_FREEDOM: f64 = 60.0;
+/// Noise can lie between these, metres.
+pub const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
+
+/// A sigma that is only stated is worth so many degrees of freedom: statements are 1.4 times off.
+const STATED_FREEDOM: f64 = 20.0;
+/// Repeats with fewer degrees of freedom than this say nothing of the noise.
+const FEWEST_FREEDOM: usize = 6;
+
+/// What is known of the noise before the fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Noise {
+    /// Sigma of a row of weight 1 and its degrees of freedom, from repeats or as stated.
+    pub known: Option<(f64, f64)>,
+    /// Whether repeats stand behind it; a statement alone can be wrong.
+    pub seen: bool,
+}
+
+impl Noise {
+    /// From the repeats; from `stated_m` where there are none, or where both agree.
+    #[must_use]
+    pub fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
+        let seen = repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM);
+        match (seen, stated_m) {
+            (Some(r), Some(sigma_m)) if agree(r, sigma_m) => {
+                Self { known: Some((sigma_m, MOST_FREEDOM)), seen: true }
+            }
+            (Some(r), _) => {
+                let freedom = (r.degrees_of_freedom as f64).min(MOST_FREEDOM);
+                Self { known: Some((r.sigma_m, freedom)), seen: true }
+            }
+            (None, Some(sigma_m)) => Self { known: Some((sigma_m, STATED_FREEDOM)), seen: false },
+            (None, None) => Self { known: None, seen: false },
+        }
+    }
+
+    /// Whether the repeats speak against the stated sigma.
+    #[must_use]
+    pub fn contradicted(repeats: Option<&Repeats>, stated_m: Option<f64>) -> bool {
+        match (repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM), stated_m) {
+            (Some(r), Some(sigma_m)) => !agree(r, sigma_m),
+            _ => false,
+        }
+    }
+
+    /// The integral over sigma for `m` rows.
+    #[must_use]
+    pub fn over(&self, m: f64) -> Marginal {
+        let (low_m, high_m, share) = match self.known {
+            None => (SIGMA_M[0], SIGMA_M[1], 1.0),
+            Some((sigma_m, _)) => (sigma_m, (30.0 * sigma_m).max(SIGMA_M[1]), 1.0 - REPEATS_HOLD),
+        };
+        let width = 1.0 / (2.0 * m).sqrt();
+        let (low, high) = (low_m.ln(), high_m.ln());
+        let wide = share.ln() + (width * std::f64::consts::TAU.sqrt()).ln() - (high - low).ln() - 0.5 * m;
+        let held = self.known.map(|(sigma_m, freedom)| {
+            let scatter = freedom * sigma_m * sigma_m;
+            let constant = REPEATS_HOLD.ln() + 0.5 * freedom * (0.5 * scatter).ln() - ln_gamma(0.5 * freedom)
+                + ln_gamma(0.5 * (m + freedom));
+            Held { scatter, freedom, constant }
+        });
+        Marginal { m, low, high, width, wide, held }
+    }
+}
+
+/// Whether the repeats allow the stated sigma: both ends of the 99 % interval of their chi-square
+/// (Wilson and Hilferty 1931).
+fn agree(repeats: &Repeats, stated_m: f64) -> bool {
+    let v = repeats.degrees_of_freedom as f64;
+    let end = |z: f64| {
+        let c = 2.0 / (9.0 * v);
+        (1.0 - c + z * c.sqrt()).powi(3)
+    };
+    let ratio = (repeats.sigma_m / stated_m).powi(2);
+    (end(-2.576)..end(2.576)).contains(&ratio)
+}
+
+/// ln of the integral over ln sigma of prior times sigma^-m exp(-q / 2 sigma^2), prepared for many q.
+#[derive(Clone, Copy, Debug)]
+pub struct Marginal {
+    m: f64,
+    low: f64,
+    high: f64,
+    width: f64,
+    wide: f64,
+    held: Option<Held>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    scatter: f64,
+    freedom: f64,
+    constant: f64,
+}
+
+impl Marginal {
+    /// ln of the integral at sum of squares `q`, and the sigma that carries it, metres.
+    #[must_use]
+    pub fn at(&self, q: f64) -> (f64, f64) {
+        let q = q.max(1e-300);
+        let m = self.m;
+        // Log-uniform between bounds; the mass within them by the normal shape of ln sigma.
+        let at = 0.5 * (q / m).ln();
+        let mass = normal_below((self.high - at) / self.width) - normal_below((self.low - at) / self.width);
+        let wide = self.wide - m * at + mass.max(1e-300).ln();
+        let Some(h) = self.held else { return (wide, at.exp()) };
+        // ln of the integral of sigma^-m e^(-q/2s^2) over the repeats' own posterior.
+        let held = h.constant - 0.5 * (m + h.freedom) * (0.5 * (q + h.scatter)).ln();
+        let sigma_m = if held > wide { ((q + h.scatter) / (m + h.freedom)).sqrt() } else { at.exp() };
+        (log_add(held, wide), sigma_m)
+    }
+}
+
+/// Density of the normal distribution.
+#[must_use]
+pub fn normal(x: f64, mean: f64, sigma: f64) -> f64 {
+    let z = (x - mean) / sigma;
+    (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
+}
+
+/// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
+fn normal_below(z: f64) -> f64 {
+    if z.abs() > 8.0 {
+        return f64::from(u8::from(z > 0.0));
+    }
+    let t = 1.0 / (1.0 + 0.231_641_9 * z.abs());
+    let poly = t
+        * (0.319_381_530
+            + t * (-0.356_563_782 + t * (1.781_477_937 + t * (-1.821_255_978 + t * 1.330_274_429))));
+    let tail = normal(z.abs(), 0.0, 1.0) * poly;
+    if z > 0.0 { 1.0 - tail } else { tail }
+}
+
+/// ln of the gamma function (Lanczos 1964, g = 7).
+fn ln_gamma(x: f64) -> f64 {
+    const C: [f64; 9] = [
+        0.999_999_999_999_809_9,
+        676.520_368_121_885_1,
+        -1_259.139_216_722_402_8,
+        771.323_428_777_653_1,
+        -176.615_029_162_140_6,
+        12.507_343_278_686_905,
+        -0.138_571_095_265_720_12,
+        9.984_369_578_019_572e-6,
+        1.505_632_735_149_311_6e-7,
+    ];
+    let x = x - 1.0;
+    let t = x + 7.5;
+    let sum = C[0] + C[1..].iter().zip(1..).map(|(c, i)| c / (x + f64::from(i))).sum::<f64>();
+    0.5 * std::f64::consts::TAU.ln() + (x + 0.5) * t.ln() - t + sum.ln()
+}
+
+/// ln(e^a + e^b).
+#[must_use]
+pub fn log_add(a: f64, b: f64) -> f64 {
+    let (high, low) = if a > b { (a, b) } else { (b, a) };
+    if low == f64::NEG_INFINITY { high } else { high + (low - high).exp().ln_1p() }
+}
+
+/// ln of the sum of exponentials.
+#[must_use]
+pub fn log_sum(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(f64::NEG_INFINITY, log_add)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn special_functions_match_tables() {
+        // ln Gamma(0.5) = ln sqrt(pi); Gamma(10) = 9!; Phi(1.96) = 0.975002 (Abramowitz and Stegun).
+        assert!((ln_gamma(0.5) - 0.5 * std::f64::consts::PI.ln()).abs() < 1e-12);
+        assert!((ln_gamma(10.0) - 362_880.0_f64.ln()).abs() < 1e-10);
+        assert!((normal_below(1.96) - 0.975_002).abs() < 1e-6);
+        assert!((normal_below(-1.96) - 0.024_998).abs() < 1e-6);
+    }
+
+    #[test]
+    fn sigma_is_integrated_as_a_fine_sum_does() {
+        let (m, q) = (120.0, 120.0 * 2.5e-5_f64.powi(2));
+        for known in [None, Some((2e-5, 30.0))] {
+            let noise = Noise { known, seen: known.is_some() };
+            let steps = 40_000;
+            let (low, high) = (SIGMA_M[0].ln(), 3e-3_f64.ln());
+            let h = (high - low) / f64::from(steps);
+            let sum = log_sum((0..steps).map(|i| {
+                let x = low + h * (f64::from(i) + 0.5);
+                let likelihood = -m * x - 0.5 * q * (-2.0 * x).exp();
+                let flat = |from: f64| if x > from { 1.0 / (high - from) } else { 0.0 };
+                let prior = match known {
+                    None => flat(low),
+                    Some((s, v)) => {
+                        let c = 0.5 * v * s * s;
+                        let held = (2.0_f64.ln() + 0.5 * v * c.ln()
+                            - ln_gamma(0.5 * v)
+                            - v * x
+                            - c * (-2.0 * x).exp())
+                        .exp();
+                        REPEATS_HOLD * held + (1.0 - REPEATS_HOLD) * flat(s.ln())
+                    }
+                };
+                likelihood + (prior * h).ln()
+            }));
+            let (log, _) = noise.over(m).at(q);
+            assert!((log - sum).abs() < 0.05, "{known:?}: {log} {sum}");
+        }
+    }
+}
