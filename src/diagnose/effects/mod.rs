@@ -29,6 +29,8 @@ pub(in crate::diagnose) use backlash::{held_above_n_m, torque_limits_n_m};
 pub(in crate::diagnose) use payload_mass::COMPLIANCE;
 
 use super::scene::{Driver, Motion, Scene, Site};
+use crate::deform::gravity::GRAVITY_M_S2;
+use nalgebra::Vector3;
 
 /// An effect that can open a gap between model and robot.
 pub trait Effect: Sync {
@@ -174,6 +176,16 @@ pub fn candidates(scene: &Scene) -> (Vec<Candidate>, Vec<(&'static str, String)>
 /// J_j times a number: what every effect that only turns a joint does.
 fn turn_joint(site: &Site, joint: Option<usize>, angle: f64, out: &mut Vec<Motion>) {
     out.push(super::scene::scaled(site.joint(joint.unwrap_or(0).min(5)), angle));
+}
+
+/// How far from the measured point a payload's centre usually lies, metres.
+const LEVER_M: f64 = 0.08;
+
+/// What one kilogram adds to the torque of joint `j` when it hangs that far off the measured point along the
+/// flange's axis `k`, N.m: where a payload's centre lies is not in the file.
+fn lever_torque_n_m(site: &Site, j: usize, k: usize) -> f64 {
+    let off_m: Vector3<f64> = site.flange.column(k) * LEVER_M;
+    site.axes[j].dot(&off_m.cross(&Vector3::new(0.0, 0.0, -GRAVITY_M_S2)))
 }
 
 /// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.

@@ -1,15 +1,11 @@
 //! The payload weighs more or less than the controller believes.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site};
-use crate::deform::gravity::GRAVITY_M_S2;
+use super::{Candidate, Effect, Form, Motion, Scene, Site, lever_torque_n_m};
 use crate::diagnose::scene::scaled;
-use nalgebra::Vector3;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
 
-/// How far from the measured point a payload usually pulls, metres.
-const LEVER_M: f64 = 0.08;
 /// Usual compliance of each joint, rad/(N.m).
 pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
 
@@ -66,11 +62,9 @@ impl Effect for PayloadMass {
         out.extend([give(1), give(2), give(4)]);
         // And its weight may pull elsewhere than at the measured point.
         for k in 0..3 {
-            let off_m: Vector3<f64> = site.flange.column(k) * LEVER_M;
             let mut all = [0.0; 6];
-            let moment = off_m.cross(&Vector3::new(0.0, 0.0, -GRAVITY_M_S2));
             for (j, compliance) in COMPLIANCE.iter().enumerate() {
-                let turn = hangs * compliance * site.axes[j].dot(&moment);
+                let turn = hangs * compliance * lever_torque_n_m(site, j, k);
                 for (sum, part) in all.iter_mut().zip(site.joint(j)) {
                     *sum += turn * part;
                 }
