@@ -3,6 +3,10 @@
 //! No rendering here: `report` turns a [`Diagnostic`] into text with a source excerpt. Every code stands
 //! in `docs/MESSAGES.md`.
 
+mod lines;
+
+pub use lines::LineIndex;
+
 use std::fmt;
 
 /// One of the files given to the program, by its position in the list of files.

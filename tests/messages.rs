@@ -40,7 +40,9 @@ fn every_code_is_documented_and_every_documented_code_exists() {
     }
     let page = fs::read_to_string(root.join("docs/MESSAGES.md")).unwrap();
     let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
-    let documented: BTreeSet<String> = rows.map(str::to_owned).collect();
+    let rows: Vec<String> = rows.map(str::to_owned).collect();
+    assert!(rows.is_sorted_by(|a, b| a < b), "the rows are in order of code, each code once");
+    let documented: BTreeSet<String> = rows.into_iter().collect();
     let missing: Vec<_> = used.difference(&documented).collect();
     let unknown: Vec<_> = documented.difference(&used).collect();
     assert!(used.len() > 50, "the search found only {} codes", used.len());

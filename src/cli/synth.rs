@@ -243,6 +243,13 @@ impl<'a> Ask<'a> {
     }
 }
 
+/// How an effect is written, with numbers for its letters.
+fn example(name: &str) -> String {
+    let form = choose::NAMES.into_iter().find(|(known, _)| *known == name).map_or("", |(_, form)| form);
+    let numbers = form.split(':').filter(|part| !part.is_empty()).zip([":2", ":3"]);
+    std::iter::once(name).chain(numbers.map(|(_, number)| number)).collect()
+}
+
 /// The recipe of what is asked.
 pub(super) fn recipe(args: &Ask<'_>, draw: &mut Draw) -> Result<Recipe, Diagnostic> {
     let mut effects = Vec::new();
@@ -252,7 +259,11 @@ pub(super) fn recipe(args: &Ask<'_>, draw: &mut Draw) -> Result<Recipe, Diagnost
             let near = suggest::nearest(name, choose::NAMES.map(|(known, _)| known));
             let known = choose::NAMES
                 .map(|(name, form)| if form.is_empty() { name.into() } else { format!("{name}:{form}") });
-            let help = near.map_or_else(|| known.join(", "), |n| format!("did you mean {n}?"));
+            let help = match near {
+                None => known.join(", "),
+                Some(near) if near == name => format!("for example {}", example(name)),
+                Some(near) => format!("did you mean {}?", example(near)),
+            };
             Diagnostic::error("option::effect", e.to_string()).help(help)
         })?;
         effects.push((effect, args.rho));

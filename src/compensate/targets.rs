@@ -3,9 +3,9 @@
 //! It stands here, left of `cli`, because a list of targets is what compensation starts from when there is no program;
 //! `measure`'s files say where a robot stood, not where it should go. Knows nothing of arms.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, LineIndex};
 use crate::units::{m_from_mm, rad_from_deg};
-use csv::{Position, ReaderBuilder, StringRecord, Trim};
+use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use thiserror::Error;
 
@@ -89,6 +89,11 @@ const PAPERS: [&str; 7] = ["no.point", "x[mm]", "y[mm]", "z[mm]", "ox[deg]", "oy
 pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<Vec<Target>, TargetsError> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+    let lines = LineIndex::new(bytes);
+    let csv_error = |error: csv::Error| {
+        let (line, message) = lines.of_error(bytes, &error, false);
+        TargetsError::Csv { line, message }
+    };
     let names = reader.headers().map_err(csv_error)?.clone();
     let plain: Vec<String> =
         names.iter().map(|name| name.split_whitespace().collect::<String>().to_ascii_lowercase()).collect();
@@ -100,7 +105,8 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
     let mut targets = Vec::new();
     for row in reader.into_records() {
         let row = row.map_err(csv_error)?;
-        let number = |column: usize| number(&names, &row, column);
+        let line = lines.of_record(bytes, row.position(), false);
+        let number = |column: usize| number(&names, &row, line, column);
         let position = Translation3::new(m_from_mm(number(1)?), m_from_mm(number(2)?), m_from_mm(number(3)?));
         let rotation = if plain.len() == OURS.len() {
             let [roll, pitch, yaw] = [number(4)?, number(5)?, number(6)?].map(rad_from_deg);
@@ -110,33 +116,24 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
         };
         targets.push(Target {
             name: row.get(0).unwrap_or_default().to_owned(),
-            line: line(&row),
+            line,
             base_from_flange: Isometry3::from_parts(position, rotation),
         });
     }
     if targets.is_empty() { Err(TargetsError::Empty) } else { Ok(targets) }
 }
 
-fn number(names: &StringRecord, row: &StringRecord, column: usize) -> Result<f64, TargetsError> {
+fn number(names: &StringRecord, row: &StringRecord, line: u64, column: usize) -> Result<f64, TargetsError> {
     let text = row.get(column).unwrap_or_default();
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(TargetsError::Field {
-            line: line(row),
+            line,
             column: column + 1,
             name: names.get(column).unwrap_or_default().to_owned(),
             text: text.to_owned(),
         }),
     }
-}
-
-fn line(row: &StringRecord) -> u64 {
-    row.position().map_or(0, Position::line)
-}
-
-fn csv_error(error: csv::Error) -> TargetsError {
-    let line = error.position().map_or(1, Position::line);
-    TargetsError::Csv { line, message: error.to_string() }
 }
 
 #[cfg(test)]

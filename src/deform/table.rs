@@ -1,6 +1,7 @@
 //! Deformation tables from CSV: the static layout of the reference paper and the scheduled long form.
 
 use super::{DeformError, Deformation, GrowthLaw, Index, Kind, Knot};
+use crate::diagnostic::LineIndex;
 use crate::kinematics::FrameOffsets;
 use crate::units::{m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -20,9 +21,16 @@ impl Deformation {
     pub fn from_csv(bytes: &[u8], growth: Option<GrowthLaw>) -> Result<Self, DeformError> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+        let lines = LineIndex::new(bytes);
+        let csv_error = |error: csv::Error| {
+            let (line, message) = lines.of_error(bytes, &error, false);
+            DeformError::Csv { line, message }
+        };
         let names = reader.headers().map_err(csv_error)?.clone();
         let layout = Layout::of(&names)?;
-        let rows = reader.into_records().collect::<Result<Vec<_>, _>>().map_err(csv_error)?;
+        let row = |cells: StringRecord| Row { line: lines.of_record(bytes, cells.position(), false), cells };
+        let rows = reader.into_records().map(|cells| cells.map(row)).collect::<Result<Vec<_>, _>>();
+        let rows = rows.map_err(csv_error)?;
         match layout {
             Layout::Static => {
                 let offsets = static_rows(&names, &rows)?;
@@ -37,6 +45,12 @@ impl Deformation {
             }
         }
     }
+}
+
+/// A line of the table.
+struct Row {
+    line: u64,
+    cells: StringRecord,
 }
 
 enum Layout {
@@ -89,7 +103,7 @@ impl Layout {
     }
 }
 
-fn static_rows(names: &StringRecord, rows: &[StringRecord]) -> Result<FrameOffsets, DeformError> {
+fn static_rows(names: &StringRecord, rows: &[Row]) -> Result<FrameOffsets, DeformError> {
     let mut offsets = FrameOffsets::default();
     for (i, row) in rows.iter().enumerate() {
         let values = six(names, row, [0, 1, 2, 3, 4, 5])?;
@@ -105,7 +119,7 @@ fn static_rows(names: &StringRecord, rows: &[StringRecord]) -> Result<FrameOffse
 
 fn scheduled_rows(
     names: &StringRecord,
-    rows: &[StringRecord],
+    rows: &[Row],
     columns: [usize; 8],
 ) -> Result<[Vec<Knot>; 7], DeformError> {
     let [index, joint, value_columns @ ..] = columns;
@@ -135,7 +149,7 @@ fn scheduled_rows(
 }
 
 /// Three lengths and three angles, in metres and radians.
-fn six(names: &StringRecord, row: &StringRecord, columns: [usize; 6]) -> Result<[f64; 6], DeformError> {
+fn six(names: &StringRecord, row: &Row, columns: [usize; 6]) -> Result<[f64; 6], DeformError> {
     let mut values = [0.0; 6];
     for (k, (value, column)) in values.iter_mut().zip(columns).enumerate() {
         let written = number(names, row, column)?;
@@ -144,8 +158,8 @@ fn six(names: &StringRecord, row: &StringRecord, columns: [usize; 6]) -> Result<
     Ok(values)
 }
 
-fn number(names: &StringRecord, row: &StringRecord, column: usize) -> Result<f64, DeformError> {
-    match row.get(column).unwrap_or_default().parse::<f64>() {
+fn number(names: &StringRecord, row: &Row, column: usize) -> Result<f64, DeformError> {
+    match row.cells.get(column).unwrap_or_default().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(field_error(
             names,
@@ -159,23 +173,18 @@ fn number(names: &StringRecord, row: &StringRecord, column: usize) -> Result<f64
 
 fn field_error(
     names: &StringRecord,
-    row: &StringRecord,
+    row: &Row,
     column: usize,
     problem: &str,
     remedy: &'static str,
 ) -> DeformError {
     DeformError::Field {
-        line: row.position().map_or(0, csv::Position::line),
+        line: row.line,
         column: column + 1,
         name: names.get(column).unwrap_or_default().to_owned(),
-        problem: format!("`{}` {problem}", row.get(column).unwrap_or_default()),
+        problem: format!("`{}` {problem}", row.cells.get(column).unwrap_or_default()),
         remedy,
     }
-}
-
-fn csv_error(error: csv::Error) -> DeformError {
-    let line = error.position().map_or(1, csv::Position::line);
-    DeformError::Csv { line, message: error.to_string() }
 }
 
 #[cfg(test)]
@@ -221,6 +230,9 @@ mod tests {
         assert!(said(&nan, TWO_STAGE).contains("line 2, column 2 (`Dy[mm]`): `NaN` is not a finite"));
         let text = PAPER.replace("0.0241", "0,0241");
         assert!(said(&text, TWO_STAGE).contains("line 5"), "{}", said(&text, TWO_STAGE));
+        assert!(said(&text, TWO_STAGE).contains("7 cells, the header has 6"), "{}", said(&text, TWO_STAGE));
+        let crlf = PAPER.replace("0.000154", "NaN").replace('\n', "\r\n");
+        assert!(said(&crlf, TWO_STAGE).contains("line 2, column 2"), "{}", said(&crlf, TWO_STAGE));
         let text = PAPER.replace("0.0108", "little");
         assert!(said(&text, TWO_STAGE).contains("line 3, column 4 (`DOx[deg]`): `little` is not"));
         let header = PAPER.replace("DOz[deg]", "DOz[rad]");

@@ -3,6 +3,7 @@
 //! Whatever is put in can be taken out again to the byte: whole lines at the beginning of a line where
 //! that is possible, else right before a token.
 
+use super::target::MAX_LINE;
 use crate::diagnostic::TextRange;
 use crate::syntax::tree::{Module, ModuleItem, Routine, Stmt, StmtKind};
 
@@ -154,7 +155,12 @@ pub fn statement(source: &[u8], offset: u32, text: &str, eol: &[u8]) -> (u32, Ve
     let at = offset + rest.iter().position(|&b| !white(b)).unwrap_or(0);
     let mut out = text.as_bytes().to_vec();
     out.extend_from_slice(eol);
-    out.extend_from_slice(indent_at(source, at as u32));
+    let indent = indent_at(source, at as u32);
+    let start = line_start(source, at);
+    if at - start + text.len() > MAX_LINE && start + indent.len() == at {
+        return (start as u32, out); // too far to the right for another statement
+    }
+    out.extend_from_slice(indent);
     (at as u32, out)
 }
 
@@ -249,5 +255,11 @@ mod tests {
         assert_eq!((at, text.as_slice()), (4, b"tcTick;\n\t ".as_slice()));
         let (at, text) = statement(b"  WHILE TRUE DO MoveL p; ENDWHILE", 16, "tcTick;", b"\r\n");
         assert_eq!((at, text.as_slice()), (16, b"tcTick;\r\n  ".as_slice()));
+        // RAPID takes lines of 255 characters.
+        for (blanks, expected) in [(248, (251, 8 + 248)), (249, (3, 8))] {
+            let source = format!("a;\n{}MoveL p;", " ".repeat(blanks));
+            let (at, text) = statement(source.as_bytes(), 3, "tcTick;", b"\n");
+            assert_eq!((at as usize, text.len()), expected, "{blanks}");
+        }
     }
 }

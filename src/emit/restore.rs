@@ -13,11 +13,11 @@ use super::module::hex;
 use super::names::words;
 use super::place::{self, white};
 use super::target::{check_letters, is_plain};
-use crate::diagnostic::TextRange;
+use crate::diagnostic::{LineIndex, TextRange};
 use crate::syntax::tree::{
     ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, Stmt, StmtKind,
 };
-use crate::syntax::{Edit, LineIndex, apply, parse, parts_of_numbers};
+use crate::syntax::{Edit, apply, parse, parts_of_numbers};
 
 /// An original, got back.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Reading the measurement CSV: columns by name, in any order, checked cell by cell.
 
 use super::{Channels, MeasureError, Measurements, Row, Touch, Touches};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, LineIndex};
 use crate::units::{m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -24,6 +24,8 @@ const QUATERNION_LENGTH: f64 = 0.02;
 pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
+    let lines = LineIndex::new(bytes);
+    let not_csv = |error: csv::Error| not_csv(&lines, bytes, &error);
     let header = reader.headers().map_err(not_csv)?.clone();
     let columns = Columns::new(&header, &POINT)?;
     let mut warnings = columns.warnings.clone();
@@ -35,7 +37,7 @@ pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
     let mut decimals = 0;
     for record in reader.records() {
         let record = record.map_err(not_csv)?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = lines.of_record(bytes, record.position(), true);
         let cells = Cells { columns: &columns, record: &record, line };
         if record.iter().all(str::is_empty) {
             continue;
@@ -77,6 +79,8 @@ pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
 pub(super) fn touches(bytes: &[u8]) -> Result<Touches, MeasureError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
+    let lines = LineIndex::new(bytes);
+    let not_csv = |error: csv::Error| not_csv(&lines, bytes, &error);
     let header = reader.headers().map_err(not_csv)?.clone();
     if !header.iter().any(|name| name.eq_ignore_ascii_case(FIXED)) {
         let measurements = from_csv(bytes)?;
@@ -88,7 +92,7 @@ pub(super) fn touches(bytes: &[u8]) -> Result<Touches, MeasureError> {
     let mut touches = Vec::new();
     for record in reader.records() {
         let record = record.map_err(not_csv)?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = lines.of_record(bytes, record.position(), true);
         let cells = Cells { columns: &columns, record: &record, line };
         if record.iter().all(str::is_empty) {
             continue;
@@ -368,16 +372,13 @@ fn decimals_of(text: &str) -> usize {
     text.split_once('.').map_or(0, |(_, decimals)| decimals.trim_end_matches('0').len())
 }
 
-fn not_csv(error: csv::Error) -> MeasureError {
-    let line = error.position().map_or(1, csv::Position::line);
+fn not_csv(lines: &LineIndex, bytes: &[u8], error: &csv::Error) -> MeasureError {
+    let (line, problem) = lines.of_error(bytes, error, true);
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             MeasureError::CellCount { line, cells: *len, columns: *expected_len }
         }
-        csv::ErrorKind::Utf8 { .. } => {
-            MeasureError::NotCsv { line, problem: "the text is not UTF-8".to_owned() }
-        }
-        _ => MeasureError::NotCsv { line, problem: error.to_string() },
+        _ => MeasureError::NotCsv { line, problem },
     }
 }
 

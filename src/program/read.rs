@@ -370,9 +370,11 @@ impl<'a> Finish<'_, 'a> {
                 continue;
             }
             let name = self.folder.name_of(datum);
-            let text = format!("{name} is used here before the program sets it");
+            let text = format!(
+                "{name} is used here before the program sets it: from the second pass on it has the value set last"
+            );
             let mut warning = Diagnostic::warning("state::pers-kept", text).at(at).help(
-                "its declared value is used; a PERS keeps the value of the last run, so the first motions may differ",
+                "the figures hold for its declared value, in the first pass alone; set it before its first motion",
             );
             if let Some(write) = self.folder.writes.first(datum) {
                 warning = warning.label(write.at, "set here");

@@ -172,8 +172,7 @@ impl Shown {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::TextRange;
-    use crate::syntax::LineIndex;
+    use crate::diagnostic::{LineIndex, TextRange};
     use crate::syntax::tree::Tree;
 
     fn file(bytes: &[u8]) -> SourceFile {

@@ -28,7 +28,7 @@ pub use edit::{Edit, EditError, apply};
 pub use literal::{number_value, string_value};
 pub use numbers::parts_of_numbers;
 pub use same::first_difference;
-pub use source::{LineIndex, SourceFile};
+pub use source::SourceFile;
 pub use word::{Word, fold, is_reserved, same_name};
 
 use crate::diagnostic::TextRange;

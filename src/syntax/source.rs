@@ -2,53 +2,7 @@
 
 use super::parse;
 use super::tree::Tree;
-use crate::diagnostic::{Diagnostic, FileId, Span, TextRange};
-
-/// Where the lines of a file begin; a line ends after LF, after CR LF, or after a CR that no LF follows.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct LineIndex {
-    starts: Vec<u32>,
-}
-
-impl LineIndex {
-    /// The index of `source`.
-    #[must_use]
-    pub fn new(source: &[u8]) -> Self {
-        let mut starts = vec![0];
-        for at in memchr::memchr2_iter(b'\n', b'\r', source) {
-            if source[at] == b'\r' && source.get(at + 1) == Some(&b'\n') {
-                continue;
-            }
-            starts.push(at as u32 + 1);
-        }
-        Self { starts }
-    }
-
-    /// The line of a byte, counted from 1.
-    #[must_use]
-    pub fn line(&self, offset: u32) -> u32 {
-        self.starts.partition_point(|&s| s <= offset) as u32
-    }
-
-    /// The column of a byte in its line, in bytes, counted from 1.
-    #[must_use]
-    pub fn column(&self, offset: u32) -> u32 {
-        offset - self.start_of(self.line(offset)) + 1
-    }
-
-    /// The first byte of a line (from 1); past the last line, that of the last.
-    #[must_use]
-    pub fn start_of(&self, line: u32) -> u32 {
-        let last = self.starts.len() - 1;
-        self.starts[(line.saturating_sub(1) as usize).min(last)]
-    }
-
-    /// Number of lines.
-    #[must_use]
-    pub fn lines(&self) -> u32 {
-        self.starts.len() as u32
-    }
-}
+use crate::diagnostic::{Diagnostic, FileId, LineIndex, Span, TextRange};
 
 /// One file of a program.
 #[derive(Clone, Debug)]
@@ -113,13 +67,5 @@ mod tests {
                 (FileId(3), 3, &b"Prog1()"[..])
             );
         }
-    }
-
-    #[test]
-    fn lines_end_after_lf_crlf_and_lone_cr() {
-        let index = LineIndex::new(b"a\r\nbc\n\rd\r");
-        assert_eq!(index.lines(), 5);
-        assert_eq!([0, 2, 3, 5, 6, 7, 8].map(|o| index.line(o)), [1, 1, 2, 2, 3, 4, 4]);
-        assert_eq!((index.column(4), index.start_of(4), index.start_of(9)), (2, 7, 9));
     }
 }

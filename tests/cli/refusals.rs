@@ -289,3 +289,30 @@ fn where_nothing_is_compensated_the_json_says_why_for_each() {
     assert_eq!((&row["status"], &row["line"]), (&"kept".into(), &4.into()));
     assert!(!row["reason"].as_str().unwrap().is_empty());
 }
+
+#[test]
+fn an_effect_without_its_joint_is_shown_with_one() {
+    let bench = Bench::default();
+    let folder = bench.path("sets").display().to_string();
+    for (given, expected) in [
+        ("joint_compliance", "for example joint_compliance:2"),
+        ("joint_complience:2", "did you mean joint_compliance:2?"),
+        ("joint_coupling:2", "for example joint_coupling:2:3"),
+        ("base_tild", "did you mean base_tilt?"),
+    ] {
+        let output = driftpost(&["synth", &folder, "--effects", given]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains(expected), "{}", err(&output));
+    }
+    assert!(bench.files().is_empty());
+}
+
+/// Lines count as an editor counts them, whatever ends them.
+#[test]
+fn lines_of_tables_with_cr_lf() {
+    let bench = Bench::default();
+    let text = "name,x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\r\nA,1,2,3,0,90,0\r\n\r\nB,1,two,3,0,90,0\r\n";
+    let table = bench.file("targets.csv", text);
+    let output = driftpost(&["tabulate", &table]);
+    assert!(err(&output).contains("line 4, column 3 (`y_mm`): `two`"), "{}", err(&output));
+}

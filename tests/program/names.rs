@@ -130,10 +130,28 @@ fn facts_about_modules() {
     assert!(!facts.kinematics[0].is_nominal());
     assert!(facts.is_taken("tci") && facts.is_taken("b2") && !facts.is_taken("calibrated"));
     assert_eq!(facts.entries.iter().map(|e| e.name.as_str()).collect::<Vec<_>>(), ["a"]);
-    let plain = module_without_marks();
-    assert_eq!(plain.facts.modules[0].compensated, None);
+    // The names alone may be the user's own; with both it is one of ours whose header is gone.
+    for (text, expected) in [
+        ("VAR num n;\nPROC main()\nENDPROC", false),
+        ("VAR num tcI;\nPROC main()\nENDPROC", false),
+        ("PROC main()\nENDPROC\nPROC tcTick()\nENDPROC", false),
+        ("VAR num TCI;\nPROC main()\nENDPROC\nPROC TcTick()\nENDPROC", true),
+    ] {
+        assert_eq!(super::module(text).facts.modules[0].compensated.is_some(), expected, "{text}");
+    }
 }
 
-fn module_without_marks() -> Program {
-    module("VAR num n;\nPROC main()\nENDPROC")
+#[test]
+fn what_robodk_says_of_kinematics_is_read_however_it_is_written() {
+    for (comment, expected) in [
+        ("! Using nominal kinematics.", Some(true)),
+        ("!using  NOMINAL\tKinematics .", Some(true)),
+        ("!Using calibrated kinematics", Some(false)),
+        ("! USING Absolute Accuracy KINEMATICS.", Some(false)),
+        ("! Using kinematics.", None),
+        ("! We are using nominal kinematics.", None),
+    ] {
+        let read = module(&format!("PROC main()\n{comment}\nENDPROC"));
+        assert_eq!(read.facts.kinematics.first().map(|k| k.is_nominal()), expected, "{comment}");
+    }
 }

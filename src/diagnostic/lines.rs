@@ -1,0 +1,110 @@
+//! Where the lines of a text begin, as an editor counts them.
+
+/// Where the lines of a file begin; a line ends after LF, after CR LF, or after a CR that no LF follows.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LineIndex {
+    starts: Vec<u32>,
+}
+
+impl LineIndex {
+    /// The index of `source`.
+    #[must_use]
+    pub fn new(source: &[u8]) -> Self {
+        let mut starts = vec![0];
+        for at in memchr::memchr2_iter(b'\n', b'\r', source) {
+            if source[at] == b'\r' && source.get(at + 1) == Some(&b'\n') {
+                continue;
+            }
+            starts.push(at as u32 + 1);
+        }
+        Self { starts }
+    }
+
+    /// The line of a byte, counted from 1.
+    #[must_use]
+    pub fn line(&self, offset: u32) -> u32 {
+        self.starts.partition_point(|&s| s <= offset) as u32
+    }
+
+    /// The column of a byte in its line, in bytes, counted from 1.
+    #[must_use]
+    pub fn column(&self, offset: u32) -> u32 {
+        offset - self.start_of(self.line(offset)) + 1
+    }
+
+    /// The first byte of a line (from 1); past the last line, that of the last.
+    #[must_use]
+    pub fn start_of(&self, line: u32) -> u32 {
+        let last = self.starts.len() - 1;
+        self.starts[(line.saturating_sub(1) as usize).min(last)]
+    }
+
+    /// The line and what is wrong with a record, in words without another line number.
+    #[must_use]
+    pub fn of_error(&self, text: &[u8], error: &csv::Error, comments: bool) -> (u64, String) {
+        let problem = match error.kind() {
+            csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                format!("{len} cells, the header has {expected_len}")
+            }
+            csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
+            _ => error.to_string(),
+        };
+        (self.of_record(text, error.position(), comments), problem)
+    }
+
+    /// Number of lines.
+    #[must_use]
+    pub fn lines(&self) -> u32 {
+        self.starts.len() as u32
+    }
+
+    /// The line that a record read by the `csv` library begins on. Its own count is of what it has read
+    /// before, and leaves out the LF of a CR LF, empty lines and comments (lines that begin with `#`, where
+    /// the text may have them) before the record.
+    #[must_use]
+    pub fn of_record(&self, text: &[u8], position: Option<&csv::Position>, comments: bool) -> u64 {
+        let is_end = |b: &u8| matches!(b, b'\r' | b'\n');
+        let mut at = position.map_or(0, |p| p.byte() as usize).min(text.len());
+        loop {
+            at += text[at..].iter().take_while(|b| is_end(b)).count();
+            if !(comments && text.get(at) == Some(&b'#')) {
+                break;
+            }
+            at += text[at..].iter().take_while(|b| !is_end(b)).count();
+        }
+        u64::from(self.line(at.min(text.len().saturating_sub(1)) as u32))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LineIndex;
+
+    #[test]
+    fn lines_end_after_lf_crlf_and_lone_cr() {
+        let index = LineIndex::new(b"a\r\nbc\n\rd\r");
+        assert_eq!(index.lines(), 5);
+        assert_eq!([0, 2, 3, 5, 6, 7, 8].map(|o| index.line(o)), [1, 1, 2, 2, 3, 4, 4]);
+        assert_eq!((index.column(4), index.start_of(4), index.start_of(9)), (2, 7, 9));
+    }
+
+    /// Lines as an editor counts them, whatever ends them and however many are empty.
+    #[test]
+    fn a_record_stands_on_the_line_an_editor_shows() {
+        for (text, expected) in [
+            ("h\na\n\n\nb\n", [2, 5]),
+            ("h\r\na\r\nb\r\n", [2, 3]),
+            ("h\r\n\r\na\r\n\r\nb", [3, 5]),
+            ("\nh\ra\rb", [3, 4]),
+            ("# x\nh\n#a\n\na\n# b\r\n#\nb\n", [5, 8]),
+        ] {
+            let lines = LineIndex::new(text.as_bytes());
+            let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+            let found: Vec<u64> = reader
+                .into_records()
+                .map(|row| lines.of_record(text.as_bytes(), row.unwrap().position(), true))
+                .collect();
+            assert_eq!(found, expected, "{text:?}");
+        }
+    }
+}

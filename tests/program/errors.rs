@@ -1,0 +1,78 @@
+//! Errors that handlers of callers go on from, functions that are not given, and what a loop's variable hides.
+
+use super::{at, codes, main_of, module, tool, tools_mm, warnings};
+
+fn data() -> String {
+    format!("PERS tooldata t:={};\nCONST robtarget p:={};", tool(1), at(5, 5, 5))
+}
+
+const MOVE: &str = "MoveL p,v100,fine,t;\n";
+
+#[test]
+fn an_error_leaves_a_routine_in_its_middle() {
+    // `work` never ends but by its error, between two tools; TRYNEXT goes on behind its call.
+    let text = |last: &str| {
+        format!(
+            "{}\nPROC main()\nt:={};\nwork;\n{MOVE}ERROR\nTRYNEXT;\nENDPROC\nPROC work()\nt:={};\n{last}\nt:={};\nENDPROC",
+            data(),
+            tool(2),
+            tool(3),
+            tool(2)
+        )
+    };
+    assert_eq!(tools_mm(&module(&text("RAISE 1;"))), [Some(3)]);
+    // With an error that may come or not it is one of two.
+    assert_eq!(codes(&module(&text("IF DI1=1 RAISE 1;"))), ["keep::tool-unknown"]);
+    assert_eq!(codes(&module(&text("WaitDI di1,1\\MaxTime:=2;"))), ["keep::tool-unknown"]);
+    // What cannot fail ends with its last tool.
+    assert_eq!(tools_mm(&module(&text("Incr n;"))), [Some(2)]);
+}
+
+#[test]
+fn what_stands_behind_raise_runs_where_the_handler_tries_next() {
+    let text = |handler: &str| {
+        format!("{}\nPROC main()\nt:={};\nRAISE 1;\n{MOVE}ERROR\n{handler};\nENDPROC", data(), tool(2))
+    };
+    assert_eq!(tools_mm(&module(&text("TRYNEXT"))), [Some(2)]);
+    assert_eq!(codes(&module(&text("TRYNEXT"))), ["-"]);
+    assert_eq!(codes(&module(&text("RETURN"))), ["keep::unreachable"]);
+}
+
+#[test]
+fn a_function_that_is_not_given_may_write_what_it_is_handed() {
+    let read = |call: &str| {
+        main_of(&data(), &format!("VAR num n;\nVAR robtarget q:={};\nn:={call};\n{MOVE}", at(1, 1, 1)))
+    };
+    assert_eq!(codes(&read("Weigh(t)")), ["keep::tool-unknown"]);
+    // An expression is handed over by value, and the controller's own functions leave their arguments.
+    assert_eq!(tools_mm(&read("Weigh(t.tload.mass+1)")), [Some(1)]);
+    assert_eq!(tools_mm(&read("Abs(t.tload.mass)")), [Some(1)]);
+    assert_eq!(tools_mm(&read("Weigh(n)")), [Some(1)]);
+    // One that is given says itself what it does.
+    let given = |mode: &str| {
+        module(&format!(
+            "{}\nPROC main()\nVAR num n;\nn:=Weigh(t);\n{MOVE}ENDPROC\nFUNC num Weigh({mode} tooldata x)\nRETURN 1;\nENDFUNC",
+            data()
+        ))
+    };
+    assert_eq!(tools_mm(&given("")), [Some(1)]);
+    assert_eq!(tools_mm(&given("PERS")), [Some(1)]);
+}
+
+#[test]
+fn a_loops_variable_hides_others_of_its_name_inside_the_loop_alone() {
+    let data =
+        format!("{}\nCONST num i:=2;\nCONST robtarget ps{{2}}:=[{},{}];", data(), at(1, 0, 0), at(2, 0, 0));
+    let body = "MoveL ps{i},v100,fine,t;\n";
+    let read = main_of(&data, &format!("{body}FOR i FROM 1 TO 2 DO\n{body}ENDFOR\n{body}"));
+    assert_eq!(codes(&read), ["-", "keep::loop-variable", "-"]);
+}
+
+#[test]
+fn external_axes_of_targets_are_named_once_a_routine() {
+    let ext = at(5, 5, 5).replacen("9E9", "250", 1);
+    let zero = at(5, 5, 5).replacen("9E9", "0", 1);
+    let lines = |target: &str| format!("MoveL {target},v100,fine,t;\nMoveL {target},v100,fine,t;");
+    assert_eq!(warnings(&main_of(&data(), &lines(&ext))), ["motion::external-axes"]);
+    assert!(warnings(&main_of(&data(), &lines(&zero))).is_empty());
+}
