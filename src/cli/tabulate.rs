@@ -12,6 +12,7 @@ use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
 use crate::compensate::targets::{self, Target};
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::Configuration;
+use crate::report::{JointRow, write_joints};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use anyhow::Context;
 use nalgebra::UnitQuaternion;
@@ -91,41 +92,22 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// One line for each target and minute. Joints have 12 decimals, so that they alone give the residual.
 fn joints_text(file: &str, targets: &[Target], table: &Table) -> anyhow::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "target",
-        "file",
-        "line",
-        "t_min",
-        "q1_deg",
-        "q2_deg",
-        "q3_deg",
-        "q4_deg",
-        "q5_deg",
-        "q6_deg",
-        "x_mm",
-        "y_mm",
-        "z_mm",
-        "residual_mm",
-    ])?;
-    for row in &table.rows {
-        let Some(target) = targets.get(row.target) else { continue };
-        writer.write_field(&target.name)?;
-        writer.write_field(file)?;
-        writer.write_field(target.line.to_string())?;
-        writer.write_field(row.t_min.to_string())?;
-        for q_rad in row.q_rad {
-            writer.write_field(format!("{:.12}", deg_from_rad(q_rad)))?;
-        }
-        for position_m in row.position_m {
-            writer.write_field(format!("{:.9}", mm_from_m(position_m)))?;
-        }
-        writer.write_field(format!("{:.3e}", mm_from_m(row.residual_m)))?;
-        writer.write_record(None::<&[u8]>)?;
-    }
-    writer.into_inner().map_err(|error| error.into_error()).context("the table of joints")
+    let rows = table.rows.iter().filter_map(|row| {
+        let target = targets.get(row.target)?;
+        Some(JointRow {
+            target: target.name.as_str().into(),
+            file,
+            line: target.line,
+            t_min: row.t_min,
+            q_rad: row.q_rad,
+            position_m: row.position_m,
+            residual_m: row.residual_m,
+        })
+    });
+    let mut text = Vec::new();
+    write_joints(&mut text, rows).context("the table of joints")?;
+    Ok(text)
 }
 
 fn summary_json(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> Value {

@@ -6,6 +6,7 @@ use crate::compensate::MinuteJoints;
 use crate::program::Program;
 use crate::program::motion::Origin;
 use crate::units::{deg_from_rad, mm_from_m};
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 const HEADER: [&str; 14] = [
@@ -25,28 +26,53 @@ const HEADER: [&str; 14] = [
     "residual_mm",
 ];
 
-/// Writes one row for each target and minute. A target without a name is called by its line.
+/// A target's joints at a minute.
+#[derive(Clone, Debug)]
+pub struct JointRow<'a> {
+    /// The target's name.
+    pub target: Cow<'a, str>,
+    /// The file it stands in.
+    pub file: &'a str,
+    /// Its line there.
+    pub line: u64,
+    /// Warm-up minute.
+    pub t_min: f64,
+    /// Joints, radians.
+    pub q_rad: [f64; 6],
+    /// Where the arm then stands, metres.
+    pub position_m: [f64; 3],
+    /// How far that is from where it is meant to stand, metres.
+    pub residual_m: f64,
+}
+
+impl<'a> JointRow<'a> {
+    /// A row of a program's motion. A target without a name is called by its line.
+    #[must_use]
+    pub fn of_program(program: &'a Program, row: &MinuteJoints) -> Option<Self> {
+        let motion = program.motions.get(row.motion)?;
+        let target = match motion.targets.get(row.target).map(|t| &t.origin) {
+            Some(Origin::Named { name, .. }) => name.as_str().into(),
+            _ => target_name(motion).map_or_else(|| format!("L{}", motion.line).into(), Cow::Borrowed),
+        };
+        let file = program.file(motion.file).path.as_str();
+        let MinuteJoints { t_min, q_rad, position_m, residual_m, .. } = *row;
+        Some(Self { target, file, line: motion.line.into(), t_min, q_rad, position_m, residual_m })
+    }
+}
+
+/// Writes one line for each row. Joints have 12 decimals, so that they alone give the residual.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_joints(
-    out: &mut dyn Write,
-    program: &Program,
-    rows: impl Iterator<Item = MinuteJoints>,
-) -> io::Result<()> {
+pub fn write_joints<'a>(out: &mut dyn Write, rows: impl Iterator<Item = JointRow<'a>>) -> io::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
     csv.write_record(HEADER)?;
     for row in rows {
-        let Some(motion) = program.motions.get(row.motion) else { continue };
-        let name = match motion.targets.get(row.target).map(|t| &t.origin) {
-            Some(Origin::Named { name, .. }) => name.clone(),
-            _ => target_name(motion).map_or_else(|| format!("L{}", motion.line), str::to_owned),
-        };
-        let mut record = vec![name, program.file(motion.file).path.clone(), motion.line.to_string()];
+        let mut record = vec![row.target.into_owned(), row.file.to_owned(), row.line.to_string()];
         record.push(row.t_min.to_string());
-        record.extend(row.q_rad.map(|q| format!("{:.9}", deg_from_rad(q))));
-        record.extend(row.position_m.map(|p| format!("{:.6}", rounded(mm_from_m(p)))));
-        record.push(format!("{:e}", mm_from_m(row.residual_m)));
+        record.extend(row.q_rad.map(|q| format!("{:.12}", deg_from_rad(q))));
+        record.extend(row.position_m.map(|p| format!("{:.9}", rounded(mm_from_m(p)))));
+        record.push(format!("{:.3e}", mm_from_m(row.residual_m)));
         csv.write_record(&record)?;
     }
     csv.flush()

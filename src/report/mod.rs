@@ -19,7 +19,7 @@ mod table;
 pub use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
-pub use joints::write_joints;
+pub use joints::{JointRow, write_joints};
 pub use json::{Compensation, messages, refusal, rounded};
 pub use message::{Look, write_message, write_messages};
 pub use review::{Review, write_review};

@@ -162,7 +162,8 @@ impl Job {
             until_min,
         )
         .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
-        in_memory(|out| report::write_joints(out, &made.program, rows))
+        let rows = rows.filter_map(|row| report::JointRow::of_program(&made.program, &row));
+        in_memory(|out| report::write_joints(out, rows))
     }
 
     /// What the program's text says against compensating it, and its warnings.
