@@ -27,7 +27,7 @@ impl Effect for BaseStep {
         scene.time_min.is_none().then(|| NO_TIME.to_owned())
     }
     fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
-        step_times(scene, 80, 4)
+        step_times(scene)
             .into_iter()
             .map(|t0_min| Candidate {
                 counted: 3,

@@ -211,9 +211,17 @@ fn move_tool(scene: &Scene, site: &Site, factor: f64, out: &mut Vec<Motion>) {
     }
 }
 
-/// Middle times between stations at which a step may lie, at most `most`, with `aside` poses on each side.
-fn step_times(scene: &Scene, most: usize, aside: usize) -> Vec<f64> {
-    let mut times: Vec<f64> = scene.sites.iter().filter_map(|s| s.t_min).collect();
+/// Times at which a step may lie, with four stations or more on each side.
+fn step_times(scene: &Scene) -> Vec<f64> {
+    gaps(scene.sites.iter().filter_map(|s| s.t_min).collect(), MOST_STEP_TIMES, 4)
+}
+
+/// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
+/// a second step.
+const MOST_STEP_TIMES: usize = 240;
+
+/// Middle times between stations, at most `most`, with `aside` stations or more on each side.
+fn gaps(mut times: Vec<f64>, most: usize, aside: usize) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
     if times.len() < 2 * aside {
         return Vec::new();
@@ -235,3 +243,18 @@ fn hours(scene: &Scene) -> f64 {
 }
 
 const NO_TIME: &str = "the file has no usable time (t_min)";
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_STEP_TIMES, gaps};
+
+    /// 150 stations a minute apart, in any order: every gap but the outer three.
+    #[test]
+    fn a_step_is_looked_for_in_every_gap_of_an_ordinary_set() {
+        let times: Vec<f64> = (0..150).rev().map(f64::from).collect();
+        let expected: Vec<f64> = (3..146).map(|minute| f64::from(minute) + 0.5).collect();
+        assert_eq!(gaps(times.clone(), MOST_STEP_TIMES, 4), expected);
+        assert_eq!(gaps(times, 50, 4).len(), 48, "every third of 143");
+        assert_eq!(gaps(vec![1.0; 9], 50, 4), Vec::<f64>::new(), "all at once");
+    }
+}
