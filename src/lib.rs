@@ -33,6 +33,8 @@ pub mod measure;
 
 pub mod diagnose;
 
+pub mod plan;
+
 pub mod exam;
 
 pub mod report;

@@ -31,6 +31,20 @@ pub fn deg_from_rad(rad: f64) -> f64 {
     rad.to_degrees()
 }
 
+/// Metres from inches (exact since 1959).
+#[inline]
+#[must_use]
+pub fn m_from_inch(inch: f64) -> f64 {
+    m_from_mm(inch * 25.4)
+}
+
+/// Minutes from seconds.
+#[inline]
+#[must_use]
+pub fn min_from_s(seconds_s: f64) -> f64 {
+    seconds_s / 60.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -38,6 +52,8 @@ mod tests {
     #[test]
     fn conversions_are_exact_where_the_numbers_are() {
         assert_eq!(m_from_mm(352.0), 0.352);
+        assert_eq!(m_from_inch(10.0), 0.254);
+        assert_eq!(min_from_s(90.0), 1.5);
         assert_eq!(mm_from_m(0.25), 250.0);
         assert_eq!(rad_from_deg(180.0), std::f64::consts::PI);
         assert_eq!(deg_from_rad(std::f64::consts::FRAC_PI_2), 90.0);

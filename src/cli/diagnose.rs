@@ -1,9 +1,10 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
+use super::measured::Source;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Diagnosis, Options, diagnose, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
-use crate::measure::Measurements;
+use crate::report::shop::{self, Standing};
 use crate::report::{diagnosis, plots};
 use crate::units::m_from_mm;
 use nalgebra::Vector3;
@@ -12,9 +13,9 @@ use std::path::{Path, PathBuf};
 /// Options of `diagnose`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Measurements (CSV): joints q1_deg..q6_deg, measured points x_mm, y_mm, z_mm, and what else is known.
-    #[arg(value_name = "MEASUREMENTS")]
-    pub measurements: PathBuf,
+    /// The measurements.
+    #[command(flatten)]
+    pub source: Source,
 
     /// A built-in robot's name, or a robot file (TOML).
     #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
@@ -36,6 +37,26 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
+    /// Corrected tool, work object and load data as RAPID to paste, and each axis's offset (docs/SHOP.md).
+    #[arg(long, value_name = "FILE")]
+    pub rapid_out: Option<PathBuf>,
+
+    /// With --rapid-out: the tool as it is on the controller.
+    #[arg(long, value_name = "NAME=[...]", requires = "rapid_out")]
+    pub tooldata: Option<String>,
+
+    /// With --rapid-out: the work object whose user frame the instrument shows.
+    #[arg(long, value_name = "NAME=[...]", requires = "rapid_out")]
+    pub wobjdata: Option<String>,
+
+    /// With --rapid-out: the load as it is on the controller.
+    #[arg(long, value_name = "NAME=[...]", requires = "rapid_out")]
+    pub loaddata: Option<String>,
+
+    /// The measurement file without the rows that are false.
+    #[arg(long, value_name = "FILE", conflicts_with = "points")]
+    pub clean_out: Option<PathBuf>,
+
     /// Residuals of every row, before and after, as CSV.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
@@ -52,15 +73,15 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let options = options(args)?;
     let robot = model::robot(&args.robot)?;
-    let bytes = files::read(&args.measurements, "measurement file")?;
     let to_stdout = args.json.as_deref() == Some(Path::new("-"));
     let json = args.json.as_deref().filter(|_| !to_stdout).map(files::Pending::new).transpose()?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
-    let measurements = Measurements::from_csv(&bytes).map_err(|error| {
-        Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
-    })?;
+    let (measurements, given) = args.source.read(console)?;
+    let standing = standing(args, options.tool_m)?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
-    let (diagnosis, identified) = if model_out.is_some() {
+    let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
+    let clean_out = args.clean_out.as_deref().map(files::Pending::new).transpose()?;
+    let (diagnosis, mut identified) = if model_out.is_some() || rapid_out.is_some() {
         diagnose_and_identify(&measurements, &robot, &options)
     } else {
         (diagnose(&measurements, &robot, &options), None)
@@ -77,17 +98,23 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let Some(json) = json {
         json.write(text.as_bytes())?;
     }
+    if let Some(model) = &mut identified {
+        (model.data, model.data_sha256) = (given.name, given.sha256);
+    }
+    if let Some(file) = rapid_out {
+        let text = identified.as_ref().and_then(|model| shop::rapid(model, &standing));
+        let text = text.ok_or_else(|| none(&diagnosis, file.path()))?;
+        file.write(text.as_bytes())?;
+    }
+    if let (false, Some(model)) = (to_stdout, &identified) {
+        console.out().write_all(shop::axis_table(model).as_bytes())?;
+    }
+    if let Some(file) = clean_out {
+        file.write(&cleaned(args, &diagnosis)?)?;
+    }
     match (model_out, identified) {
-        (Some(file), Some(mut identified)) => {
-            identified.data = model::file_name(&args.measurements);
-            identified.data_sha256 = model::sha256(&bytes);
-            file.write(identified.to_toml().as_bytes())?;
-        }
-        (Some(file), None) => {
-            let message = format!("no model can be made of these data: {}", diagnosis.reason);
-            let help = format!("{} was not written", file.path().display());
-            return Err(Diagnostic::error("model::none", message).help(help).into());
-        }
+        (Some(file), Some(identified)) => file.write(identified.to_toml().as_bytes())?,
+        (Some(file), None) => return Err(none(&diagnosis, file.path()).into()),
         (None, _) => {}
     }
     if let Some(csv) = csv {
@@ -99,6 +126,45 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     }
     Ok(Outcome::Done)
+}
+
+fn none(diagnosis: &Diagnosis, path: &Path) -> Diagnostic {
+    let message = format!("no model can be made of these data: {}", diagnosis.reason);
+    Diagnostic::error("model::none", message).help(format!("{} was not written", path.display()))
+}
+
+/// The measurement file without its false lines, byte for byte.
+fn cleaned(args: &Args, diagnosis: &Diagnosis) -> Result<Vec<u8>, Diagnostic> {
+    let Some(path) = &args.source.measurements else { return Ok(Vec::new()) };
+    let bytes = files::read(path, "measurement file")?;
+    let lines = bytes.split_inclusive(|b| *b == b'\n').zip(1_u64..);
+    let kept = lines.filter(|(_, number)| diagnosis.false_lines.binary_search(number).is_err());
+    Ok(kept.flat_map(|(line, _)| line.iter().copied()).collect())
+}
+
+/// Data as they stand on the controller; RAPID that can be read.
+fn standing(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<Standing, Diagnostic> {
+    let named = |option: &str, text: &Option<String>, sample: &str| {
+        let Some(text) = text else { return Ok(None) };
+        let parts =
+            text.split_once('=').map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()));
+        let is_name = |name: &str| {
+            name.starts_with(|c: char| c.is_ascii_alphabetic())
+                && name.len() <= 32
+                && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        };
+        match parts {
+            Some((name, value)) if is_name(&name) && shop::alike(&value, sample) => Ok(Some((name, value))),
+            _ => Err(Diagnostic::error("override::not-read", format!("--{option} {text} cannot be read"))
+                .help(format!("write it as RAPID does: NAME={sample}"))),
+        }
+    };
+    Ok(Standing {
+        tool: named("tooldata", &args.tooldata, shop::TOOL)?,
+        wobj: named("wobjdata", &args.wobjdata, shop::WOBJ)?,
+        load: named("loaddata", &args.loaddata, shop::LOAD)?,
+        tool_m,
+    })
 }
 
 fn as_json(diagnosis: &Diagnosis) -> anyhow::Result<String> {

@@ -1,11 +1,11 @@
 //! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
 
 use super::given::Given;
+use super::measured::Source;
 use super::{Console, Outcome, diagnose, files, model};
 use crate::compensate::{self, targets};
 use crate::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
 use crate::diagnostic::Diagnostic;
-use crate::measure::Touches;
 use crate::program::{Overrides, Program};
 use crate::report::fit as report;
 use crate::robot::Robot;
@@ -17,9 +17,9 @@ use std::path::PathBuf;
 /// Options of `fit`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Touches (CSV): fixed_id, t_min, q1_deg..q6_deg; or measurements of a few poses again and again, with t_min.
-    #[arg(value_name = "MEASUREMENTS")]
-    pub measurements: PathBuf,
+    /// Touches: fixed_id, t_min, q1_deg..q6_deg; or measurements of a few poses again and again, with t_min.
+    #[command(flatten)]
+    pub source: Source,
 
     /// A built-in robot's name, or a robot file (TOML).
     #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
@@ -74,10 +74,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         tool_m: args.tool.as_deref().map(diagnose::tool).transpose()?.unwrap_or_else(Vector3::zeros),
         stops: stops(&args.stop)?,
     };
-    let bytes = files::read(&args.measurements, "measurement file")?;
-    let touches = Touches::from_csv(&bytes).map_err(|error| {
-        Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
-    })?;
+    let (touches, given) = args.source.touches(console)?;
     let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
@@ -92,8 +89,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     if let Some(file) = model_out {
         let mut identified = warm_up.identified(&robot);
-        identified.data = model::file_name(&args.measurements);
-        identified.data_sha256 = model::sha256(&bytes);
+        (identified.data, identified.data_sha256) = (given.name, given.sha256);
         file.write(identified.to_toml().as_bytes())?;
     }
     let takes_standard_output = json.is_standard();

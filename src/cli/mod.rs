@@ -9,11 +9,14 @@ mod console;
 mod destination;
 pub mod files;
 pub mod given;
+pub mod measured;
 pub mod minutes;
 pub mod model;
 mod outcome;
 pub mod suggest;
 
+pub mod accuracy;
+pub mod changed;
 pub mod compensate;
 pub mod diagnose;
 pub mod diff;
@@ -21,6 +24,7 @@ pub mod exam;
 pub mod fit;
 pub mod golden;
 pub mod inspect;
+pub mod plan;
 pub mod rehearse;
 pub mod restore;
 pub mod simulate;
@@ -73,6 +77,12 @@ enum Command {
     Diagnose(diagnose::Args),
     /// Fit a deformation table to fixed points touched over a warm-up and one stop.
     Fit(fit::Args),
+    /// Pose accuracy, repeatability and drift after ISO 9283; go or no go against limits.
+    Accuracy(accuracy::Args),
+    /// What has changed between two measurements of one robot, after a crash, say.
+    Changed(changed::Args),
+    /// Choose poses to measure, so that effects can be told apart; a sheet to fill in and RAPID to run.
+    Plan(plan::Args),
     /// Rehearse the whole loop on a virtual robot: withhold an effect, measure, diagnose, compensate, measure again.
     Rehearse(rehearse::Args),
     /// Apply an identified model to measurements that it has not seen.
@@ -84,6 +94,8 @@ const OUTPUTS: [&str; 5] = ["json", "csv", "diff", "joints_csv", "output"];
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
+        Command::Accuracy(args) => accuracy::run(args, console),
+        Command::Changed(args) => changed::run(args, console),
         Command::Compensate(args) => compensate::run(args, console),
         Command::Diff(args) => diff::run(args, console),
         Command::Golden(args) => golden::run(args, console),
@@ -95,6 +107,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),
         Command::Fit(args) => fit::run(args, console),
+        Command::Plan(args) => plan::run(args, console),
         Command::Rehearse(args) => rehearse::run(args, console),
         Command::Validate(args) => validate::run(args, console),
     }

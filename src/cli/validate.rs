@@ -1,9 +1,9 @@
 //! `driftpost validate`: an identified model against measurements that it has not seen.
 
+use super::measured::Source;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Part, Register, ValidateError, Validation, validate};
 use crate::diagnostic::Diagnostic;
-use crate::measure::Measurements;
 use clap::ValueEnum;
 use serde_json::json;
 use std::io::Write;
@@ -12,9 +12,9 @@ use std::path::PathBuf;
 /// Options of `validate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Measurements (CSV).
-    #[arg(value_name = "MEASUREMENTS")]
-    pub measurements: PathBuf,
+    /// The measurements.
+    #[command(flatten)]
+    pub source: Source,
 
     /// A built-in robot's name, or a robot file (TOML).
     #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
@@ -59,11 +59,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     let robot = model::robot(&args.robot)?;
     let identified = model::identified(&args.model)?;
-    let bytes = files::read(&args.measurements, "measurement file")?;
     let json = files::Output::new(args.json.as_deref())?;
-    let measurements = Measurements::from_csv(&bytes).map_err(|error| {
-        Diagnostic::error("measure::file", format!("{}: {error}", args.measurements.display()))
-    })?;
+    let (measurements, _) = args.source.read(console)?;
     console.explain(model::of_another_robot(&identified.model, &robot).as_slice(), &[], false);
     let which = match args.register {
         RegisterName::BaseTool => Register::BaseAndTool,

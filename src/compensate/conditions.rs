@@ -11,6 +11,7 @@ use crate::program::Program;
 use crate::program::motion::Motion;
 use crate::schedule::Schedule;
 use crate::units::{deg_from_rad, rad_from_deg};
+use nalgebra::{Point3, Vector3};
 
 /// Joints that turn by less have not moved, radians.
 const STILL_RAD: f64 = 1e-7;
@@ -18,6 +19,8 @@ const STILL_RAD: f64 = 1e-7;
 const NO_LOAD_KG: f64 = 0.001;
 /// Joints this far outside the ranges seen are still inside, degrees.
 const SLACK_DEG: f64 = 1.0;
+/// The same for temperatures, degrees Celsius.
+const SLACK_C: f64 = 1.0;
 /// The same for the payload, kg.
 const SLACK_KG: f64 = 0.1;
 
@@ -40,11 +43,23 @@ pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolve
     }
 }
 
-/// What hangs on the flange in a motion: the tool's load data (RAPID gives its centre in the flange's frame).
+/// What hangs on the flange in a motion: the tool's load data (RAPID gives its centre in the flange's frame) and what is
+/// gripped (its centre in the tool's frame), where that is known.
 fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
-    let load = motion.tool.as_ref().map(|tool| tool.load).unwrap_or_default();
-    let mass_kg = given_kg.unwrap_or(if load.mass_kg > NO_LOAD_KG { load.mass_kg } else { 0.0 });
-    Payload { mass_kg, cog_m: load.cog_m }
+    let tool = motion.tool.as_ref();
+    let load = tool.map(|tool| tool.load).unwrap_or_default();
+    if let Some(mass_kg) = given_kg {
+        return Payload { mass_kg, cog_m: load.cog_m };
+    }
+    let own_kg = if load.mass_kg > NO_LOAD_KG { load.mass_kg } else { 0.0 };
+    let grip = motion.grip.unwrap_or_default();
+    let Some(tool) = tool.filter(|tool| tool.robhold && grip.mass_kg > NO_LOAD_KG) else {
+        return Payload { mass_kg: own_kg, cog_m: load.cog_m };
+    };
+    let gripped_m = (tool.frame_from_tcp * Point3::from(grip.cog_m)).coords;
+    let mass_kg = own_kg + grip.mass_kg;
+    let cog_m = (Vector3::from(load.cog_m) * own_kg + gripped_m * grip.mass_kg) / mass_kg;
+    Payload { mass_kg, cog_m: cog_m.into() }
 }
 
 /// For each motion and each of its points the sign of each joint's last motion; 0 where nothing says it.
@@ -101,28 +116,36 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
     for text in &model.left_out {
         messages.add(None, Diagnostic::warning("model::left-out", format!("of the model {text}")));
     }
-    let grips = program
-        .facts
-        .identifiers
-        .iter()
-        .any(|names| names.iter().any(|n| n.eq_ignore_ascii_case("gripload")));
-    if identified.needs_load() && grips && model.payload_kg.is_none() {
-        messages.add(
-            None,
-            Diagnostic::warning(
-                "model::gripload",
-                "the program calls GripLoad, and the model's gravity effects take the tools' load data alone",
-            )
-            .help("--payload-kg KG names the whole load on the flange"),
-        );
-    }
+    let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     let playing: Vec<usize> =
         identified.terms.iter().filter(|t| t.kind == Kind::Backlash).filter_map(|t| t.joint).collect();
+    warmer(model, messages);
     for (motion, resolved) in program.motions.iter().zip(resolved) {
+        if unknown_grip && motion.grip.is_none() && resolved.points.iter().flatten().next().is_some() {
+            let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
+            let message = Diagnostic::warning("model::gripload", text).at(place(motion));
+            let help =
+                "the tool's own load data are taken; --payload-kg KG names the whole load on the flange";
+            messages.add(Some(motion.routine), message.help(help));
+        }
         for point in resolved.points.iter().flatten() {
             check_point(motion, point, model, &playing, messages);
         }
     }
+}
+
+/// Warns where the joints are said to be warmer or colder than they were measured.
+fn warmer(model: &Model<'_>, messages: &mut Messages) {
+    let Some(identified) = model.identified.as_ref().filter(|m| m.needs_temperature()) else { return };
+    let (Some(seen), Some(now)) = (identified.seen.joint_temperature_c, model.joint_temperature_c) else {
+        return;
+    };
+    let outside = (0..6).find(|&j| now[j] < seen[j][0] - SLACK_C || now[j] > seen[j][1] + SLACK_C);
+    let Some(j) = outside else { return };
+    let [low, high] = seen[j];
+    let text = format!("axis {} is at {} C; the model was found between {low} and {high} C", j + 1, now[j]);
+    let help = "outside of what was measured the model is a guess: measure that warm too";
+    messages.add(None, Diagnostic::warning("model::temperature-range", text).help(help));
 }
 
 fn check_point(

@@ -20,7 +20,7 @@ pub(super) struct Model<'a> {
     pub(super) left_out: Vec<String>,
     pub(super) payload_kg: Option<f64>,
     shared: Arc<Robot>,
-    joint_temperature_c: Option<[f64; 6]>,
+    pub(super) joint_temperature_c: Option<[f64; 6]>,
     /// Where the schedule goes by temperature: the one it counts from, in place of minute 0.
     from_c: Option<f64>,
 }

@@ -4,7 +4,7 @@
 //! every held-out fit is a sum of small matrices.
 
 use super::effects::Candidate;
-use super::scene::{Motion, Scene, Site};
+use super::scene::{Motion, Scene, Sight, Site};
 use nalgebra::{DMatrix, Vector3};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -30,6 +30,8 @@ pub struct Design {
     /// Rows of each atom.
     atoms: Vec<Range<usize>>,
     rows_per_site: usize,
+    /// Numbers measured in each atom.
+    counts: Vec<usize>,
     columns: Vec<Vec<f64>>,
     /// Columns of registration, flat prior.
     pub flat: Range<usize>,
@@ -89,15 +91,21 @@ impl Design {
         order.sort_by_key(|&i| (atom_of.get(i).copied().unwrap_or(0), i));
         let d = scene.rows_per_site;
         let mut atoms: Vec<Range<usize>> = Vec::new();
+        let mut counts: Vec<usize> = Vec::new();
         let mut last = None;
         for (position, &i) in order.iter().enumerate() {
             let rows = position * d..(position + 1) * d;
+            let measured = scene.sites[i].rows(d);
             if last == Some(atom_of[i]) {
+                if let Some(count) = counts.last_mut() {
+                    *count += measured;
+                }
                 if let Some(atom) = atoms.last_mut() {
                     atom.end = rows.end;
                 }
             } else {
                 last = Some(atom_of[i]);
+                counts.push(measured);
                 atoms.push(rows);
             }
         }
@@ -106,6 +114,7 @@ impl Design {
             order,
             atoms,
             rows_per_site: d,
+            counts,
             columns: Vec::new(),
             flat: 0..0,
             geometry: 0..0,
@@ -115,8 +124,8 @@ impl Design {
             turn_products: vec![Vec::new(); 6],
         };
         let mut columns = design.stack(scene, 1, |i, _, out| out.push(residuals[i]));
-        let flat = design.stack(scene, registration_width(targets, d), |_, site, out| {
-            registration_motions(site, targets, d, out);
+        let flat = design.stack(scene, registration_width(targets, scene.places, d), |_, site, out| {
+            registration_motions(site, targets, scene.places, d, out);
         });
         let geometry = design.stack(scene, 30, |_, site, out| {
             for frame in 1..6 {
@@ -155,10 +164,10 @@ impl Design {
         self.atoms.len()
     }
 
-    /// Rows in a subset of atoms.
+    /// Numbers measured in a subset of atoms.
     #[must_use]
     pub fn rows(&self, subset: &[usize]) -> usize {
-        subset.iter().filter_map(|&a| self.atoms.get(a)).map(ExactSizeIterator::len).sum()
+        subset.iter().filter_map(|&a| self.counts.get(a)).sum()
     }
 
     /// Offset `k` of frame `i` is column `geometry.start + 6 (i - 1) + k`, per this many SI units.
@@ -214,6 +223,7 @@ impl Design {
             motions(i, &scene.sites[i], &mut buffer);
             let root = self.whitening.weights[i].sqrt();
             for (column, motion) in columns.iter_mut().zip(&buffer) {
+                let motion = scene.sites[i].seen(*motion);
                 for (k, value) in column[position * d..(position + 1) * d].iter_mut().enumerate() {
                     *value = motion[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m };
                 }
@@ -428,19 +438,34 @@ impl Products {
     }
 }
 
-fn registration_width(targets: usize, rows_per_site: usize) -> usize {
-    6 + 3 * targets + if rows_per_site == 6 { 3 } else { 0 }
+fn registration_width(targets: usize, places: usize, rows_per_site: usize) -> usize {
+    6 + 3 * targets + 3 * places + if rows_per_site == 6 { 3 } else { 0 }
 }
 
-fn registration_motions(site: &Site, targets: usize, rows_per_site: usize, out: &mut Vec<Motion>) {
+fn registration_motions(
+    site: &Site,
+    targets: usize,
+    places: usize,
+    rows_per_site: usize,
+    out: &mut Vec<Motion>,
+) {
+    // Touches and lengths know nothing of an instrument.
+    let by_instrument = f64::from(u8::from(matches!(site.sight, Sight::Instrument | Sight::Nest)));
     for k in 0..6 {
-        out.push(site.offset(0, k));
+        out.push(super::scene::scaled(site.offset(0, k), by_instrument));
     }
     for target in 0..targets {
         for k in 0..3 {
             let axis: Vector3<f64> = site.flange.column(k).into_owned();
             let here = f64::from(u8::from(site.target == target));
             out.push([axis.x * here, axis.y * here, axis.z * here, 0.0, 0.0, 0.0]);
+        }
+    }
+    for place in 0..places {
+        for k in 0..3 {
+            let mut shift = [0.0; 6];
+            shift[k] = f64::from(u8::from(site.place == Some(place)));
+            out.push(shift);
         }
     }
     if rows_per_site == 6 {

@@ -11,7 +11,7 @@ use super::scene::{Driver, Motion, Scene};
 use super::search::Chosen;
 use crate::deform::identified::{Identified, Kind, Mounting, Seen, Shape, Term, Value, When};
 use crate::deform::{Conditions, DeformedArm, Payload};
-use crate::kinematics::FrameOffsets;
+use crate::kinematics::{Chain, FrameOffsets};
 use crate::measure::{Measurements, RegisterError, Registration, Station, Stations, register};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Vector3};
@@ -171,6 +171,13 @@ pub(super) fn predicted(
         model.terms.iter().filter(|t| t.kind == Kind::InstrumentScale).map(|t| t.value(0)).sum::<f64>() + 1.0;
     let start = When { t_min: 0.0, joint_temperature_c: None };
     let arm = DeformedArm::of_model(robot, &FrameOffsets::default(), model, start);
+    // Of all this only the base's own motion moves a nest.
+    let of_base = |t: &&Term| matches!(t.kind, Kind::BaseDrift | Kind::BaseStep);
+    let base =
+        Identified { terms: model.terms.iter().filter(of_base).cloned().collect(), ..(**model).clone() };
+    let base = DeformedArm::of_model(robot, &FrameOffsets::default(), &Arc::new(base), start);
+    let zero = [0.0; 6];
+    let flange_from_base = Chain::nominal(robot).forward(&zero).inverse();
     let poses = stations
         .par_iter()
         .map(|station| {
@@ -183,10 +190,13 @@ pub(super) fn predicted(
                 payload: Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m },
                 direction: station.direction.unwrap_or_default(),
             };
+            if !station.seen.by_arm() {
+                return base.at(when).under(&Conditions::default()).forward(&zero) * flange_from_base;
+            }
             arm.at(when).under(&conditions).forward(&station.q_rad)
         })
         .collect();
-    let scaled = stations.iter().map(|s| Station { position_m: s.position_m / scale, ..s.clone() }).collect();
+    let scaled = stations.iter().map(|s| Station { seen: s.seen.scaled(1.0 / scale), ..s.clone() }).collect();
     (scaled, poses)
 }
 
@@ -298,10 +308,10 @@ fn seen(rows: usize, stations: &Stations) -> Seen {
             Some([low, high]) => Some([f64::min(low, value), f64::max(high, value)]),
         })
     };
-    let warm = all.iter().all(|s| s.joint_temperature_c.is_some()) && !all.is_empty();
+    let warm = all.iter().any(|s| s.joint_temperature_c.is_some());
     Seen {
         rows,
-        q_rad: std::array::from_fn(|j| range(&|s| Some(s.q_rad[j])).unwrap_or_default()),
+        q_rad: std::array::from_fn(|j| range(&|s| s.seen.by_arm().then_some(s.q_rad[j])).unwrap_or_default()),
         t_min: range(&|s| s.t_min),
         joint_temperature_c: warm.then(|| {
             std::array::from_fn(|j| range(&|s| s.joint_temperature_c.map(|t| t[j])).unwrap_or_default())

@@ -37,7 +37,7 @@ pub fn linearise(
     let mut round = 0;
     loop {
         let chain = Chain::with_offsets(robot, &offsets);
-        let poses: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| chain.forward(&s.q_rad)).collect();
+        let poses: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
         if round > 0 {
             registration = register(&stations.stations, &poses, stations.targets, tool_m)?;
         }

@@ -3,6 +3,7 @@
 //!
 //! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
 
+mod changed;
 mod design;
 mod effects;
 mod evidence;
@@ -18,10 +19,12 @@ mod scatter;
 mod scene;
 mod search;
 mod shrink;
+pub mod signature;
 mod validate;
 mod verdict;
 pub mod warmup;
 
+pub use changed::{Changed, ChangedError, changed};
 pub use outcome::{
     Cause, Detectable, Diagnosis, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual, Shrink,
     Untestable, Verdict, Warning, Where,
@@ -109,7 +112,7 @@ fn examine(
         return finish(Diagnosis::bare(Verdict::InsufficientData, reason), warnings);
     }
     let chain = Chain::nominal(robot);
-    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| chain.forward(&s.q_rad)).collect();
+    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
         Ok(registration) => registration,
         Err(error) => {

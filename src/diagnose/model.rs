@@ -164,8 +164,13 @@ fn arm_of(linear: &Linear, residuals: &[Motion]) -> Option<f64> {
 /// Weights and who is false: far from the model, and alone there.
 fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f64>, Vec<bool>) {
     let distances: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| norm3(m) * w.sqrt()).collect();
-    // 1.54 sigma is the middle of a 3-D normal distance.
-    let sigma_m = median(&mut distances.clone()) / 1.54;
+    // 1.54 sigma is the middle of a 3-D normal distance, 0.67 that of a number alone.
+    let mut sigmas: Vec<f64> = distances
+        .iter()
+        .zip(&linear.scene.sites)
+        .map(|(d, site)| d / if site.rows(3) == 1 { 0.6745 } else { 1.54 })
+        .collect();
+    let sigma_m = median(&mut sigmas);
     let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
     let outliers: Vec<bool> = (0..residuals.len())
         .map(|i| distances[i] > limit_m && !shared(linear, residuals, i, limit_m))
@@ -213,7 +218,7 @@ fn excess_of(linear: &Linear, residuals: &[Motion], noise: &Noise, outliers: &[b
         .zip(residuals)
         .zip(outliers)
         .filter(|((s, _), out)| s.repeats > 1 && !**out)
-        .map(|((s, m), _)| (norm3(m).powi(2) / 3.0, 1.0 / s.repeats as f64))
+        .map(|((s, m), _)| (norm3(m).powi(2) / s.rows(3) as f64, 1.0 / s.repeats as f64))
         .collect();
     if repeated.len() < 5 {
         return last;

@@ -8,7 +8,7 @@ use super::scene::{Motion, Site, scaled};
 use super::shrink::Random;
 use super::verdict::describe_candidate;
 use crate::kinematics::Chain;
-use crate::measure::{Registration, Station};
+use crate::measure::{Registration, Seen, Station};
 use crate::robot::Robot;
 use crate::units::deg_from_rad;
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
@@ -136,7 +136,7 @@ fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Si
             target: 0,
             t_min: time.map(|[low, high]| low + (high - low) * random.unit()),
             q_rad,
-            position_m: Vector3::zeros(),
+            seen: Seen::Point { position_m: Vector3::zeros() },
             orientation: None,
             direction: Some(direction),
             payload_kg: Some(payload_kg),

@@ -20,7 +20,8 @@ const CLEAR_NATS: f64 = 8.0;
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
 pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> Option<Fault> {
-    if measurements.joint_decimals > FINE_DECIMALS {
+    let all_seen = linear.scene.sites.iter().all(|s| s.rows(3) == 3);
+    if measurements.joint_decimals > FINE_DECIMALS || !all_seen {
         return None;
     }
     let step_deg = 10.0_f64.powi(-(measurements.joint_decimals as i32));

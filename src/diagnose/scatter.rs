@@ -37,7 +37,7 @@ pub fn along_joints(
     used: f64,
 ) -> Option<JointScatter> {
     let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
-    let rows = 3.0 * kept.len() as f64;
+    let rows = kept.iter().map(|&i| scene.sites[i].rows(3)).sum::<usize>() as f64;
     let free = rows - used;
     if kept.len() < 12 || free < 0.3 * rows {
         return None;
@@ -51,7 +51,8 @@ pub fn along_joints(
         let along: Vec<(f64, f64)> = kept
             .iter()
             .map(|&i| {
-                let (m, e) = (scene.sites[i].joint(joint), &residuals[i]);
+                let site = &scene.sites[i];
+                let (m, e) = (site.seen(site.joint(joint)), &residuals[i]);
                 let v = Vector3::new(m[0], m[1], m[2]);
                 let e = Vector3::new(e[0], e[1], e[2]);
                 (weights[i] * e.dot(&v), weights[i] * v.norm_squared())

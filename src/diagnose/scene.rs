@@ -2,16 +2,33 @@
 
 use crate::deform::gravity::{Loads, loads_at};
 use crate::kinematics::Chain;
-use crate::measure::{Channels, Registration, Station};
+use crate::measure::{Channels, Registration, Seen, Station};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
 /// How the measured point moves: metres and radians in base axes, per unit of one parameter.
 pub type Motion = [f64; 6];
 
+/// How a station shows its point's motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sight {
+    /// An instrument sees the target on the tool.
+    Instrument,
+    /// An instrument sees a nest: only the base moves it.
+    Nest,
+    /// The tip is at a fixed point.
+    Touch,
+    /// Only along this direction, base axes: a length.
+    Along(Vector3<f64>),
+}
+
 /// The arm at one station.
 #[derive(Clone, Debug)]
 pub struct Site {
+    /// How the point's motion shows.
+    pub sight: Sight,
+    /// The fixed place that takes part.
+    pub place: Option<usize>,
     /// Joints.
     pub q_rad: [f64; 6],
     /// Each joint's axis in the base.
@@ -48,22 +65,44 @@ impl Site {
     /// The arm at `station`, and its pose.
     #[must_use]
     pub fn new(robot: &Robot, chain: &Chain, registration: &Registration, station: &Station) -> Self {
-        let frames = chain.frames(&station.q_rad);
+        let frames = match station.seen.by_arm() {
+            true => chain.frames(&station.q_rad),
+            // No arm: all its frames are joint 1's, whose turn is the base's, and nothing else moves the nest.
+            false => [chain.frames(&[0.0; 6])[0]; 7],
+        };
         let rotation = |pose: &Isometry3<f64>| pose.rotation.to_rotation_matrix().into_inner();
         let mut parents = [Matrix3::identity(); 7];
         for (parent, frame) in parents.iter_mut().skip(1).zip(&frames) {
             *parent = rotation(frame);
         }
-        let axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
-        let point_m = registration.predicted_m(station, &frames[6]);
+        let mut axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let mut flange = rotation(&frames[6]);
+        let point_m = registration.predicted_m(station, &station.pose(chain));
+        let mut loads = Loads::default();
+        if station.seen.by_arm() {
+            loads = loads_at(robot, &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0));
+        } else {
+            axes = [Vector3::zeros(); 6];
+            flange = Matrix3::zeros();
+            parents.iter_mut().skip(1).for_each(|parent| *parent = Matrix3::zeros());
+        }
         Self {
+            sight: match station.seen {
+                Seen::Point { .. } => Sight::Instrument,
+                Seen::Nest { .. } => Sight::Nest,
+                Seen::Touch { .. } => Sight::Touch,
+                Seen::Length { .. } => {
+                    Sight::Along(registration.along(station, &frames[6]).unwrap_or_default())
+                }
+            },
+            place: station.seen.place(),
             q_rad: station.q_rad,
             axes,
             origins_m: frames.map(|f| f.translation.vector),
             parents,
-            flange: rotation(&frames[6]),
+            flange,
             point_m,
-            loads: loads_at(robot, &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0)),
+            loads,
             t_min: station.t_min,
             direction: station.direction,
             payload_kg: station.payload_kg,
@@ -72,6 +111,30 @@ impl Site {
             target: station.target,
             repeats: station.rows.len(),
             row: station.rows.iter().map(|&r| r as f64).sum::<f64>() / station.rows.len().max(1) as f64,
+        }
+    }
+
+    /// What is seen of a motion of the point.
+    #[must_use]
+    pub fn seen(&self, motion: Motion) -> Motion {
+        let [x, y, z, ..] = motion;
+        match self.sight {
+            Sight::Instrument => motion,
+            Sight::Nest | Sight::Touch => [x, y, z, 0.0, 0.0, 0.0],
+            Sight::Along(u) => {
+                let along = u * u.dot(&Vector3::new(x, y, z));
+                [along.x, along.y, along.z, 0.0, 0.0, 0.0]
+            }
+        }
+    }
+
+    /// Of `rows_per_site` rows those that carry a measured number.
+    #[must_use]
+    pub fn rows(&self, rows_per_site: usize) -> usize {
+        match self.sight {
+            Sight::Instrument => rows_per_site,
+            Sight::Nest | Sight::Touch => 3,
+            Sight::Along(_) => 1,
         }
     }
 
@@ -123,6 +186,8 @@ pub struct Scene {
     pub last_row: f64,
     /// Rows per station that count: 3 or, with orientation, 6.
     pub rows_per_site: usize,
+    /// Number of fixed places.
+    pub places: usize,
 }
 
 impl Scene {
@@ -147,6 +212,7 @@ impl Scene {
         Self {
             largest_payload_kg: sites.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
             last_row: sites.iter().map(|s| s.row).fold(0.0, f64::max),
+            places: sites.iter().filter_map(|s| s.place).max().map_or(0, |last| last + 1),
             torque_limit_n_m: super::effects::torque_limits_n_m(&sites),
             sites,
             channels,

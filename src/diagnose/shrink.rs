@@ -124,8 +124,9 @@ pub fn shrink(model: &mut Model<'_>, linear: &Linear, folds: &Folds, geometry: b
 /// What noise alone leaves on a station, 3-D.
 fn floor_m(model: &Model<'_>, linear: &Linear) -> f64 {
     let n = linear.scene.sites.len() as f64;
-    let mean = model.base_weights.iter().map(|w| 1.0 / w).sum::<f64>() / n;
-    model.reached.sigma_m * (3.0 * mean).sqrt()
+    let sites = linear.scene.sites.iter();
+    let mean = model.base_weights.iter().zip(sites).map(|(w, s)| s.rows(3) as f64 / w).sum::<f64>() / n;
+    model.reached.sigma_m * mean.sqrt()
 }
 
 fn held_out(model: &mut Model<'_>, folds: &Folds, atoms: &[usize], squares: &mut [Option<Squares>]) {

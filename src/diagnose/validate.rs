@@ -4,11 +4,11 @@ use super::identify::predicted;
 use crate::deform::identified::Identified;
 use crate::kinematics::Chain;
 use crate::measure::{
-    Measurements, RegisterError, Registration, Station, check_rows, gather, register, register_base,
+    Free, Measurements, RegisterError, Registration, Station, check_rows, gather, register, register_some,
 };
 use crate::robot::Robot;
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -98,13 +98,13 @@ pub fn validate(
     let gathered = gather(measurements, &finding.keep);
     let (stations, targets) = (&gathered.stations, gathered.targets);
     let chain = Chain::nominal(robot);
-    let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| chain.forward(&s.q_rad)).collect();
+    let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let start = registered(stations, &nominal, targets, model, which)?;
     let (seen, poses) =
         predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), &start.tools_m);
     let fitted = registered(&seen, &poses, targets, model, which)?;
     let mut rows: Vec<Distance> = Vec::new();
-    for i in 0..stations.len() {
+    for i in (0..stations.len()).filter(|&i| stations[i].seen.by_arm()) {
         let place = Distance {
             line: stations[i].rows.first().and_then(|&r| measurements.rows.get(r)).map_or(0, |r| r.line),
             weight: stations[i].rows.len(),
@@ -176,19 +176,10 @@ fn registered(
     };
     match which {
         Register::BaseAndTool => Ok(register(stations, poses, targets, None)?),
-        Register::Base => Ok(register_base(stations, poses, &known()?.1)?),
+        Register::Base => Ok(register_some(stations, poses, &known()?.1, Free::Base)?),
         Register::Nothing => {
             let (instrument_from_base, tools_m) = known()?;
-            Ok(Registration {
-                instrument_from_base,
-                tools_m,
-                tool_sigma_m: 0.0,
-                flange_from_sensor: None::<UnitQuaternion<f64>>,
-                rms_m: 0.0,
-                median_m: 0.0,
-                iterations: 0,
-                converged: true,
-            })
+            Ok(register_some(stations, poses, &tools_m, Free::Nothing(instrument_from_base))?)
         }
     }
 }

@@ -24,6 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use identity::{Difference, differences};
 pub use memory::{Memory, megabytes};
+pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, Sensor};
 pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
 

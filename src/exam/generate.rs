@@ -3,7 +3,7 @@
 use super::arm::{Arm, Disturbance};
 use super::draw::Draw;
 use super::effect::{Effect, Moment};
-use super::poses::{Recorded, Run, Spread, moments};
+use super::poses::{Driven, Recorded, Run, Spread, moments, moments_of};
 use super::registration::rms_after_registration_m;
 use super::truth::{Kind, PutIn, Truth};
 use crate::robot::Robot;
@@ -140,16 +140,65 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
         payloads_kg: recipe.payloads_kg,
     };
     let moments = moments(robot, &arm, draw, &run);
+    let distinct = recipe.n - recipe.repeats.min(recipe.n / 2);
+    let poses = (0..recipe.n).map(|k| if k >= distinct { k - distinct } else { k }).collect();
+    measured(&arm, robot_name, recipe, Taken { tool_m, moments, poses, amplitudes: None }, draw)
+}
+
+/// A data set over poses that others planned, with a tool of theirs and the recipe's effects at these `amplitudes`; the
+/// recipe's own poses and sizes are not used.
+#[must_use]
+pub fn planned_set(
+    robot: &Robot,
+    robot_name: &str,
+    recipe: &Recipe,
+    tool_m: Vector3<f64>,
+    rows: &[Driven],
+    amplitudes: &[f64],
+    draw: &mut Draw,
+) -> Option<DataSet> {
+    let arm = Arm::new(robot);
+    let recipe = Recipe { n: rows.len(), ..recipe.clone() };
+    let taken = Taken {
+        tool_m,
+        moments: moments_of(&arm, draw, tool_m, rows),
+        poses: rows.iter().map(|row| row.pose).collect(),
+        amplitudes: Some(amplitudes),
+    };
+    measured(&arm, robot_name, &recipe, taken, draw)
+}
+
+/// What is measured.
+struct Taken<'a> {
+    tool_m: Vector3<f64>,
+    moments: Vec<Moment>,
+    poses: Vec<usize>,
+    /// Sizes of the effects; `None`: as large as the recipe asks.
+    amplitudes: Option<&'a [f64]>,
+}
+
+fn measured(
+    arm: &Arm,
+    robot_name: &str,
+    recipe: &Recipe,
+    taken: Taken<'_>,
+    draw: &mut Draw,
+) -> Option<DataSet> {
+    let Taken { tool_m, moments, poses, amplitudes } = taken;
     let flanges: Vec<_> = moments.iter().map(|m| arm.flange(&m.q_rad, &Disturbance::default())).collect();
     let nominal_m = flanges.iter().map(|f| (f * Point3::from(tool_m)).coords).collect();
-    let scene = Scene { arm: &arm, tool_m, moments, flanges, nominal_m };
+    let scene = Scene { arm, tool_m, moments, flanges, nominal_m };
 
     let noise_rms_m = m_from_mm(recipe.sigma_mm) * 3.0_f64.sqrt();
     let mut put_in = Vec::new();
     let mut effects = Vec::new();
-    for (effect, rho) in &recipe.effects {
+    for (k, (effect, rho)) in recipe.effects.iter().enumerate() {
         let unscaled = matches!(effect, Effect::JointRounding | Effect::SwappedAxes);
-        let amplitude = if unscaled { 1.0 } else { amplitude(&scene, *effect, rho * noise_rms_m)? };
+        let amplitude = match amplitudes.and_then(|a| a.get(k)) {
+            Some(given) => *given,
+            None if unscaled => 1.0,
+            None => amplitude(&scene, *effect, rho * noise_rms_m)?,
+        };
         if amplitude > 4.0 * effect.usual()[1] {
             return None;
         }
@@ -180,7 +229,7 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, draw: &mut Dra
         before_rms_mm: mm_from_m(scene.sound_rms_m(&with, &gross)),
         oracle_rms_mm: mm_from_m(scene.sound_rms_m(&without, &gross)),
     };
-    let csv = csv(&scene, recipe, &effects, &background, &with, draw);
+    let csv = csv(&scene, recipe, &poses, &effects, &background, &with, draw);
     let told = tool_m.map(|c| mm_from_m(c) + 0.5 * draw.normal());
     let task = Task {
         robot: robot_name.to_owned(),
@@ -208,6 +257,7 @@ fn noise(recipe: &Recipe, draw: &mut Draw) -> (Vec<Vector3<f64>>, Vec<bool>) {
 fn csv(
     scene: &Scene<'_>,
     recipe: &Recipe,
+    poses: &[usize],
     effects: &[(Effect, f64)],
     background: &Disturbance,
     off_m: &[Vector3<f64>],
@@ -241,10 +291,9 @@ fn csv(
         out += ",temp_j1_c,temp_j2_c,temp_j3_c,temp_j4_c,temp_j5_c,temp_j6_c,temp_air_c";
     }
     out.push('\n');
-    let distinct = recipe.n - recipe.repeats.min(recipe.n / 2);
-    for (k, now) in scene.moments.iter().enumerate() {
+    for ((k, now), pose) in scene.moments.iter().enumerate().zip(poses) {
         // writing to a String cannot fail
-        let _ = write!(out, "{k},{}", if k >= distinct { k - distinct } else { k });
+        let _ = write!(out, "{k},{pose}");
         if recorded.time {
             let _ = write!(out, ",{:.2}", now.t_min);
         }

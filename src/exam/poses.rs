@@ -92,21 +92,29 @@ pub struct Run {
     pub payloads_kg: [f64; 2],
 }
 
+/// One row of a run that others planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven {
+    /// Which pose: rows that repeat one share it.
+    pub pose: usize,
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// Sign of each joint's last motion.
+    pub direction: [i8; 6],
+    /// Payload.
+    pub payload_kg: f64,
+}
+
 /// The moments of a measurement run.
 #[must_use]
 pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Moment> {
     let Run { spread, n, repeats, tool_m, payloads_kg } = *run;
-    let payload_at_m = Point3::new(0.02, 0.0, 0.09);
-    let minutes_each = draw.uniform(0.5, 3.0);
-    let heat_k: [f64; 6] = std::array::from_fn(|_| draw.uniform(5.0, 25.0));
-    // a joint's motor warms it quickly, the casting slowly: two time constants, each joint its own
-    let quick_min: [f64; 6] = std::array::from_fn(|_| draw.uniform(15.0, 45.0));
-    let slow_min: [f64; 6] = std::array::from_fn(|_| draw.uniform(80.0, 200.0));
+    let climate = Climate::new(draw);
     let mut out: Vec<Moment> = Vec::with_capacity(n);
     let distinct = n - repeats.min(n / 2);
     for k in 0..n {
-        let (q_rad, point_m) = if k >= distinct {
-            (out[k - distinct].q_rad, out[k - distinct].point_m)
+        let q_rad = if k >= distinct {
+            out[k - distinct].q_rad
         } else {
             let mut tries = 0;
             loop {
@@ -114,24 +122,57 @@ pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Mome
                 let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(tool_m)).coords;
                 tries += 1;
                 if fits(&point_m, spread) || tries > 5_000 {
-                    break (q, point_m);
+                    break q;
                 }
             }
         };
-        let t_min = minutes_each * k as f64;
-        let payload_kg = payloads_kg[k % 2];
-        out.push(Moment {
-            q_rad,
-            t_min,
-            direction: std::array::from_fn(|_| draw.sign() as i8),
-            payload_kg,
-            payload_at_m,
-            warmer_k: std::array::from_fn(|j| {
-                heat_k[j] * (1.0 - 0.6 * (-t_min / quick_min[j]).exp() - 0.4 * (-t_min / slow_min[j]).exp())
-            }),
-            torque_n_m: arm.gravity_torque_n_m(&q_rad, payload_kg, &payload_at_m),
-            point_m,
-        });
+        let direction = std::array::from_fn(|_| draw.sign() as i8);
+        let row = Driven { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
+        out.push(climate.moment(arm, tool_m, k, &row));
     }
     out
+}
+
+/// The moments of a run that others planned.
+#[must_use]
+pub fn moments_of(arm: &Arm, draw: &mut Draw, tool_m: Vector3<f64>, rows: &[Driven]) -> Vec<Moment> {
+    let climate = Climate::new(draw);
+    rows.iter().enumerate().map(|(k, row)| climate.moment(arm, tool_m, k, row)).collect()
+}
+
+/// How long a row takes and how the joints warm meanwhile: quickly by their motors, slowly by their castings.
+struct Climate {
+    minutes_each: f64,
+    heat_k: [f64; 6],
+    quick_min: [f64; 6],
+    slow_min: [f64; 6],
+}
+
+impl Climate {
+    fn new(draw: &mut Draw) -> Self {
+        Self {
+            minutes_each: draw.uniform(0.5, 3.0),
+            heat_k: std::array::from_fn(|_| draw.uniform(5.0, 25.0)),
+            quick_min: std::array::from_fn(|_| draw.uniform(15.0, 45.0)),
+            slow_min: std::array::from_fn(|_| draw.uniform(80.0, 200.0)),
+        }
+    }
+
+    fn moment(&self, arm: &Arm, tool_m: Vector3<f64>, k: usize, row: &Driven) -> Moment {
+        let payload_at_m = Point3::new(0.02, 0.0, 0.09);
+        let t_min = self.minutes_each * k as f64;
+        Moment {
+            q_rad: row.q_rad,
+            t_min,
+            direction: row.direction,
+            payload_kg: row.payload_kg,
+            payload_at_m,
+            warmer_k: std::array::from_fn(|j| {
+                let cold = 0.6 * (-t_min / self.quick_min[j]).exp() + 0.4 * (-t_min / self.slow_min[j]).exp();
+                self.heat_k[j] * (1.0 - cold)
+            }),
+            torque_n_m: arm.gravity_torque_n_m(&row.q_rad, row.payload_kg, &payload_at_m),
+            point_m: (arm.flange(&row.q_rad, &Disturbance::default()) * Point3::from(tool_m)).coords,
+        }
+    }
 }

@@ -54,7 +54,10 @@ fn distinct(rows: &[Row], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
     let mut keep = Vec::with_capacity(rows.len());
     let mut first_double = None;
     for (index, row) in rows.iter().enumerate() {
-        let mut key: Vec<u64> = row.q_rad.iter().chain(row.position_m.iter()).map(|v| v.to_bits()).collect();
+        let reading_m = row.seen.reading_m().map(|(reading_m, _)| reading_m).unwrap_or_default();
+        let mut key: Vec<u64> = row.q_rad.iter().chain(reading_m.iter()).map(|v| v.to_bits()).collect();
+        key.push(row.seen.place().map_or(u64::MAX, |place| place as u64));
+        key.push(u64::from(row.seen.by_arm()));
         key.push(row.t_min.map_or(0, f64::to_bits));
         key.push(row.payload_kg.map_or(0, f64::to_bits));
         key.push(row.target as u64);
@@ -85,8 +88,11 @@ fn in_range(rows: &[Row], robot: &Robot, finding: &mut Finding) {
                 .is_some_and(|[low, high]| q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD)
         })
     };
-    let out: Vec<(usize, usize)> =
-        finding.keep.iter().filter_map(|&i| rows.get(i).and_then(beyond).map(|j| (i, j))).collect();
+    let out: Vec<(usize, usize)> = finding
+        .keep
+        .iter()
+        .filter_map(|&i| rows.get(i).filter(|row| row.seen.by_arm()).and_then(beyond).map(|j| (i, j)))
+        .collect();
     let Some(&(row, joint)) = out.first() else { return };
     let (line, q_deg) = rows.get(row).map_or((0, 0.0), |r| (r.line, deg_from_rad(r.q_rad[joint])));
     let what = format!(

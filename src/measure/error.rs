@@ -34,12 +34,6 @@ pub enum MeasureError {
         /// Its name.
         column: String,
     },
-    /// A kind of measurement that is not read here.
-    #[error("column {column} is not evaluated: give measured points as x_mm, y_mm, z_mm")]
-    Unsupported {
-        /// Its name.
-        column: String,
-    },
     /// A cell that is no finite number.
     #[error("line {line}, column {column}: '{text}' is not a number{hint}")]
     NotANumber {
@@ -81,6 +75,30 @@ pub enum MeasureError {
         line: u64,
         /// What the reader says.
         problem: String,
+    },
+    /// The column map cannot be.
+    #[error("the column map: {problem}")]
+    Map {
+        /// What is wrong.
+        problem: String,
+    },
+    /// A cell that is no time of the format that the column map gives.
+    #[error("line {line}: '{text}' is no time written {format}")]
+    NotATime {
+        /// Line, from 1.
+        line: u64,
+        /// What stands there.
+        text: String,
+        /// How times are written.
+        format: String,
+    },
+    /// Joints twice for the same id.
+    #[error("id {id} stands twice in the file of joints, lines {} and {}", lines[0], lines[1])]
+    DoubledId {
+        /// Which.
+        id: String,
+        /// Where.
+        lines: [u64; 2],
     },
     /// A header and nothing else.
     #[error("the file has a header but no rows with a pose")]

@@ -1,6 +1,6 @@
 //! A file that contradicts itself or the robot: units, axes, columns, robot and tool, tried one by one.
 
-use super::{Registration, Station, register};
+use super::{Registration, Seen, Station, register};
 use crate::kinematics::Chain;
 use crate::robot::Robot;
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
@@ -97,7 +97,7 @@ pub fn find_fault(
 /// The middle distance that a changed file would leave, metres.
 fn left_m(robot: &Robot, stations: &[Station], targets: usize) -> Option<f64> {
     let chain = Chain::nominal(robot);
-    let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| chain.forward(&s.q_rad)).collect();
+    let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     register(stations, &poses, targets, None).ok().map(|fit| fit.median_m)
 }
 
@@ -129,7 +129,7 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
     }
     let scales = [(1000.0, "metres"), (25.4, "inches"), (10.0, "centimetres"), (0.001, "micrometres")];
     for (scale, name) in scales {
-        let left = try_change(robot, stations, targets, |s| s.position_m *= scale);
+        let left = try_change(robot, stations, targets, |s| s.seen = s.seen.scaled(scale));
         if explains(left, 1.0, registration) || (left.is_some_and(|l| l < SOUND_M) && scale > 1.0) {
             return Some(Fault {
                 kind: FaultKind::PositionUnits,
@@ -139,7 +139,7 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
     }
     let both = try_change(robot, stations, targets, |s| {
         s.q_rad = s.q_rad.map(deg_from_rad);
-        s.position_m /= m_from_mm(1.0);
+        s.seen = s.seen.scaled(1.0 / m_from_mm(1.0));
     });
     (largest_rad < rad_from_deg(7.0) && both.is_some_and(|left| left < SOUND_M)).then(|| Fault {
         kind: FaultKind::JointUnits,
@@ -151,7 +151,9 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
 /// Every other order or sign is a turn, which the registration takes: only the mirror shows.
 fn axes(robot: &Robot, stations: &[Station], targets: usize, registration: &Registration) -> Option<Fault> {
     let mirrored = try_change(robot, stations, targets, |s| {
-        s.position_m = Vector3::new(s.position_m.y, s.position_m.x, s.position_m.z);
+        if let Seen::Point { position_m } | Seen::Nest { position_m, .. } = &mut s.seen {
+            position_m.swap_rows(0, 1);
+        }
         s.orientation = None;
     });
     explains(mirrored, 1.0, registration).then(|| Fault {

@@ -4,22 +4,35 @@
 //! contradicts itself or the robot. Knows nothing of effects.
 
 mod check;
+mod columns;
 mod error;
 mod fault;
+mod iso9283;
+mod join;
+mod performance;
 mod read;
 mod register;
+mod seen;
+mod stamp;
 mod station;
+mod table;
 mod touch;
 
 pub use check::{Finding, check_rows};
+pub use columns::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{Fault, FaultKind, find_fault};
-pub use register::{RegisterError, Registration, register, register_base};
+pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
+pub use join::{Joined, MatchBy, join};
+pub use performance::{AtTime, Compared, Performance, PosePerformance, performance};
+pub use register::{Free, RegisterError, Registration, register, register_some};
+pub use seen::Seen;
 pub use station::{Repeats, Station, Stations, gather};
+pub use table::{Line, Table};
 pub use touch::{Touch, Touches};
 
 use crate::diagnostic::Diagnostic;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::UnitQuaternion;
 
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +47,10 @@ pub struct Row {
     pub target: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// Joints.
+    /// Joints; at a nest they say nothing.
     pub q_rad: [f64; 6],
-    /// The measured point in the instrument's frame.
-    pub position_m: Vector3<f64>,
+    /// What was measured.
+    pub seen: Seen,
     /// The measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion before the pose.
@@ -48,6 +61,20 @@ pub struct Row {
     pub joint_temperature_c: Option<[f64; 6]>,
     /// Temperature of the air.
     pub air_temperature_c: Option<f64>,
+}
+
+/// What three measured angles are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rotation {
+    /// Roll, pitch, yaw about the instrument's x, y, z in turn, as in URDF; the same as moving z, y, x in reverse order.
+    FixedXyz,
+    /// About x, the turned y, the turned z: RoboDK's and Leica's T-Mac.
+    MovingXyz,
+    /// About z, the turned y, the turned x: KUKA's A, B, C, ABB's EulerZYX.
+    MovingZyx,
+    /// An axis times an angle.
+    Vector,
 }
 
 /// Which optional columns the file has, complete for every row.
@@ -78,6 +105,8 @@ pub struct Measurements {
     pub channels: Channels,
     /// Names of the reflectors; one unnamed where the file does not tell them apart.
     pub targets: Vec<String>,
+    /// Names of the fixed places: nests, points touched, ends of wires.
+    pub places: Vec<String>,
     /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
     pub joint_decimals: usize,
     /// What a person should look at.
@@ -90,6 +119,14 @@ impl Measurements {
     /// # Errors
     /// A column that is missing, a cell that is no number, a file without rows, with line and column.
     pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
-        read::from_csv(bytes)
+        Self::from_table(&Table::from_csv(bytes)?)
+    }
+
+    /// As [`Measurements::from_csv`], of a table that a column map made or that was put together.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_table(table: &Table) -> Result<Self, MeasureError> {
+        read::from_table(table)
     }
 }

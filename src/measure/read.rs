@@ -1,121 +1,98 @@
-//! Reading the measurement CSV: columns by name, in any order, checked cell by cell.
+//! Reading the measurement table: columns by name, in any order, checked cell by cell.
 
-use super::{Channels, MeasureError, Measurements, Row, Touch, Touches};
-use crate::diagnostic::{Diagnostic, LineIndex};
+use super::table::{Line, Table};
+use super::{Channels, MeasureError, Measurements, Row, Seen, Touch, Touches};
+use crate::diagnostic::Diagnostic;
 use crate::units::{m_from_mm, rad_from_deg};
-use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::collections::BTreeMap;
 
-const JOINTS: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
-const POINT: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
-const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+pub(super) const JOINTS: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
+pub(super) const POINT: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+pub(super) const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 const DIRECTIONS: [&str; 6] = ["dir1", "dir2", "dir3", "dir4", "dir5", "dir6"];
 const TEMPERATURES: [&str; 6] =
     ["temp_j1_c", "temp_j2_c", "temp_j3_c", "temp_j4_c", "temp_j5_c", "temp_j6_c"];
 const OTHERS: [&str; 7] = ["id", "pose_id", "t_min", "target", "kind", "payload_kg", "temp_air_c"];
-/// Instead of a point; read where fixed points are.
-const UNSUPPORTED: [&str; 2] = ["length_mm", "fixed_id"];
-/// The same unknown fixed point touched again.
+/// Instead of a point.
 const FIXED: &str = "fixed_id";
+const LENGTH: &str = "length_mm";
 /// A quaternion whose length is further from 1 than this is no orientation.
 const QUATERNION_LENGTH: f64 = 0.02;
 
-pub(super) fn from_csv(bytes: &[u8]) -> Result<Measurements, MeasureError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
-    let lines = LineIndex::new(bytes);
-    let not_csv = |error: csv::Error| not_csv(&lines, bytes, &error);
-    let header = reader.headers().map_err(not_csv)?.clone();
-    let columns = Columns::new(&header, &POINT)?;
-    let mut warnings = columns.warnings.clone();
+/// Every column that a measurement table may have.
+pub(super) fn known() -> Vec<&'static str> {
+    [&JOINTS[..], &POINT, &QUATERNION, &DIRECTIONS, &TEMPERATURES, &OTHERS, &[FIXED, LENGTH]].concat()
+}
 
+pub(super) fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
+    let columns = Columns::new(&table.header)?;
+    let mut warnings = columns.warnings.clone();
     let mut rows = Vec::new();
     let mut poses: BTreeMap<String, usize> = BTreeMap::new();
     let mut targets: BTreeMap<String, usize> = BTreeMap::new();
-    let mut skipped = 0_usize;
+    let mut places: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
     let mut decimals = 0;
-    for record in reader.records() {
-        let record = record.map_err(not_csv)?;
-        let line = lines.of_record(bytes, record.position(), true);
-        let cells = Cells { columns: &columns, record: &record, line };
-        if record.iter().all(str::is_empty) {
-            continue;
-        }
-        if cells.text("kind").is_some_and(|kind| kind.eq_ignore_ascii_case("base")) {
-            skipped += 1;
-            continue;
-        }
+    for line in &table.lines {
+        let cells = Cells { columns: &columns, line };
         let pose = cells.text("pose_id").unwrap_or_default();
-        let pose = if pose.is_empty() { format!("\u{0}{line}") } else { pose.to_owned() };
+        let pose = if pose.is_empty() { format!("\u{0}{}", line.number) } else { pose.to_owned() };
         let next = poses.len();
         let pose = *poses.entry(pose).or_insert(next);
-        let next = targets.len();
-        let target = cells.text("target").unwrap_or_default().to_owned();
-        let target = *targets.entry(target).or_insert(next);
-        for name in JOINTS {
-            decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
+        let seen = cells.seen(&mut |kind, name| {
+            let next = places.len();
+            *places.entry((kind, name.to_owned())).or_insert(next)
+        })?;
+        let mut target = 0;
+        if seen.by_arm() {
+            let next = targets.len();
+            let name = cells.text("target").unwrap_or_default().to_owned();
+            target = *targets.entry(name).or_insert(next);
+            for name in JOINTS {
+                decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
+            }
         }
-        rows.push(cells.row(pose, target)?);
+        rows.push(cells.row(pose, target, seen)?);
     }
-    if rows.is_empty() {
+    if !rows.iter().any(|row: &Row| row.seen.by_arm()) {
         return Err(MeasureError::NoRows);
     }
-    if skipped > 0 {
-        warnings.push(Diagnostic::warning(
-            "measure::base-rows",
-            format!("{skipped} rows of kind base are not used here"),
-        ));
-    }
     let channels = complete_channels(&columns, &mut rows, &mut warnings);
-    let mut names = vec![String::new(); targets.len()];
-    for (name, index) in targets {
-        names[index] = name;
-    }
-    Ok(Measurements { rows, channels, targets: names, joint_decimals: decimals, warnings })
+    Ok(Measurements {
+        rows,
+        channels,
+        targets: in_order(targets),
+        places: in_order(places.into_iter().map(|((_, name), index)| (name, index))),
+        joint_decimals: decimals,
+        warnings,
+    })
+}
+
+/// Names at their indices.
+fn in_order(names: impl IntoIterator<Item = (String, usize)>) -> Vec<String> {
+    let mut by_index: Vec<(usize, String)> = names.into_iter().map(|(name, index)| (index, name)).collect();
+    by_index.sort_unstable();
+    by_index.into_iter().map(|(_, name)| name).collect()
 }
 
 /// Touches of fixed points, or, in a file without `fixed_id`, of poses with measured points; in order of time.
-pub(super) fn touches(bytes: &[u8]) -> Result<Touches, MeasureError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
-    let lines = LineIndex::new(bytes);
-    let not_csv = |error: csv::Error| not_csv(&lines, bytes, &error);
-    let header = reader.headers().map_err(not_csv)?.clone();
-    if !header.iter().any(|name| name.eq_ignore_ascii_case(FIXED)) {
-        let measurements = from_csv(bytes)?;
-        let missing = || missing("t_min", &header);
-        return Touches::of_poses(&measurements).ok_or_else(missing);
+pub(super) fn touches(table: &Table) -> Result<Touches, MeasureError> {
+    let measurements = from_table(table)?;
+    let no_time = || missing("t_min", &table.header);
+    if table.column(FIXED).is_none() {
+        return Touches::of_poses(&measurements).ok_or_else(no_time);
     }
-    let columns = Columns::new(&header, &[FIXED, "t_min"])?;
-    let mut names: BTreeMap<String, usize> = BTreeMap::new();
     let mut touches = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(not_csv)?;
-        let line = lines.of_record(bytes, record.position(), true);
-        let cells = Cells { columns: &columns, record: &record, line };
-        if record.iter().all(str::is_empty) {
-            continue;
-        }
-        let next = names.len();
-        let point = *names.entry(cells.text(FIXED).unwrap_or_default().to_owned()).or_insert(next);
-        touches.push(Touch {
-            line,
-            point,
-            t_min: cells.number("t_min")?,
-            q_rad: cells.joints()?,
-            seen_m: None,
-        });
+    for row in &measurements.rows {
+        let Seen::Touch { place } = row.seen else { continue };
+        let t_min = row.t_min.ok_or_else(no_time)?;
+        touches.push(Touch { line: row.line, point: place, t_min, q_rad: row.q_rad, seen_m: None });
     }
     if touches.is_empty() {
         return Err(MeasureError::NoRows);
     }
     touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
-    let mut points = vec![String::new(); names.len()];
-    for (name, index) in names {
-        points[index] = name;
-    }
-    Ok(Touches { touches, points })
+    Ok(Touches { touches, points: measurements.places })
 }
 
 /// Where each known column stands.
@@ -125,10 +102,8 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(header: &StringRecord, needed: &[&'static str]) -> Result<Self, MeasureError> {
-        if header.iter().all(str::is_empty) {
-            return Err(MeasureError::NoHeader);
-        }
+    fn new(header: &[String]) -> Result<Self, MeasureError> {
+        let known = known();
         let mut at = BTreeMap::new();
         let mut warnings = Vec::new();
         for (index, name) in header.iter().enumerate() {
@@ -137,15 +112,7 @@ impl Columns {
             if joint.and_then(|n| n.parse::<u32>().ok()).is_some_and(|n| n > 6) {
                 return Err(MeasureError::TooManyJoints { column: name });
             }
-            let fixed = needed.contains(&FIXED) && name == FIXED;
-            if UNSUPPORTED.contains(&name.as_str())
-                && !fixed
-                && !header.iter().any(|n| n.eq_ignore_ascii_case("x_mm"))
-            {
-                return Err(MeasureError::Unsupported { column: name });
-            }
-            let known = [&JOINTS[..], &POINT, &QUATERNION, &DIRECTIONS, &TEMPERATURES, &OTHERS].concat();
-            if !known.contains(&name.as_str()) && !fixed {
+            if !known.contains(&name.as_str()) {
                 warnings.push(
                     Diagnostic::warning(
                         "measure::unknown-column",
@@ -159,7 +126,9 @@ impl Columns {
                 return Err(MeasureError::DoubledColumn { column: name });
             }
         }
-        for column in JOINTS.iter().chain(needed) {
+        let without_points = at.contains_key(FIXED) || at.contains_key(LENGTH);
+        let points = POINT.iter().filter(|_| !without_points || POINT.iter().any(|p| at.contains_key(*p)));
+        for column in JOINTS.iter().chain(points) {
             if !at.contains_key(*column) {
                 return Err(missing(column, header));
             }
@@ -185,8 +154,8 @@ impl Columns {
     }
 }
 
-fn missing(column: &str, header: &StringRecord) -> MeasureError {
-    let found: Vec<&str> = header.iter().collect();
+pub(super) fn missing(column: &str, header: &[String]) -> MeasureError {
+    let found: Vec<&str> = header.iter().map(String::as_str).collect();
     let hint = if found.len() == 1 && found[0].contains(';') {
         "; the columns seem to be separated by ';', commas are needed"
     } else if found.len() == 1 && found[0].contains('\t') {
@@ -206,13 +175,12 @@ fn missing(column: &str, header: &StringRecord) -> MeasureError {
 
 struct Cells<'a> {
     columns: &'a Columns,
-    record: &'a StringRecord,
-    line: u64,
+    line: &'a Line,
 }
 
 impl Cells<'_> {
     fn text(&self, name: &str) -> Option<&str> {
-        self.columns.at.get(name).and_then(|&index| self.record.get(index))
+        self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map(String::as_str)
     }
 
     fn number(&self, name: &str) -> Result<f64, MeasureError> {
@@ -220,7 +188,7 @@ impl Cells<'_> {
         match text.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             _ => Err(MeasureError::NotANumber {
-                line: self.line,
+                line: self.line.number,
                 column: name.to_owned(),
                 text: text.chars().take(40).collect(),
                 hint: if text.is_empty() {
@@ -255,7 +223,7 @@ impl Cells<'_> {
 
     fn impossible(&self, column: &str, why: &'static str) -> MeasureError {
         MeasureError::Impossible {
-            line: self.line,
+            line: self.line.number,
             column: column.to_owned(),
             text: self.text(column).unwrap_or_default().to_owned(),
             why,
@@ -274,16 +242,59 @@ impl Cells<'_> {
         Ok(q_rad)
     }
 
-    fn row(&self, pose: usize, target: usize) -> Result<Row, MeasureError> {
-        let q_rad = self.joints()?;
-        let mut position_m = Vector3::zeros();
-        for (k, name) in POINT.into_iter().enumerate() {
-            let mm = self.number(name)?;
-            if mm.abs() > 1e8 {
-                return Err(self.impossible(name, "no instrument reaches that far"));
-            }
-            position_m[k] = m_from_mm(mm);
+    fn empty(&self, name: &str) -> bool {
+        self.text(name).unwrap_or_default().is_empty()
+    }
+
+    fn length_m(&self, name: &str) -> Result<f64, MeasureError> {
+        let mm = self.number(name)?;
+        if mm.abs() > 1e8 {
+            return Err(self.impossible(name, "no instrument reaches that far"));
         }
+        Ok(m_from_mm(mm))
+    }
+
+    fn position_m(&self) -> Result<Vector3<f64>, MeasureError> {
+        let [x, y, z] = POINT;
+        Ok(Vector3::new(self.length_m(x)?, self.length_m(y)?, self.length_m(z)?))
+    }
+
+    /// What the row saw; `place` numbers fixed places by kind and name.
+    fn seen(&self, place: &mut dyn FnMut(&'static str, &str) -> usize) -> Result<Seen, MeasureError> {
+        let kind = self.text("kind").unwrap_or_default();
+        let first_of = |names: &[&str]| {
+            names.iter().filter_map(|n| self.text(n)).find(|t| !t.is_empty()).unwrap_or_default().to_owned()
+        };
+        if kind.eq_ignore_ascii_case("base") {
+            let name = first_of(&[FIXED, "target", "pose_id", "id"]);
+            return Ok(Seen::Nest { place: place("nest", &name), position_m: self.position_m()? });
+        }
+        if !kind.is_empty() && !kind.eq_ignore_ascii_case("pose") {
+            return Err(self.impossible("kind", "a kind is pose or base"));
+        }
+        if !POINT.iter().all(|name| self.empty(name)) {
+            return Ok(Seen::Point { position_m: self.position_m()? });
+        }
+        if !self.empty(LENGTH) {
+            let length_m = self.length_m(LENGTH)?;
+            if length_m <= 0.0 {
+                return Err(self.impossible(LENGTH, "a length is more than 0"));
+            }
+            return Ok(Seen::Length { place: place("wire", &first_of(&[FIXED])), length_m });
+        }
+        if !self.empty(FIXED) {
+            return Ok(Seen::Touch { place: place("touched", &first_of(&[FIXED])) });
+        }
+        let column = [POINT[0], LENGTH, FIXED].into_iter().find(|c| self.columns.has(c)).unwrap_or(POINT[0]);
+        self.number(column).and(Err(self.impossible(column, "nothing was measured")))
+    }
+
+    fn row(&self, pose: usize, target: usize, seen: Seen) -> Result<Row, MeasureError> {
+        let q_rad = if seen.by_arm() || JOINTS.iter().all(|name| !self.empty(name)) {
+            self.joints()?
+        } else {
+            [0.0; 6]
+        };
         let orientation = match self.optional_all(QUATERNION)? {
             None => None,
             Some([w, x, y, z]) => {
@@ -314,13 +325,13 @@ impl Cells<'_> {
             return Err(self.impossible("payload_kg", "a payload weighs 0 kg or more"));
         }
         Ok(Row {
-            line: self.line,
+            line: self.line.number,
             id: self.text("id").map(str::to_owned),
             pose,
             target,
             t_min: self.optional("t_min")?,
             q_rad,
-            position_m,
+            seen,
             orientation,
             direction,
             payload_kg,
@@ -348,10 +359,14 @@ fn complete_channels(columns: &Columns, rows: &mut [Row], warnings: &mut Vec<Dia
     let channels = Channels {
         pose_id: columns.has("pose_id"),
         time: keep("t_min", columns.has("t_min"), |r| r.t_min.is_some()),
-        orientation: keep("qw", columns.has("qw"), |r| r.orientation.is_some()),
-        direction: keep("dir1", columns.has("dir1"), |r| r.direction.is_some()),
-        payload: keep("payload_kg", columns.has("payload_kg"), |r| r.payload_kg.is_some()),
-        joint_temperature: keep("temp_j1_c", columns.has("temp_j1_c"), |r| r.joint_temperature_c.is_some()),
+        orientation: keep("qw", columns.has("qw"), |r| r.orientation.is_some() || !r.seen.by_arm()),
+        direction: keep("dir1", columns.has("dir1"), |r| r.direction.is_some() || !r.seen.by_arm()),
+        payload: keep("payload_kg", columns.has("payload_kg"), |r| {
+            r.payload_kg.is_some() || !r.seen.by_arm()
+        }),
+        joint_temperature: keep("temp_j1_c", columns.has("temp_j1_c"), |r| {
+            r.joint_temperature_c.is_some() || !r.seen.by_arm()
+        }),
         air_temperature: keep("temp_air_c", columns.has("temp_air_c"), |r| r.air_temperature_c.is_some()),
     };
     for row in rows {
@@ -372,16 +387,6 @@ fn decimals_of(text: &str) -> usize {
     text.split_once('.').map_or(0, |(_, decimals)| decimals.trim_end_matches('0').len())
 }
 
-fn not_csv(lines: &LineIndex, bytes: &[u8], error: &csv::Error) -> MeasureError {
-    let (line, problem) = lines.of_error(bytes, error, true);
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            MeasureError::CellCount { line, cells: *len, columns: *expected_len }
-        }
-        _ => MeasureError::NotCsv { line, problem },
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -389,7 +394,7 @@ mod tests {
     const HEADER: &str = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm";
 
     fn read(text: &str) -> Result<Measurements, MeasureError> {
-        from_csv(text.as_bytes())
+        from_table(&Table::from_csv(text.as_bytes())?)
     }
 
     #[test]
@@ -398,7 +403,7 @@ mod tests {
                     3000,1000,-2000,1,-1,0,1,1,1,0,0,0,0,90,180.25,5\n";
         let m = read(text).unwrap();
         let row = &m.rows[0];
-        assert_eq!(row.position_m, Vector3::new(1.0, -2.0, 3.0));
+        assert_eq!(row.seen, Seen::Point { position_m: Vector3::new(1.0, -2.0, 3.0) });
         assert_eq!(row.q_rad[1], std::f64::consts::FRAC_PI_2);
         assert_eq!(row.direction, Some([1, -1, 0, 1, 1, 1]));
         assert_eq!((row.t_min, row.line), (Some(5.0), 2));

@@ -1,11 +1,14 @@
 //! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
 
-use super::{Channels, Measurements, Row};
-use nalgebra::{UnitQuaternion, Vector3};
+use super::{Channels, Measurements, Row, Seen};
+use crate::kinematics::Chain;
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use std::collections::BTreeMap;
 
 /// Repeats further apart than this are different stations: drift between them is signal, not noise.
 const SAME_TIME_MIN: f64 = 10.0;
+/// A fixed point touched again with all joints as near as this is the same pose.
+const SAME_TOUCH_RAD: f64 = 5e-3;
 /// Joints read back scatter by less than this between repeats.
 const SAME_JOINT_RAD: f64 = 2e-4;
 /// Joint temperatures within this are the same.
@@ -22,10 +25,10 @@ pub struct Station {
     pub target: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// Joints.
+    /// Joints; at a nest they say nothing.
     pub q_rad: [f64; 6],
-    /// Measured point in the instrument's frame.
-    pub position_m: Vector3<f64>,
+    /// What was measured, the mean of the rows.
+    pub seen: Seen,
     /// Measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion.
@@ -38,6 +41,14 @@ pub struct Station {
     pub air_temperature_c: Option<f64>,
     /// Rows in the mean, as indices into the file's rows.
     pub rows: Vec<usize>,
+}
+
+impl Station {
+    /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
+    #[must_use]
+    pub fn pose(&self, chain: &Chain) -> Isometry3<f64> {
+        if self.seen.by_arm() { chain.forward(&self.q_rad) } else { Isometry3::identity() }
+    }
 }
 
 /// What the repeats say about the noise of one row.
@@ -62,12 +73,14 @@ pub struct Stations {
     pub channels: Channels,
     /// Number of reflectors.
     pub targets: usize,
+    /// Number of fixed places.
+    pub places: usize,
     /// Rows left out as false repeats.
     pub false_rows: Vec<usize>,
 }
 
-/// Pose, target, direction and payload (as bits): what repeats share.
-type Condition = (usize, usize, Option<[i8; 6]>, u64);
+/// Pose, target, place, direction and payload (as bits): what repeats share.
+type Condition = (usize, usize, Option<usize>, Option<[i8; 6]>, u64);
 
 /// Gathers the rows that `keep` names.
 ///
@@ -81,7 +94,8 @@ pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (&index, &pose) in keep.iter().zip(&poses) {
         let Some(row) = rows.get(index) else { continue };
-        let key = (pose, row.target, row.direction, row.payload_kg.map_or(u64::MAX, f64::to_bits));
+        let payload = row.payload_kg.map_or(u64::MAX, f64::to_bits);
+        let key = (pose, row.target, row.seen.place(), row.direction, payload);
         match open.get(&key).and_then(|&g| groups.get_mut(g)) {
             Some(group) if group.first().and_then(|&f| rows.get(f)).is_some_and(|f| alike(f, row)) => {
                 group.push(index);
@@ -103,25 +117,51 @@ pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
         stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),
         channels: measurements.channels,
         targets: measurements.targets.len().max(1),
+        places: measurements.places.len(),
         false_rows,
     }
 }
 
-/// The pose of each kept row: its `pose_id`, or, without that column, equal joints.
-fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
+/// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own.
+pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
     let rows = keep.iter().filter_map(|&i| measurements.rows.get(i));
     if measurements.channels.pose_id {
         return rows.map(|row| row.pose).collect();
     }
     let mut seen: BTreeMap<[u64; 6], usize> = BTreeMap::new();
+    let mut nests: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut touched: BTreeMap<usize, Vec<([f64; 6], usize)>> = BTreeMap::new();
+    let mut next = 0;
     rows.map(|row| {
-        let next = seen.len();
-        *seen.entry(row.q_rad.map(f64::to_bits)).or_insert(next)
+        let pose = match row.seen {
+            Seen::Nest { place, .. } => *nests.entry(place).or_insert(next),
+            Seen::Touch { place } => {
+                let known = touched.entry(place).or_default();
+                let near =
+                    |q: &[f64; 6]| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
+                match known.iter().find(|(q, _)| near(q)) {
+                    Some((_, pose)) => *pose,
+                    None => {
+                        known.push((row.q_rad, next));
+                        next
+                    }
+                }
+            }
+            Seen::Point { .. } | Seen::Length { .. } => {
+                *seen.entry(row.q_rad.map(f64::to_bits)).or_insert(next)
+            }
+        };
+        next = next.max(pose + 1);
+        pose
     })
     .collect()
 }
 
 fn alike(a: &Row, b: &Row) -> bool {
+    // The scatter of touches lies in their joints: their mean would hide it.
+    if matches!(a.seen, Seen::Touch { .. }) {
+        return false;
+    }
     let joints = a.q_rad.iter().zip(&b.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
     let time = match (a.t_min, b.t_min) {
         (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
@@ -135,8 +175,12 @@ fn alike(a: &Row, b: &Row) -> bool {
 }
 
 fn centre(rows: &[Row], group: &[usize]) -> Vector3<f64> {
-    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(|r| r.position_m).sum();
+    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(reading_m).sum();
     sum / group.len().max(1) as f64
+}
+
+fn reading_m(row: &Row) -> Vector3<f64> {
+    row.seen.reading_m().map_or_else(Vector3::zeros, |(reading_m, _)| reading_m)
 }
 
 fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {
@@ -170,7 +214,7 @@ fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Opti
         target: first.target,
         t_min: average(&|row| row.t_min),
         q_rad,
-        position_m: centre(rows, group),
+        seen: first.seen.with_reading_m(centre(rows, group)),
         orientation,
         direction: first.direction,
         payload_kg: first.payload_kg,
@@ -188,12 +232,12 @@ fn false_repeats(rows: &[Row], groups: &[Vec<usize>]) -> Vec<usize> {
         let mut middle = Vector3::zeros();
         for k in 0..3 {
             let mut values: Vec<f64> =
-                group.iter().filter_map(|&i| rows.get(i)).map(|r| r.position_m[k]).collect();
+                group.iter().filter_map(|&i| rows.get(i)).map(|r| reading_m(r)[k]).collect();
             middle[k] = median(&mut values);
         }
         for &index in group {
             let Some(row) = rows.get(index) else { continue };
-            let distance = (row.position_m - middle).norm();
+            let distance = (reading_m(row) - middle).norm();
             pool.push(distance);
             if group.len() >= 3 {
                 distances.push((index, distance));
@@ -218,8 +262,9 @@ fn repeats(rows: &[Row], groups: &[Vec<usize>]) -> Option<Repeats> {
     for group in groups.iter().filter(|g| g.len() >= 2) {
         let centre = centre(rows, group);
         let members: Vec<&Row> = group.iter().filter_map(|&i| rows.get(i)).collect();
-        squares += members.iter().map(|row| (row.position_m - centre).norm_squared()).sum::<f64>();
-        freedom += 3 * (group.len() - 1);
+        squares += members.iter().map(|row| (reading_m(row) - centre).norm_squared()).sum::<f64>();
+        let numbers = members.first().and_then(|row| row.seen.reading_m()).map_or(0, |(_, numbers)| numbers);
+        freedom += numbers * (group.len() - 1);
         if let Some(start) = members.first().and_then(|row| row.orientation) {
             let vectors: Vec<Vector3<f64>> = members
                 .iter()
@@ -267,7 +312,7 @@ mod tests {
         let m = file(&[("A", 0.0, 1.0), ("A", 1.0, 3.0), ("B", 2.0, 5.0), ("B", 3.0, 5.0)]);
         let s = gather(&m, &[0, 1, 2, 3]);
         assert_eq!(s.stations.len(), 2);
-        assert!((s.stations[0].position_m.x - 0.002).abs() < 1e-15);
+        assert!((s.stations[0].seen.position_m().unwrap().x - 0.002).abs() < 1e-15);
         assert_eq!(s.stations[0].t_min, Some(0.5));
         let repeats = s.repeats.unwrap();
         // Deviations are +-1 mm in x of the first pair alone: 2 mm^2 over 3 (n-1) = 6 degrees of freedom.
@@ -293,6 +338,6 @@ mod tests {
         rows.push(("A", 0.0, 10.0));
         let s = gather(&file(&rows), &(0..9).collect::<Vec<_>>());
         assert_eq!(s.false_rows, [8]);
-        assert!(s.stations[0].position_m.x < 1e-4);
+        assert!(s.stations[0].seen.position_m().unwrap().x < 1e-4);
     }
 }

@@ -1,7 +1,7 @@
 //! Few points measured again and again while a robot warms up: fixed points touched (`fixed_id`), or poses seen by a tracker.
 
 use super::read;
-use super::{MeasureError, Measurements};
+use super::{MeasureError, Measurements, Seen, Table};
 use nalgebra::Vector3;
 
 /// One touch, SI.
@@ -34,7 +34,15 @@ impl Touches {
     /// # Errors
     /// A column or cell that is missing or wrong; a row without time.
     pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
-        read::touches(bytes)
+        Self::from_table(&Table::from_csv(bytes)?)
+    }
+
+    /// As [`Touches::from_csv`], of a table.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_table(table: &Table) -> Result<Self, MeasureError> {
+        read::touches(table)
     }
 
     /// The touches of a whole measurement file, pose by pose.
@@ -43,13 +51,14 @@ impl Touches {
         let mut touches = Vec::with_capacity(measurements.rows.len());
         let mut last = 0;
         for row in &measurements.rows {
+            let Seen::Point { position_m } = row.seen else { continue };
             last = last.max(row.pose);
             touches.push(Touch {
                 line: row.line,
                 point: row.pose,
                 t_min: row.t_min?,
                 q_rad: row.q_rad,
-                seen_m: Some(row.position_m),
+                seen_m: Some(position_m),
             });
         }
         touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));

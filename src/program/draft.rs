@@ -201,6 +201,7 @@ impl<'a> Walk<'_, 'a> {
             speed: None,
             zone: None,
             conf_monitored: None,
+            grip: None,
             previous: None,
             wait_before: Wait::None,
             wait_since_entry: None,

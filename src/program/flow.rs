@@ -1,6 +1,7 @@
 //! The ways through a routine: its statements reduced to what matters for motion, and the walk that
 //! carries a state along all of them, joining where ways meet, until nothing changes any more.
 
+use super::data::LoadData;
 use super::errors::Recovery;
 use super::index::{Ctx, DatumId, RoutineId};
 use super::names::Sym;
@@ -52,6 +53,8 @@ pub(super) enum Step<'a> {
     ConfL(Option<bool>),
     /// `ConfJ`
     ConfJ(Option<bool>),
+    /// `GripLoad`; `None`: of a load that is not known.
+    Grip(Option<LoadData>),
     /// A displacement and the like comes into force, or goes.
     Hold(Hold, Option<Why>),
     /// Routines of the program, one of which is called; `maybe`: or none. `recovery`: what becomes of an

@@ -2,6 +2,7 @@
 
 use super::built_in::is_built_in_function;
 use super::convert;
+use super::data::LoadData;
 use super::draft::Drafts;
 use super::errors::{Recovery, any_handled, arguments_may_fail, expression_may_fail, may_fail};
 use super::expressions::{every_call, expressions_of, root_of, words};
@@ -400,6 +401,7 @@ impl<'a> Lower<'_, 'a> {
         let step = match lower.as_str() {
             "confl" => Step::ConfL(on),
             "confj" => Step::ConfJ(on),
+            "gripload" => Step::Grip(self.gripped(call)),
             "pdispset" if displaces_nothing => Step::Hold(Hold::Displacement, None),
             "pdispon" | "pdispset" => {
                 Step::Hold(Hold::Displacement, active("a program displacement is in force"))
@@ -454,6 +456,17 @@ impl<'a> Lower<'_, 'a> {
         matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
     }
 
+    /// The load of a GripLoad, where it is constant.
+    fn gripped(&mut self, call: &CallStmt) -> Option<LoadData> {
+        let load = call.args.iter().find_map(|arg| match &arg.kind {
+            ArgKind::Positional(load) => Some(load),
+            _ => None,
+        })?;
+        let ctx = self.ctx;
+        let load = self.folder.fold(load, ctx, &Constant).ok()?;
+        convert::loaddata(&load.value).ok()
+    }
+
     fn by_number(&self, start: &str, out: &mut Vec<Node<'a>>) {
         let index = self.index();
         let fits = |id: &RoutineId| {
@@ -476,6 +489,7 @@ impl<'a> Lower<'_, 'a> {
             out.push(Node::Step(match lower.as_str() {
                 "confl" => Step::ConfL(None),
                 "confj" => Step::ConfJ(None),
+                "gripload" => Step::Grip(None),
                 "pdispon" | "pdispset" | "pdispoff" => Step::Hold(Hold::Displacement, named()),
                 "eoffson" | "eoffsset" | "eoffsoff" => Step::Hold(Hold::ExternalOffset, named()),
                 "softact" | "softdeact" => Step::Hold(Hold::SoftServo, named()),

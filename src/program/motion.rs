@@ -1,7 +1,7 @@
 //! Motions: every move instruction with its targets, its tool and work object as far as they are known,
 //! and why it cannot be compensated where it cannot.
 
-use super::data::{JointTarget, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
+use super::data::{JointTarget, LoadData, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
 use crate::diagnostic::{FileId, Span, TextRange};
 
 /// How the TCP goes to the target.
@@ -52,6 +52,8 @@ pub struct Motion {
     /// `ConfL` (for linear and circular moves) or `ConfJ` (for joint moves) in force: `Some(true)` = the
     /// controller holds to confdata; `None` = not known. RAPID's default is on.
     pub conf_monitored: Option<bool>,
+    /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
+    pub grip: Option<LoadData>,
     /// The motion that runs just before this one, where the program's text alone says so.
     pub previous: Option<usize>,
     /// Time that other instructions between the previous motion and this one may take.

@@ -184,9 +184,12 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
             }
             Step::Away => Some(ANYWHERE),
             Step::Wait(seconds) => Some(Came { wait: longer(state.wait, *seconds), ..state }),
-            Step::Assign { .. } | Step::Lose { .. } | Step::ConfL(_) | Step::ConfJ(_) | Step::Hold(..) => {
-                Some(state)
-            }
+            Step::Assign { .. }
+            | Step::Lose { .. }
+            | Step::ConfL(_)
+            | Step::ConfJ(_)
+            | Step::Grip(_)
+            | Step::Hold(..) => Some(state),
         }
     }
 }

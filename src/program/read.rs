@@ -135,6 +135,7 @@ impl<'a> Finish<'_, 'a> {
             }
         }
         if let Some(state) = state {
+            motion.grip = state.grip;
             motion.conf_monitored = match motion.path {
                 Path::Linear | Path::Circular => state.conf_l,
                 Path::Joint => state.conf_j,

@@ -7,6 +7,7 @@
 //! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
 //! on with TRYNEXT or RETRY, it goes on with that.
 
+use super::data::LoadData;
 use super::draft::Drafts;
 use super::errors::Recovery;
 use super::flow::{Binding, Carried, HOLDS, Hold, Step, Ways, every_step, walk};
@@ -44,6 +45,8 @@ pub(super) struct State {
     pub(super) slots: Vec<SlotState>,
     pub(super) conf_l: Option<bool>,
     pub(super) conf_j: Option<bool>,
+    /// What the last GripLoad said; `None` = not known.
+    pub(super) grip: Option<LoadData>,
     /// In the order of [`HOLDS`]: why it is, or may be, in force.
     pub(super) holds: [Option<Why>; 4],
 }
@@ -126,6 +129,7 @@ struct Touched {
     slots: BTreeSet<usize>,
     conf_l: bool,
     conf_j: bool,
+    grip: bool,
     holds: BTreeSet<Hold>,
     calls: BTreeSet<RoutineId>,
 }
@@ -173,6 +177,7 @@ impl Walker<'_, '_> {
         for state in self.at_motions.iter_mut().flatten() {
             state.conf_l = state.conf_l.filter(|_| !any.conf_l);
             state.conf_j = state.conf_j.filter(|_| !any.conf_j);
+            state.grip = state.grip.filter(|_| !any.grip);
             for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
                 if any.holds.contains(hold) && held.is_none() {
                     *held = Some(unknown("a trap or an error handler may put it in force"));
@@ -205,7 +210,9 @@ impl Walker<'_, '_> {
             let value = value.unwrap_or_else(Value::Unknown);
             slots.push(SlotState { value, declared: persistent, set_at: None });
         }
-        State { slots, conf_l: Some(true), conf_j: Some(true), holds: [const { None }; 4] }
+        // From its beginning a program grips nothing.
+        let grip = Some(LoadData::default());
+        State { slots, conf_l: Some(true), conf_j: Some(true), grip, holds: [const { None }; 4] }
     }
 
     /// A state of which nothing is known that the program changes.
@@ -430,6 +437,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
         }
         into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
         into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
+        into.grip = into.grip.filter(|load| other.grip == Some(*load));
         for (a, b) in into.holds.iter_mut().zip(&other.holds) {
             if a.is_none() {
                 a.clone_from(b);
@@ -462,6 +470,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
             }
             Step::ConfL(on) => state.conf_l = *on,
             Step::ConfJ(on) => state.conf_j = *on,
+            Step::Grip(load) => state.grip = *load,
             Step::Hold(hold, why) => {
                 for (known, held) in HOLDS.iter().zip(&mut state.holds) {
                     if known == hold {
@@ -487,6 +496,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
 fn same(a: &State, b: &State) -> bool {
     a.conf_l == b.conf_l
         && a.conf_j == b.conf_j
+        && a.grip == b.grip
         && a.holds.iter().zip(&b.holds).all(|(a, b)| a.is_some() == b.is_some())
         && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
 }
@@ -507,6 +517,7 @@ fn lose(state: &mut State, touched: &Touched, why: &Why) {
     }
     state.conf_l = state.conf_l.filter(|_| !touched.conf_l);
     state.conf_j = state.conf_j.filter(|_| !touched.conf_j);
+    state.grip = state.grip.filter(|_| !touched.grip);
     for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
         if touched.holds.contains(hold) {
             *held = Some(why.clone());
@@ -550,6 +561,7 @@ fn touch(touched: &mut Touched, step: &Step<'_>) {
         }
         Step::ConfL(_) => touched.conf_l = true,
         Step::ConfJ(_) => touched.conf_j = true,
+        Step::Grip(_) => touched.grip = true,
         Step::Hold(hold, Some(_)) => {
             touched.holds.insert(*hold);
         }
@@ -565,6 +577,7 @@ fn add(into: &mut Touched, other: &Touched) {
     into.slots.extend(&other.slots);
     into.conf_l |= other.conf_l;
     into.conf_j |= other.conf_j;
+    into.grip |= other.grip;
     into.holds.extend(&other.holds);
 }
 

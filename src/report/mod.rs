@@ -3,6 +3,8 @@
 //! Computes nothing: every figure comes from the plan; here it gets its unit and its place. Knows nothing
 //! of files and terminals: everything is written to a [`std::io::Write`].
 
+pub mod accuracy;
+pub mod changed;
 mod comparison;
 pub mod diagnosis;
 mod diff;
@@ -11,8 +13,10 @@ mod inspect;
 mod joints;
 mod json;
 mod message;
+pub mod plan;
 pub mod plots;
 mod review;
+pub mod shop;
 mod svg;
 mod table;
 

@@ -123,6 +123,7 @@ impl Reader<'_> {
             speed: None,
             zone: None,
             conf_monitored: None,
+            grip: None,
             previous: None,
             wait_before: Wait::None,
             wait_since_entry: None,

@@ -185,6 +185,21 @@ fn confl_and_confj() {
 }
 
 #[test]
+fn what_is_gripped() {
+    let load = "PERS loaddata part:=[4.5,[10,0,80],[1,0,0,0],0,0,0];\nPERS loaddata late:=[1,[0,0,1],[1,0,0,0],0,0,0];";
+    let body = format!(
+        "{MOVE}GripLoad part;\n{MOVE}hold;\n{MOVE}GripLoad load0;\n{MOVE}IF DI1=1 GripLoad part;\n{MOVE}late.mass:=n;\nGripLoad late;\n{MOVE}"
+    );
+    let text =
+        format!("{}\n{load}\nVAR num n;\nPROC main()\n{body}\nENDPROC\nPROC hold()\n{MOVE}ENDPROC", data());
+    let read = module(&text);
+    let kg: Vec<_> = read.motions.iter().map(|m| m.grip.map(|load| load.mass_kg)).collect();
+    // The last motion is that of hold, called with the part in the gripper.
+    assert_eq!(kg, [Some(0.0), Some(4.5), Some(4.5), Some(0.0), None, None, Some(4.5)]);
+    assert_eq!(read.motions[1].grip.map(|load| load.cog_m), Some([0.01, 0.0, 0.08]));
+}
+
+#[test]
 fn who_holds_what() {
     let wobj = |robhold: &str, ufprog: &str, unit: &str| {
         format!("[{robhold},{ufprog},\"{unit}\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]")

@@ -66,6 +66,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         speed: Some(SpeedData { v_tcp_m_s: 0.25, v_ori_rad_s: rad_from_deg(500.0) }),
         zone: Some(ZoneData { finep: false, pzone_tcp_m: 0.001 }),
         conf_monitored: Some(false),
+        grip: None,
         previous: None,
         wait_before: Wait::None,
         wait_since_entry: None,

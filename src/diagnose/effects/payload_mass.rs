@@ -1,7 +1,7 @@
 //! The payload weighs more or less than the controller believes.
 
 use super::{Candidate, Effect, Form, Motion, Scene, Site, lever_torque_n_m};
-use crate::diagnose::scene::scaled;
+use crate::diagnose::scene::{Sight, scaled};
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
@@ -31,7 +31,9 @@ impl Effect for PayloadMass {
     }
     fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
         // Wrong by as much whenever something hangs there; always, as a tool's mass is; or by a factor.
-        let alike = scene.sites.iter().all(|s| s.payload_kg == scene.sites[0].payload_kg);
+        let mut loads = scene.sites.iter().filter(|s| s.sight != Sight::Nest).map(|s| s.payload_kg);
+        let first = loads.next();
+        let alike = loads.all(|load| Some(load) == first);
         [2.0, 1.0, 1.0]
             .into_iter()
             .take(if alike { 1 } else { 3 })

@@ -15,7 +15,7 @@ pub use targets::{AtTargets, Next, Place, at_targets};
 use crate::deform::identified::{Identified, Kind, Seen, Shape, Term, Value};
 use crate::deform::{Deformation, GrowthLaw};
 use crate::kinematics::{Chain, FrameOffsets};
-use crate::measure::{RegisterError, Station, Touches, register};
+use crate::measure::{self, RegisterError, Station, Touches, register};
 use crate::robot::Robot;
 use history::{cool_taus_min, taus_min, warmth};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
@@ -276,7 +276,9 @@ fn observed_m(
             target: 0,
             t_min: Some(t.t_min),
             q_rad: t.q_rad,
-            position_m: t.seen_m.unwrap_or_default(),
+            seen: t.seen_m.map_or(measure::Seen::Touch { place: t.point }, |position_m| {
+                measure::Seen::Point { position_m }
+            }),
             orientation: None,
             direction: None,
             payload_kg: None,
@@ -285,7 +287,7 @@ fn observed_m(
             rows: vec![i],
         })
         .collect();
-    let poses: Vec<_> = stations.iter().map(|s| Chain::nominal(robot).forward(&s.q_rad)).collect();
+    let poses: Vec<_> = stations.iter().map(|s| s.pose(&Chain::nominal(robot))).collect();
     let registration = register(&stations, &poses, 1, Some(options.tool_m))?;
     Ok(stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose)).collect())
 }

@@ -1,0 +1,119 @@
+//! `driftpost accuracy`: pose accuracy, repeatability and drift after ISO 9283.
+
+use super::measured::Source;
+use super::validate::RegisterName;
+use super::{Console, Outcome, diagnose, files, model};
+use crate::diagnostic::Diagnostic;
+use crate::measure::{Compared, performance};
+use crate::report::accuracy as report;
+use crate::units::m_from_mm;
+use nalgebra::Vector3;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Options of `accuracy`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The measurements: rows that share a pose_id (or their joints) repeat one commanded pose.
+    #[command(flatten)]
+    pub source: Source,
+
+    /// A built-in robot's name, or a robot file (TOML): its nominal arm is the command.
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Place of the measured target in the flange's frame, mm; needed with --register base and none.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub tool: Option<String>,
+
+    /// What is fitted before accuracy is judged: with none the instrument shows the robot's base frame.
+    #[arg(long, value_enum, default_value_t = RegisterName::BaseTool)]
+    pub register: RegisterName,
+
+    /// Exit 1 where the accuracy AP of a pose is worse.
+    #[arg(long, value_name = "MM")]
+    pub limit_ap_mm: Option<f64>,
+
+    /// Exit 1 where the repeatability RP of a pose is worse.
+    #[arg(long, value_name = "MM")]
+    pub limit_rp_mm: Option<f64>,
+
+    /// Exit 1 where the accuracy of a pose drifts by more.
+    #[arg(long, value_name = "MM")]
+    pub limit_drift_mm: Option<f64>,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `accuracy`.
+///
+/// # Errors
+/// A file that cannot be read or written, base and tool that cannot be fitted, a limit that nothing was measured for.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let limits = [
+        ("limit-ap-mm", args.limit_ap_mm),
+        ("limit-rp-mm", args.limit_rp_mm),
+        ("limit-drift-mm", args.limit_drift_mm),
+    ];
+    for (name, limit) in limits {
+        if limit.is_some_and(|mm| !(mm.is_finite() && mm > 0.0)) {
+            return Err(Diagnostic::error(
+                "option::number",
+                format!("--{name} must be more than 0 and finite"),
+            )
+            .into());
+        }
+    }
+    let robot = model::robot(&args.robot)?;
+    let tool_m = args.tool.as_deref().map(diagnose::tool).transpose()?;
+    let compared = compared(args.register, tool_m)?;
+    let json = files::Output::new(args.json.as_deref())?;
+    let (measurements, _) = args.source.read(console)?;
+    console.explain(&measurements.warnings, &[], true);
+    let found = performance(&measurements, &robot, compared)
+        .map_err(|error| Diagnostic::error("measure::registration", error.to_string()))?;
+    let worst = report::worst(&found);
+    let mut beyond = Vec::new();
+    for ((name, limit), found) in limits.into_iter().zip([worst.ap_m, worst.rp_m, worst.drift_m]) {
+        let Some(limit_mm) = limit else { continue };
+        let Some(found_m) = found else {
+            return Err(Diagnostic::error(
+                "measure::no-repeats",
+                format!("--{name}: nothing was measured that tells it"),
+            )
+            .help("repeatability needs a pose measured twice and more, drift at times more than 10 min apart")
+            .into());
+        };
+        if found_m > m_from_mm(limit_mm) {
+            beyond.push(format!("--{name} {limit_mm}"));
+        }
+    }
+    let takes_standard_output = json.is_standard();
+    json.write(console, || Ok(format!("{:#}\n", report::json(&found, beyond.is_empty())).into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    report::write(to, &found)?;
+    if args.limit_ap_mm.is_some() || args.limit_rp_mm.is_some() || args.limit_drift_mm.is_some() {
+        let said =
+            if beyond.is_empty() { "GO".to_owned() } else { format!("NO GO: beyond {}", beyond.join(", ")) };
+        writeln!(to, "{said}")?;
+    }
+    Ok(if beyond.is_empty() { Outcome::Done } else { Outcome::Difference })
+}
+
+fn compared(register: RegisterName, tool_m: Option<Vector3<f64>>) -> Result<Compared, Diagnostic> {
+    let known = || {
+        tool_m.ok_or_else(|| {
+            Diagnostic::error(
+                "diagnose::tool",
+                "--register base and none need --tool x,y,z: where the target is on the flange",
+            )
+        })
+    };
+    Ok(match register {
+        RegisterName::BaseTool => Compared::Fitted,
+        RegisterName::Base => Compared::BaseFitted(known()?),
+        RegisterName::None => Compared::AsMeasured(known()?),
+    })
+}

@@ -1,0 +1,171 @@
+//! Measurements as the options name them: one file or two, in our layout or another.
+
+use super::{Console, files, model};
+use crate::diagnostic::Diagnostic;
+use crate::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
+use clap::ValueEnum;
+use std::path::{Path, PathBuf};
+
+/// Lines that a message lists at most.
+const LISTED: usize = 12;
+
+/// Where measurements come from.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Source {
+    /// Measurements (CSV): joints q1_deg..q6_deg, measured points x_mm, y_mm, z_mm (or fixed_id, or length_mm), and
+    /// what else is known.
+    #[arg(value_name = "MEASUREMENTS", required_unless_present = "points", conflicts_with = "points")]
+    pub measurements: Option<PathBuf>,
+
+    /// Instead: the measured points alone; the joints come from --joints.
+    #[arg(long, value_name = "FILE", requires = "joints")]
+    pub points: Option<PathBuf>,
+
+    /// The joints of --points.
+    #[arg(long, value_name = "FILE", requires = "points")]
+    pub joints: Option<PathBuf>,
+
+    /// What tells which joints belong to a point.
+    #[arg(long = "match", value_name = "BY", value_enum, default_value_t = MatchName::Id)]
+    pub match_by: MatchName,
+
+    /// With --match time: the longest time between a point and its joints.
+    #[arg(long, value_name = "MIN", default_value_t = 0.1)]
+    pub match_within_min: f64,
+
+    /// Another layout: which of its columns is which of ours (TOML, docs/MEASURING.md); of --points where there are two files.
+    #[arg(long, value_name = "MAP.toml")]
+    pub columns: Option<PathBuf>,
+
+    /// The same for --joints.
+    #[arg(long, value_name = "MAP.toml", requires = "joints")]
+    pub joints_columns: Option<PathBuf>,
+}
+
+/// See [`MatchBy`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MatchName {
+    /// The same id in both files.
+    Id,
+    /// The first with the first, the second with the second.
+    Order,
+    /// The nearest t_min.
+    Time,
+}
+
+/// A table and where it comes from.
+pub struct Given {
+    /// The table.
+    pub table: Table,
+    /// Names of its files.
+    pub name: String,
+    /// Of all their bytes.
+    pub sha256: String,
+}
+
+impl Source {
+    /// Reads the table.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or what is wrong in it.
+    pub fn table(&self, console: &mut Console) -> Result<Given, Diagnostic> {
+        if let Some(path) = &self.measurements {
+            return given(path, self.columns.as_deref());
+        }
+        let (Some(points), Some(joints)) = (&self.points, &self.joints) else {
+            return Err(Diagnostic::error("measure::file", "no measurements are named"));
+        };
+        if !(self.match_within_min.is_finite() && self.match_within_min >= 0.0) {
+            return Err(Diagnostic::error("option::number", "--match-within-min is a number of minutes"));
+        }
+        let mut whole = given(points, self.columns.as_deref())?;
+        let other = given(joints, self.joints_columns.as_deref())?;
+        let by = match self.match_by {
+            MatchName::Id => MatchBy::Id,
+            MatchName::Order => MatchBy::Order,
+            MatchName::Time => MatchBy::Time,
+        };
+        let joined = join(&whole.table, &other.table, by, self.match_within_min).map_err(|error| {
+            Diagnostic::error(
+                "measure::match",
+                format!("{} and {}: {error}", points.display(), joints.display()),
+            )
+        })?;
+        console.explain(&alone(&joined, points, joints), &[], true);
+        whole.sha256 = model::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
+        whole.name = format!("{} and {}", whole.name, other.name);
+        whole.table = joined.table;
+        Ok(whole)
+    }
+
+    /// Reads the measurements, with the name and SHA-256 of their files.
+    ///
+    /// # Errors
+    /// As [`Source::table`].
+    pub fn read(&self, console: &mut Console) -> Result<(Measurements, Given), Diagnostic> {
+        let given = self.table(console)?;
+        let measurements = Measurements::from_table(&given.table).map_err(|e| refused(&given.name, &e))?;
+        Ok((measurements, given))
+    }
+
+    /// Reads touches.
+    ///
+    /// # Errors
+    /// As [`Source::table`].
+    pub fn touches(&self, console: &mut Console) -> Result<(Touches, Given), Diagnostic> {
+        let given = self.table(console)?;
+        let touches = Touches::from_table(&given.table).map_err(|e| refused(&given.name, &e))?;
+        Ok((touches, given))
+    }
+}
+
+/// The measurements of one file.
+///
+/// # Errors
+/// A file that cannot be read, or what is wrong in it.
+pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<Measurements, Diagnostic> {
+    let given = given(path, columns)?;
+    Measurements::from_table(&given.table).map_err(|e| refused(&path.display().to_string(), &e))
+}
+
+fn given(path: &Path, columns: Option<&Path>) -> Result<Given, Diagnostic> {
+    let bytes = files::read(path, "measurement file")?;
+    let shown = path.display().to_string();
+    let table = match columns {
+        None => Table::from_csv(&bytes).map_err(|e| refused(&shown, &e))?,
+        Some(map) => {
+            let text = files::read(map, "column map")?;
+            let map = ColumnMap::from_toml(&String::from_utf8_lossy(&text))
+                .map_err(|e| Diagnostic::error("measure::map", format!("{}: {e}", map.display())))?;
+            map.table(&bytes).map_err(|e| refused(&shown, &e))?
+        }
+    };
+    Ok(Given { table, name: model::file_name(path), sha256: model::sha256(&bytes) })
+}
+
+fn refused(name: &str, error: &MeasureError) -> Diagnostic {
+    Diagnostic::error("measure::file", format!("{name}: {error}"))
+}
+
+fn alone(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
+    let one = |lines: &[u64], path: &Path, what: &str| {
+        let shown: Vec<String> = lines.iter().take(LISTED).map(u64::to_string).collect();
+        let more = if lines.len() > LISTED { ", ..." } else { "" };
+        (!lines.is_empty()).then(|| {
+            Diagnostic::warning(
+                "measure::unmatched",
+                format!(
+                    "{}: {} rows have no {what}: lines {}{more}",
+                    path.display(),
+                    lines.len(),
+                    shown.join(", ")
+                ),
+            )
+            .help("they are left out; check --match")
+        })
+    };
+    [one(&joined.points_alone, points, "joints"), one(&joined.joints_alone, joints, "point")]
+        .into_iter()
+        .flatten()
+        .collect()
+}

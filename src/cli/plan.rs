@@ -1,0 +1,173 @@
+//! `driftpost plan`: which poses to measure.
+
+use super::{Console, Outcome, diagnose, files, model};
+use crate::diagnostic::Diagnostic;
+use crate::plan::{PlanError, PlanOptions, Space, plan, poses_csv, rapid, template_csv};
+use crate::report::plan as report;
+use crate::units::m_from_mm;
+use nalgebra::Vector3;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Options of `plan`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
+    pub robot: String,
+
+    /// Place of the measured target in the flange's frame, mm; best 100 mm or more off the flange's axis.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, default_value = "80,60,100")]
+    pub tool: String,
+
+    /// Measurements of poses, repeats among them.
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(12..=2000))]
+    pub n: u32,
+
+    /// Of these, how many come back to an earlier pose: they tell the noise [default: a sixth of --n].
+    #[arg(long, value_name = "N")]
+    pub repeats: Option<u32>,
+
+    /// Payloads to measure with, kg.
+    #[arg(long, value_name = "KG,KG", value_delimiter = ',', default_value = "0")]
+    pub payloads_kg: Vec<f64>,
+
+    /// Nests on the base or floor, looked at every ten poses.
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=20))]
+    pub nests: u32,
+
+    /// Expected noise of one coordinate.
+    #[arg(long, value_name = "MM", default_value_t = 0.02)]
+    pub sigma_mm: f64,
+
+    /// Minutes that one measurement takes.
+    #[arg(long, value_name = "MIN", default_value_t = 1.5)]
+    pub each_min: f64,
+
+    /// Wrist, flange and target stay above this height of the base's frame.
+    #[arg(long, value_name = "MM", default_value_t = 100.0, allow_negative_numbers = true)]
+    pub floor_mm: f64,
+
+    /// The target stays this near to the base's axis.
+    #[arg(long, value_name = "MM")]
+    pub reach_mm: Option<f64>,
+
+    /// The target stays in this box of the base's frame: lowest corner, highest corner.
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true)]
+    pub box_mm: Option<String>,
+
+    /// Seed: the same seed gives the same plan.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+
+    /// The poses, as CSV.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+
+    /// A sheet to fill in with what is measured: a measurement file for diagnose.
+    #[arg(long, value_name = "FILE")]
+    pub template_out: Option<PathBuf>,
+
+    /// A RAPID module that drives to the poses.
+    #[arg(long, value_name = "FILE")]
+    pub rapid_out: Option<PathBuf>,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `plan`.
+///
+/// # Errors
+/// A file that cannot be written, an option that cannot be, a robot without room.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let robot = model::robot(&args.robot)?;
+    let options = options(args)?;
+    let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
+    let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
+    let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
+    let json = files::Output::new(args.json.as_deref())?;
+    let planned =
+        console.while_busy("choosing poses", || plan(&robot, &options)).map_err(|error| refused(&error))?;
+    if let Some(file) = csv {
+        file.write(poses_csv(&planned).as_bytes())?;
+    }
+    if let Some(file) = template {
+        file.write(template_csv(&planned).as_bytes())?;
+    }
+    if let Some(file) = module {
+        file.write(rapid(&planned, &robot).as_bytes())?;
+    }
+    let takes_standard_output = json.is_standard();
+    json.write(console, || Ok(format!("{:#}\n", report::json(&planned)).into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    report::write(to, &planned, &robot.name)?;
+    Ok(Outcome::Done)
+}
+
+fn refused(error: &PlanError) -> Diagnostic {
+    let code = match error {
+        PlanError::TooFew { .. } => "plan::too-few",
+        PlanError::NoRoom { .. } => "plan::no-room",
+    };
+    Diagnostic::error(code, error.to_string())
+}
+
+fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
+    let number = |option: &str, value: f64, least: f64| {
+        if value.is_finite() && value >= least {
+            return Ok(value);
+        }
+        Err(Diagnostic::error("option::range", format!("--{option} {value} cannot be")))
+    };
+    for (option, value, least) in [
+        ("sigma-mm", args.sigma_mm, 1e-6),
+        ("each-min", args.each_min, 1e-6),
+        ("floor-mm", args.floor_mm, f64::MIN),
+        ("reach-mm", args.reach_mm.unwrap_or(1.0), 1e-6),
+    ] {
+        number(option, value, least)?;
+    }
+    for kg in &args.payloads_kg {
+        number("payloads-kg", *kg, 0.0)?;
+    }
+    let mut payloads_kg = args.payloads_kg.clone();
+    payloads_kg.sort_by(f64::total_cmp);
+    payloads_kg.dedup();
+    Ok(PlanOptions {
+        tool_m: diagnose::tool(&args.tool)?,
+        n: args.n as usize,
+        repeats: args.repeats.unwrap_or(args.n / 6) as usize,
+        payloads_kg,
+        nests: args.nests as usize,
+        sigma_m: m_from_mm(args.sigma_mm),
+        each_min: args.each_min,
+        space: Space {
+            floor_m: m_from_mm(args.floor_mm),
+            reach_m: args.reach_mm.map(m_from_mm),
+            box_m: args.box_mm.as_deref().map(corners).transpose()?,
+        },
+        seed: args.seed,
+    })
+}
+
+fn corners(text: &str) -> Result<[[f64; 3]; 2], Diagnostic> {
+    let wrong = || {
+        Diagnostic::error(
+            "option::range",
+            format!("--box-mm {text}: six numbers are needed, the lower corner first"),
+        )
+        .help("for example --box-mm 300,-400,100,700,400,800")
+    };
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|n| n.trim().parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(wrong))
+        .collect::<Result<_, _>>()?;
+    let [a, b, c, d, e, f] = numbers[..] else { return Err(wrong()) };
+    let [low, high] = [Vector3::new(a, b, c), Vector3::new(d, e, f)].map(|v| v.map(m_from_mm));
+    if (0..3).any(|k| low[k] >= high[k]) {
+        return Err(wrong());
+    }
+    Ok([low.into(), high.into()])
+}

@@ -1,0 +1,146 @@
+//! What measurements say about each effect beside a rival: squared signal over noise that base, tool, the arm's tolerances
+//! and the rival leave (Pukelsheim 2006, Optimal Design of Experiments, ch. 3: Schur complements of the information).
+
+use crate::diagnose::signature::{Signature, Signatures};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+/// A rival may be this many times as large as usual.
+const RIVAL: f64 = 3.0;
+/// A whisper on flat directions.
+const FLAT: f64 = 1e-9;
+
+/// Information of all columns, in units of the noise.
+#[derive(Clone, Debug)]
+pub struct Information {
+    gram: DMatrix<f64>,
+}
+
+/// Effects with base, tool and geometry eliminated.
+pub struct Reduced<'a> {
+    signatures: &'a Signatures,
+    nuisance: Cholesky<f64, Dyn>,
+    gram: &'a DMatrix<f64>,
+    /// Effects' own block.
+    own: DMatrix<f64>,
+    rivals: Vec<Option<Cholesky<f64, Dyn>>>,
+}
+
+/// How a new row is seen by an effect beside a rival: what neither the rest nor the rival takes.
+#[derive(Clone, Debug)]
+pub struct Regression {
+    column: usize,
+    /// Coefficients of nuisance columns, then of the rival's.
+    nuisance: DVector<f64>,
+    rival: Option<(usize, DVector<f64>)>,
+}
+
+impl Information {
+    /// None.
+    #[must_use]
+    pub fn none(width: usize) -> Self {
+        Self { gram: DMatrix::zeros(width, width) }
+    }
+
+    /// Of `rows`, each of all columns, at noise `sigma_m`.
+    #[must_use]
+    pub fn of(rows: &[f64], width: usize, sigma_m: f64) -> Self {
+        let mut all = Self::none(width);
+        all.add(rows, 1.0 / (sigma_m * sigma_m));
+        all
+    }
+
+    /// Adds rows with a weight; a negative one takes them away.
+    pub fn add(&mut self, rows: &[f64], weight: f64) {
+        let width = self.gram.nrows();
+        for row in rows.chunks_exact(width) {
+            for (c, value) in row.iter().enumerate().filter(|(_, v)| **v != 0.0) {
+                let factor = weight * value;
+                for (to, from) in self.gram.column_mut(c).iter_mut().zip(row) {
+                    *to += factor * from;
+                }
+            }
+        }
+    }
+
+    /// Eliminates base, tool, nests and, with its prior, geometry; `None` where that is not possible.
+    #[must_use]
+    pub fn reduced<'a>(&'a self, signatures: &'a Signatures) -> Option<Reduced<'a>> {
+        let n = signatures.registration + signatures.geometry;
+        let mut inner = self.gram.view((0, 0), (n, n)).into_owned();
+        for i in 0..n {
+            let own = FLAT * inner[(i, i)] + FLAT;
+            inner[(i, i)] += if i < signatures.registration { own } else { 1.0 };
+        }
+        let nuisance = inner.cholesky()?;
+        let e = signatures.width - n;
+        let cross = self.gram.view((0, n), (n, e));
+        let solved = nuisance.solve(&cross);
+        let own = self.gram.view((n, n), (e, e)) - cross.transpose() * solved;
+        let rivals = signatures
+            .effects
+            .iter()
+            .map(|rival| {
+                let at = rival.first - n;
+                let mut block = own.view((at, at), (rival.width, rival.width)).into_owned();
+                for i in 0..rival.width {
+                    block[(i, i)] += 1.0 / (RIVAL * RIVAL);
+                }
+                block.cholesky()
+            })
+            .collect();
+        Some(Reduced { signatures, nuisance, gram: &self.gram, own, rivals })
+    }
+}
+
+impl Reduced<'_> {
+    fn at(&self, effect: &Signature) -> usize {
+        effect.first - self.signatures.registration - self.signatures.geometry
+    }
+
+    /// Squared signal over noise of effect `a` that its surroundings, and rival `b`, leave.
+    #[must_use]
+    pub fn separation(&self, a: usize, b: Option<usize>) -> f64 {
+        let at = self.at(&self.signatures.effects[a]);
+        let own = self.own[(at, at)];
+        let Some(b) = b else { return own.max(0.0) };
+        let rival = &self.signatures.effects[b];
+        let with = self.own.view((self.at(rival), at), (rival.width, 1)).column(0).into_owned();
+        let taken = self.rivals[b].as_ref().map_or(own, |c| with.dot(&c.solve(&with)));
+        (own - taken).max(0.0)
+    }
+
+    /// The regression of effect `a` on its surroundings and rival `b`.
+    #[must_use]
+    pub fn regression(&self, a: usize, b: Option<usize>) -> Regression {
+        let n = self.signatures.registration + self.signatures.geometry;
+        let effect = &self.signatures.effects[a];
+        let mut left = self.gram.view((0, effect.first), (n, 1)).column(0).into_owned();
+        let rival = b.and_then(|b| {
+            let rival = &self.signatures.effects[b];
+            let with =
+                self.own.view((self.at(rival), self.at(effect)), (rival.width, 1)).column(0).into_owned();
+            Some((rival.first, self.rivals[b].as_ref()?.solve(&with)))
+        });
+        if let Some((first, beta)) = &rival {
+            left -= self.gram.view((0, *first), (n, beta.len())) * beta;
+        }
+        Regression { column: effect.first, nuisance: self.nuisance.solve(&left), rival }
+    }
+}
+
+impl Regression {
+    /// Squares that rows of all columns would add, to first order.
+    #[must_use]
+    pub fn gain(&self, rows: &[f64], width: usize) -> f64 {
+        rows.chunks_exact(width)
+            .map(|row| {
+                let mut left = row[self.column];
+                left -= self.nuisance.iter().zip(row).map(|(b, x)| b * x).sum::<f64>();
+                if let Some((first, beta)) = &self.rival {
+                    left -= beta.iter().zip(&row[*first..]).map(|(b, x)| b * x).sum::<f64>();
+                }
+                left * left
+            })
+            .sum()
+    }
+}

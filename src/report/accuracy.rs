@@ -1,0 +1,121 @@
+//! Performance after ISO 9283 for people and as JSON.
+
+use super::table::{Align, Table};
+use crate::measure::{Performance, PosePerformance, Repeatability};
+use crate::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// The worst of all poses, metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// AP_p.
+    pub ap_m: Option<f64>,
+    /// RP_l.
+    pub rp_m: Option<f64>,
+    /// dAP_p.
+    pub drift_m: Option<f64>,
+}
+
+/// The worst of all poses.
+#[must_use]
+pub fn worst(found: &Performance) -> Worst {
+    let most =
+        |of: &dyn Fn(&PosePerformance) -> Option<f64>| found.poses.iter().filter_map(of).reduce(f64::max);
+    Worst {
+        ap_m: most(&|p| Some(p.accuracy.ap_m)),
+        rp_m: most(&|p| p.repeatability.map(|r| r.rp_m)),
+        drift_m: most(&|p| p.drift_of_accuracy_m()),
+    }
+}
+
+/// For people.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
+    writeln!(out, "ISO 9283, mm; the commanded poses are the nominal arm's")?;
+    let mut table = Table::new(&[
+        ("line", Align::Right),
+        ("id", Align::Left),
+        ("n", Align::Right),
+        ("AP", Align::Right),
+        ("AP x", Align::Right),
+        ("AP y", Align::Right),
+        ("AP z", Align::Right),
+        ("RP", Align::Right),
+        ("dAP", Align::Right),
+        ("dRP", Align::Right),
+    ]);
+    let mm = |m: f64| format!("{:.4}", mm_from_m(m));
+    let maybe = |m: Option<f64>| m.map_or_else(|| "-".to_owned(), mm);
+    for p in &found.poses {
+        let [x, y, z] = p.accuracy.of_axes_m;
+        let n = p.repeatability.map_or(1, |r| r.n);
+        table.row([
+            p.line.to_string(),
+            p.id.clone().unwrap_or_default(),
+            n.to_string(),
+            mm(p.accuracy.ap_m),
+            mm(x),
+            mm(y),
+            mm(z),
+            maybe(p.repeatability.map(|r| r.rp_m)),
+            maybe(p.drift_of_accuracy_m()),
+            maybe(p.drift_of_repeatability_m()),
+        ]);
+    }
+    table.write(out, "")?;
+    let all = worst(found);
+    writeln!(
+        out,
+        "worst of {} poses: accuracy AP {}, repeatability RP {}, drift of accuracy dAP {}",
+        found.poses.len(),
+        maybe(all.ap_m),
+        maybe(all.rp_m),
+        maybe(all.drift_m)
+    )?;
+    if let Some(apart_m) = found.multi_directional_m {
+        writeln!(out, "from several sides vAP {}", mm(apart_m))?;
+    }
+    let few = found.poses.iter().filter(|p| p.repeatability.is_none_or(|r| r.n < 30)).count();
+    if few > 0 {
+        writeln!(out, "{few} poses have fewer than the 30 cycles that the standard asks for")?;
+    }
+    Ok(())
+}
+
+/// For scripts.
+#[must_use]
+pub fn json(found: &Performance, within: bool) -> Value {
+    let rp = |r: Repeatability| json!({ "n": r.n, "mean_mm": mm_from_m(r.mean_m), "s_mm": mm_from_m(r.s_m), "rp_mm": mm_from_m(r.rp_m) });
+    let poses: Vec<Value> = found
+        .poses
+        .iter()
+        .map(|p| {
+            let times: Vec<Value> = p
+                .times
+                .iter()
+                .map(|t| {
+                    json!({ "t_min": t.t_min, "ap_mm": mm_from_m(t.accuracy.ap_m),
+                            "rp_mm": t.repeatability.map(|r| mm_from_m(r.rp_m)) })
+                })
+                .collect();
+            json!({
+                "line": p.line, "id": p.id, "q_deg": p.q_rad.map(deg_from_rad),
+                "ap_mm": mm_from_m(p.accuracy.ap_m), "ap_xyz_mm": p.accuracy.of_axes_m.map(mm_from_m),
+                "repeatability": p.repeatability.map(rp),
+                "ap_abc_deg": p.orientation_rad.map(|o| o.0.map(deg_from_rad)),
+                "rp_abc_deg": p.orientation_rad.and_then(|o| o.1).map(|rp| rp.map(deg_from_rad)),
+                "drift_ap_mm": p.drift_of_accuracy_m().map(mm_from_m),
+                "drift_rp_mm": p.drift_of_repeatability_m().map(mm_from_m), "times": times,
+            })
+        })
+        .collect();
+    let all = worst(found);
+    json!({
+        "poses": poses, "within": within,
+        "worst": { "ap_mm": all.ap_m.map(mm_from_m), "rp_mm": all.rp_m.map(mm_from_m), "drift_ap_mm": all.drift_m.map(mm_from_m) },
+        "multi_directional_mm": found.multi_directional_m.map(mm_from_m),
+    })
+}

@@ -1,0 +1,73 @@
+//! What has changed between two measurements, for people and as JSON.
+
+use crate::diagnose::{Changed, describe};
+use crate::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// For people.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, found: &Changed, is_changed: bool) -> io::Result<()> {
+    writeln!(out, "{}", if is_changed { "CHANGED" } else { "not changed" })?;
+    let [before, after] = found.alone;
+    writeln!(out, "{} poses measured both times; {before} only before, {after} only after", found.pairs)?;
+    let noise =
+        found.noise_rms_m.map_or_else(String::new, |m| format!("; noise alone would be {:.4}", mm_from_m(m)));
+    writeln!(
+        out,
+        "the points have moved by {:.4} mm rms, base and tool refitted{noise}",
+        mm_from_m(found.rms_m)
+    )?;
+    for (k, (by, sigma)) in found.tools_moved_m.iter().enumerate() {
+        let [x, y, z] = [by.x, by.y, by.z].map(mm_from_m);
+        writeln!(
+            out,
+            "target {} on the flange: {x:+.4}, {y:+.4}, {z:+.4} mm (+- {:.4}), {:.4} mm in all",
+            k + 1,
+            mm_from_m(*sigma),
+            mm_from_m(by.norm())
+        )?;
+    }
+    let [x, y, z] = <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m);
+    writeln!(
+        out,
+        "base, if the instrument stood still: {x:+.3}, {y:+.3}, {z:+.3} mm, turned by {:.4} deg",
+        deg_from_rad(found.base_moved.rotation.angle())
+    )?;
+    writeln!(out, "the arm itself: {}", found.diagnosis.reason)?;
+    for cause in &found.diagnosis.causes {
+        let size = cause.size.map_or_else(String::new, |size| format!(", {size:.3e} {}", cause.unit));
+        writeln!(out, "  {}{size}, probability {:.1} %", describe(cause), 100.0 * cause.posterior)?;
+    }
+    writeln!(out, "largest changes")?;
+    for (before, after, by) in &found.worst {
+        writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(*by))?;
+    }
+    Ok(())
+}
+
+/// For scripts.
+#[must_use]
+pub fn json(found: &Changed, is_changed: bool) -> Value {
+    let tools: Vec<Value> = found
+        .tools_moved_m
+        .iter()
+        .map(|(by, sigma)| json!({ "by_mm": <[f64; 3]>::from(*by).map(mm_from_m), "sigma_mm": mm_from_m(*sigma) }))
+        .collect();
+    let worst: Vec<Value> = found
+        .worst
+        .iter()
+        .map(
+            |(before, after, by)| json!({ "line_before": before, "line_after": after, "mm": mm_from_m(*by) }),
+        )
+        .collect();
+    json!({
+        "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
+        "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
+        "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
+                  "turned_deg": deg_from_rad(found.base_moved.rotation.angle()) },
+        "verdict": found.diagnosis.verdict, "causes": found.diagnosis.causes, "worst": worst,
+    })
+}

@@ -1,0 +1,100 @@
+//! A measurement plan for people and as JSON.
+
+use super::table::{Align, Table};
+use crate::plan::{Confounded, MeasurementPlan, Named, Step};
+use crate::units::deg_from_rad;
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// Confounded pairs that are shown.
+const SHOWN: usize = 25;
+
+/// For people.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Result<()> {
+    let poses: Vec<usize> = plan
+        .steps
+        .iter()
+        .filter_map(|s| if let Step::Pose { pose, .. } = s { Some(*pose) } else { None })
+        .collect();
+    let distinct = poses.iter().collect::<std::collections::BTreeSet<_>>().len();
+    writeln!(
+        out,
+        "{robot}: {} measurements of {distinct} poses, {} of nests; chosen from {} by {} exchanges",
+        poses.len(),
+        plan.steps.len() - poses.len(),
+        plan.pool,
+        plan.exchanges
+    )?;
+    writeln!(out, "\nExpected, each effect being the only cause beside the arm's tolerances")?;
+    let mut table = Table::new(&[
+        ("effect", Align::Left),
+        ("usual", Align::Right),
+        ("sigma", Align::Right),
+        ("named from", Align::Right),
+        ("unit", Align::Left),
+    ]);
+    for p in &plan.outlook.parameters {
+        let numbers = [p.usual, p.sigma, p.seen_from].map(|v| format!("{v:.2e}"));
+        let [usual, sigma, from] = numbers;
+        table.row([name(&p.of), usual, sigma, from, p.unit.to_owned()]);
+    }
+    table.write(out, "  ")?;
+    let hidden: Vec<String> = plan.outlook.hidden.iter().map(name).collect();
+    if !hidden.is_empty() {
+        writeln!(out, "\nNever seen, wholly inside base and tool: {}", hidden.join(", "))?;
+    }
+    let contained = plan.outlook.confounded.iter().filter(|c| c.contained).count();
+    let open = plan.outlook.confounded.len() - contained;
+    if open == 0 {
+        writeln!(out, "\nEvery pair of effects of usual size will be told apart")?;
+    }
+    writeln!(
+        out,
+        "\nPairs that stay confounded at usual size: true one, taken for, share of its signal that is taken"
+    )?;
+    for Confounded { a, b, r2, .. } in plan.outlook.confounded.iter().take(open.min(SHOWN)) {
+        writeln!(out, "  {}, {}: {:.1} %", name(a), name(b), 100.0 * r2)?;
+    }
+    let more = open.saturating_sub(SHOWN);
+    if more > 0 {
+        writeln!(out, "  and {more} more (--json)")?;
+    }
+    if contained > 0 {
+        writeln!(
+            out,
+            "{contained} pairs beside, where the second has more parameters and contains the first: the simpler is named"
+        )?;
+    }
+    Ok(())
+}
+
+fn name(of: &Named) -> String {
+    match (of.joint, of.joint_b) {
+        (Some(j), Some(b)) => format!("{} {j} to {b}", of.effect),
+        (Some(j), None) => format!("{} {j}", of.effect),
+        _ => of.effect.to_owned(),
+    }
+}
+
+/// For scripts.
+#[must_use]
+pub fn json(plan: &MeasurementPlan) -> Value {
+    let steps: Vec<Value> = plan
+        .steps
+        .iter()
+        .enumerate()
+        .map(|(k, step)| match step {
+            Step::Nest { nest } => json!({ "id": k + 1, "nest": nest + 1 }),
+            Step::Pose { pose, q_rad, direction, payload_kg, .. } => json!({
+                "id": k + 1, "pose_id": pose + 1, "q_deg": q_rad.map(deg_from_rad), "dir": direction, "payload_kg": payload_kg,
+            }),
+        })
+        .collect();
+    json!({
+        "steps": steps, "parameters": plan.outlook.parameters, "confounded": plan.outlook.confounded,
+        "hidden": plan.outlook.hidden, "exchanges": plan.exchanges,
+    })
+}

@@ -1,0 +1,261 @@
+//! What was found, as RAPID to paste: tool, work object and load data, and each axis's offset with its warning.
+
+use crate::deform::identified::{Identified, Kind};
+use crate::emit::{write_num, write_orient, write_pos};
+use crate::units::{deg_from_rad, mm_from_m};
+use nalgebra::{Isometry3, Vector3};
+use std::fmt::Write as _;
+
+/// Data as they stand on the controller: name and value.
+#[derive(Clone, Debug, Default)]
+pub struct Standing {
+    /// `NAME=[TRUE,[[x,y,z],[q1,q2,q3,q4]],[...]]`
+    pub tool: Option<(String, String)>,
+    /// `NAME=[FALSE,TRUE,"",[[x,y,z],[q1,q2,q3,q4]],[[...],[...]]]`
+    pub wobj: Option<(String, String)>,
+    /// `NAME=[mass,[x,y,z],[...],ix,iy,iz]`
+    pub load: Option<(String, String)>,
+    /// Where the target was believed to be on the flange, metres.
+    pub tool_m: Option<Vector3<f64>>,
+}
+
+/// What each kind of data looks like.
+pub const TOOL: &str = "[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]";
+/// A work object.
+pub const WOBJ: &str = "[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]";
+/// A load.
+pub const LOAD: &str = "[1,[0,0,50],[1,0,0,0],0,0,0]";
+
+/// Whether a value is built as `sample` is: lists where it has lists, numbers, TRUE or FALSE, and texts.
+#[must_use]
+pub fn alike(value: &str, sample: &str) -> bool {
+    match (elements(value), elements(sample)) {
+        (Some(a), Some(b)) => a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| alike(a, b)),
+        (None, None) => {
+            let is_truth = |t: &str| t.eq_ignore_ascii_case("TRUE") || t.eq_ignore_ascii_case("FALSE");
+            if sample.starts_with('"') {
+                return value.len() >= 2
+                    && value.starts_with('"')
+                    && value.ends_with('"')
+                    && value.is_ascii();
+            }
+            is_truth(value) == is_truth(sample)
+                && (is_truth(value) || value.parse::<f64>().is_ok_and(f64::is_finite))
+        }
+        _ => false,
+    }
+}
+
+/// Before anyone touches calibration offsets.
+pub const WARNING: [&str; 6] = [
+    "WARNING: do not type these into the calibration offsets of the controller before you have",
+    "  - noted the present values and driven to the synchronisation marks,",
+    "  - checked that the offset is the only cause: beside others it takes part of them,",
+    "  - understood that EVERY program on this robot moves with a calibration offset,",
+    "    also those whose points were touched up to fit the robot as it is.",
+    "driftpost compensate --model corrects programs one by one and leaves the robot alone.",
+];
+
+/// An axis and by how much it stands further than the controller shows, with sigma, radians.
+#[must_use]
+pub fn axis_offsets(model: &Identified) -> Vec<(usize, f64, Option<f64>)> {
+    let of = |t: &crate::deform::identified::Term| {
+        let value = t.values.first()?;
+        Some((t.joint? + 1, value.value, value.sigma))
+    };
+    model.terms.iter().filter(|t| t.kind == Kind::JointOffset).filter_map(of).collect()
+}
+
+/// Each axis's offset in degrees and radians, with the warning; empty where none was found.
+#[must_use]
+pub fn axis_table(model: &Identified) -> String {
+    let offsets = axis_offsets(model);
+    let mut out = String::new();
+    if offsets.is_empty() {
+        return out;
+    }
+    out.push_str("axis offsets: the axis stands so much further than the controller shows\n");
+    for (axis, rad, sigma) in offsets {
+        let sigma = sigma.map_or_else(String::new, |s| format!(" (+- {:.5} deg)", deg_from_rad(s)));
+        // a String takes everything
+        let _ = writeln!(out, "  axis {axis}: {:+.5} deg = {rad:+.7} rad{sigma}", deg_from_rad(rad));
+    }
+    out.push_str("  axes 1 and 6: never seen, they lie in the base and the tool\n");
+    for line in WARNING {
+        let _ = writeln!(out, "{line}");
+    }
+    out
+}
+
+/// The RAPID; `None` where the model does not say how it was measured.
+#[must_use]
+pub fn rapid(model: &Identified, standing: &Standing) -> Option<String> {
+    let mounting = model.mounting.as_ref()?;
+    let target_m = *mounting.tools_m.first()?;
+    let mut out = String::from("MODULE DriftpostFound\n");
+    let comment = |out: &mut String, text: &str| {
+        let _ = writeln!(out, "  ! {}", ascii(text));
+    };
+    comment(
+        &mut out,
+        &format!("Found by driftpost {} in {} of {}", env!("CARGO_PKG_VERSION"), model.data, model.robot),
+    );
+    comment(
+        &mut out,
+        "Goes with programs compensated by the same model. Paste what you need, keep the old values.",
+    );
+    out.push('\n');
+    tool(&mut out, standing, target_m);
+    wobj(&mut out, standing, &mounting.instrument_from_base.inverse());
+    load(&mut out, standing, model);
+    for line in axis_table(model).lines() {
+        comment(&mut out, line);
+    }
+    out.push_str("ENDMODULE\n");
+    Some(out)
+}
+
+fn tool(out: &mut String, standing: &Standing, target_m: Vector3<f64>) {
+    let [x, y, z] = [target_m.x, target_m.y, target_m.z].map(mm_from_m);
+    let _ = writeln!(out, "  ! The measured target on the flange: {x:.3}, {y:.3}, {z:.3} mm.");
+    let parts = standing.tool.as_ref().and_then(|(name, value)| {
+        let [held, frame, load] = <[&str; 3]>::try_from(elements(value)?).ok()?;
+        let [place, turn] = <[&str; 2]>::try_from(elements(frame)?).ok()?;
+        let numbers: Vec<f64> = elements(place)?.iter().map(|n| n.parse().ok()).collect::<Option<_>>()?;
+        let [x, y, z] = numbers[..] else { return None };
+        Some((name, held, Vector3::new(x, y, z).map(crate::units::m_from_mm), turn, load))
+    });
+    let Some((name, held, tcp_m, turn, load)) = parts else {
+        out.push_str(
+            "  ! Its load is a stand-in: put in your tool's own. --tooldata NAME=[...] keeps yours.\n",
+        );
+        let value = pos(target_m);
+        let _ = writeln!(
+            out,
+            "  PERS tooldata tMeasured:=[TRUE,[{value},[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n"
+        );
+        return;
+    };
+    let (corrected_m, why) = match standing.tool_m {
+        Some(believed_m) => {
+            (tcp_m + target_m - believed_m, "moved as the target has, from where --tool put it")
+        }
+        None => (target_m, "put where the target is: give --tool where they are not the same"),
+    };
+    let _ = writeln!(out, "  ! {}: {why}.", ascii(name));
+    let _ = writeln!(out, "  PERS tooldata {name}:=[{held},[{},{turn}],{load}];\n", pos(corrected_m));
+}
+
+fn wobj(out: &mut String, standing: &Standing, base_from_instrument: &Isometry3<f64>) {
+    out.push_str("  ! The instrument's frame in the robot's base: points measured in it are targets in this work object.\n");
+    let frame = frame(base_from_instrument);
+    let parts = standing.wobj.as_ref().and_then(|(name, value)| {
+        let [held, fixed, unit, _, object] = <[&str; 5]>::try_from(elements(value)?).ok()?;
+        Some((name, held, fixed, unit, object))
+    });
+    let _ = match parts {
+        Some((name, held, fixed, unit, object)) => {
+            writeln!(out, "  PERS wobjdata {name}:=[{held},{fixed},{unit},{frame},{object}];\n")
+        }
+        None => {
+            writeln!(out, "  PERS wobjdata wInstrument:=[FALSE,TRUE,\"\",{frame},[[0,0,0],[1,0,0,0]]];\n")
+        }
+    };
+}
+
+fn load(out: &mut String, standing: &Standing, model: &Identified) {
+    let heavier_kg: f64 = model
+        .terms
+        .iter()
+        .filter(|t| t.kind == Kind::PayloadMass)
+        .filter_map(|t| t.values.first())
+        .map(|v| v.value)
+        .sum();
+    if heavier_kg == 0.0 {
+        out.push_str("  ! No wrong load was found.\n");
+        if let Some((name, value)) = &standing.load {
+            let _ = writeln!(out, "  PERS loaddata {name}:={value};");
+        }
+        out.push('\n');
+        return;
+    }
+    let _ =
+        writeln!(out, "  ! What hangs there weighs {heavier_kg:+.3} kg more than was declared: weigh it.");
+    let parts = standing.load.as_ref().and_then(|(name, value)| {
+        let all = elements(value)?;
+        let mass_kg: f64 = all.first()?.parse().ok()?;
+        Some((name, mass_kg + heavier_kg, all[1..].join(",")))
+    });
+    if let Some((name, mass_kg, rest)) = parts.filter(|(_, mass_kg, _)| *mass_kg > 0.0) {
+        let _ = writeln!(out, "  PERS loaddata {name}:=[{},{rest}];", number(mass_kg));
+    } else {
+        out.push_str("  ! --loaddata NAME=[...] writes your load data with the corrected mass.\n");
+    }
+    out.push('\n');
+}
+
+/// The elements of a RAPID aggregate `[a,[b,c],d]`.
+#[must_use]
+pub fn elements(value: &str) -> Option<Vec<&str>> {
+    let inner = value.trim().strip_prefix('[')?.strip_suffix(']')?;
+    let (mut depth, mut quoted, mut from) = (0_i32, false, 0);
+    let mut out = Vec::new();
+    for (at, c) in inner.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '[' if !quoted => depth += 1,
+            ']' if !quoted => depth -= 1,
+            ',' if !quoted && depth == 0 => {
+                out.push(inner.get(from..at)?.trim());
+                from = at + 1;
+            }
+            _ => {}
+        }
+        if depth < 0 {
+            return None;
+        }
+    }
+    out.push(inner.get(from..)?.trim());
+    (depth == 0 && !quoted).then_some(out)
+}
+
+fn ascii(text: &str) -> String {
+    text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).take(200).collect()
+}
+
+fn text(write: impl FnOnce(&mut Vec<u8>)) -> String {
+    let mut out = Vec::new();
+    write(&mut out);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+fn number(value: f64) -> String {
+    text(|out| write_num(out, value))
+}
+
+fn pos(at_m: Vector3<f64>) -> String {
+    text(|out| write_pos(out, at_m.into()))
+}
+
+fn frame(of: &Isometry3<f64>) -> String {
+    let q = of.rotation;
+    let turn = text(|out| write_orient(out, [q.w, q.i, q.j, q.k]));
+    format!("[{},{turn}]", pos(of.translation.vector))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn aggregates_come_apart_at_their_own_commas() {
+        let value = "[TRUE, [[1,2,3],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]";
+        assert_eq!(elements(value).unwrap(), ["TRUE", "[[1,2,3],[1,0,0,0]]", "[1,[0,0,50],[1,0,0,0],0,0,0]"]);
+        assert_eq!(elements("[FALSE,\"a,b\"]").unwrap(), ["FALSE", "\"a,b\""]);
+        assert_eq!(elements("[1,[2]"), None);
+        assert_eq!(elements("1"), None);
+        assert!(alike(value, TOOL) && alike(TOOL, TOOL) && alike(WOBJ, WOBJ));
+        assert!(!alike("[TRUE,[[1,2],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]", TOOL));
+        assert!(!alike("[TRUE,[[a,2,3],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]", TOOL));
+    }
+}
