@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use assert_cmd::Command;
-use driftpost::diagnose::{Diagnosis, Options, Verdict, diagnose};
+use driftpost::diagnose::{Diagnosis, Options, Register, Verdict, diagnose, diagnose_and_identify, validate};
 use driftpost::exam::again::{Again, Commanded};
 use driftpost::exam::draw::Draw;
 use driftpost::exam::effect::Effect;
@@ -180,6 +180,40 @@ fn a_draw_wire_is_enough_to_see_a_gear_that_gives() {
     // One number per pose: the floor is one coordinate's noise.
     let floor = found.shrink.floor_rms_mm.unwrap();
     assert!((floor / 0.02 - 1.0).abs() < 0.25, "{floor}");
+}
+
+/// What a model found in one file leaves of another, and what the nominal arm leaves, mm rms.
+fn validated(learn: &str, test: &str) -> [f64; 2] {
+    let robot = Robot::built_in("irb140").unwrap();
+    let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
+    let options = Options { tool_m: None, sigma_m: Some(SIGMA_M) };
+    let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();
+    let found = validate(&read(test), &robot, &model, Register::BaseAndTool).unwrap();
+    let only_tool = validate(&read(test), &robot, &model, Register::Base).unwrap();
+    // The tip is the model's there: as good as it was found.
+    assert!(only_tool.all.model.rms_mm < 2.0 * found.all.model.rms_mm, "{only_tool:?}");
+    [found.all.model.rms_mm, found.all.nominal.rms_mm]
+}
+
+#[test]
+fn models_of_touches_and_of_lengths_hold_for_others() {
+    let mut cell = Cell::new(Effect::JointCompliance { joint: 2 }, 400, 5);
+    let goals = [[0.45, -0.2, 0.3], [0.5, 0.25, 0.35]];
+    let mut touches = [0, 1].map(|_| format!("fixed_id,{HEADER}\n"));
+    let mut lengths = [0, 1].map(|_| format!("{HEADER},length_mm\n"));
+    for (k, at) in cell.at.clone().iter().enumerate() {
+        let goal_m = Vector3::from(goals[k % 2]) + cell.noise_m();
+        if let Some(touch) = cell.jogged(at, &goal_m) {
+            writeln!(touches[k / 2 % 2], "P{},{}", k % 2, cells(&touch)).unwrap();
+        }
+        let length = (cell.tip_m(at, TIP_M) - Vector3::new(1.3, 0.4, 0.05)).norm() + cell.noise_m().x;
+        writeln!(lengths[k % 2], "{},{:.5}", cells(at), length * 1e3).unwrap();
+    }
+    // Three coordinates of noise at a touch, one at a length.
+    for ([learn, test], floor_mm) in [(touches, 0.02 * 3.0_f64.sqrt()), (lengths, 0.02)] {
+        let [model, nominal] = validated(&learn, &test);
+        assert!(model < 1.3 * floor_mm && nominal > 1.5 * floor_mm, "{model} {nominal}");
+    }
 }
 
 #[test]

@@ -194,8 +194,8 @@ fn what_is_gripped() {
         format!("{}\n{load}\nVAR num n;\nPROC main()\n{body}\nENDPROC\nPROC hold()\n{MOVE}ENDPROC", data());
     let read = module(&text);
     let kg: Vec<_> = read.motions.iter().map(|m| m.grip.map(|load| load.mass_kg)).collect();
-    // The last motion is that of hold, called with the part in the gripper.
-    assert_eq!(kg, [Some(0.0), Some(4.5), Some(4.5), Some(0.0), None, None, Some(4.5)]);
+    // load0 weighs a gram. The last motion is that of hold, called with the part in the gripper.
+    assert_eq!(kg, [Some(0.0), Some(4.5), Some(4.5), Some(0.001), None, None, Some(4.5)]);
     assert_eq!(read.motions[1].grip.map(|load| load.cog_m), Some([0.01, 0.0, 0.08]));
 }
 
