@@ -329,6 +329,20 @@ fn hostile_programs_come_to_an_end() {
     assert!(c.call("nowhere", 1).is_err());
 }
 
+/// Moves are kept until they are asked for: a loop that never ends must not fill the memory with them.
+#[test]
+fn a_loop_of_moves_that_never_ends_is_cut_off_early() {
+    let robot = driftpost::robot::Robot::built_in("irb140").unwrap();
+    let mut c = Controller::with_robot(&robot).unwrap();
+    let text = "MODULE M\nVAR num n;\nPROC main()\nWHILE n<1 DO\n\
+                MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDWHILE\nENDPROC\nENDMODULE";
+    c.load("m.mod", text.as_bytes()).unwrap();
+    c.step_limit = 100_000;
+    assert_eq!(c.call("main", 1).unwrap(), Outcome::OutOfSteps);
+    let moves = c.arm_mut().unwrap().take_moves().len();
+    assert!((1_000..3_000).contains(&moves), "{moves}");
+}
+
 #[test]
 fn passes_are_counted_of_the_outermost_loop() {
     let mut c = controller(

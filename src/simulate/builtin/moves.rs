@@ -12,6 +12,9 @@ use crate::simulate::path::PathKind;
 use crate::simulate::value::{Type, Value};
 use crate::units::{m_from_mm, rad_from_deg};
 
+/// What a move counts towards the steps of one call: its record stays in memory, so that a million of them is the end.
+const STEPS_OF_A_MOVE: u64 = 50;
+
 /// Where the arguments of a move stand.
 struct Form {
     path: PathKind,
@@ -126,6 +129,7 @@ impl Controller {
         };
         if let Some(arm) = &mut self.arm {
             arm.record(done, tool, wobj);
+            self.steps_left = self.steps_left.saturating_sub(STEPS_OF_A_MOVE);
         }
         if let Some(procedure) = form.procedure {
             let procedure = self.eval_as(args.at(procedure)?, &Type::Str)?;
