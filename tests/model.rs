@@ -143,6 +143,85 @@ fn a_table_comes_on_top_of_a_model() {
     assert_eq!(simulated.status.code(), Some(0), "{}", String::from_utf8_lossy(&simulated.stdout));
 }
 
+/// Gravity on joint 2 alone, found with up to 6 kg.
+const SAG: &str = "format = 1\nrobot = \"ABB IRB 140-6/0.8\"\n[seen]\npayload_kg = [0.0, 6.0]\n[[effect]]\n\
+                   effect = \"joint_compliance\"\njoint = 2\nrad_per_n_m = 0.00001\n";
+
+fn gripping(first: &str, second: &str) -> String {
+    let tool = "[TRUE,[[0,0,50],[1,0,0,0]],[2,[0,0,50],[1,0,0,0],0,0,0]]";
+    let target = |x: f64| format!("[[{x},100,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    format!(
+        "MODULE Grips\n  PERS tooldata t:={tool};\n  PERS loaddata part:=[3,[0,0,0],[1,0,0,0],0,0,0];\n\
+         \x20 CONST robtarget a:={};\n  CONST robtarget b:={};\n\
+         \x20 PROC main()\n{first}    MoveJ a,v100,fine,t;\n{second}    MoveJ b,v100,fine,t;\n  ENDPROC\nENDMODULE\n",
+        target(450.0),
+        target(500.0)
+    )
+}
+
+#[test]
+fn what_is_gripped_hangs_there_too() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    std::fs::write(at("sag.toml"), SAG).unwrap();
+    let corrections = |name: &str, text: &str, more: &[&str]| -> Vec<f64> {
+        let (program, json_file) = (at(name), at("c.json"));
+        std::fs::write(&program, text).unwrap();
+        let model = at("sag.toml");
+        let out = at("out.mod");
+        let args =
+            ["compensate", &program, "--model", &model, "-o", &out, "--diff", "none", "--json", &json_file];
+        done(&[&args[..], more].concat());
+        let told = json(&json_file);
+        told["motions"].as_array().unwrap().iter().map(|m| m["max_correction_mm"].as_f64().unwrap()).collect()
+    };
+    let plain = corrections("plain.mod", &gripping("", ""), &[]);
+    let gripped = corrections("grips.mod", &gripping("", "    GripLoad part;\n"), &[]);
+    // The part's centre is the TCP, where the tool's is too: 2 and 3 kg are 5 kg there.
+    let heavy = corrections("heavy.mod", &gripping("", ""), &["--payload-kg", "5"]);
+    assert_eq!(gripped[0], plain[0]);
+    assert_eq!(gripped[1], heavy[1]);
+    assert!(heavy[1] > plain[1] + 0.01, "{heavy:?} {plain:?}");
+    // The virtual controller's robot sags the same way.
+    let simulated = driftpost(&[
+        "simulate",
+        &at("out.mod"),
+        "--original",
+        &at("heavy.mod"),
+        "--model",
+        &at("sag.toml"),
+        "--minutes",
+        "60",
+    ]);
+    assert_eq!(simulated.status.code(), Some(1), "compensated for 5 kg it is not right for 2");
+    corrections("grips.mod", &gripping("", "    GripLoad part;\n"), &[]);
+    let simulated = driftpost(&[
+        "simulate",
+        &at("out.mod"),
+        "--original",
+        &at("grips.mod"),
+        "--model",
+        &at("sag.toml"),
+        "--minutes",
+        "60",
+    ]);
+    assert_eq!(simulated.status.code(), Some(0), "{}", String::from_utf8_lossy(&simulated.stdout));
+    // Either gripped or not: said with the motion's line, and the tool's own load is taken.
+    std::fs::write(at("maybe.mod"), gripping("", "    IF DOutput(do1)=1 GripLoad part;\n")).unwrap();
+    let output = driftpost(&[
+        "compensate",
+        &at("maybe.mod"),
+        "--model",
+        &at("sag.toml"),
+        "-o",
+        &at("m.mod"),
+        "--diff",
+        "none",
+    ]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && said.contains("model::gripload") && said.contains("line 9"), "{said}");
+}
+
 #[test]
 fn what_a_program_cannot_know_is_asked_for() {
     let refused =

@@ -4,7 +4,7 @@ use super::measured::Source;
 use super::validate::RegisterName;
 use super::{Console, Outcome, diagnose, files, model};
 use crate::diagnostic::Diagnostic;
-use crate::measure::{Compared, performance};
+use crate::measure::{Compared, PerformanceError, performance};
 use crate::report::accuracy as report;
 use crate::units::m_from_mm;
 use nalgebra::Vector3;
@@ -72,8 +72,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
     console.explain(&measurements.warnings, &[], true);
-    let found = performance(&measurements, &robot, compared)
-        .map_err(|error| Diagnostic::error("measure::registration", error.to_string()))?;
+    let found = performance(&measurements, &robot, compared).map_err(|error| refused(&error))?;
     let worst = report::worst(&found);
     let mut beyond = Vec::new();
     for ((name, limit), found) in limits.into_iter().zip([worst.ap_m, worst.rp_m, worst.drift_m]) {
@@ -100,6 +99,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         writeln!(to, "{said}")?;
     }
     Ok(if beyond.is_empty() { Outcome::Done } else { Outcome::Difference })
+}
+
+fn refused(error: &PerformanceError) -> Diagnostic {
+    let code = match error {
+        PerformanceError::Register(_) => "measure::registration",
+        PerformanceError::NoPoints => "measure::no-points",
+        PerformanceError::Fault { .. } => "measure::fault",
+    };
+    Diagnostic::error(code, error.to_string())
 }
 
 fn compared(register: RegisterName, tool_m: Option<Vector3<f64>>) -> Result<Compared, Diagnostic> {

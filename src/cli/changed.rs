@@ -85,6 +85,7 @@ fn verdict(found: &Changed, limit_mm: Option<f64>) -> bool {
 fn refused(error: &ChangedError) -> Diagnostic {
     let code = match error {
         ChangedError::TooFew { .. } => "changed::too-few",
+        ChangedError::Fault { .. } => "measure::fault",
         ChangedError::Register(_) => "measure::registration",
     };
     Diagnostic::error(code, error.to_string())

@@ -30,6 +30,12 @@ pub enum ChangedError {
         /// How many.
         pairs: usize,
     },
+    /// The rows of a file contradict the robot.
+    #[error("{reason}")]
+    Fault {
+        /// How.
+        reason: String,
+    },
     /// Too alike poses.
     #[error(transparent)]
     Register(#[from] RegisterError),
@@ -76,8 +82,14 @@ pub fn changed(
     options: &Options,
 ) -> Result<Changed, ChangedError> {
     let chain = Chain::nominal(robot);
-    let stations = |m: &Measurements| gather(m, &check_rows(m, robot).keep);
-    let (old, new) = (stations(before), stations(after));
+    let stations = |m: &Measurements| {
+        let finding = check_rows(m, robot);
+        match finding.fault {
+            Some(fault) => Err(ChangedError::Fault { reason: fault.reason }),
+            None => Ok(gather(m, &finding.keep)),
+        }
+    };
+    let (old, new) = (stations(before)?, stations(after)?);
     let pairs = paired(&old, &new, before, after, &chain);
     if pairs.len() < FEWEST {
         return Err(ChangedError::TooFew { pairs: pairs.len() });

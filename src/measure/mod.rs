@@ -24,7 +24,7 @@ pub use error::MeasureError;
 pub use fault::{Fault, FaultKind, find_fault};
 pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
 pub use join::{Joined, MatchBy, join};
-pub use performance::{AtTime, Compared, Performance, PosePerformance, performance};
+pub use performance::{AtTime, Compared, Performance, PerformanceError, PosePerformance, performance};
 pub use register::{Free, RegisterError, Registration, register, register_some};
 pub use seen::Seen;
 pub use station::{Repeats, Station, Stations, gather};

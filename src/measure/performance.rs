@@ -14,6 +14,23 @@ use std::collections::BTreeMap;
 /// Rows of one pose further apart than this are another time of the drift test.
 const SAME_TIME_MIN: f64 = 10.0;
 
+/// Why a file's performance cannot be judged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PerformanceError {
+    /// Base and tool cannot be fitted.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+    /// Touches and lengths only.
+    #[error("the file has no measured points: fixed points and lengths say nothing of accuracy")]
+    NoPoints,
+    /// The rows contradict the robot.
+    #[error("{reason}")]
+    Fault {
+        /// How.
+        reason: String,
+    },
+}
+
 /// In what frame commanded and attained poses are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Compared {
@@ -92,13 +109,19 @@ pub struct Performance {
 /// The performance of `robot` in `measurements`, its nominal arm being what was commanded.
 ///
 /// # Errors
-/// Base and tool cannot be fitted.
+/// [`PerformanceError`]
 pub fn performance(
     measurements: &Measurements,
     robot: &Robot,
     compared: Compared,
-) -> Result<Performance, RegisterError> {
+) -> Result<Performance, PerformanceError> {
     let finding = check_rows(measurements, robot);
+    if let Some(fault) = finding.fault {
+        return Err(PerformanceError::Fault { reason: fault.reason });
+    }
+    if !measurements.rows.iter().any(|row| matches!(row.seen, Seen::Point { .. })) {
+        return Err(PerformanceError::NoPoints);
+    }
     let gathered = gather(measurements, &finding.keep);
     let chain = Chain::nominal(robot);
     let registration = registered(&gathered.stations, gathered.targets, &chain, compared)?;

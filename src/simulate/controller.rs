@@ -7,6 +7,7 @@ use super::motion::Arm;
 use super::outcome::{Fault, Message, Outcome, Place, SimulateError};
 use super::predefined::Types;
 use super::value::{Type, Value};
+use crate::deform::Payload;
 use crate::diagnostic::{FileId, TextRange};
 use crate::robot::Robot;
 use crate::syntax::SourceFile;
@@ -76,6 +77,8 @@ pub struct Controller {
     pub(super) calendar: Calendar,
     pub(super) signals: BTreeMap<Name, f32>,
     pub(super) units_down: BTreeSet<Name>,
+    /// What the last GripLoad said, in the tool's frame.
+    pub(super) gripped: Payload,
     pub(super) disk: BTreeMap<String, Vec<u8>>,
     /// Files of StartLoad that WaitLoad has not yet asked for.
     pub(super) sessions: Vec<Option<String>>,
@@ -115,6 +118,7 @@ impl Controller {
             calendar: Calendar::default(),
             signals: BTreeMap::new(),
             units_down: BTreeSet::new(),
+            gripped: Payload::default(),
             disk: BTreeMap::new(),
             sessions: Vec::new(),
             pinned: BTreeMap::new(),
@@ -261,6 +265,7 @@ impl Controller {
         self.stack.clear();
         self.scope = (usize::MAX, 0);
         self.interrupts.clear();
+        self.gripped = Payload::default();
         self.nesting = 0;
         for id in 0..self.memory.modules.len() {
             if self.memory.modules[id].loaded && self.memory.modules[id].dynamic.is_some() {

@@ -13,7 +13,6 @@ const NO_EFFECT: &[&str] = &[
     "singarea",
     "accset",
     "velset",
-    "gripload",
     "motionsup",
     "tperase",
     "pathresol",
@@ -91,6 +90,10 @@ impl Controller {
                     .map(|e| self.eval_as(e, &Type::Str).map(|v| v.string().unwrap_or_default().to_owned()))
                     .collect::<Result<Vec<_>, _>>()?;
                 self.tell("ErrWrite", text.join(": "));
+            }
+            "gripload" => {
+                let load = self.eval_as(args.at(0)?, &self.types.loaddata.clone())?.numbers();
+                self.gripped = super::moves::payload(load.get(..4).unwrap_or_default());
             }
             "stop" | "break" => self.tell("Stop", "the program stops until it is started again"),
             "exitcycle" => return Err(Fault::Ended(Outcome::Passes)),

@@ -11,6 +11,7 @@ use crate::simulate::outcome::{Fault, fatal};
 use crate::simulate::path::PathKind;
 use crate::simulate::value::{Type, Value};
 use crate::units::{m_from_mm, rad_from_deg};
+use nalgebra::{Isometry3, Point3, Vector3};
 
 /// What a move counts towards the steps of one call: its record stays in memory, so that a million of them is the end.
 const STEPS_OF_A_MOVE: u64 = 50;
@@ -90,7 +91,7 @@ impl Controller {
             targets.push(self.eval_as(args.at(at)?, &ty)?.numbers());
         }
         let (tool, wobj) = self.tool_and_object(args.at(form.tool)?, args.named("wobj"))?;
-        let setup = setup(&tool, &wobj)?;
+        let setup = setup(&tool, &wobj, self.gripped)?;
         let start = self.arm.as_ref().and_then(|arm| arm.q_rad());
         let solved = match &mut self.arm {
             Some(arm) => match arm.solve_again(form.path, &targets, &setup)? {
@@ -226,27 +227,42 @@ impl Controller {
     /// Who holds what for a tool and a work object argument.
     pub(super) fn setup_of(&mut self, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
         let (tool, wobj) = self.tool_and_object(tool, wobj)?;
-        setup(&tool, &wobj)
+        setup(&tool, &wobj, self.gripped)
     }
 }
 
-fn setup(tool: &Value, wobj: &Value) -> Result<Setup, Fault> {
+fn setup(tool: &Value, wobj: &Value, gripped: Payload) -> Result<Setup, Fault> {
     let object = wobj.numbers();
     let held = tool.numbers();
-    Ok(Setup {
+    let mut setup = Setup {
         payload: payload(held.get(7..11).unwrap_or_default()),
         tool_held: tool.parts().first().and_then(Value::boolean).unwrap_or(true),
         frame_from_tcp: frame::isometry_of(&held)?,
         frame_from_object: frame::isometry_of(&object)?
             * frame::isometry_of(object.get(7..14).unwrap_or_default())?,
-    })
+    };
+    if setup.tool_held {
+        setup.payload = both(setup.payload, gripped, &setup.frame_from_tcp);
+    }
+    Ok(setup)
 }
 
 /// A tool of a gram, as tool0, or less is none.
 const NO_LOAD_KG: f64 = 0.001_001;
 
+/// A tool's own load with what is gripped, whose centre stands in the tool's frame.
+fn both(own: Payload, gripped: Payload, flange_from_tcp: &Isometry3<f64>) -> Payload {
+    if gripped.mass_kg <= 0.0 {
+        return own;
+    }
+    let at_m = (flange_from_tcp * Point3::from(gripped.cog_m)).coords;
+    let mass_kg = own.mass_kg + gripped.mass_kg;
+    let cog_m = (Vector3::from(own.cog_m) * own.mass_kg + at_m * gripped.mass_kg) / mass_kg;
+    Payload { mass_kg, cog_m: cog_m.into() }
+}
+
 /// Load data's mass and centre of gravity.
-fn payload(load: &[f64]) -> Payload {
+pub(super) fn payload(load: &[f64]) -> Payload {
     match *load {
         [mass_kg, x, y, z] if mass_kg > NO_LOAD_KG => Payload { mass_kg, cog_m: [x, y, z].map(m_from_mm) },
         _ => Payload::default(),
