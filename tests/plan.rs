@@ -219,11 +219,27 @@ fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64
         .par_iter()
         .map(|(effect, seed)| {
             let recipe = recipe(*effect, rho, rows.len());
-            let mut draw = Draw::new(*seed, 0);
-            let Some(random) = data_set(&robot, "irb140", &recipe, &mut draw) else { return [0; 3] };
+            let Some(random) = data_set(&robot, "irb140", &recipe, &mut Draw::new(*seed, 0)) else {
+                return [0; 3];
+            };
             let size = random.truth.effects[0].amplitude;
-            let mut draw = Draw::new(*seed, 1);
-            let chosen = planned_set(&robot, "irb140", &recipe, tool_m, &rows, &[size], &mut draw).unwrap();
+            // The random poses with the same tool and the same true effect: only the poses differ.
+            let driven = Measurements::from_csv(random.csv.as_bytes()).unwrap();
+            let driven: Vec<Driven> = driven
+                .rows
+                .iter()
+                .map(|row| Driven {
+                    pose: row.pose,
+                    q_rad: row.q_rad,
+                    direction: row.direction.unwrap(),
+                    payload_kg: row.payload_kg.unwrap(),
+                })
+                .collect();
+            let measured = |rows: &[Driven]| {
+                let mut draw = Draw::new(*seed, 1);
+                planned_set(&robot, "irb140", &recipe, tool_m, rows, &[size], &mut draw).unwrap()
+            };
+            let (random, chosen) = (measured(&driven), measured(&rows));
             let score = |csv: &str| {
                 let read = Measurements::from_csv(csv.as_bytes()).unwrap();
                 let found = diagnose(&read, &robot, &Options { tool_m: None, sigma_m: Some(2e-5) });

@@ -73,7 +73,7 @@ impl Controller {
             }
             "pdispoff" => {
                 if let Some(arm) = &mut self.arm {
-                    arm.displacement = nalgebra::Isometry3::identity();
+                    arm.displacement = Isometry3::identity();
                 }
             }
             _ => return Ok(None),
