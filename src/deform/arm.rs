@@ -85,7 +85,7 @@ impl DeformedArm {
             q_rad: &[0.0; 6],
             direction: [0; 6],
             loads: None,
-            loaded: false,
+            payload_kg: 0.0,
         };
         for term in terms.model.terms.iter().filter(|t| !t.kind.only_turns()) {
             term.add(&at, &mut moved);
@@ -152,7 +152,7 @@ impl ArmUnder<'_> {
             q_rad,
             direction: self.conditions.direction,
             loads: gravity.as_ref().map(|(loads, frames)| (loads, frames)),
-            loaded: payload.mass_kg > 0.0,
+            payload_kg: payload.mass_kg,
         };
         for term in &terms.model.terms {
             if !terms.fixed_frames || term.kind.only_turns() {
@@ -185,7 +185,7 @@ impl Arm for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Kind, Shape, Term, Value};
+    use crate::deform::identified::{Hangs, Kind, Shape, Term, Value};
     use crate::kinematics::solve;
 
     fn term(kind: Kind, joint: Option<usize>, values: &[f64]) -> Term {
@@ -196,6 +196,7 @@ mod tests {
             n: None,
             shape: Shape::Always,
             held_above_n_m: None,
+            hangs: Hangs::default(),
             cause: true,
             values: values.iter().map(|&value| Value { value, sigma: None }).collect(),
         }

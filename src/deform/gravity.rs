@@ -22,41 +22,57 @@ pub struct Loads {
     pub link_torque_n_m: [[f64; 6]; 6],
     /// The payload's part on each joint, N.m.
     pub payload_torque_n_m: [f64; 6],
-    /// What one kilogram at the measured point would add on each joint, N.m.
+    /// What one kilogram at the payload's place would add on each joint, N.m.
     pub unit_torque_n_m: [f64; 6],
-    /// Moment of all beyond joint j about its origin, base axes, N.m.
-    pub moment_n_m: [Vector3<f64>; 6],
-    /// Weight of all beyond joint j, N (downward, along -z).
-    pub weight_n: [f64; 6],
+    /// What the same kilogram adds on joint j per metre further along the flange's axis k: `levers[j][k]`, N.
+    pub unit_lever_n: [[f64; 3]; 6],
+    /// Load beyond each joint, about that joint's origin: of all links and the payload.
+    pub beyond: [Pull; 6],
+    /// The part of each link k in it: `parts[j][k]`.
+    pub link_beyond: [[Pull; 6]; 6],
     /// Moment of the whole moving arm about the base's origin, N.m.
     pub base_moment_n_m: Vector3<f64>,
+    /// The part of each link, N.m.
+    pub link_base_moment_n_m: [Vector3<f64>; 6],
+}
+
+/// A load that gravity pulls down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pull {
+    /// About a joint's origin, base axes, N.m.
+    pub moment_n_m: Vector3<f64>,
+    /// Downward, along -z, N.
+    pub weight_n: f64,
 }
 
 /// How a cantilever bends under gravity, per unit of its L/EI (Gere and Timoshenko, Mechanics of Materials, appendix G).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bend {
-    /// Slope at its end, M + F L / 2, base axes, N.m.
-    pub slope_n_m: Vector3<f64>,
-    /// Sinking of its end, M L / 2 + F L^2 / 3, base axes, N.m times metres.
+    /// Turn of its end, base axes, N.m: M + F L / 2.
+    pub turn_n_m: Vector3<f64>,
+    /// Sinking of its end, N.m times metres: M L / 2 + F L^2 / 3.
     pub sink_m_n_m: Vector3<f64>,
 }
 
-impl Loads {
-    /// The bend of link `i`, counted from 0 (the last but one at most), between its two joints' origins in the base.
+impl Pull {
+    /// How the link between two joints' origins (base frame) bends when this pulls at its end: an even one, and
+    /// the change where it gives more near its root than near its tip.
     #[must_use]
-    pub fn bend(&self, i: usize, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> Bend {
+    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [Bend; 2] {
         let along = to_m - from_m;
-        let beyond = (i + 1).min(5);
-        let moment = self.moment_n_m[beyond];
-        let force = Vector3::new(0.0, 0.0, -self.weight_n[beyond]);
         let across = |v: Vector3<f64>| {
             if along.norm() > 1e-6 { v - along * (v.dot(&along) / along.norm_squared()) } else { v }
         };
-        let lever = along.cross(&force);
-        Bend {
-            slope_n_m: across(moment + lever * 0.5),
-            sink_m_n_m: (across(moment) * 0.5 + lever / 3.0).cross(&along),
-        }
+        let moment = across(self.moment_n_m);
+        let lever = along.cross(&Vector3::new(0.0, 0.0, -self.weight_n));
+        let even =
+            Bend { turn_n_m: moment + lever * 0.5, sink_m_n_m: (moment * 0.5 + lever / 3.0).cross(&along) };
+        [even, Bend { turn_n_m: lever, sink_m_n_m: (moment + lever).cross(&along) }]
+    }
+
+    fn add(&mut self, moment_n_m: &Vector3<f64>, weight_n: f64) {
+        self.moment_n_m += moment_n_m;
+        self.weight_n += weight_n;
     }
 }
 
@@ -92,6 +108,9 @@ pub fn loads_at(
     let mut add = |k: usize, mass_kg: f64, at_m: Vector3<f64>, payload: bool| {
         let force = down * mass_kg;
         loads.base_moment_n_m += at_m.cross(&force);
+        if !payload {
+            loads.link_base_moment_n_m[k] += at_m.cross(&force);
+        }
         for j in 0..=k {
             let moment = (at_m - frames[j].translation.vector).cross(&force);
             let torque = axes[j].dot(&moment);
@@ -100,9 +119,9 @@ pub fn loads_at(
                 loads.payload_torque_n_m[j] += torque;
             } else {
                 loads.link_torque_n_m[j][k] += torque;
+                loads.link_beyond[j][k].add(&moment, mass_kg * GRAVITY_M_S2);
             }
-            loads.moment_n_m[j] += moment;
-            loads.weight_n[j] += mass_kg * GRAVITY_M_S2;
+            loads.beyond[j].add(&moment, mass_kg * GRAVITY_M_S2);
         }
     };
     for (k, link) in links(robot).iter().enumerate() {
@@ -116,6 +135,10 @@ pub fn loads_at(
     for j in 0..6 {
         let moment = (point_m - frames[j].translation.vector).cross(&down);
         loads.unit_torque_n_m[j] = axes[j].dot(&moment);
+        for (k, lever) in loads.unit_lever_n[j].iter_mut().enumerate() {
+            let further: Vector3<f64> = frames[6].rotation * Vector3::ith(k, 1.0);
+            *lever = axes[j].dot(&further.cross(&down));
+        }
     }
     loads
 }
@@ -140,6 +163,15 @@ mod tests {
             + 2.0 * 9.80665 * (0.36 + 0.38 + 0.065);
         assert!((loads.torque_n_m[1] - torque).abs() < 1e-9, "{} {torque}", loads.torque_n_m[1]);
         assert!(loads.torque_n_m[0].abs() < 1e-9);
+        // Level, straight ahead: a kilogram one metre further along the flange's z.
+        assert!((loads.unit_lever_n[1][2] - 9.80665).abs() < 1e-9, "{:?}", loads.unit_lever_n[1]);
+        // The upper arm under the weight and the moment of all beyond the elbow.
+        let [even, _] = loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
+        let weight = 9.80665 * (links[2..].iter().map(|l| l.mass_kg).sum::<f64>() + 2.0);
+        let moment = loads.torque_n_m[2];
+        assert!((even.turn_n_m.y - moment - 0.36 * weight / 2.0).abs() < 1e-9, "{even:?}");
+        let sink = moment * 0.36 / 2.0 + 0.36 * 0.36 * weight / 3.0;
+        assert!((even.sink_m_n_m.z + sink).abs() < 1e-9, "{even:?}");
         assert!((loads.payload_torque_n_m[1] - 2.0 * loads.unit_torque_n_m[1]).abs() < 1e-12);
     }
 }

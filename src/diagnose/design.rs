@@ -265,6 +265,7 @@ impl Design {
     pub fn extend(&self, products: &mut Products, columns: &[Vec<f64>]) {
         for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {
             let known = cross.len() / products.p.max(1);
+            cross.reserve_exact(columns.len() * (self.columns.len() - known));
             for b in &self.columns[known..] {
                 for a in columns {
                     cross.push(dot(&a[rows.clone()], &b[rows.clone()]));
@@ -336,7 +337,7 @@ impl Design {
             .collect();
         for (k, &c) in turning.members.iter().enumerate() {
             for (to, from) in products[c].cross.iter_mut().zip(&crossed) {
-                to.reserve(2 * from.ncols());
+                to.reserve_exact(2 * from.ncols());
                 for column in from.column_iter() {
                     to.push(column[2 * k]);
                     to.push(column[2 * k + 1]);

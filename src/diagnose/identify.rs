@@ -4,12 +4,12 @@
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
 use super::design::{Design, Whitening};
-use super::effects::{COMPLIANCE, Candidate};
+use super::effects::{COMPLIANCE, Candidate, SOFT};
 use super::linearise::Linear;
 use super::model::{Fit, Model, solve};
 use super::scene::{Driver, Motion, Scene};
 use super::search::Chosen;
-use crate::deform::identified::{Identified, Kind, Mounting, Seen, Shape, Term, Value, When};
+use crate::deform::identified::{Hangs, Identified, Kind, Mounting, Seen, Shape, Term, Value, When};
 use crate::deform::{Conditions, DeformedArm, Payload};
 use crate::kinematics::{Chain, FrameOffsets};
 use crate::measure::{Measurements, RegisterError, Registration, Station, Stations, register};
@@ -53,10 +53,11 @@ pub(super) fn identify(
     };
     let mut fit = first;
     let mut columns: Vec<Vec<usize>> = model.chosen.iter().map(|c| c.columns.clone()).collect();
+    let mut centre_m = agree_on_centre(&candidates, &mut found);
     for _ in 0..ROUNDS {
         identified.terms = terms(scene, &candidates, &found, None);
-        let (residuals, _) =
-            left_over(&shared, stations, &Arc::new(identified.clone()), linear, tool_m).ok()?;
+        let so_far = Arc::new(identified.clone());
+        let (residuals, _) = left_over(&shared, stations, &so_far, linear, tool_m, centre_m).ok()?;
         // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
         let mut design = design_of(scene, &residuals, stations.targets, model);
         columns = candidates.iter().map(|c| design.append(design.columns_of(scene, c)).collect()).collect();
@@ -82,6 +83,7 @@ pub(super) fn identify(
             geometry: design.geometry.clone().map(|c| fit.coefficients[c - 1]).collect(),
             causes: columns.iter().map(|of| of.iter().map(|&k| fit.coefficients[k - 1]).collect()).collect(),
         };
+        centre_m = agree_on_centre(&candidates, &mut found);
     }
     let sigmas = Sigmas {
         fit: &fit,
@@ -90,8 +92,8 @@ pub(super) fn identify(
         sigma_m: model.reached.sigma_m,
     };
     identified.terms = terms(scene, &candidates, &found, Some(&sigmas));
-    let (_, registration) =
-        left_over(&shared, stations, &Arc::new(identified.clone()), linear, tool_m).ok()?;
+    let whole = Arc::new(identified.clone());
+    let (_, registration) = left_over(&shared, stations, &whole, linear, tool_m, centre_m).ok()?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
@@ -145,8 +147,11 @@ fn left_over(
     model: &Arc<Identified>,
     linear: &Linear,
     tool_m: Option<Vector3<f64>>,
+    payload_off_m: Vector3<f64>,
 ) -> Result<(Vec<Motion>, Registration), RegisterError> {
-    let (scaled, poses) = predicted(robot, &stations.stations, model, &linear.registration.tools_m);
+    let payload_m: Vec<Vector3<f64>> =
+        linear.registration.tools_m.iter().map(|tool_m| tool_m + payload_off_m).collect();
+    let (scaled, poses) = predicted(robot, &stations.stations, model, &payload_m);
     let registration = register(&scaled, &poses, stations.targets, tool_m)?;
     let left = scaled
         .iter()
@@ -160,12 +165,13 @@ fn left_over(
     Ok((left, registration))
 }
 
-/// The stations as a true instrument would have seen them, and the flange poses of the model there.
+/// The stations as a true instrument would have seen them, and the flange poses of the model there, with the
+/// payload's centre at `payload_m` for each target.
 pub(super) fn predicted(
     robot: &Arc<Robot>,
     stations: &[Station],
     model: &Arc<Identified>,
-    tools_m: &[Vector3<f64>],
+    payload_m: &[Vector3<f64>],
 ) -> (Vec<Station>, Vec<Isometry3<f64>>) {
     let scale: f64 =
         model.terms.iter().filter(|t| t.kind == Kind::InstrumentScale).map(|t| t.value(0)).sum::<f64>() + 1.0;
@@ -185,7 +191,7 @@ pub(super) fn predicted(
                 t_min: station.t_min.unwrap_or(0.0),
                 joint_temperature_c: station.joint_temperature_c,
             };
-            let cog_m = tools_m.get(station.target).map_or([0.0; 3], |t| [t.x, t.y, t.z]);
+            let cog_m = payload_m.get(station.target).map_or([0.0; 3], |t| [t.x, t.y, t.z]);
             let conditions = Conditions {
                 payload: Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m },
                 direction: station.direction.unwrap_or_default(),
@@ -241,32 +247,76 @@ fn plain(kind: Kind, joint: Option<usize>, values: Vec<Value>) -> Term {
         n: None,
         shape: Shape::Always,
         held_above_n_m: None,
+        hangs: Hangs::default(),
         cause: true,
         values,
     }
+}
+
+/// The first `plain` values, then those of the links from `first` on, in a list of `all`.
+fn by_link(values: Vec<Value>, plain: usize, first: usize, all: usize) -> Vec<Value> {
+    let mut out = vec![Value::default(); all];
+    for (k, value) in values.into_iter().enumerate() {
+        if let Some(to) = out.get_mut(if k < plain { k } else { first + k }) {
+            *to = value;
+        }
+    }
+    out
+}
+
+/// Where a candidate's three parameters stand that move the payload's centre.
+fn centre_at(candidate: &Candidate) -> Option<std::ops::Range<usize>> {
+    let n = candidate.usual.len();
+    let there = match Kind::named(candidate.effect().name())? {
+        Kind::JointCompliance => n > 7 - candidate.form.joint?,
+        kind => kind == Kind::PayloadMass,
+    };
+    there.then(|| n - 3..n)
+}
+
+/// The payload's centre off the measured point, flange frame, on which all causes agree best; their
+/// parameters are set to it.
+fn agree_on_centre(candidates: &[&Candidate], found: &mut Found) -> Vector3<f64> {
+    const FURTHEST_M: f64 = 0.5;
+    let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
+    for (candidate, values) in candidates.iter().zip(&found.causes) {
+        if let Some(at) = centre_at(candidate) {
+            for (to, k) in sum.iter_mut().zip(at) {
+                *to += values[0] * values[k] * candidate.usual[k] / candidate.usual[0];
+            }
+            weight += values[0] * values[0];
+        }
+    }
+    let off_m = if weight > 0.0 { sum / weight } else { sum };
+    let off_m = off_m.cap_magnitude(FURTHEST_M);
+    for (candidate, values) in candidates.iter().zip(&mut found.causes) {
+        for (k, off) in centre_at(candidate).into_iter().flatten().zip(off_m.iter()) {
+            values[k] = values[0] * candidate.usual[0] * off / candidate.usual[k];
+        }
+    }
+    off_m
 }
 
 /// A candidate's parameters, in the order of its motions, as a term.
 fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term> {
     let kind = Kind::named(candidate.effect().name())?;
     let form = &candidate.form;
+    let hangs = match (kind, form.variant) {
+        (Kind::PayloadMass, 1) => Hangs::Always,
+        (Kind::PayloadMass, 2) => Hangs::PerKilogram,
+        _ => Hangs::WhereLoaded,
+    };
     let values = match kind {
-        Kind::JointCompliance => {
-            let joint = form.joint?;
-            let mut all = vec![Value::default(); 7];
-            for (k, value) in values.into_iter().enumerate() {
-                if let Some(to) = all.get_mut(if k == 0 { 0 } else { joint + k }) {
-                    *to = value;
-                }
-            }
-            all
-        }
+        // Where the payload's centre lies is no part of the robot.
+        Kind::JointCompliance => by_link(values, 1, form.joint?, 7),
+        Kind::LinkBending => by_link(values, 2, form.joint? + 1, 8),
         Kind::PayloadMass => {
+            let share = if hangs == Hangs::PerKilogram { 1.0 / scene.largest_payload_kg } else { 1.0 };
             let kg = values.first().copied()?;
-            let mut all = vec![kg];
+            let mut all = vec![Value { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
             for (j, give) in COMPLIANCE.iter().enumerate() {
-                let extra = [1, 2, 4].iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
-                let value = give * (kg.value + extra.map_or(0.0, |e| e.value));
+                let extra = SOFT.iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
+                let value = share * give * (kg.value + extra.map_or(0.0, |e| e.value));
                 all.push(Value { value, sigma: None });
             }
             all
@@ -296,6 +346,7 @@ fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term
         n: form.n,
         shape,
         held_above_n_m: held,
+        hangs,
         ..plain(kind, form.joint, values)
     })
 }

@@ -30,8 +30,10 @@ pub enum Kernel {
     ToolTime,
     /// A joint that turns slowly over time.
     JointTime(usize),
-    /// A function of one joint's angle that repeats so many times per turn, of any shape: steps, teeth.
+    /// A function of one joint's angle that repeats so many times per turn, of any shape: teeth, scratches.
     Periodic(usize, u32),
+    /// The same, its second half the first turned over: even steps.
+    Steps(usize, u32),
     /// The cause in this place of the model, growing or fading over the measurement.
     Varying(usize),
 }
@@ -97,14 +99,8 @@ pub fn columns(kernel: Kernel, design: &Design, scene: &Scene) -> Vec<Vec<f64>> 
                 out.extend(features.into_iter().map(|f| scaled(site.joint(j), f)));
             }))
         }
-        Kernel::Periodic(j, n) => design.stack(scene, 2 * OVERTONES as usize, |_, site, out| {
-            for k in 1..=OVERTONES {
-                // Steps and teeth: the k-th overtone has 1/k of the first's size.
-                let size_rad = PERIODIC_RAD / f64::from(k);
-                let (sin, cos) = (f64::from(k * n) * site.q_rad[j]).sin_cos();
-                out.extend([scaled(site.joint(j), size_rad * sin), scaled(site.joint(j), size_rad * cos)]);
-            }
-        }),
+        Kernel::Periodic(j, n) => periodic_columns(design, scene, j, n, 1),
+        Kernel::Steps(j, n) => periodic_columns(design, scene, j, n, 2),
         Kernel::Varying(_) => Vec::new(),
     }
 }
@@ -126,6 +122,18 @@ pub fn varying(design: &Design, scene: &Scene, cause: &[usize]) -> Vec<Vec<f64>>
 /// Overtones of a periodic structure, and the usual size of the first.
 const OVERTONES: u32 = 16;
 const PERIODIC_RAD: f64 = 1e-4;
+
+/// Every `stride`-th overtone of n periods per turn. Steps and teeth: the k-th has 1/k of the first's size.
+fn periodic_columns(design: &Design, scene: &Scene, j: usize, n: u32, stride: usize) -> Vec<Vec<f64>> {
+    let overtones = || (1..=OVERTONES).step_by(stride);
+    design.stack(scene, 2 * overtones().count(), |_, site, out| {
+        for k in overtones() {
+            let size_rad = PERIODIC_RAD / f64::from(k);
+            let (sin, cos) = (f64::from(k * n) * site.q_rad[j]).sin_cos();
+            out.extend([scaled(site.joint(j), size_rad * sin), scaled(site.joint(j), size_rad * cos)]);
+        }
+    })
+}
 
 fn place(site: &Site) -> Vec<f64> {
     site.point_m.iter().copied().collect()

@@ -1,6 +1,6 @@
 //! The model's file: TOML in mm, degrees and ppm, twelve digits, so that what is read and written again is the same.
 
-use super::{Identified, Kind, Mounting, Seen, Shape, Term, Value};
+use super::{Hangs, Identified, Kind, Mounting, Seen, Shape, Term, Value};
 use crate::diagnostic::Diagnostic;
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -193,9 +193,21 @@ fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
     }
     let cause = keys.boolean("cause")?.unwrap_or(true);
     let held_above_n_m = keys.number("held_above_n_m")?;
+    let hangs = read_hangs(&mut keys)?;
     let shape = read_shape(&mut keys)?;
     keys.finish()?;
-    Ok(Term { kind, joint, joint_b, n, shape, held_above_n_m, cause, values })
+    Ok(Term { kind, joint, joint_b, n, shape, held_above_n_m, hangs, cause, values })
+}
+
+/// Names of [`Hangs`] in the file.
+const HANGS: [(&str, Hangs); 3] =
+    [("where-loaded", Hangs::WhereLoaded), ("always", Hangs::Always), ("per-kilogram", Hangs::PerKilogram)];
+
+fn read_hangs(keys: &mut Keys) -> Result<Hangs, ModelError> {
+    let Some(name) = keys.text("hangs")? else { return Ok(Hangs::default()) };
+    let known = HANGS.iter().find(|(known, _)| *known == name).map(|(_, hangs)| *hangs);
+    known
+        .ok_or_else(|| keys.wrong("hangs", format!("`{name}` is none of where-loaded, always, per-kilogram")))
 }
 
 fn read_shape(keys: &mut Keys) -> Result<Shape, ModelError> {
@@ -245,7 +257,7 @@ fn write_term(out: &mut String, term: &Term) {
         let _ = writeln!(out, "n = {n}");
     }
     for ((key, unit), value) in term.kind.parameters().iter().zip(&term.values) {
-        let optional = key.starts_with("link") || key.starts_with("joint");
+        let optional = ["link", "joint", "uneven"].iter().any(|correction| key.starts_with(correction));
         if optional && value.value == 0.0 && value.sigma.is_none() {
             continue;
         }
@@ -256,6 +268,9 @@ fn write_term(out: &mut String, term: &Term) {
     }
     if let Some(limit) = term.held_above_n_m {
         let _ = writeln!(out, "held_above_n_m = {}", number(limit));
+    }
+    if let Some((name, _)) = HANGS.iter().skip(1).find(|(_, hangs)| *hangs == term.hangs) {
+        let _ = writeln!(out, "hangs = {}", quoted(name));
     }
     let _ = match term.shape {
         Shape::Always => Ok(()),

@@ -111,6 +111,26 @@ const PER_JOINT: [Parameter; 7] = [
     ("joint5_rad_per_n_m", Unit::Plain),
     ("joint6_rad_per_n_m", Unit::Plain),
 ];
+const PER_BEND: [Parameter; 8] = [
+    ("rad_per_n_m", Unit::Plain),
+    ("uneven_rad_per_n_m", Unit::Plain),
+    ("link1_rad_per_n_m", Unit::Plain),
+    ("link2_rad_per_n_m", Unit::Plain),
+    ("link3_rad_per_n_m", Unit::Plain),
+    ("link4_rad_per_n_m", Unit::Plain),
+    ("link5_rad_per_n_m", Unit::Plain),
+    ("link6_rad_per_n_m", Unit::Plain),
+];
+const PER_TILT: [Parameter; 8] = [
+    ("x_rad_per_n_m", Unit::Plain),
+    ("y_rad_per_n_m", Unit::Plain),
+    ("link1_rad_per_n_m", Unit::Plain),
+    ("link2_rad_per_n_m", Unit::Plain),
+    ("link3_rad_per_n_m", Unit::Plain),
+    ("link4_rad_per_n_m", Unit::Plain),
+    ("link5_rad_per_n_m", Unit::Plain),
+    ("link6_rad_per_n_m", Unit::Plain),
+];
 const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];
 
 /// All, in the order of the documentation.
@@ -176,8 +196,8 @@ impl Kind {
             Self::JointOffset => &[("offset_deg", Unit::Degree)],
             Self::LinkGeometry | Self::BaseDrift | Self::BaseStep => &FRAME,
             Self::JointCompliance => &PER_LINK,
-            Self::LinkBending => &[("rad_per_n_m", Unit::Plain), ("hinge_rad_per_n_m", Unit::Plain)],
-            Self::BaseTilt => &[("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)],
+            Self::LinkBending => &PER_BEND,
+            Self::BaseTilt => &PER_TILT,
             Self::GearEccentricity | Self::GearSecondHarmonic | Self::GearMesh => &GEAR,
             Self::JointGain | Self::JointCoupling => &[("gain", Unit::Plain)],
             Self::Backlash => &[("gap_deg", Unit::Degree)],

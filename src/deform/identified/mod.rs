@@ -10,8 +10,8 @@ mod term;
 
 pub use file::ModelError;
 pub use kind::{Kind, Parameter, Unit};
+pub use term::{Hangs, Shape, Term, Value};
 pub(in crate::deform) use term::{Moved, Standing};
-pub use term::{Shape, Term, Value};
 
 use nalgebra::{Isometry3, Vector3};
 

@@ -4,7 +4,7 @@
 //! that moves gets it as offsets.
 
 use super::{Kind, When};
-use crate::deform::gravity::Loads;
+use crate::deform::gravity::{Bend, Loads};
 use crate::kinematics::FrameOffsets;
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Vector3};
@@ -71,6 +71,30 @@ impl Shape {
     }
 }
 
+/// Where a payload that is heavier than declared hangs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hangs {
+    /// Wherever a payload is declared.
+    #[default]
+    WhereLoaded,
+    /// Always: a tool's own mass.
+    Always,
+    /// In proportion: the values are per kilogram declared.
+    PerKilogram,
+}
+
+impl Hangs {
+    /// The factor on the values where `payload_kg` is declared.
+    #[must_use]
+    pub fn at(self, payload_kg: f64) -> f64 {
+        match self {
+            Self::WhereLoaded => f64::from(u8::from(payload_kg > 0.0)),
+            Self::Always => 1.0,
+            Self::PerKilogram => payload_kg,
+        }
+    }
+}
+
 /// A parameter's value and how well it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Value {
@@ -96,6 +120,8 @@ pub struct Term {
     /// Backlash: above this torque gravity holds the teeth on one side, N.m; negative where gravity's side counts
     /// against the direction's (the joint lags behind its motor, and its load pulls it ahead).
     pub held_above_n_m: Option<f64>,
+    /// Payload mass: where it hangs.
+    pub hangs: Hangs,
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
     /// In the order of [`Kind::parameters`], SI.
@@ -110,8 +136,8 @@ pub(in crate::deform) struct Standing<'a> {
     pub direction: [i8; 6],
     /// Loads, frames and flange of the nominal arm, where a term needs them.
     pub loads: Option<(&'a Loads, &'a [Isometry3<f64>; 7])>,
-    /// Whether something hangs on the flange.
-    pub loaded: bool,
+    /// What hangs on the flange as declared.
+    pub payload_kg: f64,
 }
 
 /// What the terms do together.
@@ -194,7 +220,7 @@ impl Term {
             Kind::InstrumentScale => {}
             Kind::JointCompliance | Kind::LinkBending | Kind::BaseTilt | Kind::PayloadMass => {
                 if let Some((loads, frames)) = at.loads {
-                    self.add_load(joint, loads, frames, at.loaded, to);
+                    self.add_load(joint, loads, frames, at.payload_kg, to);
                 }
             }
         }
@@ -213,7 +239,7 @@ impl Term {
         joint: usize,
         loads: &Loads,
         frames: &[Isometry3<f64>; 7],
-        loaded: bool,
+        payload_kg: f64,
         to: &mut Moved,
     ) {
         let v = |i: usize| self.value(i);
@@ -222,22 +248,37 @@ impl Term {
                 let links: f64 = (0..6).map(|k| v(k + 1) * loads.link_torque_n_m[joint][k]).sum();
                 to.turns_rad[joint] += v(0) * loads.torque_n_m[joint] + links;
             }
-            Kind::PayloadMass if loaded => {
+            Kind::PayloadMass => {
+                let kg = self.hangs.at(payload_kg);
                 for (j, turn_rad) in to.turns_rad.iter_mut().enumerate() {
-                    *turn_rad += v(j + 1) * loads.unit_torque_n_m[j];
+                    *turn_rad += kg * v(j + 1) * loads.unit_torque_n_m[j];
                 }
             }
             Kind::BaseTilt => {
-                to.offsets.0[0][3] += v(0) * loads.base_moment_n_m.x;
-                to.offsets.0[0][4] += v(1) * loads.base_moment_n_m.y;
+                let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(&loads.base_moment_n_m);
+                for (k, moment) in loads.link_base_moment_n_m.iter().enumerate() {
+                    turn += moment * v(k + 2);
+                }
+                to.offsets.0[0][3] += turn.x;
+                to.offsets.0[0][4] += turn.y;
             }
             Kind::LinkBending => {
                 let link = joint.min(4);
-                let bend =
-                    loads.bend(link, &frames[link].translation.vector, &frames[link + 1].translation.vector);
+                let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
+                let (mut turn, mut sink) = (Vector3::zeros(), Vector3::zeros());
+                let mut take = |bend: &Bend, share: f64| {
+                    turn += bend.turn_n_m * share;
+                    sink += bend.sink_m_n_m * share;
+                };
+                for (k, bend) in loads.beyond[link + 1].bend(&ends[0], &ends[1]).iter().enumerate() {
+                    take(bend, v(k));
+                }
+                for (k, part) in loads.link_beyond[link + 1].iter().enumerate() {
+                    let [even, _] = part.bend(&ends[0], &ends[1]);
+                    take(&even, v(k + 2));
+                }
                 let into = frames[link].rotation.inverse();
-                let shift = into * bend.sink_m_n_m * v(0);
-                let turn = into * bend.slope_n_m * (v(0) + v(1));
+                let (shift, turn) = (into * sink, into * turn);
                 let row = &mut to.offsets.0[link + 1];
                 for k in 0..3 {
                     row[k] += shift[k];

@@ -1,10 +1,14 @@
 //! The stand gives: the whole robot tilts under its own overturning moment.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site};
+use super::{Candidate, Effect, Form, Motion, Scene, Site, by_mass_error};
 use crate::diagnose::scene::scaled;
+use nalgebra::Vector3;
 
-/// Turn of the base about x and y, each by its own compliance times its moment.
+/// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
 pub struct BaseTilt;
+
+/// Usual compliance, rad/(N.m).
+const USUAL: f64 = 1e-6;
 
 impl Effect for BaseTilt {
     fn name(&self) -> &'static str {
@@ -19,12 +23,19 @@ impl Effect for BaseTilt {
     fn source(&self) -> &'static str {
         "foundation as two rotary springs at the base"
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
-        vec![Candidate::new(Form::PLAIN, vec![1e-6, 1e-6])]
+    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+        let mut sizes = vec![USUAL; 2];
+        sizes.extend([by_mass_error(scene, USUAL); 6]);
+        vec![Candidate { counted: 2, ..Candidate::new(Form::PLAIN, sizes) }]
     }
     fn motions(&self, _form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let moment = site.loads.base_moment_n_m;
-        out.push(scaled(site.offset(0, 3), moment.x));
-        out.push(scaled(site.offset(0, 4), moment.y));
+        let about = |moment: &Vector3<f64>| {
+            [scaled(site.offset(0, 3), moment.x), scaled(site.offset(0, 4), moment.y)]
+        };
+        out.extend(about(&site.loads.base_moment_n_m));
+        for moment in &site.loads.link_base_moment_n_m {
+            let [x, y] = about(moment);
+            out.push(std::array::from_fn(|i| x[i] + y[i]));
+        }
     }
 }

@@ -29,8 +29,8 @@ impl Effect for GearMesh {
             let values = scene.sites.iter().map(|s| s.q_rad[j]);
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let high = values.fold(f64::NEG_INFINITY, f64::max);
-            // Less than 1.5 periods over the joint's range is a bend, not a line of its own.
-            let lowest = (1.5 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(LOWEST));
+            // Less than 0.6 periods over the joint's range is a bend, not a line of its own.
+            let lowest = (0.6 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(LOWEST));
             let lowest = if lowest > f64::from(HIGHEST) { continue } else { lowest as u32 };
             for n in lowest..=HIGHEST {
                 let form = Form { n: Some(n), ..Form::of_joint(j) };

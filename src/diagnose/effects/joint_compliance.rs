@@ -1,12 +1,9 @@
 //! A joint's gear gives under gravity's torque.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, lever_torque_n_m, turn_joint};
+use super::{Candidate, Effect, Form, LEVER_M, Motion, Scene, Site, by_mass_error, turn_joint};
 
 /// J_j times the torque about joint j; each link's share may be wrong, and the payload's centre elsewhere.
 pub struct JointCompliance;
-
-/// How wrong a link's mass in the robot file may be, and one that was guessed.
-const MASS_ERROR: [f64; 2] = [0.3, 1.0];
 
 impl Effect for JointCompliance {
     fn name(&self) -> &'static str {
@@ -22,14 +19,15 @@ impl Effect for JointCompliance {
         "Khalil and Besnard 2002, Geometric calibration of robots with flexible joints and links"
     }
     fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
-        let error = MASS_ERROR[usize::from(!scene.masses_known)];
         (0..6)
             .filter(|&j| scene.sites.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6))
             .map(|j| {
                 let usual = if j < 3 { 8e-6 } else { 8e-5 };
                 let mut sizes = vec![usual];
-                sizes.extend(std::iter::repeat_n(error * usual, 6 - j));
-                sizes.extend(std::iter::repeat_n(usual, if scene.largest_payload_kg > 0.0 { 3 } else { 0 }));
+                sizes.extend(std::iter::repeat_n(by_mass_error(scene, usual), 6 - j));
+                if scene.largest_payload_kg > 0.0 {
+                    sizes.extend([LEVER_M * usual; 3]);
+                }
                 Candidate { counted: 1, ..Candidate::new(Form::of_joint(j), sizes) }
             })
             .collect()
@@ -43,7 +41,7 @@ impl Effect for JointCompliance {
         if scene.largest_payload_kg > 0.0 {
             let payload_kg = site.payload_kg.unwrap_or(0.0);
             for k in 0..3 {
-                turn_joint(site, form.joint, payload_kg * lever_torque_n_m(site, j, k), out);
+                turn_joint(site, form.joint, payload_kg * site.loads.unit_lever_n[j][k], out);
             }
         }
     }

@@ -1,10 +1,15 @@
 //! A link bends under what hangs beyond it.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site};
-use crate::diagnose::scene::scaled;
+use super::{Candidate, Effect, Form, Motion, Scene, Site, by_mass_error};
+use crate::deform::gravity::Bend;
 
-/// The frame after link i turns and sinks as the end of a cantilever under end moment and end force.
+/// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
+/// more at one end than at the other, and each link's share of the load may be wrong.
 pub struct LinkBending;
+
+/// How far the shares of an uneven cantilever usually lie from those of an even one: a hinge at its tip is at
+/// -1/2, -1/2, -1/3, one at its root at 1/2, 1/2, 2/3.
+const UNEVEN: f64 = 0.3;
 
 impl Effect for LinkBending {
     fn name(&self) -> &'static str {
@@ -19,24 +24,28 @@ impl Effect for LinkBending {
     fn source(&self) -> &'static str {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
         (0..5)
             .map(|i| {
                 let usual = if i < 3 { 1.5e-6 } else { 1.5e-5 };
-                Candidate { counted: 1, ..Candidate::new(Form::of_joint(i), vec![usual, 0.3 * usual]) }
+                let mut sizes = vec![usual, UNEVEN * usual];
+                sizes.extend(std::iter::repeat_n(by_mass_error(scene, usual), 5 - i));
+                Candidate { counted: 1, ..Candidate::new(Form::of_joint(i), sizes) }
             })
             .collect()
     }
     fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
         let i = form.joint.unwrap_or(0).min(4);
         let (from_m, to_m) = (site.origins_m[i], site.origins_m[i + 1]);
-        let bend = site.loads.bend(i, &from_m, &to_m);
-        let turned = site.turn_at(&bend.slope_n_m, &to_m);
-        let mut whole = turned;
-        for (to, sink) in whole.iter_mut().zip(bend.sink_m_n_m.iter()) {
-            *to += sink;
+        let moved = |bend: &Bend| {
+            let mut motion = site.turn_at(&bend.turn_n_m, &to_m);
+            motion.iter_mut().zip(bend.sink_m_n_m.iter()).for_each(|(to, sink)| *to += sink);
+            motion
+        };
+        out.extend(site.loads.beyond[i + 1].bend(&from_m, &to_m).iter().map(moved));
+        for link in &site.loads.link_beyond[i + 1][i + 1..] {
+            let [even, _] = link.bend(&from_m, &to_m);
+            out.push(moved(&even));
         }
-        out.push(whole);
-        out.push(scaled(turned, 1.0));
     }
 }

@@ -26,11 +26,9 @@ mod tool_drift;
 mod tool_step;
 
 pub(in crate::diagnose) use backlash::{held_above_n_m, torque_limits_n_m};
-pub(in crate::diagnose) use payload_mass::COMPLIANCE;
+pub(in crate::diagnose) use payload_mass::{COMPLIANCE, SOFT};
 
 use super::scene::{Driver, Motion, Scene, Site};
-use crate::deform::gravity::GRAVITY_M_S2;
-use nalgebra::Vector3;
 
 /// An effect that can open a gap between model and robot.
 pub trait Effect: Sync {
@@ -178,14 +176,14 @@ fn turn_joint(site: &Site, joint: Option<usize>, angle: f64, out: &mut Vec<Motio
     out.push(super::scene::scaled(site.joint(joint.unwrap_or(0).min(5)), angle));
 }
 
-/// How far from the measured point a payload's centre usually lies, metres.
+/// How far from the measured point a payload's centre usually lies, metres: the file does not say.
 const LEVER_M: f64 = 0.08;
+/// How wrong a link's mass in the robot file may be, and one that was guessed.
+const MASS_ERROR: [f64; 2] = [0.3, 1.0];
 
-/// What one kilogram adds to the torque of joint `j` when it hangs that far off the measured point along the
-/// flange's axis `k`, N.m: where a payload's centre lies is not in the file.
-fn lever_torque_n_m(site: &Site, j: usize, k: usize) -> f64 {
-    let off_m: Vector3<f64> = site.flange.column(k) * LEVER_M;
-    site.axes[j].dot(&off_m.cross(&Vector3::new(0.0, 0.0, -GRAVITY_M_S2)))
+/// The size that an effect of gravity may have by one link's share, where it usually has `usual` by all.
+fn by_mass_error(scene: &Scene, usual: f64) -> f64 {
+    MASS_ERROR[usize::from(!scene.masses_known)] * usual
 }
 
 /// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.

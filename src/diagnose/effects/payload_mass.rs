@@ -1,11 +1,13 @@
 //! The payload weighs more or less than the controller believes.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, lever_torque_n_m};
+use super::{Candidate, Effect, Form, LEVER_M, Motion, Scene, Site};
 use crate::diagnose::scene::{Sight, scaled};
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
 
+/// The joints that carry most, counted from 0: they may be softer or stiffer than usual.
+pub(in crate::diagnose) const SOFT: [usize; 3] = [1, 2, 4];
 /// Usual compliance of each joint, rad/(N.m).
 pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
 
@@ -41,7 +43,10 @@ impl Effect for PayloadMass {
             .map(|(variant, weight)| Candidate {
                 counted: 1,
                 weight,
-                ..Candidate::new(Form { variant, ..Form::PLAIN }, vec![0.6, 0.3, 0.3, 0.3, 0.6, 0.6, 0.6])
+                ..Candidate::new(
+                    Form { variant, ..Form::PLAIN },
+                    vec![0.6, 0.3, 0.3, 0.3, 0.6 * LEVER_M, 0.6 * LEVER_M, 0.6 * LEVER_M],
+                )
             })
             .collect()
     }
@@ -60,13 +65,12 @@ impl Effect for PayloadMass {
             }
         }
         out.push(all);
-        // The joints that carry most may be softer or stiffer than usual.
-        out.extend([give(1), give(2), give(4)]);
+        out.extend(SOFT.map(give));
         // And its weight may pull elsewhere than at the measured point.
         for k in 0..3 {
             let mut all = [0.0; 6];
             for (j, compliance) in COMPLIANCE.iter().enumerate() {
-                let turn = hangs * compliance * lever_torque_n_m(site, j, k);
+                let turn = hangs * compliance * site.loads.unit_lever_n[j][k];
                 for (sum, part) in all.iter_mut().zip(site.joint(j)) {
                     *sum += turn * part;
                 }

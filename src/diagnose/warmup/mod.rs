@@ -12,7 +12,7 @@ mod targets;
 pub use history::Stop;
 pub use targets::{AtTargets, Next, Place, at_targets};
 
-use crate::deform::identified::{Identified, Kind, Seen, Shape, Term, Value};
+use crate::deform::identified::{Hangs, Identified, Kind, Seen, Shape, Term, Value};
 use crate::deform::{Deformation, GrowthLaw};
 use crate::kinematics::{Chain, FrameOffsets};
 use crate::measure::{self, RegisterError, Station, Touches, register};
@@ -389,6 +389,7 @@ impl WarmUp {
             n: None,
             shape,
             held_above_n_m: None,
+            hangs: Hangs::default(),
             cause: true,
             values: (6 * i..6 * i + 6)
                 .map(|k| Value { value: self.settled[k], sigma: Some(self.sigma(k)) })

@@ -1,0 +1,92 @@
+//! Verdicts and causes in words.
+
+use crate::diagnose::effects::Candidate;
+use crate::diagnose::kernel::Kernel;
+use crate::diagnose::outcome::Cause;
+
+/// A cause in words.
+#[must_use]
+pub fn describe(cause: &Cause) -> String {
+    let mut text = cause.effect.to_owned();
+    match (cause.joint, cause.joint_b) {
+        (Some(a), Some(b)) => text.push_str(&format!(" from joint {a} to joint {b}")),
+        (Some(a), None) => {
+            let what = if cause.effect.starts_with("link") || cause.effect == "thermal_link_growth" {
+                "link"
+            } else {
+                "joint"
+            };
+            text.push_str(&format!(" of {what} {a}"));
+        }
+        _ => {}
+    }
+    if let Some(n) = cause.n.filter(|_| cause.effect == "gear_mesh") {
+        text.push_str(&format!(", {n} per turn"));
+    }
+    if let Some(t0_min) = cause.t0_min {
+        text.push_str(&format!(" at minute {t0_min:.1}"));
+    }
+    text
+}
+
+/// A candidate in words.
+#[must_use]
+pub fn describe_candidate(candidate: &Candidate) -> String {
+    let form = &candidate.form;
+    let one = |j: Option<usize>| j.map(|j| j + 1);
+    describe(&Cause {
+        joint: one(form.joint),
+        joint_b: one(form.joint_b),
+        n: form.n,
+        t0_min: form.t0_min(),
+        ..Cause::of(candidate.effect(), 0.0)
+    })
+}
+
+/// Structure in words; `timed`: the file has times.
+#[must_use]
+pub fn structure_reason(kernel: Kernel, timed: bool) -> String {
+    let time = if timed { "time" } else { "the order of the rows; the time (t_min) is not in the file" };
+    let of = match kernel {
+        Kernel::Joint(j) | Kernel::JointFine(j) => format!("the angle of joint {}", j + 1),
+        Kernel::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
+        Kernel::AllJoints => "the angles of several joints".to_owned(),
+        Kernel::Workspace | Kernel::WorkspaceFine => "the place in the workspace".to_owned(),
+        Kernel::Time | Kernel::TimeFine | Kernel::Varying(_) => time.to_owned(),
+        Kernel::ToolTime => format!("the target on the flange, over {time}"),
+        Kernel::JointTime(j) => format!("joint {}, over {time}", j + 1),
+        Kernel::Periodic(j, n) | Kernel::Steps(j, n) => {
+            format!("the angle of joint {}, {n} times per turn, with steps or corners", j + 1)
+        }
+    };
+    format!("the gap has a structure that no effect of the library takes; it follows {of}")
+}
+
+/// Causes in words: gear lines joint by joint, and of many only the first few.
+#[must_use]
+pub fn in_short(causes: &[Cause]) -> String {
+    const SAID: usize = 6;
+    const LINES: usize = 4;
+    let line = |c: &&Cause| c.effect == "gear_mesh";
+    let mut names: Vec<String> = Vec::new();
+    let mut told: Vec<Option<usize>> = Vec::new();
+    for cause in causes {
+        let lines: Vec<&Cause> = causes.iter().filter(line).filter(|c| c.joint == cause.joint).collect();
+        if !line(&cause) || lines.len() == 1 {
+            names.push(describe(cause));
+        } else if !told.contains(&cause.joint) {
+            told.push(cause.joint);
+            let orders: Vec<String> =
+                lines.iter().take(LINES).filter_map(|c| c.n).map(|n| n.to_string()).collect();
+            let more = match lines.len() - orders.len() {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            let joint = cause.joint.map_or_else(String::new, |j| format!(" of joint {j}"));
+            names.push(format!("gear lines{joint}, {}{more} per turn", orders.join(", ")));
+        }
+    }
+    let more = names.len().saturating_sub(SAID);
+    let said = names[..names.len() - more].join("; ");
+    if more > 0 { format!("{said}; and {more} more") } else { said }
+}
