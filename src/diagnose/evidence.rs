@@ -454,7 +454,8 @@ fn diagonal(own: DMatrix<f64>, with_y: &DVector<f64>) -> Vec<(f64, f64)> {
 /// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
 fn grids(noise: &Noise, m: f64, yy: f64, lambda: &DVector<f64>, gy: &DVector<f64>) -> (Vec<f64>, Vec<f64>) {
     let explained: f64 = lambda.iter().zip(gy.iter()).map(|(l, g)| g * g / l).sum();
-    let high_m = (yy / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
+    // Rounding may leave a little less than nothing.
+    let high_m = (yy.max(0.0) / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
     let left = ((yy - explained).max(0.0) / m).sqrt() / 2.0;
     let low_m = noise.known.map_or(left, |(sigma_m, _)| sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
     let doubling = |from: f64, to: f64| {

@@ -71,11 +71,12 @@ fn evidence(page: &mut String, d: &Diagnosis) {
         matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
     line(page, "");
     line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
-    for cause in d.causes.iter().take(MOST_LISTED) {
-        line(page, &format!("  {}", in_words(cause)));
+    let rows = rows(&d.causes);
+    for row in rows.iter().take(MOST_LISTED) {
+        line(page, &format!("  {row}"));
     }
-    if d.causes.len() > MOST_LISTED {
-        line(page, &format!("  and {} more: see the JSON", d.causes.len() - MOST_LISTED));
+    if rows.len() > MOST_LISTED {
+        line(page, &format!("  and {} more: see the JSON", rows.len() - MOST_LISTED));
     }
     let wanting: Vec<String> =
         d.rivals.iter().take(4).map(|c| format!("{} ({})", describe(c), percent(c.posterior))).collect();
@@ -84,6 +85,34 @@ fn evidence(page: &mut String, d: &Diagnosis) {
         line(page, "What it is not");
         line(page, &format!("  {}", wanting.join("; ")));
     }
+}
+
+/// A row for each cause; the lines of one joint's gear, where there are several, share one.
+fn rows(causes: &[Cause]) -> Vec<String> {
+    const LINES: usize = 8;
+    let mut rows = Vec::new();
+    let mut told = Vec::new();
+    for cause in causes {
+        let lines: Vec<&Cause> =
+            causes.iter().filter(|c| c.effect == "gear_mesh" && c.joint == cause.joint).collect();
+        if cause.effect != "gear_mesh" || lines.len() < 3 {
+            rows.push(in_words(cause));
+        } else if !told.contains(&cause.joint) {
+            told.push(cause.joint);
+            let orders: Vec<String> =
+                lines.iter().take(LINES).filter_map(|c| c.n).map(|n| n.to_string()).collect();
+            let more = lines.len() - orders.len();
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            let joint = cause.joint.map_or_else(String::new, |j| format!(" of joint {j}"));
+            let mut row =
+                format!("gear_mesh{joint} ({}): {}{more} per turn", plainly("gear_mesh"), orders.join(", "));
+            if let Some(rms_mm) = cause.rms_mm {
+                let _ = write!(row, "; the first moves the tool by {rms_mm:.3} mm");
+            }
+            rows.push(row);
+        }
+    }
+    rows
 }
 
 /// What an effect is, for someone who has never read its name.
@@ -121,13 +150,15 @@ fn in_words(cause: &Cause) -> String {
         let _ = write!(text, " ({plain})");
     }
     if let Some(size) = cause.size {
-        let _ = write!(text, ": {}", number(size)); // writing to a String cannot fail
-        if let Some(sigma) = cause.sigma {
-            let _ = write!(text, " +- {}", number(sigma));
-        }
-        if cause.unit != "1" {
-            let _ = write!(text, " {}", cause.unit);
-        }
+        let unit = if cause.unit == "1" { String::new() } else { format!(" {}", cause.unit) };
+        // Writing to a String cannot fail.
+        let _ = match cause.sigma {
+            Some(sigma) if sigma > size => {
+                write!(text, ": size open, under {}{unit}", number(size + 2.0 * sigma))
+            }
+            Some(sigma) => write!(text, ": {} +- {}{unit}", number(size), number(sigma)),
+            None => write!(text, ": {}{unit}", number(size)),
+        };
     }
     if let Some(rms_mm) = cause.rms_mm {
         let _ = write!(text, ", moves the tool by {rms_mm:.3} mm");
@@ -186,10 +217,14 @@ fn gain(page: &mut String, d: &Diagnosis) {
     };
     line(page, "");
     line(page, "How much better the robot gets, on poses held out");
+    let named = matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    let taken = if named { "the causes" } else { "the nearest candidates" };
+    let both = s.with_geometry_rms_mm == Some(after);
+    let taken = if both { format!("{taken} and all joints' geometry") } else { taken.to_owned() };
     line(
         page,
         &format!(
-            "  {before:.3} mm before, {after:.3} mm with the causes named, {floor:.3} mm is noise (rms, 3-D)"
+            "  {before:.3} mm before, {after:.3} mm with {taken} in the model, {floor:.3} mm is noise (rms, 3-D)"
         ),
     );
     if let (Some(ratio), Some([low, high])) = (s.ratio, s.ci90) {
@@ -203,7 +238,7 @@ fn gain(page: &mut String, d: &Diagnosis) {
             ),
         );
     }
-    if let Some(geometry) = s.with_geometry_rms_mm {
+    if let Some(geometry) = s.with_geometry_rms_mm.filter(|_| !both) {
         line(page, &format!("  {geometry:.3} mm with all joints' geometry fitted as well"));
     }
     for (name, block) in
@@ -212,10 +247,17 @@ fn gain(page: &mut String, d: &Diagnosis) {
         if let Some(b) = block {
             line(
                 page,
-                &format!(
-                    "  a {name} held out whole: {:.3} mm before, {:.3} mm after, {:.3} mm with geometry",
-                    b.before_rms_mm, b.after_rms_mm, b.with_geometry_rms_mm
-                ),
+                &if both {
+                    format!(
+                        "  a {name} held out whole: {:.3} mm before, {:.3} mm after",
+                        b.before_rms_mm, b.after_rms_mm
+                    )
+                } else {
+                    format!(
+                        "  a {name} held out whole: {:.3} mm before, {:.3} mm after, {:.3} mm with geometry",
+                        b.before_rms_mm, b.after_rms_mm, b.with_geometry_rms_mm
+                    )
+                },
             );
         }
     }

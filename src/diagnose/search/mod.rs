@@ -32,6 +32,8 @@ const LINES_AT_ONCE: usize = 7;
 const CLEAR_NATS: f64 = 25.0;
 /// An arm whose geometry is this many tolerances off, all joints together, was never calibrated.
 const FAR_OFF: f64 = 1.5;
+/// Nothing is added where fewer numbers than this are left to contradict it.
+const FEWEST_FREE: f64 = 12.0;
 /// With more causes than this each is not tried against all others.
 const MOST_SWAPPED: usize = 8;
 /// Rounds of adding and trying in turn.
@@ -91,7 +93,7 @@ impl Library<'_> {
                 });
                 let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&slot));
                 let Some((candidate, gain, reached)) = best else { break };
-                if gain < alarm_nats || background.freedom() < 12.0 {
+                if gain < alarm_nats || background.freedom() < FEWEST_FREE {
                     break;
                 }
                 let together = self.all_offsets(candidate);
@@ -112,6 +114,9 @@ impl Library<'_> {
                 for (i, mut one) in wanted.into_iter().enumerate() {
                     // A further line may be the shadow of those before it: it must be clear beside them.
                     if i >= sure {
+                        if background.freedom() < FEWEST_FREE {
+                            break;
+                        }
                         let projected = background.project(&self.products[one.candidate].sum(subset));
                         let reached = background.evidence(&projected);
                         one.gain_nats = reached.log_evidence - background.null().log_evidence;
