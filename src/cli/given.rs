@@ -4,7 +4,7 @@ use super::files;
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::program::modules_of_pgf;
 use crate::syntax::SourceFile;
-use crate::syntax::tree::FileItem;
+use crate::syntax::tree::{FileItem, ModuleItem};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -177,7 +177,7 @@ fn check(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// Refuses files that hold no module, or one that ends before its ENDMODULE.
+/// Refuses files that hold no module, or one that ends before its ENDMODULE, or a routine without its ENDPROC.
 ///
 /// # Errors
 /// `input::no-module` or `input::truncated`, at their place.
@@ -196,6 +196,18 @@ pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
                 return Err(Diagnostic::error("input::truncated", text)
                     .at(file.span(module.head))
                     .help("export or copy the file again"));
+            }
+            let open = module.items.iter().find_map(|item| match item {
+                ModuleItem::Routine(routine) if routine.end.is_none() => Some(routine),
+                _ => None,
+            });
+            if let Some(routine) = open {
+                let name = String::from_utf8_lossy(file.text(routine.name)).into_owned();
+                let text =
+                    format!("{}: routine {name} has no END word: where it ends cannot be said", file.path);
+                return Err(Diagnostic::error("input::truncated", text)
+                    .at(file.span(routine.head))
+                    .help("no controller loads this; export or copy the file again"));
             }
         }
         if count == 0 {

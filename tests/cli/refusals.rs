@@ -307,6 +307,18 @@ fn an_effect_without_its_joint_is_shown_with_one() {
     assert!(bench.files().is_empty());
 }
 
+/// What is put in before ENDMODULE would stand inside the open routine.
+#[test]
+fn a_routine_without_its_end_is_refused() {
+    let bench = Bench::default();
+    let module = bench.file("open.mod", GOOD.replace("  ENDPROC\n", ""));
+    let message = refused(&bench, &[&module], "input::truncated");
+    assert!(
+        message.contains("routine main has no END word") && message.contains("open.mod:3:3"),
+        "{message}"
+    );
+}
+
 /// Lines count as an editor counts them, whatever ends them.
 #[test]
 fn lines_of_tables_with_cr_lf() {
