@@ -1,0 +1,151 @@
+//! A registration refined: Gauss and Newton's steps over base, targets, fixed places and sensor, robust by re-weighting.
+
+use super::station::median;
+use super::{Free, Registration, Station};
+use nalgebra::{DMatrix, DVector, Isometry3, Translation3, UnitQuaternion, Vector3};
+
+const ITERATIONS: usize = 60;
+/// Orientation residuals weigh as if at this distance, metres.
+const ORIENTATION_ARM_M: f64 = 0.3;
+
+/// The columns of base, targets, places and sensor at one station: position rows and orientation rows, base axes;
+/// each is how fast the residual falls.
+fn unknown_columns(
+    fit: &Registration,
+    station: &Station,
+    pose: &Isometry3<f64>,
+    width: usize,
+) -> (DMatrix<f64>, DMatrix<f64>) {
+    let point = fit.predicted_m(station, pose);
+    let turn = pose.rotation.to_rotation_matrix();
+    let mut place = DMatrix::zeros(3, width);
+    let mut orient = DMatrix::zeros(3, width);
+    let by_instrument = station.seen.position_m().is_some();
+    let places = 6 + 3 * fit.tools_m.len();
+    for k in 0..3 {
+        let mut axis = Vector3::zeros();
+        axis[k] = 1.0;
+        let moved = axis.cross(&point);
+        for r in 0..3 {
+            if by_instrument {
+                place[(r, k)] = axis[r];
+                place[(r, 3 + k)] = moved[r];
+            }
+            if station.seen.by_arm() {
+                place[(r, 6 + 3 * station.target + k)] = turn[(r, k)];
+            }
+            if let Some(which) = station.seen.place() {
+                let sign = if by_instrument { 1.0 } else { -1.0 };
+                place[(r, places + 3 * which + k)] = sign * axis[r];
+            }
+        }
+        orient[(k, 3 + k)] = 1.0;
+        if fit.flange_from_sensor.is_some() {
+            for r in 0..3 {
+                orient[(r, width - 3 + k)] = turn[(r, k)];
+            }
+        }
+    }
+    if let Some(along) = fit.along(station, pose) {
+        let onto = along * along.transpose();
+        place = DMatrix::from_fn(3, width, |r, c| (0..3).map(|k| onto[(r, k)] * place[(k, c)]).sum());
+    }
+    (place, orient)
+}
+
+pub(super) fn gauss_newton(
+    mut fit: Registration,
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+    free: Free,
+) -> Registration {
+    let oriented = fit.flange_from_sensor.is_some();
+    let places = 6 + 3 * fit.tools_m.len();
+    let width = places + 3 * fit.places_m.len() + if oriented { 3 } else { 0 };
+    let held = match free {
+        Free::All => 0..0,
+        Free::Base => 6..places,
+        Free::Nothing(_) => 0..places,
+    };
+    let mut normal = DMatrix::zeros(width, width);
+    for iteration in 0..ITERATIONS {
+        let scale_m = median_distance(&fit, stations, poses).max(1e-9);
+        normal = DMatrix::zeros(width, width);
+        let mut right = DVector::zeros(width);
+        for (station, pose) in stations.iter().zip(poses) {
+            let residual = fit.residual_m(station, pose);
+            let (place, orient) = unknown_columns(&fit, station, pose, width);
+            // Cauchy's weight at three times the middle distance: false rows lose their pull.
+            let weight = 1.0 / (1.0 + (residual.norm() / (3.0 * scale_m)).powi(2));
+            normal += weight * place.transpose() * &place;
+            right += weight * place.transpose() * residual;
+            if let Some(turn) = fit.residual_rad(station, pose) {
+                let far = turn.norm() * ORIENTATION_ARM_M / (3.0 * scale_m);
+                let weight = ORIENTATION_ARM_M.powi(2) / (1.0 + far * far);
+                normal += weight * orient.transpose() * &orient;
+                right += weight * orient.transpose() * turn;
+            }
+        }
+        for k in held.clone() {
+            normal.row_mut(k).fill(0.0);
+            normal.column_mut(k).fill(0.0);
+            right[k] = 0.0;
+        }
+        let step = damped_solve(&normal, &right);
+        fit.iterations = iteration + 1;
+        let turn = UnitQuaternion::from_scaled_axis(Vector3::new(step[3], step[4], step[5]));
+        let shift = Isometry3::from_parts(Translation3::new(step[0], step[1], step[2]), turn);
+        fit.instrument_from_base *= shift;
+        for (k, tool) in fit.tools_m.iter_mut().enumerate() {
+            *tool += Vector3::new(step[6 + 3 * k], step[7 + 3 * k], step[8 + 3 * k]);
+        }
+        for (k, place) in fit.places_m.iter_mut().enumerate() {
+            *place += Vector3::new(step[places + 3 * k], step[places + 3 * k + 1], step[places + 3 * k + 2]);
+        }
+        if let Some(sensor) = &mut fit.flange_from_sensor {
+            let turn = Vector3::new(step[width - 3], step[width - 2], step[width - 1]);
+            *sensor = UnitQuaternion::from_scaled_axis(turn) * *sensor;
+        }
+        if step.norm() < 1e-9 {
+            fit.converged = true;
+            break;
+        }
+    }
+    let squares: f64 = stations.iter().zip(poses).map(|(s, p)| fit.residual_m(s, p).norm_squared()).sum();
+    fit.rms_m = (squares / stations.len().max(1) as f64).sqrt();
+    fit.median_m = median_distance(&fit, stations, poses);
+    // 1.54 sigma is the middle of a 3-D normal distance.
+    fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / 1.54;
+    fit
+}
+
+fn median_distance(fit: &Registration, stations: &[Station], poses: &[Isometry3<f64>]) -> f64 {
+    let mut distances: Vec<f64> =
+        stations.iter().zip(poses).map(|(s, p)| fit.residual_m(s, p).norm()).collect();
+    median(&mut distances)
+}
+
+/// Solves along the directions that the poses tell; the others stay where they are.
+fn damped_solve(normal: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
+    let eigen = normal.clone().symmetric_eigen();
+    let largest = eigen.eigenvalues.max();
+    let along = eigen.eigenvectors.transpose() * right;
+    let solved = DVector::from_fn(along.len(), |i, _| {
+        let value = eigen.eigenvalues[i];
+        if value > 1e-9 * largest { along[i] / value } else { 0.0 }
+    });
+    eigen.eigenvectors * solved
+}
+
+/// Largest variance of the first target's coordinates at unit noise.
+fn variance_of_tool(normal: &DMatrix<f64>) -> f64 {
+    let eigen = normal.clone().symmetric_eigen();
+    let floor = 1e-12 * eigen.eigenvalues.max();
+    (6..9)
+        .map(|k| {
+            (0..normal.nrows())
+                .map(|i| eigen.eigenvectors[(k, i)].powi(2) / eigen.eigenvalues[i].max(floor))
+                .sum::<f64>()
+        })
+        .fold(0.0, f64::max)
+}

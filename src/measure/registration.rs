@@ -1,0 +1,75 @@
+//! Where the robot's base stands in the instrument's frame, the targets on the flange, fixed places in the base.
+
+use super::{Seen, Station};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+
+/// Base and target, as fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Registration {
+    /// The robot's base in the instrument's frame.
+    pub instrument_from_base: Isometry3<f64>,
+    /// Each target's place in the flange's frame.
+    pub tools_m: Vec<Vector3<f64>>,
+    /// Each fixed place in the base: nests, points touched, ends of wires.
+    pub places_m: Vec<Vector3<f64>>,
+    /// Standard deviation of the first target's place, metres: large where the poses do not tell it.
+    pub tool_sigma_m: f64,
+    /// The sensor's orientation on the flange, where orientation was measured.
+    pub flange_from_sensor: Option<UnitQuaternion<f64>>,
+    /// Root mean square of the distances left, metres.
+    pub rms_m: f64,
+    /// The middle distance left, metres: robust against false rows.
+    pub median_m: f64,
+    /// Gauss-Newton steps taken.
+    pub iterations: usize,
+    /// Whether the last step was below a nanometre.
+    pub converged: bool,
+}
+
+impl Registration {
+    /// Measured minus predicted position in base axes, metres, for a flange pose `base_from_flange`; along the wire
+    /// where a length was measured.
+    #[must_use]
+    pub fn residual_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {
+        let predicted = self.predicted_m(station, base_from_flange);
+        match station.seen {
+            Seen::Point { position_m } | Seen::Nest { position_m, .. } => {
+                self.instrument_from_base.inverse_transform_point(&position_m.into()).coords - predicted
+            }
+            Seen::Touch { place } => self.place_m(place) - predicted,
+            Seen::Length { place, length_m } => {
+                let away = predicted - self.place_m(place);
+                self.along(station, base_from_flange).unwrap_or_default() * (length_m - away.norm())
+            }
+        }
+    }
+
+    /// Predicted position of the target in the base, metres; of a nest, whose "flange" is the base as it has moved.
+    #[must_use]
+    pub fn predicted_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {
+        if let Seen::Nest { place, .. } = station.seen {
+            return (base_from_flange * Point3::from(self.place_m(place))).coords;
+        }
+        let tool = self.tools_m.get(station.target).copied().unwrap_or_default();
+        base_from_flange.translation.vector + base_from_flange.rotation * tool
+    }
+
+    /// Where a length was measured: the direction from the fixed place to the target, base axes.
+    #[must_use]
+    pub fn along(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Option<Vector3<f64>> {
+        let Seen::Length { place, .. } = station.seen else { return None };
+        (self.predicted_m(station, base_from_flange) - self.place_m(place)).try_normalize(1e-9)
+    }
+
+    fn place_m(&self, place: usize) -> Vector3<f64> {
+        self.places_m.get(place).copied().unwrap_or_default()
+    }
+
+    /// Measured against predicted orientation as a rotation vector in base axes, radians.
+    #[must_use]
+    pub fn residual_rad(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Option<Vector3<f64>> {
+        let measured = self.instrument_from_base.rotation.inverse() * station.orientation?;
+        let predicted = base_from_flange.rotation * self.flange_from_sensor?;
+        Some((measured * predicted.inverse()).scaled_axis())
+    }
+}

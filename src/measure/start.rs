@@ -1,0 +1,137 @@
+//! Where a registration starts: the base by Procrustes, fixed places by what touches, sees or measures to them.
+
+use super::register::{SPREAD_M, oriented};
+use super::{Registration, Seen, Station};
+use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+
+pub(super) fn bare(
+    tools_m: &[Vector3<f64>],
+    places: usize,
+    instrument_from_base: Isometry3<f64>,
+) -> Registration {
+    Registration {
+        instrument_from_base,
+        tools_m: tools_m.to_vec(),
+        places_m: vec![Vector3::zeros(); places],
+        tool_sigma_m: 0.0,
+        flange_from_sensor: None,
+        rms_m: 0.0,
+        median_m: 0.0,
+        iterations: 0,
+        converged: false,
+    }
+}
+
+/// Fixed places as the base and the targets put them.
+pub(super) fn put_places(fit: &mut Registration, stations: &[Station], poses: &[Isometry3<f64>]) {
+    for place in 0..fit.places_m.len() {
+        let here = || stations.iter().zip(poses).filter(|(s, _)| s.seen.place() == Some(place));
+        let mut sum = Vector3::zeros();
+        let mut n = 0.0;
+        for (station, pose) in here() {
+            match station.seen {
+                Seen::Nest { position_m, .. } => {
+                    sum += fit.instrument_from_base.inverse_transform_point(&position_m.into()).coords;
+                }
+                Seen::Touch { .. } => sum += fit.predicted_m(station, pose),
+                Seen::Point { .. } | Seen::Length { .. } => continue,
+            }
+            n += 1.0;
+        }
+        let put = if n > 0.0 {
+            Some(sum / n)
+        } else {
+            let lengths: Vec<(Vector3<f64>, f64)> = here()
+                .filter_map(|(station, pose)| match station.seen {
+                    Seen::Length { length_m, .. } => Some((fit.predicted_m(station, pose), length_m)),
+                    _ => None,
+                })
+                .collect();
+            trilaterated(&lengths)
+        };
+        if let (Some(to), Some(put)) = (fit.places_m.get_mut(place), put) {
+            *to = put;
+        }
+    }
+}
+
+/// The point from which points lie as far as measured: |p|^2 - L^2 = 2 p.w - |w|^2, linear in w and |w|^2.
+fn trilaterated(lengths: &[(Vector3<f64>, f64)]) -> Option<Vector3<f64>> {
+    let n = lengths.len();
+    let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * lengths[r].0[c] } else { -1.0 });
+    let right = DVector::from_fn(n, |r, _| lengths[r].0.norm_squared() - lengths[r].1.powi(2));
+    let solved = rows.svd(true, true).solve(&right, 1e-9).ok()?;
+    Some(Vector3::new(solved[0], solved[1], solved[2]))
+}
+
+/// Base by Procrustes for an assumed place of the target (Arun, Huang and Blostein, 1987), where points were measured;
+/// fixed places behind it.
+pub(super) fn start_from(
+    all: &[Station],
+    all_poses: &[Isometry3<f64>],
+    tools_m: &[Vector3<f64>],
+    places: usize,
+) -> Option<Registration> {
+    let seen: Vec<(&Station, &Isometry3<f64>, Vector3<f64>)> = all
+        .iter()
+        .zip(all_poses)
+        .filter_map(|(s, pose)| match s.seen {
+            Seen::Point { position_m } => Some((s, pose, position_m)),
+            _ => None,
+        })
+        .collect();
+    if seen.is_empty() {
+        let mut start = bare(tools_m, places, Isometry3::identity());
+        put_places(&mut start, all, all_poses);
+        return Some(start);
+    }
+    let n = seen.len() as f64;
+    let model: Vec<Vector3<f64>> = seen
+        .iter()
+        .map(|(station, pose, _)| {
+            let tool_m = tools_m.get(station.target).copied().unwrap_or_default();
+            pose.translation.vector + pose.rotation * tool_m
+        })
+        .collect();
+    let model_mean = model.iter().sum::<Vector3<f64>>() / n;
+    let seen_mean = seen.iter().map(|s| s.2).sum::<Vector3<f64>>() / n;
+    let mut cross = Matrix3::zeros();
+    for (from, (_, _, position_m)) in model.iter().zip(&seen) {
+        cross += (position_m - seen_mean) * (from - model_mean).transpose();
+    }
+    let svd = cross.svd(true, true);
+    let (u, v_t) = (svd.u?, svd.v_t?);
+    let spread_m2 = model.iter().map(|m| (m - model_mean).norm_squared()).sum::<f64>() / n;
+    let s = &svd.singular_values;
+    // Points alike or on a line leave a turn of the base open.
+    if spread_m2 < SPREAD_M.powi(2) || s.max() <= 0.0 || s.iter().filter(|v| **v > 1e-6 * s.max()).count() < 2
+    {
+        return None;
+    }
+    let sign = (u * v_t).determinant().signum();
+    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v_t;
+    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation));
+    let instrument_from_base =
+        Isometry3::from_parts(Translation3::from(seen_mean - rotation * model_mean), rotation);
+    let mut start = bare(tools_m, places, instrument_from_base);
+    if oriented(all) {
+        let (station, pose, _) = seen.first()?;
+        start.flange_from_sensor = Some(pose.rotation.inverse() * rotation.inverse() * station.orientation?);
+    }
+    put_places(&mut start, all, all_poses);
+    Some(start)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_is_where_its_lengths_meet() {
+        let place = Vector3::new(1.2, -0.4, 0.3);
+        let points = [[0.0, 0.0, 0.0], [0.5, 0.1, 0.2], [0.1, 0.6, -0.3], [-0.2, 0.3, 0.7], [0.4, -0.5, 0.4]];
+        let lengths: Vec<(Vector3<f64>, f64)> =
+            points.iter().map(|p| (Vector3::from(*p), (Vector3::from(*p) - place).norm())).collect();
+        assert!((trilaterated(&lengths).unwrap() - place).norm() < 1e-12);
+    }
+}
