@@ -151,7 +151,9 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[Possible]
 fn forms(scene: &Scene) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in effects::candidates(scene).0 {
-        if candidate.effect().name() == "gear_mesh" {
+        let name = candidate.effect().name();
+        // Offsets of all joints at once are no cause of their own.
+        if name == "gear_mesh" || (name == "joint_offset" && candidate.form.joint.is_none()) {
             continue;
         }
         let same = |k: &&mut Candidate| {

@@ -62,7 +62,7 @@ pub struct Outlook {
     pub parameters: Vec<Parameter>,
     /// Pairs that stay confounded, hardest first.
     pub confounded: Vec<Confounded>,
-    /// Effects of which nothing will be seen: they lie inside base and tool.
+    /// Effects of which nothing will be seen: they lie inside base, target and the arm's tolerances.
     pub hidden: Vec<Named>,
 }
 

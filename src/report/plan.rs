@@ -44,7 +44,11 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     table.write(out, "  ")?;
     let hidden: Vec<String> = plan.outlook.hidden.iter().map(name).collect();
     if !hidden.is_empty() {
-        writeln!(out, "\nNever seen, wholly inside base and tool: {}", hidden.join(", "))?;
+        writeln!(
+            out,
+            "\nNever seen at their usual size, inside base, target and the arm's tolerances: {}",
+            hidden.join(", ")
+        )?;
     }
     let contained = plan.outlook.confounded.iter().filter(|c| c.contained).count();
     let open = plan.outlook.confounded.len() - contained;
