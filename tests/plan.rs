@@ -274,8 +274,15 @@ fn planned_poses_tell_more_than_random_ones() {
     let chance = plan_from(&robot, &options, 200, 0).unwrap();
     let planned = plan_from(&robot, &options, 200, 1).unwrap();
     assert!(planned.exchanges > 10, "{}", planned.exchanges);
-    let hard = |p: &MeasurementPlan| p.outlook.confounded.len();
-    assert!(hard(&planned) < hard(&chance), "{} {}", hard(&planned), hard(&chance));
+    // Pairs whose first effect is seen at its usual size (20 times the noise, squared) and told from the second.
+    let told_apart = |p: &MeasurementPlan| {
+        let all = &p.outlook.parameters;
+        let seen = all.iter().filter(|p| (p.usual / p.sigma).powi(2) >= 20.0).count();
+        seen * (all.len() - 1) - p.outlook.confounded.len()
+    };
+    let (of_plan, of_chance) = (told_apart(&planned), told_apart(&chance));
+    println!("pairs told apart: planned {of_plan}, random {of_chance}");
+    assert!(of_plan > of_chance, "{of_plan} {of_chance}");
     let sigma = |p: &MeasurementPlan| {
         let logs: Vec<f64> = p
             .outlook
