@@ -124,6 +124,25 @@ fn a_module_uses_only_what_stands_to_its_left() {
     assert!(wrong.is_empty(), "the order is {ORDER:?}, cli:\n{}", wrong.join("\n"));
 }
 
+/// What executes a program must not be led by what wrote it: the two have this in common and nothing else.
+#[test]
+fn interpreter_and_emitter_share_reading_and_the_arm_alone() {
+    const SHARED: [&str; 6] = ["units", "diagnostic", "syntax", "robot", "kinematics", "deform"];
+    let mut wrong = Vec::new();
+    let mut seen = 0;
+    for path in files_of("simulate") {
+        let used = uses(&path, "simulate");
+        seen += used.len();
+        wrong.extend(
+            used.iter()
+                .filter(|used| !SHARED.contains(&used.as_str()))
+                .map(|u| format!("{}: {u}", path.display())),
+        );
+    }
+    assert!(seen > 10 && wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(files_of("emit").iter().all(|path| !uses(path, "emit").contains(&"simulate".to_owned())));
+}
+
 #[test]
 fn every_module_stands_in_the_order() {
     let lib = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();

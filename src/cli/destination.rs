@@ -219,7 +219,7 @@ impl Writing {
         if to.whole {
             for (id, (path, bytes)) in (0..).zip(to.modules.iter().zip(&given.bytes)) {
                 if !self.emitted.iter().any(|file| file.source == Some(FileId(id))) {
-                    self.put(path, &mut bytes.as_slice())?;
+                    self.put(path, &mut &**bytes)?;
                 }
             }
         }

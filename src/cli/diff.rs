@@ -71,10 +71,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut elsewhere = differences(&before, &after);
     for bytes in buckets.values().filter(|_| own.is_some()) {
         let Some(in_bucket) = with_bucket(&after, Some(bytes))? else { continue };
-        elsewhere.extend(differences(&before, &in_bucket));
+        for difference in differences(&before, &in_bucket) {
+            if !elsewhere.contains(&difference) {
+                elsewhere.push(difference);
+            }
+        }
         comparison.add_bucket(&against(&in_bucket)?);
     }
-    elsewhere.dedup();
     comparison.forget_unchanged();
     let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
     let pretty = || -> anyhow::Result<Vec<u8>> {
@@ -112,7 +115,7 @@ fn with_bucket(program: &Program, bucket: Option<&[u8]>) -> Result<Option<Progra
                 .help("give the program and the folder HOME of one run")
         })?;
         asks |= made.is_some();
-        let bytes = made.unwrap_or_else(|| file.bytes.clone());
+        let bytes = made.unwrap_or_else(|| file.bytes.to_vec());
         files.push(SourceFile::read(file.id, file.path.clone(), bytes));
     }
     Ok(asks.then(|| Program::read(files, &Overrides::default())))

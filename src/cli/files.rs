@@ -179,6 +179,29 @@ impl Output {
             Self::File(pending) => Ok(pending.write(&bytes()?)?),
         }
     }
+
+    /// Has the result written bit by bit: it may be large.
+    ///
+    /// # Errors
+    /// Those of `write`, and whatever keeps the result from being written.
+    pub fn stream(
+        self,
+        console: &mut Console,
+        write: impl FnOnce(&mut dyn io::Write) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Standard => write(console.out()),
+            Self::File(mut pending) => {
+                let mut out = io::BufWriter::with_capacity(1 << 16, pending.out());
+                write(&mut out)?;
+                let flushed = io::Write::flush(&mut out);
+                drop(out);
+                flushed.map_err(|cause| unwritable(&pending.path, cause))?;
+                Ok(pending.write(&[])?)
+            }
+        }
+    }
 }
 
 /// Refuses outputs that are an input or, where one stands in for a folder, a file of it, and two outputs at

@@ -8,6 +8,7 @@ use crate::syntax::tree::{FileItem, ModuleItem};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 /// The controller's disk.
 const DISK: &str = "HOME";
@@ -36,7 +37,7 @@ pub struct Given {
     /// Its place in the result: relative to the folder that all stand in.
     pub places: Vec<PathBuf>,
     /// Its bytes.
-    pub bytes: Vec<Vec<u8>>,
+    pub bytes: Vec<Arc<[u8]>>,
     /// Files that are no modules: path and place. They are copied as they are.
     pub others: Vec<(PathBuf, PathBuf)>,
 }
@@ -56,7 +57,7 @@ impl Given {
         for path in &given.paths {
             let bytes = files::read(path, "program")?;
             check(path, &bytes)?;
-            given.bytes.push(bytes);
+            given.bytes.push(bytes.into());
         }
         Ok(given)
     }

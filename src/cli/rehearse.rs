@@ -86,7 +86,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(identified.to_toml().as_bytes())?;
     }
     let emitted = compensated(&given, &robot, identified)?;
-    let plain: Vec<(String, Vec<u8>)> = given.sources().into_iter().map(|f| (f.path, f.bytes)).collect();
+    let plain: Vec<(String, Vec<u8>)> =
+        given.sources().into_iter().map(|f| (f.path, f.bytes.to_vec())).collect();
     let meant = moves(&robot, &plain)?;
     let done = moves(&robot, &emitted)?;
     let again = Again::of(&robot, &set.truth);
@@ -193,7 +194,7 @@ fn compensated(
         .iter()
         .enumerate()
         .filter(|(i, _)| !emitted.iter().any(|e| e.source.is_some_and(|id| id.0 as usize == *i)))
-        .map(|(_, file)| (file.path.clone(), file.bytes.clone()))
+        .map(|(_, file)| (file.path.clone(), file.bytes.to_vec()))
         .collect();
     all.extend(emitted.into_iter().map(|e| (e.path, e.bytes)));
     Ok(all)

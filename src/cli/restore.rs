@@ -3,7 +3,7 @@
 use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
 use crate::diagnostic::Diagnostic;
-use crate::emit::{RestoreError, Restored, TouchedInto, restore};
+use crate::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
 use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -38,6 +38,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let restored = match restore(&bytes) {
             Err(RestoreError::IsCore) if args.emitted.len() > 1 => {
                 console.say(format_args!("{}: the common module, it has no original", path.display()));
+                warn(path, &altered_core(&bytes), console);
                 continue;
             }
             result => result.map_err(|error| said(path, &error))?,
@@ -60,12 +61,21 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
                 touched.target
             ));
         }
+        warn(path, &restored.altered, console);
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
         let to = pending.path().to_path_buf();
         pending.place()?;
         console.say(format_args!("wrote {} ({how})", to.display()));
     }
     Ok(Outcome::Done)
+}
+
+/// What was changed in the emitted module and has no place in the original.
+fn warn(path: &Path, altered: &[Altered], console: &mut Console) {
+    let message = |what: &Altered| {
+        Diagnostic::warning(what.code(), format!("{}:{}: {what}", path.display(), what.line()))
+    };
+    console.explain(&altered.iter().map(message).collect::<Vec<_>>(), &[], true);
 }
 
 /// Where an original goes.
@@ -105,11 +115,17 @@ fn summary(results: &[(&Path, Restored, Pending)]) -> serde_json::Value {
             .iter()
             .map(|t| json!({"line": t.line, "target": t.target, "value": t.value}))
             .collect();
+        let altered: Vec<_> = restored
+            .altered
+            .iter()
+            .map(|a| json!({"code": a.code(), "line": a.line(), "message": a.to_string()}))
+            .collect();
         json!({
             "file": path.display().to_string(),
             "output": pending.path().display().to_string(),
             "exact": restored.exact,
             "touched": touched,
+            "altered": altered,
         })
     };
     json!({ "files": results.iter().map(one).collect::<Vec<_>>() })

@@ -6,6 +6,7 @@ use super::given::Given;
 use super::minutes::Minutes;
 use super::{Console, Outcome, model};
 use crate::diagnostic::Diagnostic;
+use crate::program::task_of;
 use crate::robot::Robot;
 use crate::simulate::session::{File, Options, Pass, Spread, Worst};
 use crate::simulate::{Message, Report, Scenario, Session, SimulateError, TrueRobot};
@@ -170,17 +171,9 @@ fn names(given: &Given) -> Vec<String> {
 fn loaded<'g>(given: &'g Given, names: &'g [String], task: Option<&str>) -> Vec<File<'g>> {
     let first = names.iter().find_map(|name| task_of(name));
     let wanted = task.or(first);
-    let files = names.iter().map(String::as_str).zip(given.bytes.iter().map(Vec::as_slice));
+    let files = names.iter().map(String::as_str).zip(given.bytes.iter().map(|bytes| &**bytes));
     let same = |of: &str| wanted.is_some_and(|wanted| of.eq_ignore_ascii_case(wanted));
     files.filter(|(name, _)| task_of(name).is_none_or(same)).collect()
-}
-
-/// The folder `TASKn` in a path.
-fn task_of(name: &str) -> Option<&str> {
-    name.split('/').find(|part| {
-        let digits = part.get(..4).filter(|head| head.eq_ignore_ascii_case("task")).and(part.get(4..));
-        digits.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
-    })
 }
 
 fn refused(error: &SimulateError) -> Diagnostic {

@@ -76,6 +76,8 @@ pub struct ComparedMotion {
 pub struct Step {
     /// Between the two TCP positions in the work object, metres.
     pub distance_m: f64,
+    /// The second one (an arc's end point), metres.
+    pub position_m: [f64; 3],
     /// Between the two orientations, radians.
     pub angle_rad: f64,
     /// Joints of the nominal arm, where both targets are within its reach.
@@ -219,7 +221,8 @@ fn step(
     let q_a = start.q_rad.or(known_q_rad.copied()).or_else(|| as_configured(a, &start, model));
     if a == b && from == to {
         let arm = q_a.map(|q_a| arm_step(&q_a, &q_a, model));
-        return Some(Step { distance_m: 0.0, angle_rad: 0.0, arm, same_configuration: true });
+        let position_m = end.object_from_tcp.translation.vector.into();
+        return Some(Step { distance_m: 0.0, position_m, angle_rad: 0.0, arm, same_configuration: true });
     }
     let q_b = end.q_rad.or_else(|| Some(model.closed.nearest(&end.base_from_flange, &q_a?)?.q_rad));
     let arm = q_a.zip(q_b).map(|(q_a, q_b)| arm_step(&q_a, &q_b, model));
@@ -232,6 +235,7 @@ fn step(
     };
     Some(Step {
         distance_m: apart.translation.vector.norm(),
+        position_m: end.object_from_tcp.translation.vector.into(),
         angle_rad: apart.rotation.angle(),
         arm,
         same_configuration,
@@ -284,6 +288,7 @@ fn worse((a, b): (Step, Step)) -> Step {
     });
     Step {
         distance_m: a.distance_m.max(b.distance_m),
+        position_m: b.position_m,
         angle_rad: a.angle_rad.max(b.angle_rad),
         arm,
         same_configuration: a.same_configuration && b.same_configuration,

@@ -37,7 +37,7 @@ pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolve
             point.conditions =
                 Conditions { payload, direction: of_motion.get(k).copied().unwrap_or_default() };
         }
-        if let Some(end) = &mut resolved.end {
+        if let Some(end) = resolved.kept_end_mut() {
             end.conditions = Conditions { payload, direction: of_motion.last().copied().unwrap_or_default() };
         }
     }
@@ -78,7 +78,7 @@ fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
             let before = program.motions.get(i).and_then(|m| m.previous).filter(|&p| p < resolved.len());
             let mut last =
                 before.and_then(|p| done[p].as_ref()).and_then(|d| d.last()).copied().unwrap_or_default();
-            let mut from = before.and_then(|p| resolved[p].exit_q_rad);
+            let mut from = before.and_then(|p| resolved[p].exit_q_rad());
             let mut of_motion = Vec::new();
             for point in resolved[i].points.iter().flatten() {
                 if let Some(from) = from {
@@ -93,7 +93,7 @@ fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
             }
             if of_motion.is_empty() {
                 // It stays as it is: where it ends is known, so is the way there.
-                if let (Some(from), Some(to)) = (from, resolved[i].exit_q_rad) {
+                if let (Some(from), Some(to)) = (from, resolved[i].exit_q_rad()) {
                     for (sign, (to, from)) in last.iter_mut().zip(to.iter().zip(from)) {
                         if (to - from).abs() > STILL_RAD {
                             *sign = if *to > from { 1 } else { -1 };

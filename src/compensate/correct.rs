@@ -5,10 +5,11 @@ use super::Options;
 use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::keep;
-use super::plan::{Corrected, PlannedMotion, PlannedTarget, Status};
+use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use crate::deform::DeformedArm;
-use crate::kinematics::solve;
-use crate::program::motion::{Keep, TargetValue};
+use crate::kinematics::{Configuration, solve};
+use crate::program::data::{ConfData, JointTarget, RobTarget};
+use crate::program::motion::{Keep, Motion, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Vector3};
 
@@ -18,6 +19,9 @@ const JOINT_CHANGE_DEG: f64 = 1.0;
 /// A motion's plan and what the summary needs of it.
 pub(super) struct Made {
     pub(super) planned: PlannedMotion,
+    /// For each bucket the worst distance of the TCP from the programmed pose anywhere in it,
+    /// `[uncompensated, compensated]`, metres.
+    pub(super) error_m: Vec<[f64; 2]>,
     /// Largest step of the TCP where one bucket follows another, metres.
     pub(super) switch_jump_m: f64,
     /// The bucket with the largest correction.
@@ -27,18 +31,24 @@ pub(super) struct Made {
 /// The plan of a motion that stays as it is.
 pub(super) fn kept(why: Keep) -> Made {
     let planned = PlannedMotion {
-        status: Status::Kept(why),
+        status: Status::Kept(Box::new(why)),
         targets: Vec::new(),
         max_correction_m: 0.0,
         max_correction_rad: 0.0,
         mid_path_m: None,
-        error_m: Vec::new(),
+        error_m: None,
     };
-    Made { planned, switch_jump_m: 0.0, worst_bucket: 0 }
+    Made { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
 }
 
 /// Corrects a motion's points for all buckets.
-pub(super) fn correct(points: &[Point], warm: &[WarmBucket], model: &Model, options: &Options) -> Made {
+pub(super) fn correct(
+    motion: &Motion,
+    points: &[Point],
+    warm: &[WarmBucket],
+    model: &Model,
+    options: &Options,
+) -> Made {
     let mut made = Made {
         planned: PlannedMotion {
             status: Status::Compensated,
@@ -46,13 +56,14 @@ pub(super) fn correct(points: &[Point], warm: &[WarmBucket], model: &Model, opti
             max_correction_m: 0.0,
             max_correction_rad: 0.0,
             mid_path_m: None,
-            error_m: vec![[0.0; 2]; warm.len()],
+            error_m: None,
         },
+        error_m: vec![[0.0; 2]; warm.len()],
         switch_jump_m: 0.0,
         worst_bucket: 0,
     };
     let mut refusal = None;
-    for point in points {
+    for (point, target) in points.iter().zip(&motion.targets) {
         let joints = match joints_per_bucket(point, warm, model) {
             Ok(joints) => joints,
             Err(Stop::Keep(why)) => return kept(why),
@@ -61,21 +72,31 @@ pub(super) fn correct(points: &[Point], warm: &[WarmBucket], model: &Model, opti
                 continue;
             }
         };
-        let corrected = made.add_target(point, &joints, model);
+        let as_joints = matches!(target.value, Some(TargetValue::Joint(_)));
+        let corrected = made.add_target(point, as_joints, &joints, model);
         made.add_errors(point, &joints, warm);
-        made.planned.targets.push(PlannedTarget {
-            original: point.original,
-            nominal_q_rad: point.q_rad,
-            corrected,
-        });
+        let pose = match &target.value {
+            Some(TargetValue::FromJoints(joints)) => Some(Box::new(pose_of(point, joints, model))),
+            _ => None,
+        };
+        made.planned.targets.push(PlannedTarget { pose, nominal_q_rad: point.q_rad, corrected });
     }
+    let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
+    made.planned.error_m = Some([over(0), over(1)]);
     if let Some(why) = refusal.or_else(|| over_cap(&made.planned, options)) {
-        made.planned.status = Status::Refused(why);
+        made.planned.status = Status::Refused(Box::new(why));
         if made.planned.targets.len() < points.len() {
             made.planned.targets.clear();
         }
     }
     made
+}
+
+/// The pose that joints mean, with the configuration that it is reached in.
+fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
+    let Configuration { cf1, cf4, cf6, cfx } = model.closed.configuration(&point.q_rad);
+    let conf = ConfData { cf1, cf4, cf6, cfx };
+    RobTarget { object_from_tcp: point.object_from_tcp(), conf, ext: joints.ext }
 }
 
 /// Why a target has no corrected joints.
@@ -160,24 +181,31 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
 
 impl Made {
     /// What the nominal controller is to be told for each bucket.
-    fn add_target(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) -> Vec<Corrected> {
+    fn add_target(
+        &mut self,
+        point: &Point,
+        as_joints: bool,
+        joints: &[[f64; 6]],
+        model: &Model,
+    ) -> Corrections {
         let mut corrected = Vec::with_capacity(joints.len());
+        let meant = point.object_from_tcp();
         for (k, q_rad) in joints.iter().enumerate() {
             let object_from_tcp = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
-            let moved_m =
-                (object_from_tcp.translation.vector - point.object_from_tcp.translation.vector).norm();
-            let turned_rad = point.object_from_tcp.rotation.angle_to(&object_from_tcp.rotation);
+            let moved_m = (object_from_tcp.translation.vector - meant.translation.vector).norm();
+            let turned_rad = meant.rotation.angle_to(&object_from_tcp.rotation);
             if moved_m > self.planned.max_correction_m {
                 self.planned.max_correction_m = moved_m;
                 self.worst_bucket = k;
             }
             self.planned.max_correction_rad = self.planned.max_correction_rad.max(turned_rad);
-            corrected.push(match point.original {
-                TargetValue::Joint(_) => Corrected::Joints { q_rad: *q_rad },
-                TargetValue::Rob(_) | TargetValue::FromJoints(_) => as_written(&object_from_tcp, point),
+            corrected.push(if as_joints {
+                Corrected::Joints { q_rad: *q_rad }
+            } else {
+                as_written(&object_from_tcp, &meant)
             });
         }
-        corrected
+        corrected.into_iter().collect()
     }
 
     /// Distances over each bucket, before and after, and the steps between buckets.
@@ -185,7 +213,7 @@ impl Made {
         let far = |arm: &DeformedArm, q_rad: &[f64; 6]| point.miss_m(arm, q_rad);
         let mut before_from = warm.first().map_or(0.0, |bucket| far(&bucket.from, &point.q_rad).norm());
         let mut ended: Option<Vector3<f64>> = None;
-        for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.planned.error_m) {
+        for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.error_m) {
             let start = far(&bucket.from, q_rad);
             if let Some(ended) = ended {
                 self.switch_jump_m = self.switch_jump_m.max((start - ended).norm());
@@ -207,9 +235,9 @@ impl Made {
 
 /// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
 /// targets do not flip.
-fn as_written(object_from_tcp: &Isometry3<f64>, point: &Point) -> Corrected {
+fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>) -> Corrected {
     let q = object_from_tcp.rotation.quaternion();
-    let sign = if q.dot(point.object_from_tcp.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
+    let sign = if q.dot(meant.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
     let t = &object_from_tcp.translation.vector;
     Corrected::Pose {
         position_m: [t.x, t.y, t.z],

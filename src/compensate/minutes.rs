@@ -77,6 +77,7 @@ fn over_minutes(
     minutes: &[(f64, DeformedArm)],
 ) -> Vec<MinuteJoints> {
     let mut start = point.q_rad;
+    let meant = point.object_from_tcp();
     let mut rows = Vec::with_capacity(minutes.len());
     for (t_min, arm) in minutes {
         let arm = arm.under(&point.conditions);
@@ -89,7 +90,7 @@ fn over_minutes(
             t_min: *t_min,
             q_rad: solved.q_rad,
             position_m: reached.into(),
-            residual_m: (reached - point.object_from_tcp.translation.vector).norm(),
+            residual_m: (reached - meant.translation.vector).norm(),
         });
     }
     rows

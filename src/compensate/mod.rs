@@ -28,16 +28,20 @@ use crate::deform::Deformation;
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::StructureError;
 use crate::program::Program;
-use crate::program::motion::{Keep, Path};
+use crate::program::motion::{Keep, Motion, Path};
 use crate::robot::Robot;
 use crate::schedule::{Moment, ScheduleError, choose};
 use correct::{Made, correct, kept};
 use drift::Points;
+use figures::Tally;
 use messages::Messages;
 use model::Model;
 use nominal::{Resolved, resolve};
 use plan::{Plan, PlannedMotion, Status};
 use rayon::prelude::*;
+
+/// Motions that are corrected at one go: enough to share among cores, few enough for their figures to stay small.
+const AT_ONE_GO: usize = 4096;
 
 /// Why there is no plan at all.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -121,18 +125,26 @@ pub fn plan(
     }
     let chosen = choose(&drift, &options.request())?;
     let warm = model.warm(&chosen.schedule);
-    let mut made: Vec<Made> = resolved
-        .par_iter()
-        .map(|resolved| match &resolved.points {
-            Ok(points) => correct(points, &warm, &model, options),
+    let mut tally = Tally::new(&chosen);
+    let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
+    let mut worst_bucket = Vec::with_capacity(resolved.len());
+    for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
+        let one = |(motion, resolved): (&Motion, &Resolved)| match &resolved.points {
+            Ok(points) => correct(motion, points, &warm, &model, options),
             Err(why) => kept(why.clone()),
-        })
-        .collect();
-    figures::follow_paths(program, &resolved, &warm, &model, &mut made);
-    let summary = figures::summary(&model, &resolved, &made, &chosen);
-    let mut motions: Vec<PlannedMotion> = made.into_iter().map(|made| made.planned).collect();
+        };
+        let made: Vec<Made> = some.par_iter().zip(resolved).map(one).collect();
+        for (resolved, made) in resolved.iter().zip(made) {
+            tally.add(resolved, &made);
+            worst_bucket.push(made.worst_bucket);
+            // Copied: what stays lies together, not among what the threads worked with.
+            motions.push(made.planned.clone());
+        }
+    }
+    figures::follow_paths(program, &resolved, &warm, &model, &worst_bucket, &mut motions);
+    let summary = tally.summary(&model, &resolved, &motions, &chosen.schedule);
     let reason = |i: usize| match &motions[i].status {
-        Status::Kept(why) => Some(why),
+        Status::Kept(why) => Some(&**why),
         Status::Compensated | Status::Refused(_) => None,
     };
     if (0..motions.len()).all(|i| reason(i).is_some()) {
@@ -172,7 +184,7 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
     };
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if motion.path == Path::AbsJoint && resolved.points.is_ok() {
-            resolved.points = Err(why.clone());
+            resolved.keep(why.clone());
         }
     }
 }
@@ -184,7 +196,7 @@ fn keep_unfollowable(model: &Model, resolved: &mut [Resolved]) {
         if let Ok(points) = &resolved.points
             && let Some(why) = points.iter().find_map(|p| correct::warm_joints(p, &settled, &p.q_rad).err())
         {
-            resolved.points = Err(why);
+            resolved.keep(why);
         }
     });
 }

@@ -9,10 +9,11 @@ use crate::deform::Conditions;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::kinematics::{Configuration, Solution};
 use crate::program::Program;
-use crate::program::data::{ConfData, JointTarget, RobTarget};
+use crate::program::data::{ConfData, JointTarget};
 use crate::program::motion::{Keep, Motion, Path, TargetValue};
 use crate::units::rad_from_deg;
 use nalgebra::{Isometry3, Vector3};
+use std::sync::Arc;
 
 /// Nearer to the wrist singularity than this a motion is kept, degrees.
 const WRIST_DEG: f64 = 2.0;
@@ -22,10 +23,7 @@ const SAME_RAD: f64 = 1e-6;
 /// One target of a motion, placed.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
-    /// As programmed; a pose given by joints has become a pose.
-    pub(super) original: TargetValue,
-    pub(super) placement: Placement,
-    pub(super) object_from_tcp: Isometry3<f64>,
+    pub(super) placement: Arc<Placement>,
     pub(super) base_from_flange: Isometry3<f64>,
     /// The point carried by the flange, in the flange frame, and where in the base it is meant to be, metres.
     pub(super) carried_m: Vector3<f64>,
@@ -36,15 +34,54 @@ pub(super) struct Point {
     pub(super) conditions: Conditions,
 }
 
+impl Point {
+    /// Where the TCP is meant to be in the work object.
+    pub(super) fn object_from_tcp(&self) -> Isometry3<f64> {
+        self.placement.object_from_tcp(&self.base_from_flange)
+    }
+}
+
 /// A motion as far as the nominal arm goes.
 #[derive(Clone, Debug)]
 pub(super) struct Resolved {
     /// Its targets, or why it stays as it is.
     pub(super) points: Result<Vec<Point>, Keep>,
+    /// Nominal joints after a motion that stays as it is, where they are known well enough to tell the branch.
+    kept_exit_q_rad: Option<Box<[f64; 6]>>,
+    /// Where a motion that stays as it is ends, where that is known exactly: not so after program displacements,
+    /// searches and the like.
+    kept_end: Option<Box<Point>>,
+}
+
+impl Resolved {
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.
-    pub(super) exit_q_rad: Option<[f64; 6]>,
-    /// Where it ends, where that is known exactly: not so after program displacements, searches and the like.
-    pub(super) end: Option<Point>,
+    pub(super) fn exit_q_rad(&self) -> Option<[f64; 6]> {
+        match &self.points {
+            Ok(points) => points.last().map(|point| point.q_rad),
+            Err(_) => self.kept_exit_q_rad.as_deref().copied(),
+        }
+    }
+
+    /// Where it ends, where that is known exactly.
+    pub(super) fn end(&self) -> Option<&Point> {
+        match &self.points {
+            Ok(points) => points.last(),
+            Err(_) => self.kept_end.as_deref(),
+        }
+    }
+
+    /// Leaves the motion as it is; where it ends stays known.
+    pub(super) fn keep(&mut self, why: Keep) {
+        if let Ok(points) = std::mem::replace(&mut self.points, Err(why)) {
+            self.kept_exit_q_rad = points.last().map(|point| Box::new(point.q_rad));
+            self.kept_end = points.into_iter().next_back().map(Box::new);
+        }
+    }
+
+    /// Where a motion that stays as it is ends, to be filled in.
+    pub(super) fn kept_end_mut(&mut self) -> Option<&mut Point> {
+        self.kept_end.as_deref_mut()
+    }
 }
 
 /// What is to be said about a choice of branch.
@@ -63,6 +100,8 @@ pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages)
     let motions = &program.motions;
     let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
     let mut waiting = vec![false; motions.len()];
+    // The last placement seen: most motions share it.
+    let mut seen = None;
     let mut stack = Vec::new();
     for first in 0..motions.len() {
         stack.push(first);
@@ -80,12 +119,13 @@ pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages)
                 stack.push(p);
                 continue;
             }
-            let history = previous.and_then(|p| done[p].as_ref()).and_then(|resolved| resolved.exit_q_rad);
-            done[i] = Some(resolve_motion(&motions[i], history, model, messages));
+            let history = previous.and_then(|p| done[p].as_ref()).and_then(Resolved::exit_q_rad);
+            done[i] = Some(resolve_motion(&motions[i], history, model, &mut seen, messages));
             stack.pop();
         }
     }
-    let mut resolved = done.into_iter().flatten().collect::<Vec<_>>();
+    let mut resolved = Vec::with_capacity(done.len());
+    resolved.extend(done.into_iter().flatten());
     conditions::fill(program, model, &mut resolved);
     resolved
 }
@@ -94,49 +134,54 @@ fn resolve_motion(
     motion: &Motion,
     history: Option<[f64; 6]>,
     model: &Model,
+    seen: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Resolved {
-    let points = place_targets(motion, history, model, messages);
-    let last = points.as_ref().ok().and_then(|points| points.last());
-    let exit_q_rad = last.map(|point| point.q_rad);
-    let end = last.filter(|_| motion.keep.is_none()).cloned();
-    let points = match (&motion.keep, points) {
-        (Some(why), _) => Err(why.clone()),
-        (None, Ok(points)) => well_posed(motion, points, model),
-        (None, Err(why)) => Err(why),
+    let points = place_targets(motion, history, model, seen, messages);
+    let exit_q_rad = points.as_ref().ok().and_then(|points| points.last()).map(|point| point.q_rad);
+    let (points, kept_end) = match (&motion.keep, points) {
+        (Some(why), _) => (Err(Keep::clone(why)), None),
+        (None, Ok(points)) => match ill_posed(motion, &points, model) {
+            Some(why) => (Err(why), points.into_iter().next_back().map(Box::new)),
+            None => (Ok(points), None),
+        },
+        (None, Err(why)) => (Err(why), None),
     };
-    Resolved { points, exit_q_rad, end }
+    let kept_exit_q_rad = exit_q_rad.filter(|_| points.is_err()).map(Box::new);
+    Resolved { points, kept_exit_q_rad, kept_end }
 }
 
-/// The points, where the arm can be corrected there at all.
-fn well_posed(motion: &Motion, points: Vec<Point>, model: &Model) -> Result<Vec<Point>, Keep> {
-    for point in &points {
+/// Why the arm cannot be corrected there at all.
+fn ill_posed(motion: &Motion, points: &[Point], model: &Model) -> Option<Keep> {
+    for point in points {
         if let Err(out) = model.robot().within_range(&point.q_rad) {
-            return Err(keep("reach::range", format!("its own target is out of range: {out}")));
+            return Some(keep("reach::range", format!("its own target is out of range: {out}")));
         }
         if model.closed.posture(&point.q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG) {
-            return Err(keep(
+            return Some(keep(
                 "singular::wrist",
                 format!("axis 5 stands within {WRIST_DEG} deg of the wrist singularity"),
             ));
         }
     }
-    if points.is_empty() {
-        return Err(keep(
-            "keep::no-target",
-            format!("{} has no target that could be corrected", motion.kind),
-        ));
-    }
-    Ok(points)
+    points
+        .is_empty()
+        .then(|| keep("keep::no-target", format!("{} has no target that could be corrected", motion.kind)))
 }
 
 fn place_targets(
     motion: &Motion,
     history: Option<[f64; 6]>,
     model: &Model,
+    seen: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Result<Vec<Point>, Keep> {
     let placement = Placement::of(motion)?;
+    let placement = match seen.take() {
+        Some(same) if *same == placement => same,
+        _ => Arc::new(placement),
+    };
+    let placement = &*seen.insert(placement);
     let mut from = history;
     let mut points = Vec::with_capacity(motion.targets.len());
     for target in &motion.targets {
@@ -144,13 +189,8 @@ fn place_targets(
             return Err(keep("keep::runtime-target", "its target is only known at run time"));
         };
         let point = match value {
-            TargetValue::Joint(joints) => at_joints(&joints, value, placement, model)?,
-            TargetValue::FromJoints(joints) => {
-                let point = at_joints(&joints, value, placement, model)?;
-                let c = model.closed.configuration(&point.q_rad);
-                let conf = ConfData { cf1: c.cf1, cf4: c.cf4, cf6: c.cf6, cfx: c.cfx };
-                let pose = RobTarget { object_from_tcp: point.object_from_tcp, conf, ext: joints.ext };
-                Point { original: TargetValue::Rob(pose), ..point }
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
+                at_joints(&joints, placement, model)?
             }
             TargetValue::Rob(pose) => {
                 let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
@@ -158,7 +198,7 @@ fn place_targets(
                 if let Some(note) = note {
                     say(motion, &pose.conf, note, messages);
                 }
-                point(value, placement, pose.object_from_tcp, base_from_flange, q_rad)
+                point(placement, &pose.object_from_tcp, base_from_flange, q_rad)
             }
         };
         from = Some(point.q_rad);
@@ -167,12 +207,7 @@ fn place_targets(
     Ok(points)
 }
 
-fn at_joints(
-    joints: &JointTarget,
-    original: TargetValue,
-    placement: Placement,
-    model: &Model,
-) -> Result<Point, Keep> {
+fn at_joints(joints: &JointTarget, placement: &Arc<Placement>, model: &Model) -> Result<Point, Keep> {
     let mut q_rad = [0.0; 6];
     for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
         *q_rad = joint.ok_or_else(|| {
@@ -181,19 +216,18 @@ fn at_joints(
     }
     let base_from_flange = model.nominal.forward(&q_rad);
     let object_from_tcp = placement.object_from_tcp(&base_from_flange);
-    Ok(point(original, placement, object_from_tcp, base_from_flange, q_rad))
+    Ok(point(placement, &object_from_tcp, base_from_flange, q_rad))
 }
 
 fn point(
-    original: TargetValue,
-    placement: Placement,
-    object_from_tcp: Isometry3<f64>,
+    placement: &Arc<Placement>,
+    object_from_tcp: &Isometry3<f64>,
     base_from_flange: Isometry3<f64>,
     q_rad: [f64; 6],
 ) -> Point {
-    let (carried_m, meant_m) = placement.points(&object_from_tcp);
-    let conditions = Conditions::default();
-    Point { original, placement, object_from_tcp, base_from_flange, carried_m, meant_m, q_rad, conditions }
+    let (carried_m, meant_m) = placement.points(object_from_tcp);
+    let placement = Arc::clone(placement);
+    Point { placement, base_from_flange, carried_m, meant_m, q_rad, conditions: Conditions::default() }
 }
 
 /// The joints that are meant.

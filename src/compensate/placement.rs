@@ -20,7 +20,7 @@ impl Placement {
     pub(super) fn of(motion: &Motion) -> Result<Self, Keep> {
         let wobj0 = WobjData::wobj0();
         let wobj = match (&motion.wobj, &motion.wobj_name) {
-            (Some(wobj), _) => Some(wobj),
+            (Some(wobj), _) => Some(&**wobj),
             (None, None) => Some(&wobj0),
             (None, Some(_)) => None,
         };

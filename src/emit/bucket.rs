@@ -186,8 +186,9 @@ fn corrected(
         for (target, planned) in motion.targets.iter().zip(&planned.targets) {
             let literal = target.literal.map(|span| context.program.file(span.file).text(span.range));
             out.extend_from_slice(file.text(TextRange::new(at, target.range.start)));
-            let element1 = element1(literal, planned)?;
-            TargetArray { name: String::new(), element1, planned }.write_element(out, bucket)?;
+            let written = target.value.as_ref();
+            let element1 = element1(literal, written, planned)?;
+            TargetArray { name: String::new(), element1, written, planned }.write_element(out, bucket)?;
             at = target.range.end;
         }
     }

@@ -4,8 +4,13 @@
 
 use std::collections::BTreeMap;
 
+use super::check;
+
 /// What every emitted module's comment block begins with.
 pub const MARK: &str = "! driftpost ";
+
+/// What lines are read back by, in order; `sum` is over them.
+const KEYS: [&[u8]; 8] = [b"core", b"source", b"added", b"names", b"was", b"check", b"buckets", b"code"];
 
 /// Longest line; RAPID takes 255.
 const WIDTH: usize = 160;
@@ -35,6 +40,12 @@ pub struct Record {
     pub was: BTreeMap<String, Vec<u8>>,
     /// Three letters for element 1 of each array, in their order.
     pub checks: Vec<u8>,
+    /// For each array three letters for the elements behind the first, then one for each of them.
+    pub elements: Vec<u8>,
+    /// Three letters for each of the other data, then for each routine.
+    pub code: Vec<u8>,
+    /// As read: the lines are as they were written.
+    pub is_whole: bool,
 }
 
 /// The block's lines, without line ends: `about` for people, then what `restore` needs.
@@ -47,7 +58,9 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
     for text in about {
         wrap(&mut lines, "! ", "!   ", text);
     }
+    let mut told: Vec<(String, String)> = Vec::new();
     let mut tell = |key: &str, text: &str| {
+        told.push((key.to_owned(), text.to_owned()));
         let first = format!("{MARK}{key}: ");
         let mut rest = text;
         let mut prefix = first.as_str();
@@ -77,10 +90,14 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         for (name, text) in &record.was {
             tell("was", &format!("{name} {}", escape(text)));
         }
-        if !record.checks.is_empty() {
-            tell("check", &String::from_utf8_lossy(&record.checks));
+    }
+    for (key, letters) in [("check", &record.checks), ("buckets", &record.elements), ("code", &record.code)] {
+        if !letters.is_empty() {
+            tell(key, &String::from_utf8_lossy(letters));
         }
     }
+    let sum = check::of_lines(told.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
+    lines.push(format!("{MARK}sum: {}", String::from_utf8_lossy(&sum)));
     lines.push(format!("{MARK}end"));
     lines
 }
@@ -180,6 +197,9 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
         return Err("the comment block after MODULE has no end".to_owned());
     }
     let mut record = Record::default();
+    let pairs = || told.iter().map(|(key, text)| (key.as_slice(), text.as_slice()));
+    let sum = check::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
+    record.is_whole = pairs().any(|(key, text)| key == b"sum" && text == sum);
     for (key, text) in told {
         let broken =
             || format!("the line `{}` of the comment block is damaged", String::from_utf8_lossy(&key));
@@ -208,6 +228,8 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 record.was.insert(name.to_owned(), unescape(was.as_bytes()).ok_or_else(broken)?);
             }
             b"check" => record.checks = text,
+            b"buckets" => record.elements = text,
+            b"code" => record.code = text,
             _ => {}
         }
     }
@@ -235,6 +257,9 @@ mod tests {
             tick: "tcTick".into(),
             was,
             checks: b"ABCabc".repeat(90),
+            elements: b"-+01".repeat(90),
+            code: b"xyz".to_vec(),
+            is_whole: true,
         };
         let about = vec!["Buckets from minute 0, ".to_owned() + &"12.5, ".repeat(100)];
         let lines = lines(&about, &record);
@@ -244,6 +269,11 @@ mod tests {
             lines.iter().map(|l| [b"   ", l.as_bytes()].concat()).chain([b"PROC x()".to_vec()]).collect();
         let (read, count) = read(text.iter().map(Vec::as_slice)).unwrap();
         assert_eq!((read, count), (record, lines.len()));
+        for lost in ["ABCabcABC", "! driftpost code", "10_2", "46 targets"] {
+            let at = text.iter().position(|l| String::from_utf8_lossy(l).contains(lost)).unwrap();
+            let others = text.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, l)| l.as_slice());
+            assert!(!super::read(others).unwrap().0.is_whole, "{lost}");
+        }
     }
 
     #[test]

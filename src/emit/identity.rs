@@ -1,7 +1,7 @@
 //! Whether a program is another one but for the targets of its motions: the proof that a review of
 //! targets is a review of everything.
 
-use super::restore::{RestoreError, restore};
+use super::restore::{Altered, RestoreError, altered_core, restore};
 use crate::diagnostic::{FileId, Span, TextRange};
 use crate::program::{Overrides, Program};
 use crate::syntax::{SourceFile, first_difference};
@@ -20,6 +20,13 @@ pub enum Difference {
     Missing(String),
     /// A module of the second program is not in the first.
     Added(String),
+    /// What was added to a compensated module is not as it was made.
+    Altered {
+        /// Its file.
+        file: String,
+        /// What.
+        what: Altered,
+    },
     /// A compensated module of the second program was edited where it must not be.
     Damaged {
         /// Its file.
@@ -73,8 +80,14 @@ fn plain(program: &Program, found: &mut Vec<Difference>) -> Program {
     for file in &program.files {
         let bytes = match compensated(file).then(|| restore(&file.bytes)) {
             None => file.bytes.clone(),
-            Some(Ok(restored)) => restored.bytes,
-            Some(Err(RestoreError::IsCore)) => continue,
+            Some(Ok(restored)) => {
+                found.extend(altered(file, restored.altered));
+                restored.bytes.into()
+            }
+            Some(Err(RestoreError::IsCore)) => {
+                found.extend(altered(file, altered_core(&file.bytes)));
+                continue;
+            }
             Some(Err(error)) => {
                 found.push(Difference::Damaged { file: file.path.clone(), error });
                 file.bytes.clone()
@@ -83,6 +96,11 @@ fn plain(program: &Program, found: &mut Vec<Difference>) -> Program {
         files.push(SourceFile::read(FileId(files.len() as u32), file.path.clone(), bytes));
     }
     Program::read(files, &Overrides::default())
+}
+
+fn altered(file: &SourceFile, list: Vec<Altered>) -> impl Iterator<Item = Difference> {
+    let file = file.path.clone();
+    list.into_iter().map(move |what| Difference::Altered { file: file.clone(), what })
 }
 
 /// The targets of a file's motions and the values of targets that are declared in it.

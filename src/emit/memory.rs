@@ -3,8 +3,7 @@
 //! An estimate: how a controller holds a program is not published. It is meant for telling megabytes from tens of them.
 
 use super::options::Form;
-use crate::compensate::plan::{Plan, Status};
-use crate::program::motion::TargetValue;
+use crate::compensate::plan::{Corrected, Plan, Status};
 
 /// A move instruction with its arguments in place.
 const MOVE_BYTES: usize = 300;
@@ -37,7 +36,8 @@ impl Memory {
     pub fn of_plan(plan: &Plan) -> Self {
         let compensated = || plan.motions.iter().filter(|m| m.status == Status::Compensated);
         let targets = || compensated().flat_map(|m| &m.targets);
-        let joints = targets().filter(|t| matches!(t.original, TargetValue::Joint(_))).count();
+        let joints =
+            targets().filter(|t| matches!(t.corrected.get(0), Some(Corrected::Joints { .. }))).count();
         Self::of(
             plan.motions.len(),
             compensated().count(),
@@ -100,10 +100,11 @@ impl Memory {
     }
 }
 
-/// `12.3 MB`
+/// `12.3 MB`, or `0.03 MB`
 #[must_use]
 pub fn megabytes(bytes: usize) -> String {
-    format!("{:.1} MB", bytes as f64 / 1e6)
+    let digits = if bytes < 1_000_000 { 2 } else { 1 };
+    format!("{:.digits$} MB", bytes as f64 / 1e6)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! are never edited. Knows nothing of how the plan was found.
 
 mod bucket;
+mod check;
 mod chunk;
 mod clock;
 mod header;
@@ -26,13 +27,13 @@ pub use identity::{Difference, differences};
 pub use memory::{Memory, megabytes};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, Sensor};
-pub use restore::{RestoreError, Restored, Touched, TouchedInto, restore};
+pub use restore::{Altered, RestoreError, Restored, Touched, TouchedInto, altered_core, restore};
 
 pub use stand_in::{bucket_of, standing_in};
 
 use crate::compensate::plan::{Plan, Status, Tick};
 use crate::diagnostic::FileId;
-use crate::program::Program;
+use crate::program::{Program, task_of};
 use crate::syntax::tree::{DataKind, FileItem, Module, ModuleItem, Scope};
 use crate::syntax::{Edit, SourceFile, apply};
 use bucket::Buckets;
@@ -94,6 +95,11 @@ pub fn emit_each<E: From<EmitError>>(
     if core == Core::Embedded && changes.len() > 1 {
         return Err(EmitError::EmbeddedInSeveral { modules: changes.len() }.into());
     }
+    let tasks = tasks(program, &changes);
+    if options.form == Form::Modules && tasks.len() > 1 {
+        let name = |id: &FileId| task_of(&program.file(*id).path).unwrap_or_default().to_owned();
+        return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() }.into());
+    }
     let about = about(plan, options, core, &names);
     let buckets = match options.form {
         Form::Schedule => None,
@@ -115,10 +121,10 @@ pub fn emit_each<E: From<EmitError>>(
             .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
         take(EmittedFile { source: Some(id), on_disk: false, path: file.path.clone(), bytes, edits })?;
     }
-    if core == Core::Separate
-        && let Some((&(id, _), _)) = changes.first_key_value()
-    {
-        take(core_file(&context, program.file(id)))?;
+    if core == Core::Separate {
+        for id in tasks.into_values() {
+            take(core_file(&context, program.file(id)))?;
+        }
     }
     if let (Some(buckets), Some((&(id, _), _))) = (buckets, changes.first_key_value()) {
         for bucket in 0..plan.schedule.buckets.len() {
@@ -142,6 +148,21 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
             ModuleItem::Comment(range) if header::begins(file.text(*range)) => Some(file.line(*range)),
             _ => None,
         })
+}
+
+/// The first changed file of each of the controller's tasks, by the task's folder: a task sees nothing of another's
+/// modules and needs a clock of its own.
+fn tasks(program: &Program, changes: &BTreeMap<(FileId, usize), Change>) -> BTreeMap<Option<String>, FileId> {
+    let mut first = BTreeMap::new();
+    for &(id, _) in changes.keys() {
+        let path = &program.file(id).path;
+        let task = task_of(path).and_then(|task| {
+            let end = path.find(task)? + task.len();
+            path.get(..end).map(str::to_ascii_lowercase)
+        });
+        first.entry(task).or_insert(id);
+    }
+    first
 }
 
 /// A persistent that the given files declare must be one that every module sees.
@@ -311,6 +332,12 @@ fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<S
             "Clock and index live in module {}, which must be loaded too",
             names.core("tcCore")
         ));
+    } else {
+        about.push(format!(
+            "Clock and index live in this module under global names ({} and others): no other module with a clock of \
+             its own loads beside it; compensate modules of one task in one run",
+            names.core("tcTick")
+        ));
     }
     about
 }
@@ -322,16 +349,18 @@ fn core_file(context: &module::Context, beside: &SourceFile) -> EmittedFile {
         Style { eol: place::majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
     let mut bytes = format!("MODULE {name}").into_bytes();
     bytes.extend_from_slice(style.eol);
-    let record = Record { is_core: true, ..Record::default() };
+    let data = clock::data(context.law, context.buckets, context.names);
+    let routines = clock::routines(context.law, &context.plan.schedule, context.buckets, context.names);
+    let record = Record { is_core: true, code: module::code_letters(&data, &routines), ..Record::default() };
     for line in header::lines(context.about, &record) {
         style.push(&mut bytes, &format!("  {line}"));
     }
-    for line in clock::data(context.law, context.buckets, context.names) {
-        style.push(&mut bytes, &line);
+    for line in &data {
+        style.push(&mut bytes, line);
     }
     bytes.extend_from_slice(style.eol);
-    for line in clock::routines(context.law, &context.plan.schedule, context.buckets, context.names) {
-        style.push(&mut bytes, &line);
+    for line in &routines {
+        style.push(&mut bytes, line);
     }
     bytes.extend_from_slice(b"ENDMODULE");
     bytes.extend_from_slice(style.eol);

@@ -7,11 +7,12 @@ use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::bucket::{self, Buckets};
+use super::check;
 use super::header::{self, Record};
 use super::names::{MAX_NAME, Names};
 use super::options::{Core, EmitError};
 use super::place::{self, Style};
-use super::target::{TargetArray, check_letters, element1};
+use super::target::{TargetArray, element1};
 use super::{Law, clock};
 use crate::compensate::plan::{Plan, PlannedTarget};
 use crate::diagnostic::{Span, TextRange};
@@ -70,19 +71,22 @@ pub fn edits(
             clock::routines(context.law, &context.plan.schedule, context.buckets, context.names),
         ),
     };
-    let is_head = |line: &&String| line.starts_with("  PROC ") || line.starts_with("  LOCAL ");
+    let arrays = written(&added.arrays, &style)?;
     let record = Record {
         source_sha256: hex(&Sha256::digest(&file.bytes)),
         source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
         is_core: false,
         targets: added.arrays.len(),
         data: data.len(),
-        routines: routines.iter().filter(is_head).count(),
+        routines: heads(&routines).count(),
         ticks: ticks.len(),
         index: context.names.core("tcI").to_owned(),
         tick: context.names.core("tcTick").to_owned(),
         was: added.was,
-        checks: added.arrays.iter().flat_map(|a| check_letters(&a.element1)).collect(),
+        checks: added.arrays.iter().flat_map(|a| check::of_numbers(&a.element1)).collect(),
+        elements: arrays.iter().flat_map(|(_, letters)| letters.iter().copied()).collect(),
+        code: code_letters(&data, &routines),
+        is_whole: true,
     };
     let mut block = Vec::new();
     for line in header::lines(context.about, &record) {
@@ -92,7 +96,7 @@ pub fn edits(
     for line in &data {
         style.push(&mut text, line);
     }
-    for part in written(&added.arrays, &style)? {
+    for (part, _) in arrays {
         text.extend_from_slice(&part);
     }
     let mut put = |at: u32, mut text: Vec<u8>| {
@@ -135,14 +139,35 @@ pub fn tick_places(module: &Module, ticks: &[u32]) -> BTreeSet<u32> {
     ticks.iter().map(|&tick| outside(tick)).collect()
 }
 
+/// Letters for lines of data and for the routines of other lines.
+pub fn code_letters(data: &[String], routines: &[String]) -> Vec<u8> {
+    let heads: Vec<usize> = heads(routines).collect();
+    let ends = heads.iter().skip(1).copied().chain([routines.len()]);
+    let routines = heads.iter().zip(ends).map(|(&from, to)| routines[from..to].join("\n"));
+    data.iter().cloned().chain(routines).flat_map(|code| check::of_code(code.as_bytes())).collect()
+}
+
+/// The lines that routines begin at.
+fn heads(routines: &[String]) -> impl Iterator<Item = usize> + '_ {
+    let is_head = |line: &str| line.starts_with("  PROC ") || line.starts_with("  LOCAL ");
+    routines.iter().enumerate().filter(move |(_, line)| is_head(line)).map(|(at, _)| at)
+}
+
+/// The text of some arrays, and what they are recognised by.
+type Written = (Vec<u8>, Vec<u8>);
+
 /// The text of each array, in order, made on all cores.
-fn written(arrays: &[TargetArray], style: &Style) -> Result<Vec<Vec<u8>>, EmitError> {
+fn written(arrays: &[TargetArray], style: &Style) -> Result<Vec<Written>, EmitError> {
     arrays
         .par_chunks(64)
         .map(|chunk| {
             let mut text =
                 Vec::with_capacity(chunk.iter().map(|a| 160 * (a.planned.corrected.len() + 2)).sum());
-            chunk.iter().try_for_each(|array| array.write(&mut text, style)).map(|()| text)
+            let mut letters = Vec::new();
+            for array in chunk {
+                letters.extend(array.write(&mut text, style)?);
+            }
+            Ok((text, letters))
         })
         .collect()
 }
@@ -183,7 +208,7 @@ impl<'p> Arrays<'p> {
                     Origin::Inline | Origin::Expression => None,
                 };
                 let same = known.as_ref().and_then(|known| {
-                    known.iter().copied().find(|&a| same_values(found.arrays[a].planned, planned))
+                    known.iter().copied().find(|&a| found.arrays[a].is_of(target.value.as_ref(), planned))
                 });
                 let array = match same {
                     Some(array) => array,
@@ -208,13 +233,13 @@ impl<'p> Arrays<'p> {
         names: &mut Names,
         file: &'p SourceFile,
         motion: &Motion,
-        target: &Target,
+        target: &'p Target,
         planned: &'p PlannedTarget,
     ) -> Result<usize, EmitError> {
         let argument = file.text(target.range);
         let literal: Option<&'p [u8]> =
             target.literal.map(|span| context.program.file(span.file).text(span.range));
-        let element1 = element1(literal, planned)?;
+        let element1 = element1(literal, target.value.as_ref(), planned)?;
         let by_name = match &target.origin {
             Origin::Named { name, .. } if name.is_ascii() && name.len() + 2 <= MAX_NAME => {
                 names.claim(&format!("tc{name}"))
@@ -232,13 +257,9 @@ impl<'p> Arrays<'p> {
         if !tells_itself {
             self.was.insert(name.clone(), argument.to_vec());
         }
-        self.arrays.push(TargetArray { name, element1, planned });
+        self.arrays.push(TargetArray { name, element1, written: target.value.as_ref(), planned });
         Ok(self.arrays.len() - 1)
     }
-}
-
-fn same_values(a: &PlannedTarget, b: &PlannedTarget) -> bool {
-    a.original == b.original && a.corrected == b.corrected
 }
 
 /// Hexadecimal digits.

@@ -153,6 +153,16 @@ pub enum EmitError {
         /// How many.
         modules: usize,
     },
+    /// Buckets' modules of several tasks.
+    #[error(
+        "modules of several tasks hold compensated motion ({}), and a bucket's module is loaded into one: give one task at a \
+         time, or take --form schedule",
+        tasks.join(", ")
+    )]
+    SeveralTasks {
+        /// The tasks' folders.
+        tasks: Vec<String>,
+    },
     /// There is no place for data and routines.
     #[error("{}:{line}: no MODULE ... ENDMODULE round this motion, so there is no place for its targets", path.display())]
     NoModule {
@@ -199,6 +209,7 @@ impl EmitError {
             Self::BadSensor { .. } => "emit::bad-sensor",
             Self::BadTime { .. } => "emit::bad-time",
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
+            Self::SeveralTasks { .. } => "emit::several-tasks",
             Self::NoModule { .. } => "emit::no-module",
             Self::NoRun => "emit::no-run",
             Self::NoName { .. } => "emit::no-name",

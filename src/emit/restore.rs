@@ -8,11 +8,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use sha2::{Digest, Sha256};
 
+use super::check::{self, Elements};
 use super::header::{self, Record};
 use super::module::hex;
 use super::names::words;
 use super::place::{self, white};
-use super::target::{check_letters, is_plain};
+use super::target::is_plain;
 use crate::diagnostic::{LineIndex, TextRange};
 use crate::syntax::tree::{
     ArgKind, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, Stmt, StmtKind,
@@ -28,8 +29,143 @@ pub struct Restored {
     pub source_name: String,
     /// Targets whose original was changed in the emitted module: the file holds the new values.
     pub touched: Vec<Touched>,
+    /// What else was changed in the emitted module: it is in no way in the file.
+    pub altered: Vec<Altered>,
     /// The file is the original byte for byte, as its SHA-256 proves.
     pub exact: bool,
+}
+
+/// A change of what was added to a module, which its original knows nothing of.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Altered {
+    /// Lines of the comment block, so that nothing else can be told.
+    #[error(
+        "lines of the comment block were changed or lost: what was changed in the module, touched-up points among it, \
+         cannot be told; named targets are as in the original"
+    )]
+    Header {
+        /// The block's first line, from 1.
+        line: u32,
+    },
+    /// Data or a routine of the clock.
+    #[error("{name}, which was added, is not as it was made")]
+    Code {
+        /// Its name.
+        name: String,
+        /// Its first line, from 1.
+        line: u32,
+    },
+    /// Corrected targets.
+    #[error(
+        "of {array} (target {target}) {} changed: this is not taken over, only element 1 of a target is",
+        listed(elements)
+    )]
+    Elements {
+        /// The array.
+        array: String,
+        /// What stands in the motion of the original.
+        target: String,
+        /// The elements, from 1; none where it cannot be told which.
+        elements: Vec<usize>,
+        /// The array's first line, from 1.
+        line: u32,
+    },
+    /// Calls of the tick.
+    #[error("{made} calls of the clock's tick were put in, {found} are there")]
+    Ticks {
+        /// As made.
+        made: usize,
+        /// As found.
+        found: usize,
+        /// The module's first line, from 1.
+        line: u32,
+    },
+}
+
+impl Altered {
+    /// Where, a line of the emitted module, from 1.
+    #[must_use]
+    pub fn line(&self) -> u32 {
+        match self {
+            Self::Header { line }
+            | Self::Code { line, .. }
+            | Self::Elements { line, .. }
+            | Self::Ticks { line, .. } => *line,
+        }
+    }
+
+    /// Its stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Header { .. } => "restore::header",
+            Self::Code { .. } => "restore::code",
+            Self::Elements { .. } => "restore::elements",
+            Self::Ticks { .. } => "restore::ticks",
+        }
+    }
+}
+
+fn listed(elements: &[usize]) -> String {
+    match elements {
+        [] => "elements behind the first were".to_owned(),
+        [one] => format!("element {one} was"),
+        many => {
+            let numbers: Vec<String> = many.iter().map(usize::to_string).collect();
+            format!("elements {} were", numbers.join(", "))
+        }
+    }
+}
+
+/// What was changed in the common module of a compensated program; nothing where `bytes` is none.
+#[must_use]
+pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
+    let (tree, _) = parse(bytes);
+    let lines = LineIndex::new(bytes);
+    let mut altered = Vec::new();
+    for item in &tree.items {
+        let FileItem::Module(module) = item else { continue };
+        let Some(comment) = header_of(bytes, module) else { continue };
+        let block = comment_block(bytes, comment.start);
+        let record = header::read(block.iter().map(|r| r.of(bytes))).ok().map(|(record, _)| record);
+        let Some(record) = record.filter(|record| record.is_whole) else {
+            altered.push(Altered::Header { line: lines.line(comment.start) });
+            continue;
+        };
+        if record.is_core {
+            let data = module.items.iter().filter_map(|item| match item {
+                ModuleItem::Data(data) => Some((data.name, data.range)),
+                _ => None,
+            });
+            let routines = module.items.iter().filter_map(|item| match item {
+                ModuleItem::Routine(routine) => Some((routine.name, routine.range)),
+                _ => None,
+            });
+            let code: Vec<_> = data.chain(routines).collect();
+            altered.extend(altered_code(bytes, &lines, &code, &record.code, module.name));
+        }
+    }
+    altered
+}
+
+/// What of added data and routines (name, range) is not as `letters` say.
+fn altered_code(
+    bytes: &[u8],
+    lines: &LineIndex,
+    code: &[(TextRange, TextRange)],
+    letters: &[u8],
+    module: TextRange,
+) -> Vec<Altered> {
+    let named = |name: TextRange, range: TextRange| Altered::Code {
+        name: String::from_utf8_lossy(name.of(bytes)).into_owned(),
+        line: lines.line(range.start),
+    };
+    if letters.len() != 3 * code.len() {
+        return vec![named(module, module)];
+    }
+    let pairs = code.iter().zip(letters.chunks(3));
+    let changed = pairs.filter(|((_, range), letters)| check::of_code(range.of(bytes)) != **letters);
+    changed.map(|((name, range), _)| named(*name, *range)).collect()
 }
 
 /// A target whose element 1 was changed.
@@ -102,6 +238,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let lines = LineIndex::new(bytes);
     let mut edits = Vec::new();
     let mut touched = Vec::new();
+    let mut altered = Vec::new();
     let mut source = None;
     let mut added: BTreeSet<Vec<u8>> = BTreeSet::new();
     for item in &tree.items {
@@ -115,10 +252,25 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
         }
         let last = block.get(count.saturating_sub(1)).map_or(comment.end, |r| r.end);
         edits.push(removal(place::whole_lines(bytes, TextRange::new(comment.start, last))));
-        let mut work = Work { bytes, lines: &lines, module, record: &record, edits: &mut edits };
+        let mut work = Work {
+            bytes,
+            lines: &lines,
+            module,
+            record: &record,
+            edits: &mut edits,
+            code: Vec::new(),
+            altered: Vec::new(),
+        };
         let arrays = work.data()?;
         work.routines()?;
         touched.extend(work.motions(&arrays)?);
+        let code = altered_code(bytes, &lines, &work.code, &record.code, module.name);
+        if record.is_whole {
+            altered.append(&mut work.altered);
+            altered.extend(code);
+        } else {
+            altered.push(Altered::Header { line: lines.line(comment.start) });
+        }
         added.extend(arrays.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
         added.extend([&record.index, &record.tick].map(|name| name.as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
@@ -139,7 +291,8 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
         });
     }
     let exact = hex(&Sha256::digest(&restored)) == sha256;
-    Ok(Restored { bytes: restored, source_name, touched, exact })
+    altered.sort_by_key(Altered::line);
+    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
 }
 
 /// The first comment of a block of ours in a module.
@@ -186,6 +339,9 @@ struct Work<'w> {
     module: &'w Module,
     record: &'w Record,
     edits: &'w mut Vec<Edit>,
+    /// Name and range of the data and routines that were added beside arrays.
+    code: Vec<(TextRange, TextRange)>,
+    altered: Vec<Altered>,
 }
 
 impl<'w> Work<'w> {
@@ -215,21 +371,24 @@ impl<'w> Work<'w> {
         }
         let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(BTreeMap::new()) };
         self.edits.push(removal(place::whole_lines(self.bytes, first.range.cover(last.range))));
+        self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays = BTreeMap::new();
+        let letters_each = self.record.elements.len() / self.record.targets.max(1);
         for (i, data) in ours.iter().skip(self.record.data).enumerate() {
             let name = self.name(data.name);
-            let element1 = match data.init.as_ref().map(|init| &init.kind) {
-                Some(ExprKind::Aggregate(elements)) => elements.first().map(|e| e.range.of(self.bytes)),
-                Some(ExprKind::Numbers) => {
-                    let range = data.init.as_ref().map(|init| init.range);
-                    let elements = range.map(|range| parts_of_numbers(self.bytes, range)).unwrap_or_default();
-                    elements.first().map(|e| e.range.of(self.bytes))
+            let elements: Vec<TextRange> = match data.init.as_ref().map(|init| (&init.kind, init.range)) {
+                Some((ExprKind::Aggregate(elements), _)) => elements.iter().map(|e| e.range).collect(),
+                Some((ExprKind::Numbers, range)) => {
+                    parts_of_numbers(self.bytes, range).iter().map(|e| e.range).collect()
                 }
-                _ => None,
+                _ => Vec::new(),
             };
-            let element1 = element1
-                .filter(|text| is_plain(text))
-                .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
+            let element1 =
+                elements
+                    .first()
+                    .map(|range| range.of(self.bytes))
+                    .filter(|text| is_plain(text))
+                    .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
             let was = match self.record.was.get(&name) {
                 Some(text) => text.clone(),
                 None => match name.as_bytes().get(2..) {
@@ -238,10 +397,29 @@ impl<'w> Work<'w> {
                 },
             };
             let check = self.record.checks.get(3 * i..3 * i + 3);
-            let touched = check != Some(check_letters(element1).as_slice());
+            let touched = self.record.is_whole && check != Some(check::of_numbers(element1).as_slice());
+            let own = self.record.elements.get(letters_each * i..letters_each * (i + 1));
+            if let Some(changed) = self.changed(&elements, own.unwrap_or_default()) {
+                let target = String::from_utf8_lossy(&was).into_owned();
+                let line = self.lines.line(data.range.start);
+                self.altered.push(Altered::Elements { array: name.clone(), target, elements: changed, line });
+            }
             arrays.insert(name.to_ascii_lowercase(), Array { element1, was, touched });
         }
         Ok(arrays)
+    }
+
+    /// Which elements behind the first are not as `letters` say, from 1; `None` where all are.
+    fn changed(&self, elements: &[TextRange], letters: &[u8]) -> Option<Vec<usize>> {
+        let mut now = Elements::new();
+        elements.iter().skip(1).for_each(|range| now.add(range.of(self.bytes)));
+        let now = now.letters();
+        if now == letters {
+            return None;
+        }
+        let differ = |(k, (now, made)): (usize, (&u8, &u8))| (now != made).then_some(k + 2);
+        let each = now.iter().skip(3).zip(letters.iter().skip(3)).enumerate();
+        Some(each.filter_map(differ).collect())
     }
 
     /// Takes out the routines.
@@ -261,6 +439,7 @@ impl<'w> Work<'w> {
         if let Some(foreign) = ours.iter().find(|r| !begins_with_tc(r.name.of(self.bytes))) {
             return Err(self.damaged(foreign.range, "a routine was put among or after those that were added"));
         }
+        self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
         if let (Some(first), Some(last)) = (ours.first(), ours.last()) {
             let lines = place::whole_lines(self.bytes, first.range.cover(last.range));
             self.edits.push(removal(place::with_empty_line_before(self.bytes, lines)));
@@ -274,6 +453,7 @@ impl<'w> Work<'w> {
         let (index, tick) = (self.record.index.to_ascii_lowercase(), self.record.tick.to_ascii_lowercase());
         let same = |range: TextRange, name: &str| range.of(self.bytes).eq_ignore_ascii_case(name.as_bytes());
         let mut removed = Vec::new();
+        let mut ticks = 0;
         for item in &self.module.items {
             let ModuleItem::Routine(routine) = item else { continue };
             if begins_with_tc(routine.name.of(self.bytes)) && same(routine.name, &tick) {
@@ -285,6 +465,7 @@ impl<'w> Work<'w> {
                 }
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 if call.args.is_empty() && matches!(call.callee, Callee::Name(name) if same(name, &tick)) {
+                    ticks += 1;
                     let end = stmt.range.end as usize;
                     let rest = self.bytes.get(end..).unwrap_or_default();
                     let next = end + rest.iter().position(|&b| !white(b)).unwrap_or(0);
@@ -303,6 +484,10 @@ impl<'w> Work<'w> {
             }
         }
         self.edits.append(&mut removed);
+        if ticks != self.record.ticks {
+            let line = self.lines.line(self.module.range.start);
+            self.altered.push(Altered::Ticks { made: self.record.ticks, found: ticks, line });
+        }
         let declared = self.declarations(arrays, &uses);
         let mut touched = Vec::new();
         for (name, array) in arrays {
@@ -346,8 +531,8 @@ impl<'w> Work<'w> {
         let mut done = BTreeMap::new();
         for (init, arrays) in by_init {
             let Some((_, first)) = arrays.first() else { continue };
-            let letters = check_letters(first.element1);
-            if arrays.iter().all(|(_, a)| a.touched && check_letters(a.element1) == letters) {
+            let letters = check::of_numbers(first.element1);
+            if arrays.iter().all(|(_, a)| a.touched && check::of_numbers(a.element1) == letters) {
                 self.edits.push(Edit { range: init, text: first.element1.to_vec() });
                 done.extend(arrays.iter().map(|(name, _)| (*name, init)));
             }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::check::Elements;
 use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
 use super::options::EmitError;
 use super::place::{Style, white};
@@ -19,8 +20,13 @@ pub const MAX_LINE: usize = 255;
 ///
 /// # Errors
 /// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
-pub fn element1<'s>(literal: Option<&'s [u8]>, planned: &PlannedTarget) -> Result<Cow<'s, [u8]>, EmitError> {
-    let components = if matches!(planned.original, TargetValue::Joint(_)) { 2 } else { 4 };
+pub fn element1<'s>(
+    literal: Option<&'s [u8]>,
+    written: Option<&TargetValue>,
+    planned: &PlannedTarget,
+) -> Result<Cow<'s, [u8]>, EmitError> {
+    let original = written.map(|written| planned.original(written));
+    let components = if matches!(original, Some(TargetValue::Joint(_))) { 2 } else { 4 };
     if let Some(text) = literal.filter(|text| is_plain(text) && has_components(text, components)) {
         if text.len() < MAX_LINE / 2 + 80 && !text.iter().any(|&b| b == b'\n' || b == b'\r' || b == b'\t') {
             return Ok(Cow::Borrowed(text));
@@ -28,8 +34,8 @@ pub fn element1<'s>(literal: Option<&'s [u8]>, planned: &PlannedTarget) -> Resul
         return Ok(Cow::Owned(text.iter().copied().filter(|&b| !white(b)).collect()));
     }
     let mut out = Vec::new();
-    match &planned.original {
-        TargetValue::Rob(target) => {
+    match &original {
+        Some(TargetValue::Rob(target)) => {
             let frame = &target.object_from_tcp;
             let q = frame.rotation.quaternion();
             out.push(b'[');
@@ -38,13 +44,13 @@ pub fn element1<'s>(literal: Option<&'s [u8]>, planned: &PlannedTarget) -> Resul
             write_orient(&mut out, [q.w, q.i, q.j, q.k]);
             write_rob_tail(&mut out, target);
         }
-        TargetValue::Joint(target) => {
+        Some(TargetValue::Joint(target)) => {
             out.push(b'[');
             write_robjoint(&mut out, target.q_rad);
             write_joint_tail(&mut out, &target.ext);
         }
-        TargetValue::FromJoints(_) => {
-            return Err(EmitError::PlanMismatch("a target given by joints has no pose".to_owned()));
+        Some(TargetValue::FromJoints(_)) | None => {
+            return Err(EmitError::PlanMismatch("a target's pose is not known".to_owned()));
         }
     }
     Ok(Cow::Owned(out))
@@ -68,22 +74,34 @@ pub struct TargetArray<'p> {
     pub name: String,
     /// Text of element 1.
     pub element1: Cow<'p, [u8]>,
+    /// What the motion says.
+    pub written: Option<&'p TargetValue>,
     /// Where the buckets' numbers come from.
     pub planned: &'p PlannedTarget,
 }
 
 impl TargetArray<'_> {
-    /// Whether the elements are jointtargets.
-    fn is_joint(&self) -> bool {
-        matches!(self.planned.original, TargetValue::Joint(_))
+    /// Whether a motion's target is this one.
+    pub fn is_of(&self, written: Option<&TargetValue>, planned: &PlannedTarget) -> bool {
+        let original = |written: Option<&TargetValue>, planned: &PlannedTarget| {
+            written.map(|written| planned.original(written))
+        };
+        original(written, planned) == original(self.written, self.planned)
+            && planned.corrected == self.planned.corrected
     }
 
-    /// Appends the declaration, one element a line.
+    /// Whether the elements are jointtargets.
+    fn is_joint(&self) -> bool {
+        matches!(self.written, Some(TargetValue::Joint(_)))
+    }
+
+    /// Appends the declaration, one element a line; gives what the elements behind the first are recognised by.
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
-    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<(), EmitError> {
+    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
         let joint = self.is_joint();
+        let mut elements = Elements::new();
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
@@ -99,10 +117,12 @@ impl TargetArray<'_> {
             line = out.len();
             out.extend_from_slice(&style.indent);
             out.extend_from_slice(&style.unit);
+            let from = out.len();
             self.write_element(out, k)?;
+            elements.add(out.get(from..).unwrap_or_default());
         }
         end_element(out, line, b"];", style);
-        Ok(())
+        Ok(elements.letters())
     }
 
     /// Appends the target of a bucket.
@@ -114,9 +134,9 @@ impl TargetArray<'_> {
         match (self.planned.corrected.get(bucket), joint) {
             (Some(Corrected::Pose { position_m, orientation_wxyz }), false) => {
                 out.push(b'[');
-                write_pos(out, *position_m);
+                write_pos(out, position_m);
                 out.push(b',');
-                write_orient(out, *orientation_wxyz);
+                write_orient(out, orientation_wxyz);
             }
             (Some(Corrected::Joints { q_rad }), true) => {
                 out.push(b'[');
@@ -213,23 +233,6 @@ pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
         .collect()
 }
 
-/// Three letters that an aggregate's numbers are recognised by, however they are spelled.
-///
-/// FNV-1a (Fowler, Noll, Vo) over the single-precision values, folded to 18 bits.
-#[must_use]
-pub fn check_letters(text: &[u8]) -> [u8; 3] {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    for value in singles(text).unwrap_or_default() {
-        let value = if value == 0.0 { 0.0 } else { value };
-        for byte in value.to_bits().to_le_bytes() {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-    let folded = hash ^ (hash >> 18) ^ (hash >> 36);
-    [12, 6, 0].map(|shift| LETTERS[(folded >> shift & 63) as usize])
-}
-
 /// A number as the source would spell it, for a message.
 #[must_use]
 pub fn spelled(value: f64) -> String {
@@ -246,13 +249,16 @@ mod tests {
 
     const LITERAL: &[u8] = b"[[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]";
 
-    fn rob(corrected: Vec<Corrected>) -> PlannedTarget {
-        let target = RobTarget {
+    fn written() -> TargetValue {
+        TargetValue::Rob(RobTarget {
             object_from_tcp: Isometry3::translation(0.4, 0.0, 0.25),
             conf: crate::program::data::ConfData { cf1: 0, cf4: 0, cf6: -1, cfx: 1 },
             ext: [None; 6],
-        };
-        PlannedTarget { original: TargetValue::Rob(target), nominal_q_rad: [0.0; 6], corrected }
+        })
+    }
+
+    fn planned(corrected: &[Corrected]) -> PlannedTarget {
+        PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], corrected: corrected.iter().copied().collect() }
     }
 
     fn pose(x_mm: f64) -> Corrected {
@@ -268,9 +274,9 @@ mod tests {
 
     #[test]
     fn an_array_of_robtargets() {
-        let planned = rob(vec![pose(400.125), pose(400.0625)]);
-        let element1 = element1(Some(LITERAL), &planned).unwrap();
-        let array = TargetArray { name: "tc57".into(), element1, planned: &planned };
+        let (written, planned) = (written(), planned(&[pose(400.125), pose(400.0625)]));
+        let element1 = element1(Some(LITERAL), Some(&written), &planned).unwrap();
+        let array = TargetArray { name: "tc57".into(), element1, written: Some(&written), planned: &planned };
         let mut out = Vec::new();
         array.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -284,16 +290,16 @@ mod tests {
 
     #[test]
     fn without_plain_spelling_the_numbers_stand() {
-        let planned = rob(vec![pose(400.0)]);
+        let (written, planned) = (written(), planned(&[pose(400.0)]));
         for literal in [None, Some(b"[[x,0,250],ori,conf,ext]".as_slice()), Some(b"p10")] {
-            let text = element1(literal, &planned).unwrap();
+            let text = element1(literal, Some(&written), &planned).unwrap();
             assert_eq!(
                 String::from_utf8_lossy(&text),
                 "[[400,0,250],[1,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]"
             );
         }
         let broken_over_lines = b"[[400.0,\r\n\t0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        let text = element1(Some(broken_over_lines), &planned).unwrap();
+        let text = element1(Some(broken_over_lines), Some(&written), &planned).unwrap();
         assert_eq!(
             String::from_utf8_lossy(&text),
             "[[400.0,0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
@@ -304,13 +310,10 @@ mod tests {
     fn joints_are_jointtargets() {
         let target =
             crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
-        let planned = PlannedTarget {
-            original: TargetValue::Joint(target),
-            nominal_q_rad: [0.0; 6],
-            corrected: vec![Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }],
-        };
-        let element1 = element1(None, &planned).unwrap();
-        let array = TargetArray { name: "tc3".into(), element1, planned: &planned };
+        let written = TargetValue::Joint(target);
+        let planned = planned(&[Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }]);
+        let element1 = element1(None, Some(&written), &planned).unwrap();
+        let array = TargetArray { name: "tc3".into(), element1, written: Some(&written), planned: &planned };
         let mut out = Vec::new();
         array.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -319,8 +322,10 @@ mod tests {
              [[90,90,90,90,90,90],[9E9,9E9,9E9,9E9,9E9,9E9]],\r\n    \
              [[45,45,45,45,45,45],[9E9,9E9,9E9,9E9,9E9,9E9]]];\r\n"
         );
-        let mixed = PlannedTarget { corrected: vec![pose(1.0)], ..planned.clone() };
-        let array = TargetArray { name: "tc3".into(), element1: Cow::Borrowed(b"[[],[]]"), planned: &mixed };
+        let mixed = PlannedTarget { corrected: [pose(1.0)].into_iter().collect(), ..planned.clone() };
+        let written = Some(&written);
+        let array =
+            TargetArray { name: "tc3".into(), element1: Cow::Borrowed(b"[[],[]]"), written, planned: &mixed };
         assert!(array.write(&mut Vec::new(), &style()).is_err());
     }
 
@@ -329,9 +334,9 @@ mod tests {
         let number = "1234567.123456789012";
         let six = [number; 6].join(",");
         let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
-        let planned = rob(vec![pose(400.0)]);
-        let element1 = element1(Some(literal.as_bytes()), &planned).unwrap();
-        let array = TargetArray { name: "tc3".into(), element1, planned: &planned };
+        let (written, planned) = (written(), planned(&[pose(400.0)]));
+        let element1 = element1(Some(literal.as_bytes()), Some(&written), &planned).unwrap();
+        let array = TargetArray { name: "tc3".into(), element1, written: Some(&written), planned: &planned };
         let mut out = Vec::new();
         let deep = Style { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
         array.write(&mut out, &deep).unwrap();
@@ -341,11 +346,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_follow_the_values_not_the_spelling() {
-        let same = b"[[400,-0.0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        assert_eq!(check_letters(LITERAL), check_letters(same));
-        let moved = b"[[400.01,0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        assert_ne!(check_letters(LITERAL), check_letters(moved));
+    fn numbers_are_read_in_single_precision() {
         assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
         assert_eq!(singles(b"[[1,x]]"), None);
     }

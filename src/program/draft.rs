@@ -9,6 +9,7 @@ use super::value::Value;
 use crate::diagnostic::TextRange;
 use crate::syntax::tree::{Arg, ArgKind, Callee, Expr, Routine, Stmt, StmtKind};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A motion and the expressions it is made of.
 #[derive(Debug)]
@@ -43,7 +44,8 @@ impl MoveArgs<'_> {
 /// All motions, loops and routines of a program, in file order.
 #[derive(Debug, Default)]
 pub(super) struct Drafts<'a> {
-    pub(super) motions: Vec<Draft<'a>>,
+    #[expect(clippy::vec_box, reason = "drafts are many, and a list that grows would hold them twice")]
+    pub(super) motions: Vec<Box<Draft<'a>>>,
     pub(super) loops: Vec<Loop>,
     pub(super) routines: Vec<RoutineInfo>,
     /// The motion that a statement (file, first byte) is.
@@ -58,7 +60,8 @@ impl<'a> Drafts<'a> {
         for (id, routine) in index.routines.iter().enumerate() {
             let gotos = gotos(routine.tree);
             let (drafts, open) = (&mut drafts, Vec::new());
-            let mut walk = Walk { drafts, folder: &mut *folder, id, gotos, open, info: None };
+            let mut walk =
+                Walk { drafts, folder: &mut *folder, id, gotos, open, info: None, last_names: [None, None] };
             walk.body(&routine.tree.body);
             for handler in &routine.tree.handlers {
                 walk.open.clear();
@@ -83,6 +86,8 @@ struct Walk<'d, 'a> {
     gotos: Vec<(TextRange, u32)>,
     open: Vec<Open>,
     info: Option<usize>,
+    /// The last names of a tool and of a work object: most motions share them.
+    last_names: [Option<Arc<str>>; 2],
 }
 
 impl<'a> Walk<'_, 'a> {
@@ -107,7 +112,7 @@ impl<'a> Walk<'_, 'a> {
                     self.body(body);
                 }
                 StmtKind::For { from, to, step, body, .. } => {
-                    let passes = self.passes(from, to, step.as_ref());
+                    let passes = self.passes(from, to, step.as_deref());
                     self.inside(stmt.range.end, false, passes, body);
                     self.body(body);
                 }
@@ -184,7 +189,13 @@ impl<'a> Walk<'_, 'a> {
             loops.push(id);
         }
         let args = move_args(index, ctx, form, args);
-        let text = |expr: &Expr| as_text(index.text(ctx.file, expr.range));
+        let name = |last: &mut Option<Arc<str>>, expr: Option<&Expr>| {
+            let name = as_text(index.text(ctx.file, expr?.range));
+            let kept = last.take().filter(|last| **last == *name);
+            Some(Arc::clone(last.insert(kept.unwrap_or_else(|| name.into()))))
+        };
+        let [last_tool, last_wobj] = &mut self.last_names;
+        let (tool_name, wobj_name) = (name(last_tool, args.tool), name(last_wobj, args.wobj));
         let motion = Motion {
             file: ctx.file,
             line: index.file(ctx.file).line(stmt.range),
@@ -194,9 +205,9 @@ impl<'a> Walk<'_, 'a> {
             kind: form.name,
             path: form.path,
             targets: Vec::new(),
-            tool_name: args.tool.map(text),
+            tool_name,
             tool: None,
-            wobj_name: args.wobj.map(text),
+            wobj_name,
             wobj: None,
             speed: None,
             zone: None,
@@ -208,7 +219,7 @@ impl<'a> Walk<'_, 'a> {
             keep: None,
         };
         self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());
-        self.drafts.motions.push(Draft { motion, ctx, form, args });
+        self.drafts.motions.push(Box::new(Draft { motion, ctx, form, args }));
     }
 
     /// The routine's entry among those with motion, made with its first motion.

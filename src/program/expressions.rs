@@ -65,7 +65,9 @@ pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
         },
         StmtKind::If { arms, .. } => arms.iter().map(|(cond, _)| cond).collect(),
         StmtKind::CompactIf { cond, .. } | StmtKind::While { cond, .. } => vec![cond],
-        StmtKind::For { from, to, step, .. } => [from, to].into_iter().chain(step.as_ref()).collect(),
+        StmtKind::For { from, to, step, .. } => {
+            [from, to].into_iter().chain(step.as_ref()).map(|expr| &**expr).collect()
+        }
         StmtKind::Test { value, cases, .. } => {
             std::iter::once(value).chain(cases.iter().flat_map(|(values, _)| values)).collect()
         }

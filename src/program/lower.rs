@@ -145,7 +145,7 @@ impl<'a> Lower<'_, 'a> {
                 branch(bodies, default.is_none() || skipped, out);
             }
             StmtKind::For { from, to, step, body, .. } => {
-                let at_least_once = self.runs(from, to, step.as_ref());
+                let at_least_once = self.runs(from, to, step.as_deref());
                 let body = self.body(body);
                 if !body.is_empty() {
                     out.push(Node::Loop { body, at_least_once, endless: false });

@@ -66,6 +66,15 @@ pub struct Program {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// The folder `TASKn` in a path: what a controller's backup holds of one task.
+#[must_use]
+pub fn task_of(path: &str) -> Option<&str> {
+    path.split('/').find(|part| {
+        let digits = part.get(..4).filter(|head| head.eq_ignore_ascii_case("task")).and(part.get(4..));
+        digits.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+    })
+}
+
 impl Program {
     /// The file of an id.
     #[must_use]

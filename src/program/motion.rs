@@ -3,6 +3,7 @@
 
 use super::data::{JointTarget, LoadData, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
 use crate::diagnostic::{FileId, Span, TextRange};
+use std::sync::Arc;
 
 /// How the TCP goes to the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,14 +38,14 @@ pub struct Motion {
     /// Its targets: circle point and end point for an arc, else one.
     pub targets: Vec<Target>,
     /// Name of the tool argument as written.
-    pub tool_name: Option<String>,
+    pub tool_name: Option<Arc<str>>,
     /// The tool in force; `None` where the reason in `keep` says why it is not known, or where it is a
     /// MoveAbsJ whose tool is not known (it needs none).
-    pub tool: Option<ToolData>,
+    pub tool: Option<Arc<ToolData>>,
     /// Name of the work object argument as written; `None` is wobj0.
-    pub wobj_name: Option<String>,
+    pub wobj_name: Option<Arc<str>>,
     /// The work object in force.
-    pub wobj: Option<WobjData>,
+    pub wobj: Option<Arc<WobjData>>,
     /// Speed, where it is known.
     pub speed: Option<SpeedData>,
     /// Zone, where it is known.
@@ -62,7 +63,7 @@ pub struct Motion {
     /// instructions of the routine may take before it.
     pub wait_since_entry: Option<Wait>,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
-    pub keep: Option<Keep>,
+    pub keep: Option<Box<Keep>>,
 }
 
 /// How long the program stands before a motion.

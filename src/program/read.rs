@@ -1,6 +1,7 @@
 //! [`Program::read`]: from files to motions with all that the text says of them.
 
 use super::convert;
+use super::data::{ToolData, WobjData};
 use super::draft::{Draft, Drafts};
 use super::flow::HOLDS;
 use super::fold::{Constant, Folder, Followed, Found, why};
@@ -22,6 +23,7 @@ use crate::syntax::SourceFile;
 use crate::syntax::tree::{Expr, ExprKind, UnaryOp};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 impl Program {
     /// Reads files together: resolves names across them, follows tools and work objects, and says for
@@ -45,11 +47,17 @@ impl Program {
         let order = order(&index, &drafts, &lowered);
         let facts = facts(&index, &lowered.called());
         let Drafts { motions: drafts, loops, routines, .. } = drafts;
-        let mut finish =
-            Finish { folder, followed: &followed, kept_over: BTreeMap::new(), guesses: BTreeMap::new() };
+        let mut finish = Finish {
+            folder,
+            followed: &followed,
+            last_tool: None,
+            last_wobj: None,
+            kept_over: BTreeMap::new(),
+            guesses: BTreeMap::new(),
+        };
         let mut motions = Vec::with_capacity(drafts.len());
         for ((draft, state), (previous, wait, since_entry)) in drafts.into_iter().zip(states).zip(order) {
-            let mut motion = finish.motion(draft, state.as_ref());
+            let mut motion = finish.motion(*draft, state.as_deref());
             motion.previous = previous;
             motion.wait_before = wait;
             motion.wait_since_entry = since_entry;
@@ -75,6 +83,9 @@ impl Program {
 struct Finish<'f, 'a> {
     folder: Folder<'a>,
     followed: &'f FollowedData,
+    /// The last tool and work object: most motions share them.
+    last_tool: Option<Arc<ToolData>>,
+    last_wobj: Option<Arc<WobjData>>,
     /// PERS that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
     /// Speeds and zones that are not predefined, once each.
@@ -82,6 +93,15 @@ struct Finish<'f, 'a> {
 }
 
 type Failed = Keep;
+
+/// The last one where it is the same.
+fn shared<T: PartialEq>(last: &mut Option<Arc<T>>, value: T) -> Arc<T> {
+    let kept = match last.take() {
+        Some(same) if *same == value => same,
+        _ => Arc::new(value),
+    };
+    Arc::clone(last.insert(kept))
+}
 
 impl<'a> Finish<'_, 'a> {
     fn motion(&mut self, draft: Draft<'a>, state: Option<&State>) -> Motion {
@@ -146,12 +166,12 @@ impl<'a> Finish<'_, 'a> {
         motion.zone = self.zone(&args, ctx, known);
         let is_joint = joints_wanted;
         match self.tool(&args, ctx, known) {
-            Ok(tool) => motion.tool = Some(tool),
+            Ok(tool) => motion.tool = Some(shared(&mut self.last_tool, tool)),
             Err(_) if is_joint => {}
             Err(keep) => fail(keep),
         }
         match self.wobj(&args, ctx, known) {
-            Ok(wobj) => motion.wobj = Some(wobj),
+            Ok(wobj) => motion.wobj = Some(shared(&mut self.last_wobj, wobj)),
             Err(_) if is_joint => {}
             Err(keep) => fail(keep),
         }
@@ -184,7 +204,7 @@ impl<'a> Finish<'_, 'a> {
         if let Some(state) = state {
             self.note_kept_over(state, &args, ctx, at);
         }
-        motion.keep = first;
+        motion.keep = first.map(Box::new);
         motion
     }
 
@@ -279,7 +299,7 @@ impl<'a> Finish<'_, 'a> {
         args: &super::draft::MoveArgs<'a>,
         ctx: Ctx,
         known: &dyn Followed,
-    ) -> Result<super::data::ToolData, Failed> {
+    ) -> Result<ToolData, Failed> {
         let Some(expr) = args.tool else {
             return Err(keep("keep::tool-unknown", "it names no tool".into()));
         };
@@ -294,12 +314,12 @@ impl<'a> Finish<'_, 'a> {
         args: &super::draft::MoveArgs<'a>,
         ctx: Ctx,
         known: &dyn Followed,
-    ) -> Result<super::data::WobjData, Failed> {
+    ) -> Result<WobjData, Failed> {
         if args.conditional.iter().any(|name| name == "wobj") {
             let text = "its work object is handed to the routine, if present".into();
             return Err(keep("keep::wobj-unknown", text));
         }
-        let Some(expr) = args.wobj else { return Ok(super::data::WobjData::wobj0()) };
+        let Some(expr) = args.wobj else { return Ok(WobjData::wobj0()) };
         let written = as_text(self.folder.index.text(ctx.file, expr.range));
         let folded = self.folder.fold(expr, ctx, known);
         let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));

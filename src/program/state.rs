@@ -31,7 +31,7 @@ const DEEPEST_CALL: usize = 100;
 const MOST_STEPS: u64 = 30_000_000;
 
 /// A followed datum at one place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct SlotState {
     pub(super) value: Value,
     /// It is still the declared value on some way that leads here.
@@ -40,7 +40,7 @@ pub(super) struct SlotState {
 }
 
 /// What is in force at one place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct State {
     pub(super) slots: Vec<SlotState>,
     pub(super) conf_l: Option<bool>,
@@ -70,10 +70,11 @@ pub(super) fn states_at_motions<'a>(
     drafts: &Drafts<'a>,
     lowered: &Lowered<'a>,
     followed: &FollowedData,
-) -> Vec<Option<State>> {
+) -> Vec<Option<Rc<State>>> {
     let routines = lowered.ways.len();
     let mut walker = Walker {
         at_motions: vec![None; drafts.motions.len()],
+        last_seen: None,
         walked: vec![Vec::new(); routines],
         common: vec![None; routines],
         busy: Vec::new(),
@@ -92,7 +93,9 @@ struct Walker<'w, 'a> {
     folder: &'w mut Folder<'a>,
     lowered: &'w Lowered<'a>,
     followed: &'w FollowedData,
-    at_motions: Vec<Option<State>>,
+    at_motions: Vec<Option<Rc<State>>>,
+    /// The last one seen: most motions of a routine see the same.
+    last_seen: Option<Rc<State>>,
     walked: Vec<Vec<(State, After)>>,
     common: Vec<Option<State>>,
     busy: Vec<Busy>,
@@ -174,7 +177,10 @@ impl Walker<'_, '_> {
             }
             add(&mut any, in_handlers);
         }
-        for state in self.at_motions.iter_mut().flatten() {
+        if !any.conf_l && !any.conf_j && any.holds.is_empty() {
+            return;
+        }
+        for state in self.at_motions.iter_mut().flatten().map(Rc::make_mut) {
             state.conf_l = state.conf_l.filter(|_| !any.conf_l);
             state.conf_j = state.conf_j.filter(|_| !any.conf_j);
             state.grip = state.grip.filter(|_| !any.grip);
@@ -230,12 +236,16 @@ impl Walker<'_, '_> {
     fn see(&mut self, motion: usize, state: &State) {
         let seen = self.at_motions.get_mut(motion).and_then(Option::take);
         let seen = match seen {
-            None => state.clone(),
+            None => match self.last_seen.take() {
+                Some(last) if *last == *state => last,
+                _ => Rc::new(state.clone()),
+            },
             Some(mut seen) => {
-                self.join(&mut seen, state);
+                self.join(Rc::make_mut(&mut seen), state);
                 seen
             }
         };
+        self.last_seen = Some(Rc::clone(&seen));
         if let Some(at) = self.at_motions.get_mut(motion) {
             *at = Some(seen);
         }

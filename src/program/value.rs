@@ -9,7 +9,7 @@ use std::rc::Rc;
 pub(super) type Why = Rc<Keep>;
 
 /// A value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     /// num or dnum; finite.
     Num(f64),
@@ -26,7 +26,7 @@ pub(super) enum Value {
 }
 
 /// `CalcRobT` of known joints.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reached {
     /// The jointtarget.
     pub(super) joints: Value,

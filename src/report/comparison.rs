@@ -68,6 +68,7 @@ impl Compared<'_> {
              object, {unknown} with targets that are only known at run time\n",
             c.motions.len()
         )?;
+        self.write_figures(out)?;
         let mut table = Table::new(&[
             ("line", Align::Left),
             ("to", Align::Left),
@@ -110,6 +111,32 @@ impl Compared<'_> {
             writeln!(out, "... and {cut} more motions; --all shows every one and every bucket")?;
         }
         Ok(())
+    }
+
+    /// What all motions and buckets come to.
+    fn write_figures(&self, out: &mut dyn Write) -> io::Result<()> {
+        let figures = Figures::of(self.comparison);
+        let at = |worst: &Worst| {
+            let (before, _) = self.motions(worst.motion);
+            let bucket = worst.bucket.map_or_else(String::new, |k| format!(", bucket {k}"));
+            format!("{}:{}{bucket}", self.before.file(before.file).path, before.line)
+        };
+        let mut line = |what: &str, worst: &Option<Worst>, value: &dyn Fn(f64) -> String| match worst {
+            Some(worst) => writeln!(out, "{what:<44}{:>14}  {}", value(worst.value), at(worst)),
+            None => Ok(()),
+        };
+        let mm = |m: f64| format!("{:.4} mm", mm_from_m(m));
+        let deg = |rad: f64| format!("{:.5} deg", deg_from_rad(rad));
+        let coarse = |rad: f64| format!("{:.2} deg", deg_from_rad(rad));
+        line("largest change of a TCP", &figures.distance, &mm)?;
+        line("largest turn of a TCP", &figures.angle, &deg)?;
+        line("largest change of a joint", &figures.joint, &deg)?;
+        line("largest step from one bucket to the next", &figures.jump, &mm)?;
+        line("nearest to the end of a joint's range", &figures.limit, &coarse)?;
+        line("nearest to a wrist or elbow singularity", &figures.singular, &coarse)?;
+        let same =
+            |same: bool| if same { "the same everywhere" } else { "NOT the same everywhere, see the notes" };
+        writeln!(out, "{:<44}{}\n", "configuration and branch of the arm", same(figures.same_configuration))
     }
 
     fn row(&self, compared: &ComparedMotion, k: usize, step: Option<&Step>) -> Vec<String> {
@@ -213,6 +240,70 @@ impl Compared<'_> {
     }
 }
 
+/// The worst of something over all motions and buckets.
+struct Worst<'c> {
+    value: f64,
+    motion: &'c ComparedMotion,
+    bucket: Option<usize>,
+}
+
+/// What all motions and buckets come to, metres and radians.
+#[derive(Default)]
+struct Figures<'c> {
+    distance: Option<Worst<'c>>,
+    angle: Option<Worst<'c>>,
+    joint: Option<Worst<'c>>,
+    jump: Option<Worst<'c>>,
+    limit: Option<Worst<'c>>,
+    singular: Option<Worst<'c>>,
+    same_configuration: bool,
+}
+
+impl<'c> Figures<'c> {
+    fn of(comparison: &'c Comparison) -> Self {
+        let mut figures = Self { same_configuration: true, ..Self::default() };
+        for motion in &comparison.motions {
+            for (k, step) in motion.steps.iter().enumerate() {
+                let bucket = bucket(motion, k);
+                let take = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
+                    let Some(value) = value else { return };
+                    if worst.as_ref().is_none_or(|worst| sign * value > sign * worst.value) {
+                        *worst = Some(Worst { value, motion, bucket });
+                    }
+                };
+                take(&mut figures.distance, Some(step.distance_m), 1.0);
+                take(&mut figures.angle, Some(step.angle_rad), 1.0);
+                take(&mut figures.joint, step.arm.map(|a| a.joint_rad), 1.0);
+                take(&mut figures.limit, step.arm.and_then(|a| a.limit_rad), -1.0);
+                take(&mut figures.singular, step.arm.map(|a| a.wrist_rad.min(a.elbow_rad)), -1.0);
+                // From bucket to bucket; element 1 is the original, which follows none.
+                let before = k.checked_sub(1).filter(|k| *k > 0).and_then(|k| motion.steps.get(k));
+                let jump = before.map(|before| {
+                    let apart = before.position_m.iter().zip(step.position_m).map(|(a, b)| (a - b).powi(2));
+                    apart.sum::<f64>().sqrt()
+                });
+                take(&mut figures.jump, jump, 1.0);
+                figures.same_configuration &=
+                    step.same_configuration && step.arm.is_none_or(|arm| arm.same_branch);
+            }
+        }
+        figures
+    }
+
+    fn json(&self) -> Value {
+        let of = |worst: &Option<Worst>, unit: fn(f64) -> f64| worst.as_ref().map(|w| rounded(unit(w.value)));
+        json!({
+            "dp_mm": of(&self.distance, mm_from_m),
+            "angle_deg": of(&self.angle, deg_from_rad),
+            "joint_deg": of(&self.joint, deg_from_rad),
+            "bucket_step_mm": of(&self.jump, mm_from_m),
+            "limit_margin_deg": of(&self.limit, deg_from_rad),
+            "singular_margin_deg": of(&self.singular, deg_from_rad),
+            "same_configuration": self.same_configuration,
+        })
+    }
+}
+
 /// The same for scripts; is made motion by motion while it is written.
 impl Serialize for Compared<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -226,6 +317,7 @@ impl Serialize for Compared<'_> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("same", &self.is_same())?;
         map.serialize_entry("same_elsewhere", &self.elsewhere.is_empty())?;
+        map.serialize_entry("worst", &Figures::of(self.comparison).json())?;
         map.serialize_entry("elsewhere", &self.elsewhere.iter().map(sentence).collect::<Vec<_>>())?;
         map.serialize_entry("motions", &Motions(self))?;
         map.serialize_entry("only_before", &places(self.before, &self.comparison.only_before))?;
@@ -296,6 +388,7 @@ fn sentence(difference: &Difference) -> String {
         ),
         Difference::Missing(module) => format!("Module {module} is only in the first program."),
         Difference::Added(module) => format!("Module {module} is only in the second program."),
+        Difference::Altered { file, what } => format!("{file}:{}: {what}", what.line()),
         Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
     }
 }

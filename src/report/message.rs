@@ -179,7 +179,7 @@ mod tests {
         SourceFile {
             id: FileId(0),
             path: "cell/prog.mod".to_owned(),
-            bytes: bytes.to_vec(),
+            bytes: bytes.into(),
             lines: LineIndex::new(bytes),
             tree: Tree::default(),
             warnings: Vec::new(),

@@ -85,8 +85,7 @@ fn write_buckets(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
     ]);
     for (index, bucket) in plan.schedule.buckets.iter().enumerate() {
         let worst = |side: usize| {
-            let errors = plan.motions.iter().filter_map(|m| Some(m.error_m.get(index)?[side]));
-            errors.max_by(f64::total_cmp).map_or_else(String::new, mm)
+            plan.summary.bucket_error_m.get(index).map_or_else(String::new, |error_m| mm(error_m[side]))
         };
         table.row([
             index.to_string(),
@@ -126,10 +125,7 @@ fn write_motions(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     ]);
     for (motion, planned) in shown.iter().map(|i| pairs[*i]) {
         let file = &review.program.file(motion.file).path;
-        let worst = |side: usize| {
-            let errors = planned.error_m.iter().map(|e| e[side]);
-            errors.max_by(f64::total_cmp).map_or_else(String::new, mm)
-        };
+        let worst = |side: usize| planned.error_m.map_or_else(String::new, |error_m| mm(error_m[side]));
         let figures = planned.status == Status::Compensated || !planned.targets.is_empty();
         let figure = |text: String| if figures { text } else { String::new() };
         table.row([

@@ -161,7 +161,9 @@ impl<'f> Compiler<'f> {
                 self.block(std::slice::from_ref(then));
                 self.land(test);
             }
-            S::For { var, from, to, step, body } => self.for_loop(range, *var, from, to, step.as_ref(), body),
+            S::For { var, from, to, step, body } => {
+                self.for_loop(range, *var, from, to, step.as_deref(), body);
+            }
             S::While { cond, body } => {
                 let endless = matches!(unparen(cond).kind, tree::ExprKind::Bool(true));
                 let top = self.steps.len();

@@ -85,6 +85,8 @@ pub struct Controller {
     pub(super) pinned: BTreeMap<usize, Value>,
     pub(super) arm: Option<Arm>,
     pub(super) messages: Vec<Message>,
+    /// Names that were taken from another module, and said to be.
+    pub(super) from_elsewhere: BTreeSet<String>,
     pub(super) unknown: BTreeSet<String>,
     pub(super) steps_left: u64,
     pub(super) passes: u64,
@@ -124,6 +126,7 @@ impl Controller {
             pinned: BTreeMap::new(),
             arm: None,
             messages: Vec::new(),
+            from_elsewhere: BTreeSet::new(),
             unknown: BTreeSet::new(),
             steps_left: 0,
             passes: 1,

@@ -100,7 +100,10 @@ impl Controller {
             return None;
         }
         let elsewhere = self.memory.datum_anywhere(name)?;
-        self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+        if !self.from_elsewhere.contains(name) {
+            self.from_elsewhere.insert(name.to_owned());
+            self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+        }
         Some(elsewhere)
     }
 

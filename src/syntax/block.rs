@@ -42,6 +42,7 @@ pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
     loop {
         let next = white(i);
         if next.is_empty() {
+            stmts.shrink_to_fit();
             return (i, stmts);
         }
         if let Ok((rest, range)) = comment(next) {
@@ -50,6 +51,7 @@ pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
             continue;
         }
         if ends_block(next) {
+            stmts.shrink_to_fit();
             return (i, stmts);
         }
         let (rest, stmt) = statement(next).unwrap_or_else(|failure| opaque(next, place(&failure)));
@@ -226,6 +228,7 @@ pub(super) fn for_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         let rest = last_word(i, rest, Word::Do, "DO")?;
         let (rest, body) = i.state.awaiting(&[Word::EndFor], || block(rest));
         let rest = end_word(i, rest, Word::EndFor, "ENDFOR");
+        let (from, to, step) = (Box::new(from), Box::new(to), step.map(Box::new));
         Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::For { var, from, to, step, body } }))
     })
 }

@@ -3,6 +3,7 @@
 use super::parse;
 use super::tree::Tree;
 use crate::diagnostic::{Diagnostic, FileId, LineIndex, Span, TextRange};
+use std::sync::Arc;
 
 /// One file of a program.
 #[derive(Clone, Debug)]
@@ -12,7 +13,7 @@ pub struct SourceFile {
     /// Its path as the user knows it, `/` between folders.
     pub path: String,
     /// Its bytes, as read.
-    pub bytes: Vec<u8>,
+    pub bytes: Arc<[u8]>,
     /// Where its lines begin.
     pub lines: LineIndex,
     /// What was read out of it.
@@ -24,7 +25,8 @@ pub struct SourceFile {
 impl SourceFile {
     /// Reads `bytes`, whatever they are; what is not understood is in [`warnings`](Self::warnings).
     #[must_use]
-    pub fn read(id: FileId, path: impl Into<String>, bytes: Vec<u8>) -> Self {
+    pub fn read(id: FileId, path: impl Into<String>, bytes: impl Into<Arc<[u8]>>) -> Self {
+        let bytes = bytes.into();
         let (tree, warnings) = parse(&bytes);
         let at = |range| Span { file: id, range };
         let warnings =

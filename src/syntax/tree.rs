@@ -273,11 +273,11 @@ pub enum StmtKind {
         /// The loop variable.
         var: TextRange,
         /// FROM.
-        from: Expr,
+        from: Box<Expr>,
         /// TO.
-        to: Expr,
+        to: Box<Expr>,
         /// STEP.
-        step: Option<Expr>,
+        step: Option<Box<Expr>>,
         /// The statements.
         body: Vec<Stmt>,
     },

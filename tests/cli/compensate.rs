@@ -183,6 +183,30 @@ fn a_controllers_backup_goes_through_whole() {
     }
 }
 
+#[test]
+fn each_task_of_a_backup_gets_a_clock_of_its_own() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    for task in ["TASK1", "TASK2"] {
+        bench.file(&format!("backup/RAPID/{task}/PROGMOD/Cube45.mod"), &cube);
+    }
+    let backup = bench.path("backup").display().to_string();
+    let to = bench.path("out").display().to_string();
+    let output = driftpost(&["compensate", &backup, "-o", &to, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let core = |task: &str| bench.text(&format!("out/RAPID/{task}/PROGMOD/tcCore.mod"));
+    assert_eq!(core("TASK1"), core("TASK2"));
+    for task in ["TASK1", "TASK2"] {
+        let output =
+            driftpost(&["simulate", &to, "--original", &backup, "--task", task, "--minutes", "0,61"]);
+        assert_eq!(output.status.code(), Some(0), "{task}: {} {}", out(&output), err(&output));
+    }
+    // One bucket's module cannot be loaded into two tasks.
+    let output = driftpost(&["compensate", &backup, "-o", &to, "--form", "modules", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("emit::several-tasks") && err(&output).contains("TASK1, TASK2"));
+}
+
 const SLOW: &str = "MODULE m
   PERS tooldata tGrip:=[TRUE,[[0,0,90],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
   CONST robtarget p1:=[[450,-100,300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

@@ -1,6 +1,6 @@
 //! `diff`: what a reviewer is told of two programs.
 
-use crate::{Bench, CUBE, driftpost, out};
+use crate::{Bench, CUBE, driftpost, err, out};
 use serde_json::Value;
 
 fn compensated(bench: &Bench) -> String {
@@ -37,6 +37,13 @@ fn a_compensated_program_differs_in_its_targets_alone() {
     assert_eq!((&buckets[0]["index"], &buckets[0]["dp_mm"]), (&Value::Null, &Value::from(0.0)));
     let told = buckets[buckets.len() - 1]["dp_mm"].as_f64().unwrap();
     assert!(far > 0.1 && (told - far).abs() < 2e-5, "{told} {far}");
+    let worst = |key: &str| json["worst"][key].as_f64().unwrap();
+    let most = motions.iter().flat_map(|m| m["buckets"].as_array().unwrap());
+    let most = most.map(|b| b["dp_mm"].as_f64().unwrap()).fold(0.0, f64::max);
+    assert!((worst("dp_mm") - most).abs() < 1e-12 && worst("limit_margin_deg") > 2.0);
+    // At most twice the tolerance, and single precision.
+    assert!((0.008..0.0101).contains(&worst("bucket_step_mm")), "{}", worst("bucket_step_mm"));
+    assert_eq!(json["worst"]["same_configuration"], Value::Bool(true));
     for bucket in motions.iter().flat_map(|m| m["buckets"].as_array().unwrap()) {
         assert_eq!(
             (&bucket["same_branch"], &bucket["same_configuration"]),
@@ -147,4 +154,104 @@ fn three_touched_up_points_go_through_restore_and_a_new_run() {
     assert_eq!(run(&again, &restored), Some(0));
     // Until then the touched-up program runs the buckets of the old points.
     assert_eq!(run(&touched, CUBE), Some(0));
+}
+
+/// A compensated program in both cores, and where its clock stands.
+fn with_clock(bench: &Bench, core: &str) -> (String, String) {
+    let to = bench.path(&format!("{core}/Cube45.mod")).display().to_string();
+    let made = driftpost(&["compensate", CUBE, "-o", &to, "--core", core, "--diff", "none"]);
+    assert!(made.status.success(), "{}", err(&made));
+    let clock =
+        if core == "separate" { bench.path("separate/tcCore.mod").display().to_string() } else { to.clone() };
+    (to, clock)
+}
+
+#[test]
+fn an_edit_of_what_was_added_is_told() {
+    let bench = Bench::default();
+    for core in ["embedded", "separate"] {
+        let (to, clock) = with_clock(&bench, core);
+        let program = bench.path(core).display().to_string();
+        let original = bench.file(&format!("original_{core}/Cube45.mod"), std::fs::read(CUBE).unwrap());
+        let original = original.trim_end_matches("/Cube45.mod").to_owned();
+        let elsewhere = || {
+            let json = driftpost(&["diff", &original, &program, "--json", "-"]).stdout;
+            let json: Value = serde_json::from_slice(&json).unwrap();
+            (json["same_elsewhere"].as_bool().unwrap(), json["elsewhere"].to_string())
+        };
+        assert!(elsewhere().0, "{core}: {}", elsewhere().1);
+        let text = std::fs::read_to_string(&clock).unwrap();
+        // As a controller saves it: another layout, another spelling, PERS moved on.
+        let saved = text
+            .replace("tcSec:=3600*tcNumber(", "tcSec := 3600 * TCNUMBER(")
+            .replace("PERS num tcMinute:=0;", "PERS num tcMinute:=61.5;");
+        assert_ne!(saved, text);
+        std::fs::write(&clock, &saved).unwrap();
+        assert!(elsewhere().0, "{core}: {}", elsewhere().1);
+        for (from, by, name) in [
+            ("tcSec1-tcSec0", "tcSec1+tcSec0", "tcSpan"),
+            ("VAR num tcI:=1;", "VAR num tcI:=2;", "tcI"),
+            ("tcMode<>-2", "tcMode<>-3", "tcTick"),
+        ] {
+            let edited = text.replacen(from, by, 1);
+            assert_ne!(edited, text, "{from}");
+            std::fs::write(&clock, edited).unwrap();
+            let (same, said) = elsewhere();
+            assert!(
+                !same && said.contains(name) && said.contains("not as it was made"),
+                "{core} {from}: {said}"
+            );
+        }
+        std::fs::write(&clock, &text).unwrap();
+        let module = std::fs::read_to_string(&to).unwrap();
+        std::fs::write(&to, module.replacen("tcTick;", "", 1)).unwrap();
+        assert!(elsewhere().1.contains("tick"), "{core}: {}", elsewhere().1);
+    }
+}
+
+#[test]
+fn what_restore_does_not_take_over_is_said() {
+    let bench = Bench::default();
+    compensated(&bench);
+    let text = bench.text("tc.mod");
+    let run = |name: &str, text: &str| {
+        let file = bench.file(name, text);
+        let to = bench.path(&format!("{name}.restored")).display().to_string();
+        let output = driftpost(&["restore", &file, "-o", &to, "--json", "-"]);
+        assert!(output.status.success(), "{}", err(&output));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (err(&output), json["files"][0].clone(), std::fs::read(to).unwrap())
+    };
+    let (said, json, bytes) = run("as_made.mod", &text);
+    assert!(!said.contains("warning") && bytes == std::fs::read(CUBE).unwrap(), "{said}");
+    assert_eq!(json["altered"], Value::Array(Vec::new()));
+
+    // Elements 3 and 5 of one target, as ModPos does while a bucket is in use.
+    let array = text.find("robtarget tc35{").unwrap();
+    let mut lines: Vec<String> = text[array..].lines().map(str::to_owned).collect();
+    for element in [3, 5] {
+        let [x, y, z] = position(&lines[element]);
+        let end = lines[element].find(']').unwrap();
+        lines[element] = format!("        [[{x},{y},{}{}", z + 0.25, &lines[element][end..]);
+    }
+    let edited = format!("{}{}\n", &text[..array], lines.join("\n"));
+    let (said, json, bytes) = run("elements.mod", &edited);
+    assert!(
+        said.contains("tc35") && said.contains("elements 3, 5 were changed: this is not taken over"),
+        "{said}"
+    );
+    assert_eq!((&json["altered"][0]["code"], &json["exact"]), (&"restore::elements".into(), &true.into()));
+    assert!(json["touched"].as_array().unwrap().is_empty() && bytes == std::fs::read(CUBE).unwrap());
+
+    // A comment line damaged or lost is no touched-up point.
+    let check = text.lines().find(|l| l.contains("! driftpost check: ")).unwrap();
+    let at = text.find(check).unwrap() + check.len() - 4;
+    let damaged =
+        format!("{}{}{}", &text[..at], if &text[at..=at] == "A" { "B" } else { "A" }, &text[at + 1..]);
+    for edited in [damaged, text.replacen(&format!("{check}\n"), "", 1)] {
+        let (said, json, bytes) = run("header.mod", &edited);
+        assert!(said.contains("comment block"), "{said}");
+        assert!(!said.contains("was touched up"), "{said}");
+        assert!(json["touched"].as_array().unwrap().is_empty() && bytes == std::fs::read(CUBE).unwrap());
+    }
 }

@@ -90,7 +90,7 @@ fn check_numbers(program: &Program, plan: &Plan, file: &EmittedFile) -> usize {
     assert_eq!(arrays.len(), planned.len(), "{}", file.path);
     for (elements, target) in arrays.iter().zip(&planned) {
         assert_eq!(elements.len(), target.corrected.len() + 1);
-        for (numbers, corrected) in elements[1..].iter().zip(&target.corrected) {
+        for (numbers, corrected) in elements[1..].iter().zip(target.corrected.iter()) {
             let (exact, near): (Vec<f64>, Vec<f64>) = match corrected {
                 Corrected::Pose { position_m, orientation_wxyz } => {
                     (position_m.map(mm_from_m).to_vec(), orientation_wxyz.to_vec())
@@ -122,7 +122,11 @@ fn check(paths: &[PathBuf]) -> usize {
         check_lines(&file.path, source, &file);
         targets += check_numbers(&program, &plan, &file);
         let restored = restore(&file.bytes).unwrap();
-        assert!(restored.exact && restored.bytes == *source && restored.touched.is_empty(), "{}", file.path);
+        assert!(
+            restored.exact && *restored.bytes == **source && restored.touched.is_empty(),
+            "{}",
+            file.path
+        );
     }
     targets
 }

@@ -221,7 +221,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
             mid_path_m: None,
-            error_m: vec![[0.0; 2]; buckets],
+            error_m: None,
         };
         if kept.contains(&i) {
             let keep = driftpost::program::motion::Keep {
@@ -229,7 +229,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
                 reason: "the test says so".into(),
                 because: None,
             };
-            planned.status = Status::Kept(keep);
+            planned.status = Status::Kept(Box::new(keep));
         } else {
             let by = |k: usize| 0.01 * (k as f64 + 1.0) + tool(motion);
             planned.targets = motion.targets.iter().map(|t| corrected(t, buckets, by)).collect();
@@ -269,5 +269,5 @@ fn corrected(target: &Target, buckets: usize, by: impl Fn(usize) -> f64) -> Plan
         }
         TargetValue::FromJoints(_) => unreachable!("not made here"),
     };
-    PlannedTarget { original, nominal_q_rad: [0.0; 6], corrected: (0..buckets).map(one).collect() }
+    PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], corrected: (0..buckets).map(one).collect() }
 }

@@ -109,6 +109,29 @@ fn named_targets_arrays_offsets_and_two_tools_are_where_they_should_be() {
 }
 
 #[test]
+fn every_export_beside_the_checkout_is_where_it_should_be() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
+    if !folder.is_dir() {
+        eprintln!("skipped: there is no {}", folder.display());
+        return;
+    }
+    let known: BTreeSet<Vec<u8>> =
+        modules_below(&fixtures().join("robodk")).iter().map(|path| std::fs::read(path).unwrap()).collect();
+    for path in modules_below(&folder) {
+        let name = path.display().to_string();
+        let original = read(std::slice::from_ref(&path));
+        // Those of the fixtures have a test of their own, and the pages of the mill are one program.
+        if known.contains(&original[0].1) || name.contains("mill20000") {
+            eprintln!("executed by another test: {name}");
+            continue;
+        }
+        for form in [Form::Schedule, Form::Modules] {
+            holds(&name, form, &original, &warmth(), &MINUTES);
+        }
+    }
+}
+
+#[test]
 #[ignore = "needs a folder of RoboDK exports in DRIFTPOST_CORPUS"]
 fn twenty_thousand_moves_in_pages_are_where_they_should_be() {
     let folder = PathBuf::from(std::env::var_os("DRIFTPOST_CORPUS").unwrap()).join("mill20000");

@@ -1,8 +1,8 @@
 //! Hours in a cell: what the emitted clocks make of them, against a robot whose warmth is exact.
 
-use crate::made::{Files, compensated, fixture, session, warmth};
+use crate::made::{Files, compensated, fixture, made_as, session, warmth};
 use driftpost::deform::Deformation;
-use driftpost::emit::Clock;
+use driftpost::emit::{Clock, Form};
 use driftpost::simulate::session::Pass;
 use driftpost::simulate::{Report, Scenario};
 
@@ -13,6 +13,12 @@ const RUNNING_M: f64 = 5.5e-6 + 0.9e-6;
 fn cube(clock: &Clock) -> (Files, Files) {
     let original = fixture("robodk/irc5/Cube45.mod");
     (compensated(&original, &Deformation::paper(), clock).unwrap(), original)
+}
+
+/// The same with a module for each bucket.
+fn cube_in_modules(clock: &Clock) -> (Files, Files) {
+    let original = fixture("robodk/irc5/Cube45.mod");
+    (made_as(Form::Modules, &original, &Deformation::paper(), clock).unwrap().0, original)
 }
 
 fn played(files: &(Files, Files), head: &str, steps: &[&str]) -> Report {
@@ -39,8 +45,10 @@ fn since(report: &Report, at_min: f64) -> &[Pass] {
 
 #[test]
 fn what_both_clocks_must_come_through() {
-    for clock in [warmth(), Clock::Elapsed] {
-        let files = cube(&clock);
+    for (clock, files) in [warmth(), Clock::Elapsed]
+        .into_iter()
+        .flat_map(|clock| [(clock.clone(), cube(&clock)), (clock.clone(), cube_in_modules(&clock))])
+    {
         let cold = "call tcColdStart";
         let cases: [(&str, &str, &[&str]); 10] = [
             ("cold start", "", &[cold, "run 40"]),
@@ -67,10 +75,13 @@ fn what_both_clocks_must_come_through() {
 #[test]
 fn the_warmth_clock_cools_with_the_robot_and_the_elapsed_one_does_not() {
     let (by_warmth, by_elapsed) = (cube(&warmth()), cube(&Clock::Elapsed));
+    let in_modules = cube_in_modules(&warmth());
     let lunch = ["call tcColdStart", "run 120", "stand 45", "run 30"];
     let night = ["call tcColdStart", "run 90", "power_off 840", "run 30"];
-    for steps in [&lunch, &night] {
-        let report = played(&by_warmth, "", steps);
+    for (files, steps) in
+        [(&by_warmth, &lunch), (&by_warmth, &night), (&in_modules, &lunch), (&in_modules, &night)]
+    {
+        let report = played(files, "", steps);
         assert!(report.is_within(RUNNING_M), "{steps:?}: {:?}", report.worst);
     }
     // The elapsed clock takes lunch for warming. Half an hour after it the robot has 0.579 of its drift
@@ -98,8 +109,8 @@ fn a_robot_that_cools_otherwise_is_reported() {
 
 #[test]
 fn without_a_start_the_originals_run_and_it_is_said_once() {
-    for clock in [warmth(), Clock::Elapsed] {
-        let files = cube(&clock);
+    let made = |clock: &Clock| [cube(clock), cube_in_modules(clock)];
+    for files in [warmth(), Clock::Elapsed].iter().flat_map(made) {
         let report = played(&files, "", &["run 10"]);
         assert!(report.passes.iter().all(|p| p.after == p.before && p.index == Some(1.0)));
         assert_eq!(shown(&report), 1, "{:?}", report.messages);
@@ -109,20 +120,20 @@ fn without_a_start_the_originals_run_and_it_is_said_once() {
 #[test]
 fn the_mode_forces_a_bucket_or_the_originals() {
     for clock in [warmth(), Clock::Elapsed] {
-        the_mode_forces(&clock);
+        the_mode_forces(&cube(&clock));
+        the_mode_forces(&cube_in_modules(&clock));
     }
 }
 
-fn the_mode_forces(clock: &Clock) {
-    let files = cube(clock);
+fn the_mode_forces(files: &(Files, Files)) {
     let buckets = {
-        let report = played(&files, "warm = true", &["call tcWarmStart", "pass"]);
+        let report = played(files, "warm = true", &["call tcWarmStart", "pass"]);
         report.passes[0].index.unwrap() as usize - 1
     };
     assert!(buckets > 10);
     for bucket in 0..buckets {
         let force = format!("set tcMode {bucket}");
-        let report = played(&files, "", &["call tcColdStart", &force, "pass", "pp_to_main", "pass"]);
+        let report = played(files, "", &["call tcColdStart", &force, "pass", "pp_to_main", "pass"]);
         assert!(report.passes.iter().all(|p| p.index == Some(bucket as f64 + 2.0)), "{bucket}");
         assert_eq!(shown(&report), 0);
     }
@@ -130,7 +141,7 @@ fn the_mode_forces(clock: &Clock) {
         [("-2".to_owned(), 0), (buckets.to_string(), 1), ("2.5".into(), 1), ("-7".into(), 1)]
     {
         let force = format!("set tcMode {mode}");
-        let report = played(&files, "", &["call tcColdStart", "run 20", &force, "pass", "pass"]);
+        let report = played(files, "", &["call tcColdStart", "run 20", &force, "pass", "pass"]);
         let last = &report.passes[report.passes.len() - 2..];
         assert!(last.iter().all(|p| p.after == p.before && p.index == Some(1.0)), "{mode}");
         assert_eq!(shown(&report), messages, "{mode}");

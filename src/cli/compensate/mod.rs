@@ -29,13 +29,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     match work(args, console, json.is_standard()) {
         Ok(made) => {
-            json.write(console, || Ok(made.json()?))?;
+            json.stream(console, |out| made.write_json(out))?;
             Ok(Outcome::Done)
         }
         Err(refusal) => {
             console.explain(&refusal.messages, refusal.files(), args.all);
             console.say("nothing was written");
-            json.write(console, || Ok(refusal.json()?))?;
+            json.stream(console, |out| refusal.write_json(out))?;
             Ok(Outcome::Refused)
         }
     }
@@ -73,14 +73,15 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
     let made = console.while_busy("compensating", || job.make(&given, &mut take))?;
     let dropped = cut.dropped;
 
-    let joints = if args.joints_csv.is_some() { job.joints(&made) } else { Ok(Vec::new()) };
+    let joints = args.joints_csv.is_some().then(|| job.joints(&made)).transpose();
     let joints = joints.map_err(|message| made.refuse(message))?;
     console.explain(&made.messages, &made.program.files, args.all);
     let written = writing.finish(&destination, &given).map_err(|message| made.refuse(message))?;
     if let Some(diff) = diff_file {
         diff.write(&[]).map_err(|message| made.refuse(message))?;
     }
-    let kept = joints_file.write(console, || Ok(joints));
+    let rows = joints.into_iter().flatten();
+    let kept = joints_file.stream(console, |out| Ok(report::write_joints(out, rows)?));
     kept.map_err(|error| made.refuse(no_output(&std::io::Error::other(error))))?;
     if !quiet {
         show(args, console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;

@@ -147,13 +147,16 @@ impl Job {
         }
     }
 
-    /// The table of joints at every minute, as CSV.
+    /// The table of joints at every minute.
     ///
     /// # Errors
     /// Those of the plan.
-    pub fn joints(&self, made: &Made) -> Result<Vec<u8>, Diagnostic> {
+    pub fn joints<'m>(
+        &'m self,
+        made: &'m Made,
+    ) -> Result<impl Iterator<Item = report::JointRow<'m>>, Diagnostic> {
         let until_min = made.plan.summary.until_min;
-        let rows = joints_every_minute(
+        joints_every_minute(
             &made.program,
             &self.robot.model,
             &self.deformation.model,
@@ -161,9 +164,8 @@ impl Job {
             &made.plan,
             until_min,
         )
-        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
-        let rows = rows.filter_map(|row| report::JointRow::of_program(&made.program, &row));
-        in_memory(|out| report::write_joints(out, rows))
+        .map(|rows| rows.filter_map(|row| report::JointRow::of_program(&made.program, &row)))
+        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))
     }
 
     /// What the program's text says against compensating it, and its warnings.
@@ -249,10 +251,10 @@ impl Made {
     /// What happened, for scripts.
     ///
     /// # Errors
-    /// None that this program can meet: those of JSON.
-    pub fn json(&self) -> serde_json::Result<Vec<u8>> {
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
         let (program, plan, messages) = (&self.program, &self.plan, self.messages.as_slice());
-        pretty(&Compensation { program, plan, messages })
+        pretty(out, &Compensation { program, plan, messages })
     }
 
     /// The form, and what it takes of the controller's memory, in a sentence.
@@ -306,14 +308,6 @@ pub fn write_diff(
     }
 }
 
-fn in_memory(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Vec<u8>, Diagnostic> {
-    let mut bytes = Vec::new();
-    match write(&mut bytes) {
-        Ok(()) => Ok(bytes),
-        Err(cause) => Err(Diagnostic::error("output::unwritable", cause.to_string())),
-    }
-}
-
 impl Refusal {
     fn of(program: Program, plan: Option<Plan>, messages: Vec<Diagnostic>) -> Box<Self> {
         Box::new(Self { program, plan, kept: Vec::new(), messages })
@@ -327,20 +321,19 @@ impl Refusal {
     /// What was found, for scripts.
     ///
     /// # Errors
-    /// None that this program can meet: those of JSON.
-    pub fn json(&self) -> serde_json::Result<Vec<u8>> {
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => pretty(&Compensation { program, plan, messages }),
-            None => pretty(&report::refusal(program, &self.kept, messages)),
+            Some(plan) => pretty(out, &Compensation { program, plan, messages }),
+            None => pretty(out, &report::refusal(program, &self.kept, messages)),
         }
     }
 }
 
-fn pretty(value: &impl serde::Serialize) -> serde_json::Result<Vec<u8>> {
-    let mut bytes = serde_json::to_vec_pretty(value)?;
-    bytes.push(b'\n');
-    Ok(bytes)
+fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    Ok(out.write_all(b"\n")?)
 }
 
 impl From<Diagnostic> for Box<Refusal> {

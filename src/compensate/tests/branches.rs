@@ -113,7 +113,7 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
     let Some(TargetValue::Joint(target)) = &mut unused.targets[0].value else { panic!() };
     target.q_rad[2] = None;
     let mut told = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    told.keep = Some(placement::keep("keep::displaced", "a program displacement may be in force"));
+    told.keep = Some(Box::new(placement::keep("keep::displaced", "a program displacement may be in force")));
     let mut homeless = motion(Path::Linear, &[pose([500.0, 0.0, 500.0], [0.0, 0.0, 1.0, 0.0], [0; 4])]);
     homeless.tool = None;
     let good = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
@@ -183,7 +183,9 @@ fn a_correction_into_a_joint_limit_is_refused() {
     assert_eq!(why.code, "reach::limit");
     assert!(why.reason.contains("180.050"), "{}", why.reason);
     assert_eq!(plan.motions[1].status, Status::Compensated);
-    let plan::Corrected::Joints { q_rad } = plan.motions[1].targets[0].corrected[0] else { panic!() };
+    let plan::Corrected::Joints { q_rad } = plan.motions[1].targets[0].corrected.get(0).unwrap() else {
+        panic!()
+    };
     assert!((deg_from_rad(q_rad[0]) - 10.05).abs() < 1e-9);
     // The base turned under everything: a turn of 0.05° for every pose.
     assert!((deg_from_rad(plan.motions[1].max_correction_rad) - 0.05).abs() < 1e-9);
@@ -194,7 +196,7 @@ fn a_pose_given_by_joints_becomes_a_robtarget() {
     let TargetValue::Joint(target) = joints(APPROACH_DEG) else { panic!() };
     let program = program(vec![motion(Path::Linear, &[TargetValue::FromJoints(target)])]);
     let plan = planned(&program);
-    let TargetValue::Rob(pose) = plan.motions[0].targets[0].original else { panic!() };
+    let pose = plan.motions[0].targets[0].pose.as_deref().unwrap();
     // 41.8, 43.5 and -13.3 deg lie in quadrants 0, 0, -1; joint 5 is negative.
     assert_eq!(pose.conf, ConfData { cf1: 0, cf4: 0, cf6: -1, cfx: 1 });
     // RoboDK wrote this joint move for the cube's first target.

@@ -10,6 +10,7 @@ use crate::program::data::{ConfData, JointTarget, RobTarget, SpeedData, ToolData
 use crate::program::motion::{Loop, Motion, Origin, RoutineInfo, Target, TargetValue, Wait};
 use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+use std::sync::Arc;
 
 const NO_EXT: [Option<f64>; 6] = [None; 6];
 /// Joints of the cube's approach as RoboDK writes them, degrees.
@@ -59,10 +60,10 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         kind,
         path,
         targets: values.iter().map(target).collect(),
-        tool_name: Some("tool0".to_owned()),
-        tool: Some(ToolData::tool0()),
+        tool_name: Some("tool0".into()),
+        tool: Some(Arc::new(ToolData::tool0())),
         wobj_name: None,
-        wobj: Some(WobjData::wobj0()),
+        wobj: Some(Arc::new(WobjData::wobj0())),
         speed: Some(SpeedData { v_tcp_m_s: 0.25, v_ori_rad_s: rad_from_deg(500.0) }),
         zone: Some(ZoneData { finep: false, pzone_tcp_m: 0.001 }),
         conf_monitored: Some(false),

@@ -1,0 +1,162 @@
+//! Letters that what was emitted is recognised by later: by value, so that a controller may save a module in its own
+//! layout and spelling.
+//!
+//! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
+//! module may edit its comments.
+
+use super::place::white;
+use super::target::singles;
+
+const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
+
+struct Fnv(u64);
+
+impl Fnv {
+    fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    fn add_single(&mut self, value: f32) {
+        let value = if value == 0.0 { 0.0 } else { value };
+        self.add(&value.to_bits().to_le_bytes());
+    }
+
+    fn letters<const N: usize>(&self) -> [u8; N] {
+        let folded = self.0 ^ (self.0 >> 18) ^ (self.0 >> 36);
+        std::array::from_fn(|i| LETTERS[(folded >> (6 * (N - 1 - i)) & 63) as usize])
+    }
+}
+
+/// Three letters for an aggregate's numbers, however they are spelled.
+#[must_use]
+pub fn of_numbers(text: &[u8]) -> [u8; 3] {
+    let mut hash = Fnv::new();
+    singles(text).unwrap_or_default().into_iter().for_each(|value| hash.add_single(value));
+    hash.letters()
+}
+
+/// Letters for an array's elements behind the first: three for all, then one for each.
+pub struct Elements {
+    all: Fnv,
+    each: Vec<u8>,
+}
+
+impl Elements {
+    /// Of none yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { all: Fnv::new(), each: Vec::new() }
+    }
+
+    /// Takes in the next element's text.
+    pub fn add(&mut self, element: &[u8]) {
+        let mut own = Fnv::new();
+        for value in singles(element).unwrap_or_default() {
+            self.all.add_single(value);
+            own.add_single(value);
+        }
+        self.each.extend(own.letters::<1>());
+    }
+
+    /// The letters.
+    #[must_use]
+    pub fn letters(&self) -> Vec<u8> {
+        [&self.all.letters::<3>()[..], &self.each].concat()
+    }
+}
+
+/// Three letters for a declaration or a routine: its words and numbers, without comments, white space, capitals, and
+/// without the value of a PERS, which moves on.
+#[must_use]
+pub fn of_code(text: &[u8]) -> [u8; 3] {
+    let mut hash = Fnv::new();
+    let mut rest = text;
+    let (mut persistent, mut value) = (false, false);
+    while let Some(&byte) = rest.first() {
+        let length = match byte {
+            b'!' => rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len()),
+            b'"' => 1 + rest.iter().skip(1).position(|b| *b == b'"').map_or(rest.len() - 1, |at| at + 1),
+            b if word(b) => rest.iter().position(|b| !word(*b)).unwrap_or(rest.len()),
+            _ => 1,
+        };
+        let (token, after) = rest.split_at(length);
+        rest = after;
+        match byte {
+            b';' | b')' | b',' if !(value && byte == b',') => (persistent, value) = (false, false),
+            b':' if persistent && rest.first() == Some(&b'=') => value = true,
+            _ => {}
+        }
+        if value || byte == b'!' || white(byte) {
+            continue;
+        }
+        persistent |= token.eq_ignore_ascii_case(b"pers");
+        let number = byte.is_ascii_digit() || byte == b'.';
+        match fast_float2::parse::<f64, _>(token).ok().filter(|_| number) {
+            Some(number) => hash.add_single(number as f32),
+            None if byte == b'"' => hash.add(token),
+            None => hash.add(&token.to_ascii_lowercase()),
+        }
+        hash.add(b" ");
+    }
+    hash.letters()
+}
+
+/// Six letters for lines of the comment block.
+#[must_use]
+pub fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6] {
+    let mut hash = Fnv::new();
+    for (key, text) in lines {
+        [key, b": ", text, b"\n"].into_iter().for_each(|part| hash.add(part));
+    }
+    hash.letters()
+}
+
+fn word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.') || !byte.is_ascii()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_follow_the_values_not_the_spelling() {
+        let literal = b"[[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]";
+        let same = b"[[400,-0.0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let moved = b"[[400.01,0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        assert_eq!(of_numbers(literal), of_numbers(same));
+        assert_ne!(of_numbers(literal), of_numbers(moved));
+        let all = |one: &[u8]| {
+            let mut elements = Elements::new();
+            elements.add(literal);
+            elements.add(one);
+            elements.letters()
+        };
+        assert_eq!((all(literal), all(same).len()), (all(same), 5));
+        assert_ne!(all(literal)[..3], all(moved)[..3]);
+        assert_eq!(all(literal)[3], all(moved)[3]);
+    }
+
+    #[test]
+    fn code_is_known_again_in_another_layout_and_not_when_it_says_something_else() {
+        let made = b"PROC tcX()\n  IF tcI>1 THEN ! note\n    s:=\"Tick 1\";\n  ENDIF\n  n:=60.0;\nENDPROC";
+        let same = b"PROC TCX()\r\nIF tcI > 1 THEN\r\n s := \"Tick 1\" ; ENDIF n:=60;\r\nENDPROC";
+        assert_eq!(of_code(made), of_code(same));
+        for (from, by) in
+            [("60.0", "-60.0"), (">1", ">=1"), ("Tick 1", "tick 1"), ("tcI", "tcJ"), ("60", "61")]
+        {
+            let other = String::from_utf8(made.to_vec()).unwrap().replacen(from, by, 1);
+            assert_ne!(of_code(made), of_code(other.as_bytes()), "{by}");
+        }
+        assert_eq!(of_code(b"PERS num tcMode:=-1;"), of_code(b"PERS num tcMode:=[3,4];"));
+        assert_ne!(of_code(b"PERS num tcMode:=-1;"), of_code(b"PERS num tcMod:=-1;"));
+        assert_ne!(of_code(b"VAR num tcI:=1;"), of_code(b"VAR num tcI:=2;"));
+        assert_ne!(of_code(b"PROC a(PERS num x) y:=1;"), of_code(b"PROC a(PERS num x) y:=2;"));
+    }
+}
