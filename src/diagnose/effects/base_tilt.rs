@@ -1,6 +1,6 @@
 //! The stand gives: the whole robot tilts under its own overturning moment.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, by_mass_error};
+use super::{Candidate, Effect, Form, MASS_ERROR, Motion, Scene, Site};
 use crate::diagnose::scene::scaled;
 use nalgebra::Vector3;
 
@@ -23,9 +23,9 @@ impl Effect for BaseTilt {
     fn source(&self) -> &'static str {
         "foundation as two rotary springs at the base"
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
         let mut sizes = vec![USUAL; 2];
-        sizes.extend([by_mass_error(scene, USUAL); 6]);
+        sizes.extend([MASS_ERROR * USUAL; 6]);
         vec![Candidate { counted: 2, ..Candidate::new(Form::PLAIN, sizes) }]
     }
     fn motions(&self, _form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {

@@ -1,9 +1,13 @@
 //! A joint's gear gives under gravity's torque.
 
-use super::{Candidate, Effect, Form, LEVER_M, Motion, Scene, Site, by_mass_error, turn_joint};
+use super::{Candidate, Effect, Form, LEVER_M, MASS_ERROR, Motion, Scene, Site, turn_joint};
 
 /// J_j times the torque about joint j; each link's share may be wrong, and the payload's centre elsewhere.
 pub struct JointCompliance;
+
+/// How wrong a mass may be that was only guessed: gears are the softest part of an arm, and so it is they that get
+/// the benefit of the doubt; bending and tilt have to show with the guess.
+const GUESS_ERROR: f64 = 1.0;
 
 impl Effect for JointCompliance {
     fn name(&self) -> &'static str {
@@ -19,12 +23,13 @@ impl Effect for JointCompliance {
         "Khalil and Besnard 2002, Geometric calibration of robots with flexible joints and links"
     }
     fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+        let error = if scene.masses_known { MASS_ERROR } else { GUESS_ERROR };
         (0..6)
             .filter(|&j| scene.sites.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6))
             .map(|j| {
                 let usual = if j < 3 { 8e-6 } else { 8e-5 };
                 let mut sizes = vec![usual];
-                sizes.extend(std::iter::repeat_n(by_mass_error(scene, usual), 6 - j));
+                sizes.extend(std::iter::repeat_n(error * usual, 6 - j));
                 if scene.largest_payload_kg > 0.0 {
                     sizes.extend([LEVER_M * usual; 3]);
                 }

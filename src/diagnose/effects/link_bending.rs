@@ -1,6 +1,6 @@
 //! A link bends under what hangs beyond it.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, by_mass_error};
+use super::{Candidate, Effect, Form, MASS_ERROR, Motion, Scene, Site};
 use crate::deform::gravity::Bend;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
@@ -24,12 +24,12 @@ impl Effect for LinkBending {
     fn source(&self) -> &'static str {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
         (0..5)
             .map(|i| {
                 let usual = if i < 3 { 1.5e-6 } else { 1.5e-5 };
                 let mut sizes = vec![usual, UNEVEN * usual];
-                sizes.extend(std::iter::repeat_n(by_mass_error(scene, usual), 5 - i));
+                sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, 5 - i));
                 Candidate { counted: 1, ..Candidate::new(Form::of_joint(i), sizes) }
             })
             .collect()

@@ -178,13 +178,8 @@ fn turn_joint(site: &Site, joint: Option<usize>, angle: f64, out: &mut Vec<Motio
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
 const LEVER_M: f64 = 0.08;
-/// How wrong a link's mass in the robot file may be, and one that was guessed.
-const MASS_ERROR: [f64; 2] = [0.3, 1.0];
-
-/// The size that an effect of gravity may have by one link's share, where it usually has `usual` by all.
-fn by_mass_error(scene: &Scene, usual: f64) -> f64 {
-    MASS_ERROR[usize::from(!scene.masses_known)] * usual
-}
+/// How wrong a link's mass in the robot file may be.
+const MASS_ERROR: f64 = 0.3;
 
 /// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.
 fn move_base(site: &Site, factor: f64, out: &mut Vec<Motion>) {
@@ -211,12 +206,16 @@ fn move_tool(scene: &Scene, site: &Site, factor: f64, out: &mut Vec<Motion>) {
 
 /// Times at which a step may lie, with four stations or more on each side.
 fn step_times(scene: &Scene) -> Vec<f64> {
-    gaps(scene.sites.iter().filter_map(|s| s.t_min).collect(), MOST_STEP_TIMES, 4)
+    let times: Vec<f64> = scene.sites.iter().filter_map(|s| s.t_min).collect();
+    let most = if times.len() > LARGE_SET { MOST_STEP_TIMES / 3 } else { MOST_STEP_TIMES };
+    gaps(times, most, 4)
 }
 
 /// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
 /// a second step.
 const MOST_STEP_TIMES: usize = 240;
+/// In a set of more stations than this every step tried costs too much memory and time.
+const LARGE_SET: usize = 2000;
 
 /// Middle times between stations, at most `most`, with `aside` stations or more on each side.
 fn gaps(mut times: Vec<f64>, most: usize, aside: usize) -> Vec<f64> {
