@@ -46,6 +46,10 @@ pub struct Judged {
     pub reduced_chi_square: Option<f64>,
 }
 
+/// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
+/// is halved: even odds at best that the verdict is wrong and the candidate right.
+const AS_A_CANDIDATE: f64 = 0.5;
+
 /// Judges the model.
 #[must_use]
 pub fn judge(model: &mut Model<'_>, linear: &Linear) -> Judged {
@@ -62,6 +66,11 @@ pub fn judge(model: &mut Model<'_>, linear: &Linear) -> Judged {
         with_causes(model, linear, &chosen, &rest, scatter)
     };
     judged.reduced_chi_square = chi.map(|c| c.0);
+    if matches!(judged.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
+        for candidate in &mut judged.causes {
+            candidate.posterior *= AS_A_CANDIDATE;
+        }
+    }
     judged
 }
 

@@ -12,6 +12,9 @@ use crate::diagnose::search::{Chosen, flat};
 const SCATTER: f64 = 1.5;
 /// Scatter beyond a noise that is only stated, not seen in repeats, counts from this reduced chi-square on.
 const STATED_SCATTER: f64 = 2.8;
+/// Few repeats may by chance show less noise than there is: scatter counts from where that happens two times in a
+/// thousand (normal quantile).
+const BY_CHANCE: f64 = 2.878;
 /// Structure left that is larger than this share of the causes makes them doubtful.
 pub const LEFT_OVER: f64 = 0.5;
 /// [`slow_noise`] in words.
@@ -98,8 +101,26 @@ pub fn reduced_chi_square(model: &Model<'_>, linear: &Linear, chosen: &[Chosen])
         }
     }
     let free: f64 = (rows - background.parameters(ratio)).max(6.0);
-    let least = if model.noise.seen { SCATTER } else { STATED_SCATTER };
-    Some((sum / (sigma_m * sigma_m) / free, least + 1.5 * (2.0 / freedom + 2.0 / free).sqrt()))
+    let spread = 1.5 * (2.0 / freedom + 2.0 / free).sqrt();
+    let limit = if model.noise.seen {
+        (SCATTER + spread).max(variance_ratio(BY_CHANCE, free, freedom))
+    } else {
+        STATED_SCATTER + spread
+    };
+    Some((sum / (sigma_m * sigma_m) / free, limit))
+}
+
+/// The ratio of two estimates of one variance, of `above` and `below` degrees of freedom, that is exceeded as often as a
+/// normal variate exceeds `z` (Paulson 1942, An approximate normalization of the analysis of variance distribution).
+fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
+    let (a, b) = (2.0 / (9.0 * above), 2.0 / (9.0 * below));
+    let square = (1.0 - b).powi(2) - z * z * b;
+    if square <= 0.0 {
+        return f64::INFINITY; // so few repeats tell nothing of the noise
+    }
+    let middle = (1.0 - a) * (1.0 - b);
+    let root = (middle * middle - square * ((1.0 - a).powi(2) - z * z * a)).max(0.0).sqrt();
+    ((middle + root) / square).powi(3)
 }
 
 /// Whether `kernel` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
@@ -111,4 +132,24 @@ pub fn slow_noise(model: &Model<'_>, linear: &Linear, kernel: usize) -> bool {
     over_time
         && linear.scene.time_min.is_some()
         && reduced_chi_square(model, linear, &[]).is_some_and(|(value, limit)| value <= limit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::variance_ratio;
+
+    /// Upper 1 % and 5 % points of F as tables of the distribution give them.
+    #[test]
+    fn ratios_are_those_of_the_f_tables() {
+        for (z, above, below, table) in [
+            (2.326_348, 120.0, 20.0, 2.52),
+            (2.326_348, 10.0, 10.0, 4.85),
+            (2.326_348, 60.0, 120.0, 1.66),
+            (1.644_854, 20.0, 30.0, 1.93),
+        ] {
+            let found = variance_ratio(z, above, below);
+            assert!((found / table - 1.0).abs() < 0.015, "{above} {below}: {found}");
+        }
+        assert_eq!(variance_ratio(2.878, 100.0, 1.0), f64::INFINITY);
+    }
 }
