@@ -1,6 +1,7 @@
 //! `driftpost accuracy`: pose accuracy, repeatability and drift after ISO 9283.
 
 use super::measured::Source;
+use super::number::positive;
 use super::validate::RegisterName;
 use super::{Console, Outcome, diagnose, files, model};
 use crate::diagnostic::Diagnostic;
@@ -53,19 +54,11 @@ pub struct Args {
 /// A file that cannot be read or written, base and tool that cannot be fitted, a limit that nothing was measured for.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let limits = [
-        ("limit-ap-mm", args.limit_ap_mm),
-        ("limit-rp-mm", args.limit_rp_mm),
-        ("limit-drift-mm", args.limit_drift_mm),
+        ("--limit-ap-mm", args.limit_ap_mm),
+        ("--limit-rp-mm", args.limit_rp_mm),
+        ("--limit-drift-mm", args.limit_drift_mm),
     ];
-    for (name, limit) in limits {
-        if limit.is_some_and(|mm| !(mm.is_finite() && mm > 0.0)) {
-            return Err(Diagnostic::error(
-                "option::number",
-                format!("--{name} must be more than 0 and finite"),
-            )
-            .into());
-        }
-    }
+    positive(&limits)?;
     let robot = model::robot(&args.robot)?;
     let tool_m = args.tool.as_deref().map(diagnose::tool).transpose()?;
     let compared = compared(args.register, tool_m)?;

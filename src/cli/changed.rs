@@ -1,5 +1,6 @@
 //! `driftpost changed`: what has changed between two measurements of one robot.
 
+use super::number::positive;
 use super::{Console, Outcome, diagnose, files, measured, model};
 use crate::diagnose::{Changed, ChangedError, Options, changed};
 use crate::diagnostic::Diagnostic;
@@ -49,15 +50,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, too few poses in both.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    for (name, value) in [("sigma-mm", args.sigma_mm), ("limit-mm", args.limit_mm)] {
-        if value.is_some_and(|mm| !(mm.is_finite() && mm > 0.0)) {
-            return Err(Diagnostic::error(
-                "option::number",
-                format!("--{name} must be more than 0 and finite"),
-            )
-            .into());
-        }
-    }
+    positive(&[("--sigma-mm", args.sigma_mm), ("--limit-mm", args.limit_mm)])?;
     let robot = model::robot(&args.robot)?;
     let options = Options {
         tool_m: args.tool.as_deref().map(diagnose::tool).transpose()?,

@@ -1,6 +1,7 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
 use super::measured::Source;
+use super::number::positive;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Diagnosis, Options, diagnose, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
@@ -175,9 +176,7 @@ fn as_json(diagnosis: &Diagnosis) -> anyhow::Result<String> {
 
 fn options(args: &Args) -> Result<Options, Diagnostic> {
     let tool_m = args.tool.as_deref().map(tool).transpose()?;
-    if args.sigma_mm.is_some_and(|s| !(s.is_finite() && s > 0.0)) {
-        return Err(Diagnostic::error("diagnose::sigma", "--sigma-mm is a positive number of mm"));
-    }
+    positive(&[("--sigma-mm", args.sigma_mm)])?;
     Ok(Options { tool_m, sigma_m: args.sigma_mm.map(m_from_mm) })
 }
 

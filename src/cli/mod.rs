@@ -12,6 +12,7 @@ pub mod given;
 pub mod measured;
 pub mod minutes;
 pub mod model;
+pub mod number;
 mod outcome;
 pub mod suggest;
 

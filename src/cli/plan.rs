@@ -1,5 +1,6 @@
 //! `driftpost plan`: which poses to measure.
 
+use super::number::positive;
 use super::{Console, Outcome, diagnose, files, model};
 use crate::diagnostic::Diagnostic;
 use crate::plan::{PlanError, PlanOptions, Space, plan, poses_csv, rapid, template_csv};
@@ -121,14 +122,12 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
         }
         Err(Diagnostic::error("option::range", format!("--{option} {value} cannot be")))
     };
-    for (option, value, least) in [
-        ("sigma-mm", args.sigma_mm, 1e-6),
-        ("each-min", args.each_min, 1e-6),
-        ("floor-mm", args.floor_mm, f64::MIN),
-        ("reach-mm", args.reach_mm.unwrap_or(1.0), 1e-6),
-    ] {
-        number(option, value, least)?;
-    }
+    positive(&[
+        ("--sigma-mm", Some(args.sigma_mm)),
+        ("--each-min", Some(args.each_min)),
+        ("--reach-mm", args.reach_mm),
+    ])?;
+    number("floor-mm", args.floor_mm, f64::NEG_INFINITY)?;
     for kg in &args.payloads_kg {
         number("payloads-kg", *kg, 0.0)?;
     }

@@ -4,6 +4,7 @@ use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
 use super::given::Given;
 use super::minutes::Minutes;
+use super::number::positive;
 use super::{Console, Outcome, model};
 use crate::diagnostic::Diagnostic;
 use crate::program::task_of;
@@ -89,11 +90,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, a module that does not load, or a scenario that cannot be played.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    if !(args.tolerance_mm.is_finite() && args.tolerance_mm > 0.0) {
-        return Err(Diagnostic::error("simulate::tolerance", "--tolerance-mm must be more than 0")
-            .help("0.006 is the default")
-            .into());
-    }
+    positive(&[("--tolerance-mm", Some(args.tolerance_mm))])?;
     let robot = model::robot(&args.robot)?;
     let truth = truth(args, robot)?;
     let program = Given::read(&args.program)?;

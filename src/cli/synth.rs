@@ -1,5 +1,6 @@
 //! `driftpost synth`: measurement sets of a virtual robot, their truth sealed beside them.
 
+use super::number::positive;
 use super::{Console, Outcome, files, model, suggest};
 use crate::deform::GrowthLaw;
 use crate::diagnose::warmup::Stop;
@@ -134,13 +135,7 @@ fn touched(
         Diagnostic::error("option::range", format!("--growth {} has no time constant", args.growth))
             .help("write exp:TAU or two-stage:TAU")
     })?;
-    for (name, value) in [("every-min", args.every_min), ("tau-cool", args.tau_cool)] {
-        if !(value.is_finite() && value > 0.0) {
-            return Err(Diagnostic::error("option::range", format!("--{name} {value} is no time"))
-                .help("give a number above 0")
-                .into());
-        }
-    }
+    positive(&[("--every-min", Some(args.every_min)), ("--tau-cool", Some(args.tau_cool))])?;
     let recipe = TouchRecipe {
         points: points as usize,
         times: args.times as usize,
@@ -173,16 +168,7 @@ fn touched(
 }
 
 fn check(args: &Args) -> Result<(), Diagnostic> {
-    let wrong = |option: &str, value: f64| {
-        Diagnostic::error("option::range", format!("--{option} {value} is no size"))
-            .help("give a number above 0")
-    };
-    if !(args.sigma_mm > 0.0 && args.sigma_mm.is_finite()) {
-        return Err(wrong("sigma-mm", args.sigma_mm));
-    }
-    if !(args.rho > 0.0 && args.rho.is_finite()) {
-        return Err(wrong("rho", args.rho));
-    }
+    positive(&[("--sigma-mm", Some(args.sigma_mm)), ("--rho", Some(args.rho))])?;
     if std::fs::read_dir(&args.out_dir).is_ok_and(|mut entries| entries.next().is_some()) {
         return Err(Diagnostic::error(
             "output::not-empty",

@@ -1,6 +1,7 @@
 //! `driftpost validate`: an identified model against measurements that it has not seen.
 
 use super::measured::Source;
+use super::number::positive;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Part, Register, ValidateError, Validation, validate};
 use crate::diagnostic::Diagnostic;
@@ -54,9 +55,7 @@ pub enum RegisterName {
 /// # Errors
 /// A file that cannot be read or written, or a registration that cannot be had.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    if args.limit_mm.is_some_and(|limit_mm| !(limit_mm.is_finite() && limit_mm > 0.0)) {
-        return Err(Diagnostic::error("option::number", "--limit-mm must be more than 0 and finite").into());
-    }
+    positive(&[("--limit-mm", args.limit_mm)])?;
     let robot = model::robot(&args.robot)?;
     let identified = model::identified(&args.model)?;
     let json = files::Output::new(args.json.as_deref())?;

@@ -185,21 +185,11 @@ impl Arm for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Hangs, Kind, Shape, Term, Value};
+    use crate::deform::identified::{Kind, Shape, Term, Value};
     use crate::kinematics::solve;
 
     fn term(kind: Kind, joint: Option<usize>, values: &[f64]) -> Term {
-        Term {
-            kind,
-            joint,
-            joint_b: None,
-            n: None,
-            shape: Shape::Always,
-            held_above_n_m: None,
-            hangs: Hangs::default(),
-            cause: true,
-            values: values.iter().map(|&value| Value { value, sigma: None }).collect(),
-        }
+        Term::plain(kind, joint, values.iter().map(|&value| Value { value, sigma: None }).collect())
     }
 
     fn arm(terms: Vec<Term>, t_min: f64) -> DeformedArm {

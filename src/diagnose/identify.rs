@@ -153,15 +153,7 @@ fn left_over(
         linear.registration.tools_m.iter().map(|tool_m| tool_m + payload_off_m).collect();
     let (scaled, poses) = predicted(robot, &stations.stations, model, &payload_m);
     let registration = register(&scaled, &poses, stations.targets, tool_m)?;
-    let left = scaled
-        .iter()
-        .zip(&poses)
-        .map(|(s, pose)| {
-            let place = registration.residual_m(s, pose);
-            let turn = registration.residual_rad(s, pose).unwrap_or_default();
-            [place.x, place.y, place.z, turn.x, turn.y, turn.z]
-        })
-        .collect();
+    let left = scaled.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
     Ok((left, registration))
 }
 
@@ -233,24 +225,10 @@ fn terms(scene: &Scene, candidates: &[&Candidate], found: &Found, sigmas: Option
                         .map(|s| s * Design::tolerance(k)),
                 })
                 .collect();
-            terms.push(Term { cause: false, ..plain(Kind::LinkGeometry, Some(link), values) });
+            terms.push(Term { cause: false, ..Term::plain(Kind::LinkGeometry, Some(link), values) });
         }
     }
     terms
-}
-
-fn plain(kind: Kind, joint: Option<usize>, values: Vec<Value>) -> Term {
-    Term {
-        kind,
-        joint,
-        joint_b: None,
-        n: None,
-        shape: Shape::Always,
-        held_above_n_m: None,
-        hangs: Hangs::default(),
-        cause: true,
-        values,
-    }
 }
 
 /// The first `plain` values, then those of the links from `first` on, in a list of `all`.
@@ -347,7 +325,7 @@ fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term
         shape,
         held_above_n_m: held,
         hangs,
-        ..plain(kind, form.joint, values)
+        ..Term::plain(kind, form.joint, values)
     })
 }
 

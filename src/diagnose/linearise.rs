@@ -44,16 +44,8 @@ pub fn linearise(
         let sites: Vec<Site> =
             stations.stations.iter().map(|s| Site::new(robot, &chain, &registration, s)).collect();
         let scene = Scene::new(robot, sites, channels);
-        let left: Vec<Motion> = stations
-            .stations
-            .iter()
-            .zip(&poses)
-            .map(|(s, pose)| {
-                let place = registration.residual_m(s, pose);
-                let turn = registration.residual_rad(s, pose).unwrap_or_default();
-                [place.x, place.y, place.z, turn.x, turn.y, turn.z]
-            })
-            .collect();
+        let left: Vec<Motion> =
+            stations.stations.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
         let residuals = restored(&scene, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
             return Ok(Linear { scene, residuals, registration: nominal.clone() });

@@ -44,6 +44,15 @@ impl Registration {
         }
     }
 
+    /// [`residual_m`](Self::residual_m) and [`residual_rad`](Self::residual_rad) of a station, 0 where no orientation
+    /// was measured.
+    #[must_use]
+    pub fn residual(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> [f64; 6] {
+        let place = self.residual_m(station, base_from_flange);
+        let turn = self.residual_rad(station, base_from_flange).unwrap_or_default();
+        [place.x, place.y, place.z, turn.x, turn.y, turn.z]
+    }
+
     /// Predicted position of the target in the base, metres; of a nest, whose "flange" is the base as it has moved.
     #[must_use]
     pub fn predicted_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {

@@ -85,22 +85,43 @@ impl Serialize for Motions<'_> {
                 Status::Kept(why) => ("kept", Some(why)),
                 Status::Refused(why) => ("refused", Some(why)),
             };
-            json!({
-                "file": program.file(motion.file).path,
-                "line": motion.line,
-                "routine": program.routines.get(motion.routine).map(|r| &r.name),
-                "index": index,
-                "kind": motion.kind,
-                "target": target_name(motion),
-                "status": status,
-                "reason": why.map(|w| &w.reason),
-                "code": why.map(|w| w.code),
-                "max_correction_mm": mm(planned.max_correction_m),
-                "max_correction_deg": rounded(deg_from_rad(planned.max_correction_rad)),
-                "mid_path_mm": planned.mid_path_m.map(mm),
-            })
+            let correction =
+                [mm(planned.max_correction_m), rounded(deg_from_rad(planned.max_correction_rad))];
+            motion_row(
+                program,
+                index,
+                motion,
+                (status, why.map(|why| &**why)),
+                correction,
+                planned.mid_path_m.map(mm),
+            )
         }))
     }
+}
+
+/// A row of `motions`; `correction` in mm and deg.
+fn motion_row(
+    program: &Program,
+    index: usize,
+    motion: &Motion,
+    (status, why): (&str, Option<&Keep>),
+    [correction_mm, correction_deg]: [f64; 2],
+    mid_path_mm: Option<f64>,
+) -> Value {
+    json!({
+        "file": program.file(motion.file).path,
+        "line": motion.line,
+        "routine": program.routines.get(motion.routine).map(|r| &r.name),
+        "index": index,
+        "kind": motion.kind,
+        "target": target_name(motion),
+        "status": status,
+        "reason": why.map(|w| &w.reason),
+        "code": why.map(|w| w.code),
+        "max_correction_mm": correction_mm,
+        "max_correction_deg": correction_deg,
+        "mid_path_mm": mid_path_mm,
+    })
 }
 
 /// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
@@ -109,20 +130,7 @@ impl Serialize for Motions<'_> {
 pub fn refusal(program: &Program, kept: &[Keep], list: &[Diagnostic]) -> Value {
     let files = &program.files;
     let row = |(index, (motion, why)): (usize, (&Motion, &Keep))| {
-        json!({
-            "file": program.file(motion.file).path,
-            "line": motion.line,
-            "routine": program.routines.get(motion.routine).map(|r| &r.name),
-            "index": index,
-            "kind": motion.kind,
-            "target": target_name(motion),
-            "status": "kept",
-            "reason": why.reason,
-            "code": why.code,
-            "max_correction_mm": 0.0,
-            "max_correction_deg": 0.0,
-            "mid_path_mm": null,
-        })
+        motion_row(program, index, motion, ("kept", Some(why)), [0.0; 2], None)
     };
     json!({
         "motions": program.motions.iter().zip(kept).enumerate().map(row).collect::<Vec<_>>(),

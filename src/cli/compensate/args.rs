@@ -6,6 +6,7 @@
 )]
 
 use crate::cli::model::{self, Named};
+use crate::cli::number::positive;
 use crate::cli::suggest;
 use crate::compensate::Options;
 use crate::deform::Deformation;
@@ -281,24 +282,16 @@ impl Args {
     /// # Errors
     /// `option::number`, naming the option.
     pub fn check(&self) -> Result<(), Diagnostic> {
-        let numbers = [
-            ("--max-correction-mm", self.max_correction_mm.unwrap_or(1.0)),
-            ("--max-correction-deg", self.max_correction_deg.unwrap_or(1.0)),
-            ("--payload-kg", self.payload_kg.map_or(1.0, |kg| if kg == 0.0 { 1.0 } else { kg })),
-            ("--path-tolerance-mm", self.path_tolerance_mm),
-            ("--gap-min", self.gap_min),
-            ("--hold-min", self.hold_min),
-            ("--stale-min", self.stale_min),
-            ("--tau-cool", self.tau_cool.unwrap_or(1.0)),
-        ];
-        match numbers.iter().find(|(_, value)| !value.is_finite() || *value <= 0.0) {
-            None => Ok(()),
-            Some((name, value)) => Err(Diagnostic::error(
-                "option::number",
-                format!("{name} must be more than 0 and finite, not {value}"),
-            )
-            .help("leave it out for the default")),
-        }
+        positive(&[
+            ("--max-correction-mm", self.max_correction_mm),
+            ("--max-correction-deg", self.max_correction_deg),
+            ("--payload-kg", self.payload_kg.filter(|kg| *kg != 0.0)),
+            ("--path-tolerance-mm", Some(self.path_tolerance_mm)),
+            ("--gap-min", Some(self.gap_min)),
+            ("--hold-min", Some(self.hold_min)),
+            ("--stale-min", Some(self.stale_min)),
+            ("--tau-cool", self.tau_cool),
+        ])
     }
 }
 

@@ -128,6 +128,24 @@ pub struct Term {
     pub values: Vec<Value>,
 }
 
+impl Term {
+    /// A cause that is there from the cold start on and has nothing besides its joint and values.
+    #[must_use]
+    pub fn plain(kind: Kind, joint: Option<usize>, values: Vec<Value>) -> Self {
+        Self {
+            kind,
+            joint,
+            joint_b: None,
+            n: None,
+            shape: Shape::Always,
+            held_above_n_m: None,
+            hangs: Hangs::default(),
+            cause: true,
+            values,
+        }
+    }
+}
+
 /// The arm at one place, as terms see it.
 pub(in crate::deform) struct Standing<'a> {
     pub robot: &'a Robot,

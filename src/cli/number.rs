@@ -1,0 +1,17 @@
+//! Numbers of options, refused before any work is done where they make no sense.
+
+use crate::diagnostic::Diagnostic;
+
+/// Refuses numbers that are not more than 0 and finite; `None` is an option that was left out.
+///
+/// # Errors
+/// `option::number`, naming the first such option.
+pub fn positive(options: &[(&str, Option<f64>)]) -> Result<(), Diagnostic> {
+    for &(name, value) in options {
+        if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+            let text = format!("{name} must be more than 0 and finite, not {value}");
+            return Err(Diagnostic::error("option::number", text).help("leave it out for the default"));
+        }
+    }
+    Ok(())
+}
