@@ -29,6 +29,7 @@ mod predefined;
 mod read;
 mod record;
 mod state;
+mod touched;
 mod value;
 mod writes;
 

@@ -7,19 +7,20 @@
 //! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
 //! on with TRYNEXT or RETRY, it goes on with that.
 
+mod steps;
+
 use super::data::LoadData;
 use super::draft::Drafts;
-use super::errors::Recovery;
-use super::flow::{Binding, Carried, HOLDS, Hold, Step, Ways, every_step, walk};
+use super::flow::{Carried, HOLDS, Ways, every_step, walk};
 use super::fold::{Constant, Folder, Followed};
 use super::followed::FollowedData;
-use super::index::{Ctx, DatumId, DatumKind, RoutineId};
+use super::index::{DatumId, DatumKind, RoutineId};
 use super::lower::Lowered;
 use super::motion::Keep;
-use super::names::Sym;
+use super::touched::{Touched, touched};
 use super::value::{Value, Why};
 use crate::diagnostic::Span;
-use crate::syntax::tree::{DataKind, Expr, RoutineKind};
+use crate::syntax::tree::{DataKind, RoutineKind};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -126,17 +127,6 @@ struct Busy {
     recursive: bool,
 }
 
-/// What a routine and those it calls may change.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Touched {
-    slots: BTreeSet<usize>,
-    conf_l: bool,
-    conf_j: bool,
-    grip: bool,
-    holds: BTreeSet<Hold>,
-    calls: BTreeSet<RoutineId>,
-}
-
 impl Walker<'_, '_> {
     fn run(&mut self) {
         self.in_handlers = self.lowered.ways.iter().map(|ways| self.in_handlers_of(ways)).collect();
@@ -173,9 +163,9 @@ impl Walker<'_, '_> {
         let mut any = Touched::default();
         for (id, in_handlers) in self.in_handlers.iter().enumerate() {
             if index.routines[id].tree.kind == RoutineKind::Trap {
-                add(&mut any, &self.touched[id]);
+                any.add(&self.touched[id]);
             }
-            add(&mut any, in_handlers);
+            any.add(in_handlers);
         }
         if !any.conf_l && !any.conf_j && any.holds.is_empty() {
             return;
@@ -195,10 +185,10 @@ impl Walker<'_, '_> {
     fn in_handlers_of(&self, ways: &Ways<'_>) -> Touched {
         let mut own = Touched::default();
         for handler in &ways.handlers {
-            every_step(handler, &mut |step| touch(&mut own, step));
+            every_step(handler, &mut |step| own.touch(step));
         }
         for callee in own.calls.clone() {
-            add(&mut own, &self.touched[callee]);
+            own.add(&self.touched[callee]);
         }
         own
     }
@@ -226,7 +216,7 @@ impl Walker<'_, '_> {
         let mut state = self.declared();
         let mut all = Touched::default();
         for touched in &self.touched {
-            add(&mut all, touched);
+            all.add(touched);
         }
         lose(&mut state, &all, &unknown(reason));
         state
@@ -362,145 +352,6 @@ impl Walker<'_, '_> {
             (a, b) => a.or(b),
         }
     }
-
-    fn call_any(
-        &mut self,
-        routines: &[RoutineId],
-        bindings: &[Binding<'_>],
-        maybe: bool,
-        recovery: Recovery,
-        ctx: Ctx,
-        state: &State,
-    ) -> Option<State> {
-        let mut entry = state.clone();
-        for binding in bindings {
-            let value = match binding.value {
-                Some(expr) => self.value(expr, ctx, state),
-                None => self.folder.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
-            };
-            if let Some(slot) = entry.slots.get_mut(binding.slot) {
-                *slot = SlotState { value, declared: false, set_at: None };
-            }
-        }
-        let mut out = maybe.then(|| state.clone());
-        for &routine in routines {
-            let mut entry = entry.clone();
-            loop {
-                let after = self.call(routine, entry.clone());
-                if let Some(mut failed) = after.failed {
-                    self.fails(&failed);
-                    self.handled(&mut failed);
-                    if recovery.again && self.join(&mut entry, &failed) {
-                        continue;
-                    }
-                    if recovery.next {
-                        out = self.either(out, Some(failed));
-                    }
-                }
-                out = self.either(out, after.exit);
-                break;
-            }
-        }
-        out
-    }
-
-    fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {
-        let view = View { state, followed: self.followed };
-        self.folder.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
-    }
-
-    /// The value with the component at `path` replaced.
-    fn with_component(&self, value: &Value, type_name: Sym, path: &[Sym], new: Value) -> Value {
-        let Some((name, rest)) = path.split_first() else { return new };
-        let components = self.folder.index.components(type_name).unwrap_or_default();
-        let Some(at) = components.iter().position(|(n, _)| n == name) else {
-            return Value::Unknown(unknown("a component that its type does not have is set"));
-        };
-        let mut parts: Vec<Value> = match value {
-            Value::Parts(parts) if parts.len() == components.len() => parts.to_vec(),
-            Value::Unknown(why) => vec![Value::Unknown(why.clone()); components.len()],
-            _ => return Value::Unknown(unknown("its value is not that of its type")),
-        };
-        if let Some(part) = parts.get_mut(at) {
-            *part = self.with_component(part, components[at].1, rest, new);
-        }
-        Value::parts(parts)
-    }
-}
-
-impl<'a> Carried<'a> for Walker<'_, 'a> {
-    type State = State;
-
-    fn join(&mut self, into: &mut State, other: &State) -> bool {
-        let before = into.clone();
-        let index = self.folder.index;
-        for (a, b) in into.slots.iter_mut().zip(&other.slots) {
-            let at = b.set_at.max(a.set_at);
-            let why = || {
-                let place = at.map_or(String::new(), |at| format!(": {}", index.place(at)));
-                let reason = format!("it is changed on one of the ways that lead here{place}");
-                Rc::new(Keep { code: "keep::runtime-target", reason, because: at })
-            };
-            a.value = a.value.join(&b.value, &why);
-            a.declared |= b.declared;
-            a.set_at = at;
-        }
-        into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
-        into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
-        into.grip = into.grip.filter(|load| other.grip == Some(*load));
-        for (a, b) in into.holds.iter_mut().zip(&other.holds) {
-            if a.is_none() {
-                a.clone_from(b);
-            }
-        }
-        !same(&before, into)
-    }
-
-    fn step(&mut self, step: &Step<'a>, mut state: State) -> Option<State> {
-        self.steps += 1;
-        if self.steps > MOST_STEPS {
-            return None;
-        }
-        match step {
-            Step::Motion(motion) => self.see(*motion, &state),
-            Step::Assign { slot, path, value, ctx, at } => {
-                let new = self.value(value, *ctx, &state);
-                let type_name =
-                    self.followed.data.get(*slot).map(|&datum| self.folder.index.data[datum].type_name);
-                if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
-                    let value = self.with_component(&old.value, type_name, path, new);
-                    *old = SlotState { value, declared: false, set_at: Some(*at) };
-                }
-            }
-            Step::Lose { slot, why, at } => {
-                if let Some(old) = state.slots.get_mut(*slot) {
-                    let value = Value::Unknown(why.clone());
-                    *old = SlotState { value, declared: false, set_at: Some(*at) };
-                }
-            }
-            Step::ConfL(on) => state.conf_l = *on,
-            Step::ConfJ(on) => state.conf_j = *on,
-            Step::Grip(load) => state.grip = *load,
-            Step::Hold(hold, why) => {
-                for (known, held) in HOLDS.iter().zip(&mut state.holds) {
-                    if known == hold {
-                        held.clone_from(why);
-                    }
-                }
-            }
-            Step::MayFail(recovery) => {
-                self.fails(&state);
-                if recovery.resumes() {
-                    self.handled(&mut state);
-                }
-            }
-            Step::Call { routines, bindings, maybe, recovery, ctx } => {
-                return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
-            }
-            Step::Away | Step::Wait(_) => {}
-        }
-        Some(state)
-    }
 }
 
 fn same(a: &State, b: &State) -> bool {
@@ -533,62 +384,6 @@ fn lose(state: &mut State, touched: &Touched, why: &Why) {
             *held = Some(why.clone());
         }
     }
-}
-
-/// What each routine and those it calls may change.
-fn touched(lowered: &Lowered<'_>) -> Vec<Touched> {
-    let mut all: Vec<Touched> = Vec::with_capacity(lowered.ways.len());
-    for ways in &lowered.ways {
-        let mut own = Touched::default();
-        for nodes in std::iter::once(&ways.body).chain(&ways.handlers) {
-            every_step(nodes, &mut |step| touch(&mut own, step));
-        }
-        all.push(own);
-    }
-    loop {
-        let mut changed = false;
-        for id in 0..all.len() {
-            let mut own = all[id].clone();
-            for callee in all[id].calls.clone() {
-                if let Some(callee) = all.get(callee) {
-                    add(&mut own, callee);
-                }
-            }
-            own.calls.clone_from(&all[id].calls);
-            changed |= own != all[id];
-            all[id] = own;
-        }
-        if !changed {
-            return all;
-        }
-    }
-}
-
-fn touch(touched: &mut Touched, step: &Step<'_>) {
-    match step {
-        Step::Assign { slot, .. } | Step::Lose { slot, .. } => {
-            touched.slots.insert(*slot);
-        }
-        Step::ConfL(_) => touched.conf_l = true,
-        Step::ConfJ(_) => touched.conf_j = true,
-        Step::Grip(_) => touched.grip = true,
-        Step::Hold(hold, Some(_)) => {
-            touched.holds.insert(*hold);
-        }
-        Step::Call { routines, bindings, .. } => {
-            touched.calls.extend(routines);
-            touched.slots.extend(bindings.iter().map(|b| b.slot));
-        }
-        Step::Motion(_) | Step::Hold(_, None) | Step::Away | Step::Wait(_) | Step::MayFail(_) => {}
-    }
-}
-
-fn add(into: &mut Touched, other: &Touched) {
-    into.slots.extend(&other.slots);
-    into.conf_l |= other.conf_l;
-    into.conf_j |= other.conf_j;
-    into.grip |= other.grip;
-    into.holds.extend(&other.holds);
 }
 
 fn unknown(reason: &str) -> Why {

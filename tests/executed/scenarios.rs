@@ -150,8 +150,7 @@ fn the_mode_forces(files: &(Files, Files)) {
 
 #[test]
 fn hours_after_the_end_of_the_schedule_the_last_bucket_holds() {
-    for clock in [warmth(), Clock::Elapsed] {
-        let files = cube(&clock);
+    for files in [warmth(), Clock::Elapsed].iter().flat_map(|clock| [cube(clock), cube_in_modules(clock)]) {
         // The last of the cube's buckets begins at minute 404; four hours more.
         let report = played(&files, "", &["call tcColdStart", "run 650"]);
         assert!(report.is_within(RUNNING_M), "{:?}", report.worst);
@@ -162,23 +161,22 @@ fn hours_after_the_end_of_the_schedule_the_last_bucket_holds() {
 
 #[test]
 fn a_restored_backup_is_as_old_as_it_says() {
-    let files = cube(&warmth());
-    // Saved warm in the evening, restored cold next morning: the state knows how long ago it was.
-    let report = played(
-        &files,
-        "",
-        &["call tcColdStart", "run 60", "backup", "stand 600", "restore_backup", "run 15"],
-    );
-    assert!(report.is_within(RUNNING_M), "{:?}", report.worst);
-    // Restored while the robot is warm: what ran since then is not known, the robot is taken as cooled by
-    // that time. The error is reported, is less than the drift itself, and fades.
-    let report =
-        played(&files, "", &["call tcColdStart", "run 60", "backup", "run 60", "restore_backup", "run 120"]);
-    let after = since(&report, 121.0);
-    let (first, last) = (after[0].after.max_m, after[after.len() - 1].after.max_m);
+    let night = ["call tcColdStart", "run 60", "backup", "stand 600", "restore_backup", "run 15"];
+    for files in [cube(&warmth()), cube_in_modules(&warmth())] {
+        // Saved warm in the evening, restored cold next morning: the state knows how long ago it was.
+        let report = played(&files, "", &night);
+        assert!(report.is_within(RUNNING_M), "{:?}", report.worst);
+        // Restored while the robot is warm: what ran since then is not known, the robot is taken as cooled by
+        // that time. The error is reported, is less than the drift itself, and fades.
+        let steps = ["call tcColdStart", "run 60", "backup", "run 60", "restore_backup", "run 120"];
+        let report = played(&files, "", &steps);
+        let after = since(&report, 121.0);
+        let (first, last) = (after[0].after.max_m, after[after.len() - 1].after.max_m);
+        assert!(first > RUNNING_M && first < after[0].before.max_m && last < first / 2.0, "{first} {last}");
+    }
     // The elapsed clock takes the night for warming: the error is nearly all of the drift, and reported.
-    let steps = ["call tcColdStart", "run 60", "backup", "stand 600", "restore_backup", "run 15"];
-    let report = played(&cube(&Clock::Elapsed), "", &steps);
-    assert!(!report.is_within(RUNNING_M) && worst(since(&report, 660.0)) > 1e-4);
-    assert!(first > RUNNING_M && first < after[0].before.max_m && last < first / 2.0, "{first} {last}");
+    for files in [cube(&Clock::Elapsed), cube_in_modules(&Clock::Elapsed)] {
+        let report = played(&files, "", &night);
+        assert!(!report.is_within(RUNNING_M) && worst(since(&report, 660.0)) > 1e-4);
+    }
 }
