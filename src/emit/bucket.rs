@@ -54,7 +54,8 @@ impl Buckets {
         let mut digest = Sha256::new();
         for (&(id, index), change) in changes {
             let file = program.file(id);
-            let Some(FileItem::Module(tree)) = file.tree.items.get(index) else { continue };
+            let whole = file.whole_tree();
+            let Some(FileItem::Module(tree)) = whole.items.get(index) else { continue };
             if buckets.stem.is_empty() {
                 buckets.stem = format!("tc{}_b", stem(&file.path));
             }

@@ -112,8 +112,9 @@ pub fn emit_each<E: From<EmitError>>(
     for id in changed {
         let file = program.file(id);
         let mut edits: Vec<Edit> = Vec::new();
+        let tree = file.whole_tree();
         for (&(_, index), change) in changes.range((id, 0)..=(id, usize::MAX)) {
-            let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
+            let Some(FileItem::Module(module)) = tree.items.get(index) else { continue };
             edits.extend(module::edits(&context, file, (index, module), change)?);
         }
         edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order

@@ -114,21 +114,24 @@ fn declares(file: &SourceFile, name: &str) -> bool {
                 _ => false,
             })
     };
-    file.tree.items.iter().any(|item| match item {
-        FileItem::Module(module) => {
-            is(module.name)
-                || module.items.iter().any(|item| match item {
-                    ModuleItem::Data(data) => is(data.name),
-                    ModuleItem::Record(record) => {
-                        is(record.name) || record.components.iter().any(|(_, name)| is(*name))
-                    }
-                    ModuleItem::Alias(alias) => is(alias.name),
-                    ModuleItem::Routine(routine) => in_routine(routine),
-                    ModuleItem::Comment(_) | ModuleItem::Opaque(_) => false,
-                })
-        }
-        FileItem::Comment(_) | FileItem::Opaque(_) => false,
-    })
+    let mut named = false;
+    words(&file.bytes, |word| named |= word.eq_ignore_ascii_case(name.as_bytes()));
+    named
+        && file.whole_tree().items.iter().any(|item| match item {
+            FileItem::Module(module) => {
+                is(module.name)
+                    || module.items.iter().any(|item| match item {
+                        ModuleItem::Data(data) => is(data.name),
+                        ModuleItem::Record(record) => {
+                            is(record.name) || record.components.iter().any(|(_, name)| is(*name))
+                        }
+                        ModuleItem::Alias(alias) => is(alias.name),
+                        ModuleItem::Routine(routine) => in_routine(routine),
+                        ModuleItem::Comment(_) | ModuleItem::Opaque(_) => false,
+                    })
+            }
+            FileItem::Comment(_) | FileItem::Opaque(_) => false,
+        })
 }
 
 fn begins_with_tc(word: &[u8]) -> bool {

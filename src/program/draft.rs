@@ -17,7 +17,15 @@ pub(super) struct Draft<'a> {
     pub(super) motion: Motion,
     pub(super) ctx: Ctx,
     pub(super) form: &'static MoveForm,
-    pub(super) args: MoveArgs<'a>,
+    /// As they stand in the text; [`args`](Self::args) says which is what.
+    pub(super) written: &'a [Arg],
+}
+
+impl<'a> Draft<'a> {
+    /// Its arguments by what they are.
+    pub(super) fn args(&self, index: &Index<'_>) -> MoveArgs<'a> {
+        move_args(index, self.ctx, self.form, self.written)
+    }
 }
 
 /// The arguments of a motion.
@@ -188,14 +196,14 @@ impl<'a> Walk<'_, 'a> {
             });
             loops.push(id);
         }
-        let args = move_args(index, ctx, form, args);
+        let by_role = move_args(index, ctx, form, args);
         let name = |last: &mut Option<Arc<str>>, expr: Option<&Expr>| {
             let name = as_text(index.text(ctx.file, expr?.range));
             let kept = last.take().filter(|last| **last == *name);
             Some(Arc::clone(last.insert(kept.unwrap_or_else(|| name.into()))))
         };
         let [last_tool, last_wobj] = &mut self.last_names;
-        let (tool_name, wobj_name) = (name(last_tool, args.tool), name(last_wobj, args.wobj));
+        let (tool_name, wobj_name) = (name(last_tool, by_role.tool), name(last_wobj, by_role.wobj));
         let motion = Motion {
             file: ctx.file,
             line: index.file(ctx.file).line(stmt.range),
@@ -219,7 +227,7 @@ impl<'a> Walk<'_, 'a> {
             keep: None,
         };
         self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());
-        self.drafts.motions.push(Box::new(Draft { motion, ctx, form, args }));
+        self.drafts.motions.push(Box::new(Draft { motion, ctx, form, written: args }));
     }
 
     /// The routine's entry among those with motion, made with its first motion.

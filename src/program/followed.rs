@@ -31,7 +31,7 @@ impl FollowedData {
         };
         let mut wanted = BTreeSet::new();
         for draft in &drafts.motions {
-            let args = &draft.args;
+            let args = draft.args(index);
             let options = args.options.iter().filter_map(|(_, value)| *value);
             for expr in [args.speed, args.zone, args.tool].into_iter().flatten().chain(options) {
                 names_in(index, draft.ctx, expr, &mut |datum| {

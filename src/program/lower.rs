@@ -97,6 +97,7 @@ impl<'a> Lower<'_, 'a> {
         for stmt in body {
             self.statement(stmt, &mut out);
         }
+        out.shrink_to_fit();
         out
     }
 

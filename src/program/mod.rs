@@ -53,7 +53,8 @@ pub struct Overrides {
 /// A program: all given files, read and understood together.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The files, in the order given; [`FileId`] is the position.
+    /// The files, in the order given; [`FileId`] is the position. Of their trees only what stands outside of
+    /// routines is kept.
     pub files: Vec<SourceFile>,
     /// Routines that hold motion, in file order.
     pub routines: Vec<RoutineInfo>,

@@ -32,7 +32,7 @@ impl Program {
     /// The files' ids must be their positions. Never fails: what cannot be understood stands in
     /// [`Motion::keep`] and in the diagnostics.
     #[must_use]
-    pub fn read(files: Vec<SourceFile>, overrides: &Overrides) -> Self {
+    pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
         let mut diagnostics = Vec::new();
         let given = super::overrides::given(overrides, &mut diagnostics);
         let index = Index::new(&files);
@@ -76,6 +76,7 @@ impl Program {
             );
         }
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        files.iter_mut().for_each(SourceFile::forget_bodies);
         Self { files, routines, loops, motions, facts, diagnostics }
     }
 }
@@ -105,7 +106,8 @@ fn shared<T: PartialEq>(last: &mut Option<Arc<T>>, value: T) -> Arc<T> {
 
 impl<'a> Finish<'_, 'a> {
     fn motion(&mut self, draft: Draft<'a>, state: Option<&State>) -> Motion {
-        let Draft { mut motion, ctx, form, args } = draft;
+        let args = draft.args(self.folder.index);
+        let Draft { mut motion, ctx, form, .. } = draft;
         let at = Span { file: ctx.file, range: motion.range };
         let mut first: Option<Keep> = None;
         let mut fail = |keep: Keep| {

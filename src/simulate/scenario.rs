@@ -9,7 +9,9 @@ use super::outcome::SimulateError;
 use super::session::Session;
 use crate::deform::Index;
 use crate::deform::Warmth;
-use serde::Deserialize;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
 
 /// A robot that deforms by temperature begins with this, degrees Celsius.
 const ROOM_C: f64 = 20.0;
@@ -29,8 +31,40 @@ pub struct Scenario {
     /// The true robot is fully warm at the beginning.
     #[serde(default)]
     pub warm: bool,
-    /// What happens, in order.
+    /// What happens, in order: `run 60`, or as a table `{ run = 60 }`.
+    #[serde(alias = "step", alias = "scenario", deserialize_with = "steps")]
     pub steps: Vec<String>,
+}
+
+/// A step as a scenario file has it.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Written {
+    Words(String),
+    Table(BTreeMap<String, toml::Value>),
+}
+
+fn steps<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D::Error> {
+    let words = |written| match written {
+        Written::Words(words) => Ok(words),
+        Written::Table(table) => match table.iter().next() {
+            Some((name, value)) if table.len() == 1 => Ok(format!("{name}{}", argument(value))),
+            _ => {
+                Err(D::Error::custom("a step is one word with what it needs, as `run 60` or `{ run = 60 }`"))
+            }
+        },
+    };
+    Vec::<Written>::deserialize(from)?.into_iter().map(words).collect()
+}
+
+/// What stands behind a step's word.
+fn argument(value: &toml::Value) -> String {
+    match value {
+        toml::Value::Boolean(true) => String::new(),
+        toml::Value::String(text) => format!(" {text}"),
+        toml::Value::Array(parts) => parts.iter().map(argument).collect(),
+        other => format!(" {other}"),
+    }
 }
 
 /// One step.
@@ -222,8 +256,8 @@ fn step(text: &str) -> Result<Step, SimulateError> {
     Ok(match name {
         "run" => Step::Run(minutes()?),
         "stand" => Step::Stand(minutes()?),
-        "pass" => Step::Pass,
-        "pp_to_main" => Step::PpToMain,
+        "pass" if rest.is_empty() => Step::Pass,
+        "pp_to_main" if rest.is_empty() => Step::PpToMain,
         "power_off" => Step::PowerOff(if rest.is_empty() { 0.0 } else { minutes()? }),
         "call" => Step::Call(word(0)?),
         "set" if rest.len() > 1 => Step::Set(word(0)?, rest[1..].join(" ")),
@@ -242,8 +276,8 @@ fn step(text: &str) -> Result<Step, SimulateError> {
             let (date, time) = date_time(&rest.join(" "))?;
             Step::SetDate(date, time)
         }
-        "backup" => Step::Backup,
-        "restore_backup" => Step::RestoreBackup,
+        "backup" if rest.is_empty() => Step::Backup,
+        "restore_backup" if rest.is_empty() => Step::RestoreBackup,
         _ => {
             return Err(bad("steps are run MIN, stand MIN, pass, pp_to_main, power_off [MIN], call PROC, \
                  set NAME VALUE, temperature DEGREES, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
@@ -287,6 +321,20 @@ mod tests {
         for wrong in ["run", "run -1", "run nan", "jump 3", "set_date 2026-13-01 00:00:00", "set x", ""] {
             assert!(step(wrong).is_err(), "{wrong}");
         }
-        assert!(Scenario::from_toml("step = []").is_err());
+        assert!(Scenario::from_toml("walk = []").is_err());
+    }
+
+    #[test]
+    fn a_step_may_be_a_table() {
+        let text = "[[step]]\nrun = 60\n[[step]]\nset = [\"tcMode\", -2]\n[[step]]\npp_to_main = true\n\
+                    [[step]]\ncall = \"tcColdStart\"\n";
+        let steps = Scenario::from_toml(text).unwrap().parsed().unwrap();
+        let set = Step::Set("tcMode".into(), "-2".into());
+        assert_eq!(steps, [Step::Run(60.0), set, Step::PpToMain, Step::Call("tcColdStart".into())]);
+        for wrong in
+            ["[[step]]\npass = false", "[[step]]\nrun = 60\nstand = 5", "[[step]]\nrun = true", "steps = [3]"]
+        {
+            assert!(Scenario::from_toml(wrong).is_err(), "{wrong}");
+        }
     }
 }

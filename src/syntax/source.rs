@@ -1,7 +1,7 @@
 //! A file as read: its name, its bytes, where its lines begin, and its tree.
 
 use super::parse;
-use super::tree::Tree;
+use super::tree::{FileItem, ModuleItem, Tree};
 use crate::diagnostic::{Diagnostic, FileId, LineIndex, Span, TextRange};
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub struct SourceFile {
     pub bytes: Arc<[u8]>,
     /// Where its lines begin.
     pub lines: LineIndex,
-    /// What was read out of it.
+    /// What was read out of it; without what stands inside routines after [`forget_bodies`](Self::forget_bodies).
     pub tree: Tree,
     /// What could not be read, and where.
     pub warnings: Vec<Diagnostic>,
@@ -32,6 +32,27 @@ impl SourceFile {
         let warnings =
             warnings.into_iter().map(|w| Diagnostic::warning(w.code, w.message).at(at(w.range))).collect();
         Self { id, path: path.into(), lines: LineIndex::new(&bytes), bytes, tree, warnings }
+    }
+
+    /// Lets go of what stands inside routines: of a large program that takes several times the text's room.
+    ///
+    /// [`whole_tree`](Self::whole_tree) reads it again.
+    pub fn forget_bodies(&mut self) {
+        for item in &mut self.tree.items {
+            let FileItem::Module(module) = item else { continue };
+            for item in &mut module.items {
+                if let ModuleItem::Routine(routine) = item {
+                    routine.body = Vec::new();
+                    routine.handlers = Vec::new();
+                }
+            }
+        }
+    }
+
+    /// The tree with all that stands inside routines, read anew.
+    #[must_use]
+    pub fn whole_tree(&self) -> Tree {
+        parse(&self.bytes).0
     }
 
     /// The bytes of a range.
@@ -56,6 +77,24 @@ impl SourceFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_stands_in_routines_can_be_forgotten_and_read_again() {
+        let text = "MODULE m\n PROC main()\n MoveL p,v100,fine,t;\n ERROR\n RETRY;\n ENDPROC\nENDMODULE\n";
+        let mut file = SourceFile::read(FileId(0), "m.mod", text.as_bytes().to_vec());
+        let whole = file.tree.clone();
+        file.forget_bodies();
+        let bodies = |tree: &Tree| match tree.items.as_slice() {
+            [FileItem::Module(module)] => match module.items.as_slice() {
+                [ModuleItem::Routine(routine)] => (routine.body.len(), routine.handlers.len(), routine.range),
+                _ => panic!(),
+            },
+            _ => panic!(),
+        };
+        let range = bodies(&whole).2;
+        assert_eq!((bodies(&whole), bodies(&file.tree)), ((1, 1, range), (0, 0, range)));
+        assert_eq!(file.whole_tree(), whole);
+    }
 
     #[test]
     fn a_file_is_read_with_its_warnings_placed_in_it() {

@@ -87,6 +87,9 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
         show(args, console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;
     }
     console.say(made.about_form());
+    if let Some(text) = made.about_core() {
+        console.say(text);
+    }
     for (path, size) in written {
         console.say(format_args!("wrote {} ({size} bytes)", path.display()));
     }

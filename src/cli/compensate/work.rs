@@ -4,7 +4,7 @@ use super::{Args, FormName, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::{self, Given};
 use crate::cli::model::{self, Named};
-use crate::compensate::plan::Plan;
+use crate::compensate::plan::{Plan, Status};
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
@@ -41,6 +41,8 @@ pub struct Made {
     pub plan: Plan,
     /// How the targets are held.
     pub form: Form,
+    /// Clock and index are in the module itself.
+    embedded: bool,
     /// All warnings.
     pub messages: Vec<Diagnostic>,
     provenance: Vec<(&'static str, String)>,
@@ -126,7 +128,11 @@ impl Job {
         if self.form == FormName::Auto {
             options.form = Memory::of_plan(&plan).suits();
         }
-        let mut hand_over = |file| take(&program, file).map_err(Halt::Taking);
+        let mut embedded = true;
+        let mut hand_over = |file: EmittedFile| {
+            embedded &= file.source.is_some() || file.on_disk;
+            take(&program, file).map_err(Halt::Taking)
+        };
         let mut emitted = emit_each(&program, &plan, &options, &mut hand_over);
         if self.form == FormName::Auto && matches!(emitted, Err(Halt::Emit(EmitError::NoRun))) {
             options.form = Form::Schedule;
@@ -135,7 +141,7 @@ impl Job {
         match emitted {
             Ok(()) => {
                 let provenance = self.provenance(given);
-                Ok(Made { program, plan, form: options.form, messages, provenance })
+                Ok(Made { program, plan, form: options.form, embedded, messages, provenance })
             }
             Err(halt) => {
                 messages.push(match halt {
@@ -270,6 +276,15 @@ impl Made {
         }
         .map(|form| megabytes(memory.peak_bytes(form)));
         format!("form {form}: about {own} of the controller's program memory at its peak, {other} {others}")
+    }
+
+    /// What must be known before the module is loaded beside others, where there is something.
+    pub fn about_core(&self) -> Option<&'static str> {
+        let compensated = self.plan.motions.iter().any(|motion| motion.status == Status::Compensated);
+        (self.embedded && compensated).then_some(
+            "the clock is in the module itself, under global names: no other module with a clock of its own loads beside \
+             it; compensate the modules of one task in one run",
+        )
     }
 
     /// The table of motions and its summary.
