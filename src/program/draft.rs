@@ -52,8 +52,7 @@ impl MoveArgs<'_> {
 /// All motions, loops and routines of a program, in file order.
 #[derive(Debug, Default)]
 pub(super) struct Drafts<'a> {
-    #[expect(clippy::vec_box, reason = "drafts are many, and a list that grows would hold them twice")]
-    pub(super) motions: Vec<Box<Draft<'a>>>,
+    pub(super) motions: Vec<Draft<'a>>,
     pub(super) loops: Vec<Loop>,
     pub(super) routines: Vec<RoutineInfo>,
     /// The motion that a statement (file, first byte) is.
@@ -63,8 +62,16 @@ pub(super) struct Drafts<'a> {
 impl<'a> Drafts<'a> {
     /// What stands in all files.
     pub(super) fn new(folder: &mut Folder<'a>) -> Self {
-        let mut drafts = Self::default();
         let index = folder.index;
+        // Room for all at once: drafts are many, and a list that grows holds them twice.
+        let mut statements = 0;
+        for tree in index.routines.iter().map(|routine| routine.tree) {
+            let handlers = tree.handlers.iter().map(|handler| &handler.body);
+            std::iter::once(&tree.body)
+                .chain(handlers)
+                .for_each(|body| every_statement(body, &mut |_| statements += 1));
+        }
+        let mut drafts = Self { motions: Vec::with_capacity(statements), ..Self::default() };
         for (id, routine) in index.routines.iter().enumerate() {
             let gotos = gotos(routine.tree);
             let (drafts, open) = (&mut drafts, Vec::new());
@@ -227,7 +234,7 @@ impl<'a> Walk<'_, 'a> {
             keep: None,
         };
         self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());
-        self.drafts.motions.push(Box::new(Draft { motion, ctx, form, written: args }));
+        self.drafts.motions.push(Draft { motion, ctx, form, written: args });
     }
 
     /// The routine's entry among those with motion, made with its first motion.

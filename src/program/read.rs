@@ -57,7 +57,7 @@ impl Program {
         };
         let mut motions = Vec::with_capacity(drafts.len());
         for ((draft, state), (previous, wait, since_entry)) in drafts.into_iter().zip(states).zip(order) {
-            let mut motion = finish.motion(*draft, state.as_deref());
+            let mut motion = finish.motion(draft, state.as_deref());
             motion.previous = previous;
             motion.wait_before = wait;
             motion.wait_since_entry = since_entry;
