@@ -7,7 +7,7 @@ use crate::robot::Robot;
 use crate::units::deg_from_rad;
 use std::collections::BTreeSet;
 
-/// More rows than this say no more; every n-th pose is taken.
+/// More rows than this say no more; a part of the poses is taken.
 const MOST_ROWS: usize = 20_000;
 /// Beyond a joint's range by more than this is no reading of this robot, radians.
 const RANGE_SLACK_RAD: f64 = 0.02;
@@ -40,10 +40,12 @@ pub fn check_rows(measurements: &Measurements, robot: &Robot) -> Finding {
     if finding.keep.len() > MOST_ROWS {
         let step = finding.keep.len().div_ceil(MOST_ROWS);
         let before = finding.keep.len();
-        finding.keep.retain(|&i| rows.get(i).is_some_and(|row| row.pose % step == 0));
+        // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
+        let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        finding.keep.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
         finding.warnings.push(Diagnostic::warning(
             "measure::many-rows",
-            format!("of {before} rows {} are evaluated: every {step}th pose", finding.keep.len()),
+            format!("of {before} rows {} are evaluated: one pose in {step}", finding.keep.len()),
         ));
     }
     finding

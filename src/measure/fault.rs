@@ -5,6 +5,7 @@ use crate::kinematics::Chain;
 use crate::robot::Robot;
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Vector3};
+use std::collections::BTreeSet;
 
 /// Which contradiction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +60,7 @@ pub fn find_fault(
     tool_m: Option<Vector3<f64>>,
 ) -> Option<Fault> {
     if registration.median_m > SOUND_M {
-        let stride = stations.len().div_ceil(TRIAL_STATIONS);
-        let few: Vec<Station> = stations.iter().step_by(stride).cloned().collect();
+        let few = trial(stations);
         let found = units(robot, &few, targets, registration)
             .or_else(|| axes(robot, &few, targets, registration))
             .or_else(|| joints(robot, &few, targets, registration))
@@ -92,6 +92,19 @@ pub fn find_fault(
             mm_from_m(off_m)
         ),
     })
+}
+
+/// A few stations from all over the file, at steps of the golden section: every n-th of poses that come round again could
+/// be the same pose each time.
+fn trial(stations: &[Station]) -> Vec<Station> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let n = stations.len();
+    if n <= TRIAL_STATIONS {
+        return stations.to_vec();
+    }
+    let places: BTreeSet<usize> =
+        (0..TRIAL_STATIONS).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
+    places.into_iter().filter_map(|place| stations.get(place)).cloned().collect()
 }
 
 /// The middle distance that a changed file would leave, metres.

@@ -1,6 +1,7 @@
 //! A table as text: column names and cells, each row with its line in the file it came from.
 
 use super::MeasureError;
+use super::read::missing;
 use crate::diagnostic::LineIndex;
 use csv::{ReaderBuilder, Trim};
 
@@ -35,6 +36,11 @@ impl Table {
         let header: Vec<String> = reader.headers().map_err(not_csv)?.iter().map(str::to_owned).collect();
         if header.iter().all(String::is_empty) {
             return Err(MeasureError::NoHeader);
+        }
+        if let [alone] = header.as_slice()
+            && alone.contains([';', '\t'])
+        {
+            return Err(missing("q1_deg", &header));
         }
         let mut lines = Vec::new();
         for record in reader.records() {
