@@ -22,7 +22,8 @@ pub struct Args {
     #[arg(value_name = "OUT_DIR")]
     pub out_dir: PathBuf,
 
-    /// Effects of every set, e.g. joint_compliance:2,gear_mesh:3:20; none; or mix: the exam's mixture.
+    /// Effects of every set, e.g. joint_compliance:2,gear_mesh:3:20; none; mix: the exam's mixture; or weak: its
+    /// questions of one effect, at half the noise in 30 rows.
     #[arg(long, value_name = "LIST", default_value = "mix")]
     pub effects: String,
 
@@ -42,19 +43,19 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(30..=300))]
     pub most_rows: u32,
 
-    /// Rows of each set (not with mix).
+    /// Rows of each set (not with mix or weak).
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(4..=100_000))]
     pub n: u32,
 
-    /// Noise of each coordinate (not with mix).
+    /// Noise of each coordinate (not with mix or weak).
     #[arg(long, value_name = "MM", default_value_t = 0.02)]
     pub sigma_mm: f64,
 
-    /// Each effect's rms over the noise's rms (not with mix).
+    /// Each effect's rms over the noise's rms (not with mix or weak).
     #[arg(long, default_value_t = 3.0)]
     pub rho: f64,
 
-    /// How the poses are spread (not with mix).
+    /// How the poses are spread (not with mix or weak).
     #[arg(long, value_enum, default_value_t = Spread::Wide)]
     pub poses: Spread,
 
@@ -184,10 +185,10 @@ fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
     const TRIES: usize = 50;
     let mut draw = Draw::new(args.seed, u64::from(number));
     for _ in 0..TRIES {
-        let recipe = if args.effects == "mix" {
-            mixture::recipe(number as usize, args.most_rows as usize, &mut draw)
-        } else {
-            recipe(&Ask::of(args, number), &mut draw)?
+        let recipe = match args.effects.as_str() {
+            "mix" => mixture::recipe(number as usize, args.most_rows as usize, &mut draw),
+            "weak" => mixture::weak_recipe(number as usize, &mut draw),
+            _ => recipe(&Ask::of(args, number), &mut draw)?,
         };
         if let Some(set) = data_set(robot, &args.robot, &recipe, &mut draw) {
             return Ok(set);

@@ -145,3 +145,39 @@ pub fn recipe(number: usize, most_rows: usize, draw: &mut Draw) -> Recipe {
         payloads_kg: if draw.chance(0.5) { [0.0, 3.0] } else { [1.0, 1.0] },
     }
 }
+
+/// An effect of the weak class is this large against the noise, and measured in so many rows.
+pub const WEAK_RHO: f64 = 0.5;
+/// See [`WEAK_RHO`].
+pub const WEAK_ROWS: usize = 30;
+
+/// The recipe of one weak effect: the mixture's questions of one effect, at half the noise in 30 rows.
+#[must_use]
+pub fn weak_recipe(number: usize, draw: &mut Draw) -> Recipe {
+    loop {
+        let mut recipe = recipe(number, WEAK_ROWS, draw);
+        if recipe.kind == Kind::One {
+            recipe.effects.iter_mut().for_each(|(_, rho)| *rho = WEAK_RHO);
+            return recipe;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_weak_question_is_one_effect_of_half_the_noise_in_thirty_rows() {
+        let spreads: Vec<Spread> = (0..40)
+            .map(|number| {
+                let recipe = weak_recipe(number, &mut Draw::new(8, number as u64));
+                assert_eq!((recipe.kind, recipe.n, recipe.effects.len()), (Kind::One, 30, 1));
+                assert_eq!(recipe.effects[0].1, 0.5);
+                assert!(recipe.repeats <= 5);
+                recipe.spread
+            })
+            .collect();
+        assert!(spreads.contains(&Spread::Wide) && spreads.contains(&Spread::Cube), "{spreads:?}");
+    }
+}

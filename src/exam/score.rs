@@ -2,8 +2,12 @@
 //!
 //! Reads the diagnosis's JSON as any script would; a missing or misspelt field counts as a wrong answer.
 
+use super::mixture::{WEAK_RHO, WEAK_ROWS};
 use super::truth::{Kind, Truth};
 use serde::{Deserialize, Serialize};
+
+/// An effect is weak by design where its size is within this share of the weak class's.
+const WEAK_WITHIN: f64 = 0.05;
 
 /// One named cause of a diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -226,6 +230,7 @@ fn says_outside(answer: &Answer) -> bool {
 pub fn score(papers: &[(Truth, Answer)]) -> Vec<Measure> {
     let marks = Marks(papers.iter().map(|(t, a)| (t, a)).collect());
     let one = |t: &Truth| t.kind == Kind::One;
+    let weak = |t: &Truth| one(t) && t.n == WEAK_ROWS && (rho(t) / WEAK_RHO - 1.0).abs() < WEAK_WITHIN;
     let cause = |a: &Answer| names_a_cause(a) || a.verdict == "ambiguous";
     vec![
         marks.rate(
@@ -236,11 +241,18 @@ pub fn score(papers: &[(Truth, Answer)]) -> Vec<Measure> {
             |(t, a)| first_right(t, a),
         ),
         marks.rate(
-            "first answer right, rho 0.3-0.8, N = 30",
+            "first answer right, rho = .5, N = 30",
             [0.55, 0.75],
             false,
-            |(t, _)| one(t) && rho(t) < 0.8 && t.n == 30,
+            |(t, _)| weak(t),
             |(t, a)| first_right(t, a),
+        ),
+        marks.rate(
+            "one of the first two right, rho = .5, N = 30",
+            [0.90, 0.90],
+            false,
+            |(t, _)| weak(t),
+            |(t, a)| a.causes.iter().take(2).any(|c| is(t, 0, c)),
         ),
         marks.rate(
             "false alarms without effect",
