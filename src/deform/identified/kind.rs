@@ -93,8 +93,7 @@ const FRAME: [Parameter; 6] = [
     ("ry_deg", Unit::Degree),
     ("rz_deg", Unit::Degree),
 ];
-const PER_LINK: [Parameter; 7] = [
-    ("rad_per_n_m", Unit::Plain),
+const LINKS: [Parameter; 6] = [
     ("link1_rad_per_n_m", Unit::Plain),
     ("link2_rad_per_n_m", Unit::Plain),
     ("link3_rad_per_n_m", Unit::Plain),
@@ -102,8 +101,7 @@ const PER_LINK: [Parameter; 7] = [
     ("link5_rad_per_n_m", Unit::Plain),
     ("link6_rad_per_n_m", Unit::Plain),
 ];
-const PER_JOINT: [Parameter; 7] = [
-    ("kg", Unit::Plain),
+const JOINTS: [Parameter; 6] = [
     ("joint1_rad_per_n_m", Unit::Plain),
     ("joint2_rad_per_n_m", Unit::Plain),
     ("joint3_rad_per_n_m", Unit::Plain),
@@ -111,27 +109,29 @@ const PER_JOINT: [Parameter; 7] = [
     ("joint5_rad_per_n_m", Unit::Plain),
     ("joint6_rad_per_n_m", Unit::Plain),
 ];
-const PER_BEND: [Parameter; 8] = [
-    ("rad_per_n_m", Unit::Plain),
-    ("uneven_rad_per_n_m", Unit::Plain),
-    ("link1_rad_per_n_m", Unit::Plain),
-    ("link2_rad_per_n_m", Unit::Plain),
-    ("link3_rad_per_n_m", Unit::Plain),
-    ("link4_rad_per_n_m", Unit::Plain),
-    ("link5_rad_per_n_m", Unit::Plain),
-    ("link6_rad_per_n_m", Unit::Plain),
-];
-const PER_TILT: [Parameter; 8] = [
-    ("x_rad_per_n_m", Unit::Plain),
-    ("y_rad_per_n_m", Unit::Plain),
-    ("link1_rad_per_n_m", Unit::Plain),
-    ("link2_rad_per_n_m", Unit::Plain),
-    ("link3_rad_per_n_m", Unit::Plain),
-    ("link4_rad_per_n_m", Unit::Plain),
-    ("link5_rad_per_n_m", Unit::Plain),
-    ("link6_rad_per_n_m", Unit::Plain),
-];
+const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
+const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
+const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
+const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS);
+const PER_BEND: [Parameter; 8] = joined([COMPLIANCE, UNEVEN], LINKS);
+const PER_TILT: [Parameter; 8] = joined(TILT, LINKS);
+const PER_JOINT: [Parameter; 7] = joined([("kg", Unit::Plain)], JOINTS);
 const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];
+
+/// `first`, then `each`; N = A + 6.
+const fn joined<const A: usize, const N: usize>(
+    first: [Parameter; A],
+    each: [Parameter; 6],
+) -> [Parameter; N] {
+    assert!(N == A + each.len());
+    let mut all = [each[0]; N];
+    let mut i = 0;
+    while i < N {
+        all[i] = if i < A { first[i] } else { each[i - A] };
+        i += 1;
+    }
+    all
+}
 
 /// All, in the order of the documentation.
 pub(super) const ALL: [Kind; 19] = [
