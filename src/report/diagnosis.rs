@@ -10,7 +10,7 @@ const MOST_LISTED: usize = 12;
 #[must_use]
 pub fn text(d: &Diagnosis, robot: &str) -> String {
     let mut page = String::new();
-    line(&mut page, &format!("{}: {}.", heading(d.verdict), d.reason));
+    line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     line(&mut page, "");
     line(&mut page, &format!("{robot}, {} rows, {} stations.", d.rows, d.stations));
     noise(&mut page, d);
@@ -19,6 +19,14 @@ pub fn text(d: &Diagnosis, robot: &str) -> String {
     gain(&mut page, d);
     next(&mut page, d);
     page
+}
+
+/// What the one cause means, in brackets.
+fn in_short_plainly(d: &Diagnosis) -> String {
+    match d.causes.first() {
+        Some(cause) if d.verdict == Verdict::Explained => format!(" ({})", plainly(cause.effect)),
+        _ => String::new(),
+    }
 }
 
 fn line(page: &mut String, text: &str) {
@@ -43,12 +51,15 @@ fn heading(verdict: Verdict) -> &'static str {
 fn noise(page: &mut String, d: &Diagnosis) {
     let Some(model) = d.noise.model_sigma_mm else { return };
     match d.noise.repeats_sigma_mm {
-        Some(repeats) => line(
-            page,
-            &format!(
-                "Noise of one coordinate: {repeats:.4} mm in repeats, {model:.4} mm about the best model."
-            ),
-        ),
+        Some(known) => {
+            let source = if d.noise.repeats_freedom == 0 { "as stated" } else { "in repeats" };
+            line(
+                page,
+                &format!(
+                    "Noise of one coordinate: {known:.4} mm {source}, {model:.4} mm about the best model."
+                ),
+            );
+        }
         None => line(
             page,
             &format!(
@@ -196,7 +207,9 @@ fn limits(page: &mut String, d: &Diagnosis) {
         let of = if joints.is_empty() {
             String::new()
         } else {
-            format!(" of joint or link {}", joints.join(", "))
+            let what = if entry.effect.contains("link") { "link" } else { "joint" };
+            let many = if joints.len() > 1 { "s" } else { "" };
+            format!(" of {what}{many} {}", joints.join(", "))
         };
         line(page, &format!("  {}{of}: {}", entry.effect, entry.reason));
     }
@@ -231,7 +244,8 @@ fn gain(page: &mut String, d: &Diagnosis) {
         line(
             page,
             &format!(
-                "  to {:.0} % of what it is, between {:.0} % and {:.0} % nine times in ten",
+                "  {} {:.0} % of what it is, between {:.0} % and {:.0} % nine times in ten",
+                if ratio < 1.0 { "to" } else { "no better: to" },
                 100.0 * ratio,
                 100.0 * low,
                 100.0 * high
@@ -269,6 +283,7 @@ fn next(page: &mut String, d: &Diagnosis) {
     }
     line(page, "");
     line(page, &format!("What to measure next, {}", d.next_reason));
+    line(page, "  approach: the way in which joints 1 to 6 turned last, + or -");
     for pose in &d.next_measurements {
         let joints: Vec<String> = pose.q_deg.iter().map(|q| format!("{q:7.1}")).collect();
         let signs: Vec<&str> = pose.dir.iter().map(|d| if *d < 0 { "-" } else { "+" }).collect();
