@@ -4,6 +4,12 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use assert_cmd::Command;
+use driftpost::exam::draw::Draw;
+use driftpost::exam::effect::Effect;
+use driftpost::exam::generate::{Recipe, data_set};
+use driftpost::exam::poses::{Recorded, Spread};
+use driftpost::exam::truth::Kind;
+use driftpost::robot::Robot;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::fs;
@@ -187,6 +193,37 @@ fn the_same_bytes_whatever_the_number_of_threads_and_every_file_is_written() {
         assert!(picture.starts_with("<svg") && picture.ends_with("</svg>\n"));
         assert!(picture.matches("<circle").count() > 60);
     }
+}
+
+/// A joint that turns with another's angle, by a curve and not in proportion, is named by place, not as gear lines.
+#[test]
+fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
+    let recipe = Recipe {
+        name: "curve".into(),
+        kind: Kind::Outside,
+        effects: vec![(Effect::CrossTerm { joint: 5, a: 1, b: 1 }, 4.0)],
+        n: 100,
+        repeats: 0,
+        sigma_mm: 0.018,
+        stated_sigma_mm: None,
+        spread: Spread::Wide,
+        recorded: Recorded {
+            time: true,
+            direction: true,
+            payload: true,
+            temperature: false,
+            orientation: false,
+        },
+        slowness: 0.0,
+        outliers: 0.0,
+        geometry: 0.0,
+        payloads_kg: [0.0, 3.0],
+    };
+    let robot = Robot::built_in("irb140").unwrap();
+    let set = data_set(&robot, "irb140", &recipe, &mut Draw::new(4, 0)).unwrap();
+    let (code, said, json) = diagnose(set.csv.as_bytes(), &[]);
+    assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{said}");
+    assert_eq!(json.unwrap()["where"]["joint"], 5);
 }
 
 /// 18 sets of the exam's mixture; the same draws on every machine.

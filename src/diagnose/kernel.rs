@@ -16,6 +16,8 @@ pub enum Kernel {
     JointFine(usize),
     /// Some function of all joints' angles turns one joint.
     Joints(usize),
+    /// Some function of the first joint's angle turns the second.
+    Driven(usize, usize),
     /// Some function of each joint's own angle turns it, for all joints.
     AllJoints,
     /// A shift by place in the workspace.
@@ -55,6 +57,9 @@ pub fn kernels() -> Vec<(Kernel, f64)> {
     for j in 0..6 {
         all.extend([(Kernel::Joint(j), 0.5), (Kernel::JointFine(j), 0.5), (Kernel::Joints(j), 0.5)]);
     }
+    for a in 0..6 {
+        all.extend((0..6).filter(|&b| b != a).map(|b| (Kernel::Driven(a, b), 0.1)));
+    }
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([(Kernel::Time, 2.0), (Kernel::TimeFine, 1.0), (Kernel::ToolTime, 1.0)]);
     all.extend((0..6).map(|j| (Kernel::JointTime(j), 0.5)));
@@ -66,9 +71,10 @@ pub fn kernels() -> Vec<(Kernel, f64)> {
 #[must_use]
 pub fn columns(kernel: Kernel, design: &Design, scene: &Scene) -> Vec<Vec<f64>> {
     match kernel {
-        Kernel::Joint(j) => joint_columns(design, scene, &[j], JOINT_RAD[0]),
-        Kernel::JointFine(j) => joint_columns(design, scene, &[j], JOINT_RAD[1]),
-        Kernel::AllJoints => joint_columns(design, scene, &[0, 1, 2, 3, 4, 5], JOINT_RAD[0]),
+        Kernel::Joint(j) => joint_columns(design, scene, &[(j, j)], JOINT_RAD[0]),
+        Kernel::JointFine(j) => joint_columns(design, scene, &[(j, j)], JOINT_RAD[1]),
+        Kernel::Driven(a, b) => joint_columns(design, scene, &[(a, b)], JOINT_RAD[0]),
+        Kernel::AllJoints => joint_columns(design, scene, &[0, 1, 2, 3, 4, 5].map(|j| (j, j)), JOINT_RAD[0]),
         Kernel::Joints(j) => {
             let at = |site: &Site| site.q_rad.to_vec();
             let centres = spread(scene, at, 48);
@@ -139,9 +145,10 @@ fn place(site: &Site) -> Vec<f64> {
     site.point_m.iter().copied().collect()
 }
 
-fn joint_columns(design: &Design, scene: &Scene, joints: &[usize], length_rad: f64) -> Vec<Vec<f64>> {
+/// Functions of the first joint's angle that turn the second, for each of `pairs`.
+fn joint_columns(design: &Design, scene: &Scene, pairs: &[(usize, usize)], length_rad: f64) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
-    for &j in joints {
+    for &(j, turned) in pairs {
         let values = scene.sites.iter().map(|s| s.q_rad[j]);
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);
@@ -151,7 +158,7 @@ fn joint_columns(design: &Design, scene: &Scene, joints: &[usize], length_rad: f
         let width = length_rad.max(0.8 * (high - low) / count as f64);
         all.extend(design.stack(scene, count, |_, site, out| {
             out.extend(
-                bumps(&[site.q_rad[j]], &centres, width).into_iter().map(|f| scaled(site.joint(j), f)),
+                bumps(&[site.q_rad[j]], &centres, width).into_iter().map(|f| scaled(site.joint(turned), f)),
             );
         }));
     }

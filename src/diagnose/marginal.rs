@@ -127,7 +127,8 @@ pub fn normal(x: f64, mean: f64, sigma: f64) -> f64 {
 }
 
 /// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
-fn normal_below(z: f64) -> f64 {
+#[must_use]
+pub fn normal_below(z: f64) -> f64 {
     if z.abs() > 8.0 {
         return f64::from(u8::from(z > 0.0));
     }

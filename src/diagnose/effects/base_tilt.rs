@@ -26,7 +26,7 @@ impl Effect for BaseTilt {
     fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
         let mut sizes = vec![USUAL; 2];
         sizes.extend([MASS_ERROR * USUAL; 6]);
-        vec![Candidate { counted: 2, ..Candidate::new(Form::PLAIN, sizes) }]
+        vec![Candidate { positive: true, counted: 2, ..Candidate::new(Form::PLAIN, sizes) }]
     }
     fn motions(&self, _form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
         let about = |moment: &Vector3<f64>| {

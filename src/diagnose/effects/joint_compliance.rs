@@ -33,7 +33,7 @@ impl Effect for JointCompliance {
                 if scene.largest_payload_kg > 0.0 {
                     sizes.extend([LEVER_M * usual; 3]);
                 }
-                Candidate { counted: 1, ..Candidate::new(Form::of_joint(j), sizes) }
+                Candidate { positive: true, counted: 1, ..Candidate::new(Form::of_joint(j), sizes) }
             })
             .collect()
     }

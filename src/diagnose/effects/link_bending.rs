@@ -30,7 +30,7 @@ impl Effect for LinkBending {
                 let usual = if i < 3 { 1.5e-6 } else { 1.5e-5 };
                 let mut sizes = vec![usual, UNEVEN * usual];
                 sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, 5 - i));
-                Candidate { counted: 1, ..Candidate::new(Form::of_joint(i), sizes) }
+                Candidate { positive: true, counted: 1, ..Candidate::new(Form::of_joint(i), sizes) }
             })
             .collect()
     }

@@ -109,13 +109,15 @@ pub struct Candidate {
     pub factor: f64,
     /// Prior weight within the effect; normalised later.
     pub weight: f64,
+    /// Physics gives its first parameter a sign: a gear gives way to gravity, a warm link grows.
+    pub positive: bool,
 }
 
 impl Candidate {
     /// A candidate of equal weight, all parameters counted, unit SI. The library fills in `effect`.
     #[must_use]
     pub fn new(form: Form, usual: Vec<f64>) -> Self {
-        Self { effect: 0, form, counted: usual.len(), usual, factor: 1.0, weight: 1.0 }
+        Self { effect: 0, form, counted: usual.len(), usual, factor: 1.0, weight: 1.0, positive: false }
     }
 
     /// The effect itself.

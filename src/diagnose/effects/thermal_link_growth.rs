@@ -29,8 +29,13 @@ impl Effect for ThermalLinkGrowth {
         for link in [None, Some(0), Some(1), Some(2), Some(3), Some(4)] {
             let form = Form { joint: link, ..Form::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
-            let whole =
-                Candidate { counted: 1, factor: 1e6, weight, ..Candidate::new(form, vec![1.5e-4, 3e-4]) };
+            let whole = Candidate {
+                positive: true,
+                counted: 1,
+                factor: 1e6,
+                weight,
+                ..Candidate::new(form, vec![1.5e-4, 3e-4])
+            };
             all.extend(thermal::shapes(scene, &whole));
         }
         all

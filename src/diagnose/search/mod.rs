@@ -12,6 +12,7 @@ use super::design::Design;
 use super::effects::Candidate;
 use super::evidence::{Background, Reached};
 use super::marginal::Noise;
+use change::Search;
 use library::Follower;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,6 +23,8 @@ pub const NULL_PRIOR: f64 = 0.5;
 pub const UNEXPLAINED_PRIOR: f64 = 0.1;
 /// An effect is added when it is this much likelier than nothing, nats.
 pub const ALARM_NATS: f64 = 5.0;
+/// Share of it that a further effect has to pass: where one effect is at work, more are.
+const BESIDE: f64 = 0.8;
 /// And dropped when it falls under this.
 pub const DROP_NATS: f64 = 3.0;
 /// Most causes that are not gear lines, and most gear lines.
@@ -65,95 +68,109 @@ impl Library<'_> {
         place: &mut BTreeMap<usize, Vec<usize>>,
         alarm_nats: f64,
     ) -> Vec<Chosen> {
-        let mut chosen: Vec<Chosen> = Vec::new();
         let mut background = Background::new(design, subset, &[], noise);
-        let mut followers = self.follow(&background, subset);
-        // What was ever near the top: only these can take another's place.
-        let mut near: BTreeSet<usize> = BTreeSet::new();
+        let followers = self.follow(&background, subset);
         let null = background.null();
         let uncalibrated = null.geometry_ratio * null.sigma_m > FAR_OFF;
+        let (chosen, near) = (Vec::new(), BTreeSet::new());
+        let mut search = Search { design, subset, noise, place, chosen, near, followers };
         for pass in 0..PASSES {
-            loop {
-                let open: Vec<&Follower> = followers
-                    .iter()
-                    .filter(|f| self.allowed(f.candidate, &chosen))
-                    .filter(|f| uncalibrated && chosen.is_empty() || !self.all_offsets(f.candidate))
-                    .collect();
-                let slot = self.rank(&background, subset, &open, false);
-                near.extend(slot.ranked.iter().filter_map(|(h, _, _)| match h {
-                    Hypothesis::Effect(c) => Some(*c),
-                    _ => None,
-                }));
-                // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
-                let offsets = slot.ranked.iter().find_map(|(h, _, r)| match h {
-                    Hypothesis::Effect(c) if self.all_offsets(*c) => {
-                        Some((*c, r.log_evidence - slot.null.log_evidence, *r))
-                    }
-                    _ => None,
-                });
-                let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&slot));
-                let Some((candidate, gain, reached)) = best else { break };
-                if gain < alarm_nats || background.freedom() < FEWEST_FREE {
-                    break;
-                }
-                let together = self.all_offsets(candidate);
-                let mut first = vec![(candidate, gain, reached)];
-                if together {
-                    first = self.single_offsets().into_iter().map(|c| (c, gain, reached)).collect();
-                }
-                let sure = first.len();
-                let wanted: Vec<Chosen> = first
-                    .into_iter()
-                    .chain(self.more_lines(&slot, candidate))
-                    .map(|(candidate, gain_nats, reached)| {
-                        let columns = self.place(design, place, candidate);
-                        Chosen { candidate, columns, gain_nats, size_ratio: reached.size_ratio }
-                    })
-                    .collect();
-                self.extend(design);
-                for (i, mut one) in wanted.into_iter().enumerate() {
-                    // A further line may be the shadow of those before it: it must be clear beside them.
-                    if i >= sure {
-                        if background.freedom() < FEWEST_FREE {
-                            break;
-                        }
-                        let projected = background.project(&self.products[one.candidate].sum(subset));
-                        let reached = background.evidence(&projected);
-                        one.gain_nats = reached.log_evidence - background.null().log_evidence;
-                        one.size_ratio = reached.size_ratio;
-                        if one.gain_nats < CLEAR_NATS {
-                            continue;
-                        }
-                    }
-                    background.grow(design, subset, &one.columns);
-                    chosen.push(one);
-                }
-                self.catch_up(&background, subset, &mut followers);
-            }
-            let many = chosen.len() > MOST_SWAPPED;
+            self.add_while(&mut search, &mut background, alarm_nats, uncalibrated);
+            let many = search.chosen.len() > MOST_SWAPPED;
             // Over a fold the lines are chosen anew, but not settled: that takes as long as all the rest.
-            let settled = pass > 0 || subset.len() < design.atoms();
-            if chosen.len() < 2 || many && settled {
+            let settled = pass > 0 || subset.len() < search.design.atoms();
+            if search.chosen.len() < 2 || many && settled {
                 break;
             }
-            let before: Vec<usize> = chosen.iter().map(|c| c.candidate).collect();
+            let candidates =
+                |search: &Search<'_>| search.chosen.iter().map(|c| c.candidate).collect::<Vec<_>>();
+            let before = candidates(&search);
             if many {
-                self.settle_lines(design, subset, noise, place, &mut chosen);
+                self.settle_lines(&mut search);
             } else {
-                self.swap(design, subset, noise, place, &mut chosen, &near, &mut followers);
-                self.merge(design, subset, noise, place, &mut chosen, &near, &mut followers);
+                self.swap(&mut search);
+                self.merge(&mut search);
             }
-            if before == chosen.iter().map(|c| c.candidate).collect::<Vec<_>>() {
+            if before == candidates(&search) {
                 break;
             }
-            background = Background::new(design, subset, &flat(&chosen, None), noise);
-            followers.par_iter_mut().for_each(|f| {
+            background = search.background(&search.chosen);
+            search.followers.par_iter_mut().for_each(|f| {
                 self.products[f.candidate].sum_more(subset, &mut f.sums);
                 f.projected = background.project(&f.sums);
             });
         }
-        self.drop_offsets(design, subset, noise, &mut chosen);
-        chosen
+        self.drop_offsets(&mut search);
+        search.chosen
+    }
+
+    /// Adds the best effect, and the next, while it passes `alarm_nats`.
+    fn add_while(
+        &mut self,
+        search: &mut Search<'_>,
+        background: &mut Background,
+        alarm_nats: f64,
+        uncalibrated: bool,
+    ) {
+        loop {
+            let beside = if search.chosen.is_empty() { 1.0 } else { BESIDE };
+            let alarm_nats = beside * alarm_nats;
+            let open: Vec<&Follower> = search
+                .followers
+                .iter()
+                .filter(|f| self.allowed(f.candidate, &search.chosen))
+                .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
+                .collect();
+            let slot = self.rank(background, search.subset, &open, false);
+            search.near.extend(slot.ranked.iter().filter_map(|(h, _, _)| match h {
+                Hypothesis::Effect(c) => Some(*c),
+                _ => None,
+            }));
+            // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
+            let offsets = slot.ranked.iter().find_map(|(h, _, r)| match h {
+                Hypothesis::Effect(c) if self.all_offsets(*c) => {
+                    Some((*c, r.log_evidence - slot.null.log_evidence, *r))
+                }
+                _ => None,
+            });
+            let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&slot));
+            let Some((candidate, gain, reached)) = best else { return };
+            if gain < alarm_nats || background.freedom() < FEWEST_FREE {
+                return;
+            }
+            let mut first = vec![(candidate, gain, reached)];
+            if self.all_offsets(candidate) {
+                first = self.single_offsets().into_iter().map(|c| (c, gain, reached)).collect();
+            }
+            let sure = first.len();
+            let wanted: Vec<Chosen> = first
+                .into_iter()
+                .chain(self.more_lines(&slot, candidate))
+                .map(|(candidate, gain_nats, reached)| {
+                    let columns = self.place(search.design, search.place, candidate);
+                    Chosen { candidate, columns, gain_nats, size_ratio: reached.size_ratio }
+                })
+                .collect();
+            self.extend(search.design);
+            for (i, mut one) in wanted.into_iter().enumerate() {
+                // A further line may be the shadow of those before it: it must be clear beside them.
+                if i >= sure {
+                    if background.freedom() < FEWEST_FREE {
+                        break;
+                    }
+                    let projected = background.project(&self.products[one.candidate].sum(search.subset));
+                    let reached = self.evidence(background, &projected, one.candidate);
+                    one.gain_nats = reached.log_evidence - background.null().log_evidence;
+                    one.size_ratio = reached.size_ratio;
+                    if one.gain_nats < CLEAR_NATS {
+                        continue;
+                    }
+                }
+                background.grow(search.design, search.subset, &one.columns);
+                search.chosen.push(one);
+            }
+            self.catch_up(background, search.subset, &mut search.followers);
+        }
     }
 
     /// Further gear lines of the same scan that are so clear, and so far from each other, that they need

@@ -3,7 +3,7 @@
 use super::NULL_PRIOR;
 use super::library::{Follower, Library};
 use crate::diagnose::evidence::{Background, Projected, Reached};
-use crate::diagnose::marginal::log_sum;
+use crate::diagnose::marginal::{log_sum, normal_below};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -11,6 +11,9 @@ use std::collections::BTreeSet;
 const LONG_LIST: usize = 320;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
+
+/// Probability that an effect has the sign that physics gives it: a controller may take off too much of it.
+const RIGHT_SIGN: f64 = 0.9;
 
 /// What stands in one place of the model, and how likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +54,21 @@ impl Library<'_> {
     #[must_use]
     pub fn gain(&self, background: &Background, subset: &[usize], candidate: usize) -> f64 {
         let projected = background.project(&self.products[candidate].sum(subset));
-        background.evidence(&projected).log_evidence - background.null().log_evidence
+        self.evidence(background, &projected, candidate).log_evidence - background.null().log_evidence
+    }
+
+    /// Evidence of a candidate, the sign that physics gives it included.
+    pub(super) fn evidence(
+        &self,
+        background: &Background,
+        projected: &Projected,
+        candidate: usize,
+    ) -> Reached {
+        let mut reached = background.evidence(projected);
+        if self.candidates[candidate].positive {
+            reached.log_evidence += sign_nats(background.sign(projected, &reached));
+        }
+        reached
     }
 
     /// Every hypothesis over `background`, its candidates already projected.
@@ -97,7 +114,7 @@ impl Library<'_> {
             .par_iter()
             .map(|&i| {
                 let Follower { candidate: c, projected, .. } = followers[i];
-                let reached = background.evidence(projected);
+                let reached = self.evidence(background, projected, *c);
                 (Hypothesis::Effect(*c), reached.log_evidence + self.log_prior[*c], reached)
             })
             .collect();
@@ -141,5 +158,25 @@ impl Library<'_> {
             }
             _ => None,
         })) - slot.null.log_evidence
+    }
+}
+
+/// What the right sign adds to ln evidence, and the wrong one takes off it; `z`: by how many standard deviations the size
+/// is positive.
+fn sign_nats(z: f64) -> f64 {
+    let positive = normal_below(z);
+    (2.0 * (RIGHT_SIGN * positive + (1.0 - RIGHT_SIGN) * (1.0 - positive))).ln()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sign_nats;
+
+    /// A sign that the data do not tell says nothing; one that they tell has nine times the weight of the other.
+    #[test]
+    fn the_sign_of_physics_counts_where_the_data_tell_it() {
+        assert!(sign_nats(0.0).abs() < 1e-6);
+        assert!((sign_nats(9.0) - 1.8_f64.ln()).abs() < 1e-12);
+        assert!((sign_nats(-9.0) - 0.2_f64.ln()).abs() < 1e-12);
     }
 }

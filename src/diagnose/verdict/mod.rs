@@ -18,8 +18,8 @@ use group::{credible, groups, join_nested, scan};
 use noise::{LEFT_OVER, SLOW_NOISE, Scatter, joint_scatter, reduced_chi_square, slow_noise};
 use size::{cause, cause_unfitted, line_among_many, moved_m, total_rms_m};
 use structure::{
-    MANY, SMALL_BESIDE, add_kernels, kernel_share, kernel_takes_all, left_over_m, place_of_kernel, region_of,
-    shape_of_lines, structure as structure_in, varying_cause,
+    MANY, SMALL_BESIDE, add_kernels, kernel_share, left_over_m, odds_over_causes, place_of_kernel, region_of,
+    rival_share, shape_of_lines, structure as structure_in, structure_odds, varying_cause,
 };
 use words::{in_short, structure_reason};
 
@@ -129,6 +129,7 @@ fn with_causes(
     let mut clear = 0;
     let mut kernel_wins: Option<usize> = None;
     let mut needed = 0;
+    let mut lost = 0;
     for i in 0..chosen.len() {
         if chosen.len() > MANY && model.library.candidates[chosen[i].candidate].form.n.is_some() {
             causes.push(line_among_many(model, linear, chosen, i));
@@ -147,10 +148,11 @@ fn with_causes(
             continue;
         }
         needed += 1;
-        let kernels = kernel_share(&slot);
+        let kernels = rival_share(model, &slot, first.best);
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
         if kernels > causes_share || near.len() > LARGE_SET && kernels > first.probability {
             kernel_wins = structure_in(model, &slot).map(|s| s.1);
+            lost += 1;
         }
         clear += usize::from(near.len() == 1 && kernels < KERNEL_RIVALS * causes_share);
         if i == 0 {
@@ -182,13 +184,18 @@ fn with_causes(
     let cause_rms_m = total_rms_m(model, chosen);
     let left = structure_in(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(rest, k));
-    let together = chosen.len() > 1 && kernel_takes_all(model, chosen);
+    let odds = odds_over_causes(model, chosen);
+    let together = chosen.len() > 1 && odds > 0.0;
+    // Structure alone that is likelier than the causes with structure beside them.
+    let all = odds > structure_in(model, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
     let shape = shape_of_lines(model, chosen);
     let varies = varying_cause(model, rest);
     kernel_wins = shape.or(varies).or(kernel_wins);
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
-    let alone = (kernel_wins.is_some() || together) && !beside || shape.or(varies).is_some();
+    // Causes that most of them structure could replace are no causes but its parts.
+    let parts = lost > 1 && 2 * lost > needed && left.is_some();
+    let alone = (kernel_wins.is_some() || together) && !beside || all || parts || shape.or(varies).is_some();
 
     let mut place = Where { joint: causes.first().and_then(|c| c.joint), ..Where::default() };
     place.time = causes.first().map(|c| c.time);

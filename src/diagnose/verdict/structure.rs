@@ -2,7 +2,7 @@
 
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::evidence::Background;
+use crate::diagnose::evidence::{Background, Reached};
 use crate::diagnose::kernel::{self, Kernel};
 use crate::diagnose::linearise::{Linear, norm3};
 use crate::diagnose::marginal::log_sum;
@@ -29,6 +29,21 @@ pub const MANY: usize = 8;
 #[must_use]
 pub fn kernel_share(slot: &Slot) -> f64 {
     slot.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::Kernel(_))).map(|r| r.1).sum()
+}
+
+/// Whether `kernel` is a mere shape of `candidate`: a joint that turns slowly over time, somehow, is what a joint does that
+/// drifts as it warms.
+fn is_shape_of(model: &Model<'_>, kernel: usize, candidate: usize) -> bool {
+    let this = &model.library.candidates[candidate];
+    let warming = (this.effect().name() == "thermal_joint_drift").then_some(this.form.joint).flatten();
+    matches!(model.library.kernels[kernel].kernel, Kernel::JointTime(j) if Some(j) == warming)
+}
+
+/// Probability of the structure in a slot that is no mere shape of `candidate`.
+#[must_use]
+pub fn rival_share(model: &Model<'_>, slot: &Slot, candidate: usize) -> f64 {
+    let rival = |(h, _, _): &&(Hypothesis, f64, Reached)| matches!(h, Hypothesis::Kernel(k) if !is_shape_of(model, *k, candidate));
+    slot.ranked.iter().filter(rival).map(|r| r.1).sum()
 }
 
 /// ln evidence of structure over nothing, priors within the kernels included; and the likeliest kernel.
@@ -145,19 +160,29 @@ pub fn left_over_m(slot: &Slot, kernel: usize) -> f64 {
     (3.0 * (slot.null.sigma_m.powi(2) - sigma_with.powi(2)).max(0.0)).sqrt()
 }
 
-/// Whether one kernel alone is likelier than all causes together.
-pub fn kernel_takes_all(model: &Model<'_>, chosen: &[Chosen]) -> bool {
+/// ln odds of structure alone, of no cause a mere shape, over all causes together.
+pub fn odds_over_causes(model: &Model<'_>, chosen: &[Chosen]) -> f64 {
     let atoms: Vec<usize> = (0..model.design.atoms()).collect();
     let over = |k: usize| Background::new(&model.design, &atoms, &flat(&chosen[..k], None), model.noise);
-    let Some((gain, _)) = structure(model, &model.library.scan_kernels(&over(0), &atoms)) else {
-        return false;
-    };
-    let mut total = 0.0;
+    let slot = model.library.scan_kernels(&over(0), &atoms);
+    let structure = log_sum(slot.ranked.iter().filter_map(|(h, _, reached)| match h {
+        Hypothesis::Kernel(k) if !chosen.iter().any(|c| is_shape_of(model, *k, c.candidate)) => {
+            Some(reached.log_evidence + model.library.kernels[*k].log_prior - NULL_PRIOR.ln())
+        }
+        _ => None,
+    })) - slot.null.log_evidence;
+    let mut causes = 0.0;
     for (k, one) in chosen.iter().enumerate() {
         let c = one.candidate;
-        total += model.library.gain(&over(k), &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+        causes += model.library.gain(&over(k), &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
     }
-    gain + UNEXPLAINED_PRIOR.ln() - NULL_PRIOR.ln() > total
+    structure - causes
+}
+
+/// ln odds of structure over nothing from its ln evidence.
+#[must_use]
+pub fn structure_odds(gain_nats: f64) -> f64 {
+    gain_nats + UNEXPLAINED_PRIOR.ln() - NULL_PRIOR.ln()
 }
 
 /// Where the structure lies.
@@ -171,6 +196,7 @@ pub fn place_of_kernel(model: &Model<'_>, linear: &Linear, chosen: &[Chosen], ke
         joint: match kind {
             Kernel::Joint(j)
             | Kernel::JointFine(j)
+            | Kernel::Driven(_, j)
             | Kernel::Joints(j)
             | Kernel::JointTime(j)
             | Kernel::Periodic(j, _)

@@ -50,6 +50,7 @@ pub fn structure_reason(kernel: Kernel, timed: bool) -> String {
     let of = match kernel {
         Kernel::Joint(j) | Kernel::JointFine(j) => format!("the angle of joint {}", j + 1),
         Kernel::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
+        Kernel::Driven(a, b) => format!("joint {}, depending on the angle of joint {}", b + 1, a + 1),
         Kernel::AllJoints => "the angles of several joints".to_owned(),
         Kernel::Workspace | Kernel::WorkspaceFine => "the place in the workspace".to_owned(),
         Kernel::Time | Kernel::TimeFine | Kernel::Varying(_) => time.to_owned(),

@@ -1,0 +1,275 @@
+//! The linear problem, reduced once: whitened columns and their products, summed over atoms of stations.
+//!
+//! Atoms are the smallest groups of stations that a fold, a block in time or a region keeps together, so
+//! every held-out fit is a sum of small matrices.
+
+mod products;
+pub(super) mod registration;
+mod turning;
+
+pub use products::{Products, Sums};
+pub use turning::Turning;
+
+use super::effects::Candidate;
+use super::scene::{Motion, Scene, Site, scaled};
+use nalgebra::DMatrix;
+use std::ops::Range;
+use turning::by_site;
+
+/// Manufacturing tolerance of a joint's frame: metres, and radians.
+const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
+
+/// Weights of the stations.
+#[derive(Clone, Debug)]
+pub struct Whitening {
+    /// Weight of each station: 1 = one row of usual noise.
+    pub weights: Vec<f64>,
+    /// An orientation residual counts as if at this distance, metres.
+    pub arm_m: f64,
+}
+
+/// Columns with their meaning: data first, then registration, geometry, and what was added.
+#[derive(Clone, Debug)]
+pub struct Design {
+    whitening: Whitening,
+    /// Sites in the order of atoms.
+    order: Vec<usize>,
+    /// Rows of each atom.
+    atoms: Vec<Range<usize>>,
+    rows_per_site: usize,
+    /// Numbers measured in each atom.
+    counts: Vec<usize>,
+    columns: Vec<Vec<f64>>,
+    /// Columns of registration, flat prior.
+    pub flat: Range<usize>,
+    /// Columns of geometry, scaled by tolerance.
+    pub geometry: Range<usize>,
+    /// Products of all columns for each atom.
+    gram: Vec<DMatrix<f64>>,
+    /// Whitened columns of each joint turning.
+    turns: Vec<Vec<f64>>,
+    /// Each of these with itself, and with every column, site by site.
+    turn_squares: Vec<Vec<f64>>,
+    turn_products: Vec<Vec<Vec<f64>>>,
+}
+
+impl Design {
+    /// The design of `residuals` (metres and radians, base axes) at the scene's sites; `atom_of` numbers
+    /// each site's atom from 0.
+    #[must_use]
+    pub fn new(
+        scene: &Scene,
+        residuals: &[Motion],
+        targets: usize,
+        whitening: Whitening,
+        atom_of: &[usize],
+    ) -> Self {
+        let mut order: Vec<usize> = (0..scene.sites.len()).collect();
+        order.sort_by_key(|&i| (atom_of.get(i).copied().unwrap_or(0), i));
+        let d = scene.rows_per_site;
+        let mut atoms: Vec<Range<usize>> = Vec::new();
+        let mut counts: Vec<usize> = Vec::new();
+        let mut last = None;
+        for (position, &i) in order.iter().enumerate() {
+            let rows = position * d..(position + 1) * d;
+            let measured = scene.sites[i].rows(d);
+            if last == Some(atom_of[i]) {
+                if let Some(count) = counts.last_mut() {
+                    *count += measured;
+                }
+                if let Some(atom) = atoms.last_mut() {
+                    atom.end = rows.end;
+                }
+            } else {
+                last = Some(atom_of[i]);
+                counts.push(measured);
+                atoms.push(rows);
+            }
+        }
+        let mut design = Self {
+            whitening,
+            order,
+            atoms,
+            rows_per_site: d,
+            counts,
+            columns: Vec::new(),
+            flat: 0..0,
+            geometry: 0..0,
+            gram: Vec::new(),
+            turns: Vec::new(),
+            turn_squares: Vec::new(),
+            turn_products: vec![Vec::new(); 6],
+        };
+        let mut columns = design.stack(scene, 1, |i, _, out| out.push(residuals[i]));
+        let flat = design.stack(scene, registration::width(targets, scene.places, d), |_, site, out| {
+            registration::motions(site, targets, scene.places, d, out);
+        });
+        let geometry = design.stack(scene, 30, |_, site, out| {
+            for frame in 1..6 {
+                for k in 0..6 {
+                    out.push(scaled(site.offset(frame, k), TOLERANCE[k / 3]));
+                }
+            }
+        });
+        design.flat = 1..1 + flat.len();
+        design.geometry = design.flat.end..design.flat.end + geometry.len();
+        columns.extend(flat);
+        columns.extend(geometry);
+        design.columns = columns;
+        design.turns = design.stack(scene, 6, |_, site, out| out.extend((0..6).map(|j| site.joint(j))));
+        design.turn_squares = design.turns.iter().map(|t| by_site(t, t, d)).collect();
+        design.multiply_turns();
+        design.gram = (0..design.atoms.len()).map(|a| design.gram_of(a)).collect();
+        design
+    }
+
+    /// Weights of the stations.
+    #[must_use]
+    pub fn whitening(&self) -> &Whitening {
+        &self.whitening
+    }
+
+    /// Number of columns.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Number of atoms.
+    #[must_use]
+    pub fn atoms(&self) -> usize {
+        self.atoms.len()
+    }
+
+    /// Numbers measured in a subset of atoms.
+    #[must_use]
+    pub fn rows(&self, subset: &[usize]) -> usize {
+        subset.iter().filter_map(|&a| self.counts.get(a)).sum()
+    }
+
+    /// Offset `k` of frame `i` is column `geometry.start + 6 (i - 1) + k`, per this many SI units.
+    #[must_use]
+    pub fn tolerance(k: usize) -> f64 {
+        TOLERANCE[usize::from(k >= 3)]
+    }
+
+    /// Products of all columns over a subset of atoms.
+    #[must_use]
+    pub fn gram(&self, subset: &[usize]) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(self.width(), self.width());
+        for &a in subset {
+            sum += &self.gram[a];
+        }
+        sum
+    }
+
+    /// Adds columns and their products; gives their place.
+    pub fn append(&mut self, columns: Vec<Vec<f64>>) -> Range<usize> {
+        let start = self.columns.len();
+        self.columns.extend(columns);
+        self.multiply_turns();
+        self.gram = (0..self.atoms.len()).map(|a| self.gram_of(a)).collect();
+        start..self.columns.len()
+    }
+
+    /// A candidate's columns, scaled by their usual size.
+    #[must_use]
+    pub fn columns_of(&self, scene: &Scene, candidate: &Candidate) -> Vec<Vec<f64>> {
+        self.stack(scene, candidate.usual.len(), |_, site, out| {
+            let from = out.len();
+            candidate.effect().motions(&candidate.form, scene, site, out);
+            for (motion, usual) in out.iter_mut().skip(from).zip(&candidate.usual) {
+                *motion = scaled(*motion, *usual);
+            }
+        })
+    }
+
+    /// Whitened columns of `width` motions for each site.
+    #[must_use]
+    pub fn stack(
+        &self,
+        scene: &Scene,
+        width: usize,
+        motions: impl Fn(usize, &Site, &mut Vec<Motion>),
+    ) -> Vec<Vec<f64>> {
+        let d = self.rows_per_site;
+        let mut columns = vec![vec![0.0; self.order.len() * d]; width];
+        let mut buffer = Vec::with_capacity(width);
+        for (position, &i) in self.order.iter().enumerate() {
+            buffer.clear();
+            motions(i, &scene.sites[i], &mut buffer);
+            let root = self.whitening.weights[i].sqrt();
+            for (column, motion) in columns.iter_mut().zip(&buffer) {
+                let motion = scene.sites[i].seen(*motion);
+                for (k, value) in column[position * d..(position + 1) * d].iter_mut().enumerate() {
+                    *value = motion[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m };
+                }
+            }
+        }
+        columns
+    }
+
+    /// A column times a number for each site.
+    #[must_use]
+    pub fn modulated(&self, scene: &Scene, column: usize, factor: impl Fn(&Site) -> f64) -> Vec<f64> {
+        let d = self.rows_per_site;
+        let mut out = self.columns[column].clone();
+        for (rows, &i) in out.chunks_exact_mut(d).zip(&self.order) {
+            let factor = factor(&scene.sites[i]);
+            rows.iter_mut().for_each(|v| *v *= factor);
+        }
+        out
+    }
+
+    /// Residual of `coefficients` (one for each column after the data) at each site, unwhitened: metres, radians.
+    #[must_use]
+    pub fn residuals(&self, coefficients: &[f64]) -> Vec<Motion> {
+        let d = self.rows_per_site;
+        let mut out = vec![[0.0; 6]; self.order.len()];
+        for (position, &i) in self.order.iter().enumerate() {
+            let root = self.whitening.weights[i].sqrt().max(1e-12);
+            for (k, to) in out[i].iter_mut().enumerate().take(d) {
+                let row = position * d + k;
+                let mut value = self.columns[0][row];
+                for (c, column) in coefficients.iter().zip(&self.columns[1..]) {
+                    if *c != 0.0 {
+                        value -= c * column[row];
+                    }
+                }
+                *to = value / root / if k < 3 { 1.0 } else { self.whitening.arm_m };
+            }
+        }
+        out
+    }
+
+    fn gram_of(&self, atom: usize) -> DMatrix<f64> {
+        let rows = self.atoms[atom].clone();
+        let n = self.columns.len();
+        let known = self.gram.get(atom).map_or(0, DMatrix::nrows);
+        let mut gram = DMatrix::zeros(n, n);
+        for a in 0..n {
+            for b in a..n {
+                let value = match self.gram.get(atom) {
+                    Some(old) if b < known => old[(a, b)],
+                    _ => dot(&self.columns[a][rows.clone()], &self.columns[b][rows.clone()]),
+                };
+                gram[(a, b)] = value;
+                gram[(b, a)] = value;
+            }
+        }
+        gram
+    }
+}
+
+/// Sum of products, in eight running sums: fast, and the same for every number of threads.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for k in 0..8 {
+            sums[k] += x[k] * y[k];
+        }
+    }
+    sums.iter().sum::<f64>() + tail
+}

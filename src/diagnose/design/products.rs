@@ -1,0 +1,100 @@
+//! Products of a candidate's columns with themselves and with the design's, atom by atom.
+
+use super::{Design, dot};
+use nalgebra::DMatrix;
+
+/// A candidate's products for each atom, its columns scaled by their usual size.
+#[derive(Clone, Debug)]
+pub struct Products {
+    /// Number of parameters.
+    pub p: usize,
+    /// With itself: p x p for each atom.
+    pub(super) own: Vec<f64>,
+    /// With the design's columns: p values for each column, for each atom.
+    pub(super) cross: Vec<Vec<f64>>,
+}
+
+/// A candidate's products over a subset of atoms.
+#[derive(Clone, Debug)]
+pub struct Sums {
+    /// With itself, p x p.
+    pub own: DMatrix<f64>,
+    /// With the design's columns, p x columns.
+    pub cross: DMatrix<f64>,
+}
+
+impl Design {
+    /// Products of `columns` with each other and with the design.
+    #[must_use]
+    pub fn products(&self, columns: &[Vec<f64>]) -> Products {
+        let p = columns.len();
+        let mut own = Vec::with_capacity(self.atoms.len() * p * p);
+        for rows in &self.atoms {
+            for a in columns {
+                for b in columns {
+                    own.push(dot(&a[rows.clone()], &b[rows.clone()]));
+                }
+            }
+        }
+        let mut products = Products { p, own, cross: vec![Vec::new(); self.atoms.len()] };
+        self.extend(&mut products, columns);
+        products
+    }
+
+    /// Brings `products` up to date with columns appended since.
+    pub fn extend(&self, products: &mut Products, columns: &[Vec<f64>]) {
+        for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {
+            let known = cross.len() / products.p.max(1);
+            cross.reserve_exact(columns.len() * (self.columns.len() - known));
+            for b in &self.columns[known..] {
+                for a in columns {
+                    cross.push(dot(&a[rows.clone()], &b[rows.clone()]));
+                }
+            }
+        }
+    }
+}
+
+impl Products {
+    /// None yet.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { p: 0, own: Vec::new(), cross: Vec::new() }
+    }
+
+    /// Adds the columns that `sums` lacks.
+    pub fn sum_more(&self, subset: &[usize], sums: &mut Sums) {
+        let (p, known) = (self.p, sums.cross.ncols());
+        let width = self.cross.first().map_or(0, |c| c.len() / p.max(1));
+        if width <= known {
+            return;
+        }
+        let mut more = vec![0.0; p * (width - known)];
+        for &atom in subset {
+            for (to, from) in more.iter_mut().zip(&self.cross[atom][p * known..]) {
+                *to += from;
+            }
+        }
+        let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
+        sums.cross = cross.resize_horizontally(width, 0.0);
+        sums.cross.as_mut_slice()[p * known..].copy_from_slice(&more);
+    }
+
+    /// Over a subset of atoms.
+    #[must_use]
+    pub fn sum(&self, subset: &[usize]) -> Sums {
+        let p = self.p;
+        let width = self.cross.first().map_or(0, |c| c.len() / p.max(1));
+        let mut own = DMatrix::zeros(p, p);
+        let mut cross = DMatrix::zeros(p, width);
+        for &atom in subset {
+            for (to, from) in own.as_mut_slice().iter_mut().zip(&self.own[atom * p * p..]) {
+                *to += from;
+            }
+            for (to, from) in cross.as_mut_slice().iter_mut().zip(&self.cross[atom]) {
+                *to += from;
+            }
+        }
+        Sums { own, cross }
+    }
+}

@@ -1,0 +1,108 @@
+//! Candidates that only turn one joint, by the thousand: their products come by matrix products.
+
+use super::{Design, Products};
+use crate::diagnose::effects::Candidate;
+use crate::diagnose::scene::Scene;
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+/// Candidates that only turn one joint: there are many, and their products come by matrix products.
+#[derive(Clone, Debug)]
+pub struct Turning {
+    joint: usize,
+    /// Indices into the candidates.
+    pub members: Vec<usize>,
+    /// Angles per usual size: two rows for each member, a column for each site in the order of atoms.
+    angles: DMatrix<f64>,
+}
+
+impl Design {
+    /// Angles of the candidates that only turn `joint`: one row for each parameter, one column for each
+    /// site in the order of atoms.
+    #[must_use]
+    pub fn turning(&self, scene: &Scene, candidates: &[Candidate], joint: usize) -> Turning {
+        let members: Vec<usize> = (0..candidates.len())
+            .filter(|&c| {
+                let form = &candidates[c].form;
+                form.joint == Some(joint)
+                    && scene.sites.first().is_some_and(|s| candidates[c].effect().angles(form, s).is_some())
+            })
+            .collect();
+        let mut angles = DMatrix::zeros(2 * members.len(), self.order.len());
+        for (mut column, &i) in angles.column_iter_mut().zip(&self.order) {
+            for (k, &c) in members.iter().enumerate() {
+                let candidate = &candidates[c];
+                let here = candidate.effect().angles(&candidate.form, &scene.sites[i]).unwrap_or_default();
+                for a in 0..2 {
+                    column[2 * k + a] = here[a] * candidate.usual.get(a).copied().unwrap_or(0.0);
+                }
+            }
+        }
+        Turning { joint, members, angles }
+    }
+
+    /// Products of all members of `turning` with themselves, into `products`.
+    pub fn begin_turning(&self, turning: &Turning, products: &mut [Products]) {
+        let squares = &self.turn_squares[turning.joint];
+        for (k, &c) in turning.members.iter().enumerate() {
+            let mut own = Vec::with_capacity(self.atoms.len() * 4);
+            for rows in &self.atoms {
+                let mut sums = [0.0; 3];
+                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
+                for (site, w) in sites.clone().zip(&squares[sites]) {
+                    let (s, c) = (turning.angles[(2 * k, site)], turning.angles[(2 * k + 1, site)]);
+                    sums[0] += w * s * s;
+                    sums[1] += w * s * c;
+                    sums[2] += w * c * c;
+                }
+                own.extend([sums[0], sums[1], sums[1], sums[2]]);
+            }
+            products[c] = Products { p: 2, own, cross: vec![Vec::new(); self.atoms.len()] };
+        }
+    }
+
+    /// Brings the members' products up to date with columns appended since: one matrix product per atom.
+    pub fn extend_turning(&self, turning: &Turning, products: &mut [Products]) {
+        let Some(first) = turning.members.first().and_then(|&c| products.get(c)) else { return };
+        let known = first.cross.first().map_or(0, |c| c.len() / 2);
+        let columns = &self.turn_products[turning.joint][known..];
+        if columns.is_empty() {
+            return;
+        }
+        let crossed: Vec<DMatrix<f64>> = self
+            .atoms
+            .par_iter()
+            .map(|rows| {
+                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
+                let with = DMatrix::from_fn(sites.len(), columns.len(), |r, c| columns[c][sites.start + r]);
+                turning.angles.columns(sites.start, sites.len()) * with
+            })
+            .collect();
+        for (k, &c) in turning.members.iter().enumerate() {
+            for (to, from) in products[c].cross.iter_mut().zip(&crossed) {
+                to.reserve_exact(2 * from.ncols());
+                for column in from.column_iter() {
+                    to.push(column[2 * k]);
+                    to.push(column[2 * k + 1]);
+                }
+            }
+        }
+    }
+
+    pub(super) fn multiply_turns(&mut self) {
+        let d = self.rows_per_site;
+        for (turn, products) in self.turns.iter().zip(&mut self.turn_products) {
+            for column in &self.columns[products.len()..] {
+                products.push(by_site(turn, column, d));
+            }
+        }
+    }
+}
+
+/// Products of two columns, summed over each site's rows.
+pub fn by_site(a: &[f64], b: &[f64], rows_per_site: usize) -> Vec<f64> {
+    a.chunks_exact(rows_per_site)
+        .zip(b.chunks_exact(rows_per_site))
+        .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())
+        .collect()
+}

@@ -1,0 +1,257 @@
+//! Evidence: how much likelier the residuals are with a candidate than without, in closed form.
+//!
+//! e = N b + G g + A th + noise, whitened. N flat and projected out; g ~ N(0, s_g^2) in tolerances,
+//! th ~ N(0, s^2) in usual sizes. With the ratios s_g/sigma and s/sigma on logarithmic grids everything is
+//! diagonal, and sigma is integrated in closed form against the repeats' chi-square (MacKay 1992;
+//! Rasmussen and Williams 2006, ch. 5).
+
+mod candidate;
+mod prior;
+
+pub use candidate::Projected;
+
+use super::design::Design;
+use super::marginal::{Marginal, Noise, SIGMA_M, log_add, log_sum};
+use nalgebra::{DMatrix, DVector};
+use prior::{NO_GEOMETRY, geometry_prior, grids, size_prior};
+
+/// Directions that the flat columns tell less than this share of the best are not told.
+const RANK: f64 = 1e-10;
+
+/// What a candidate reaches.
+#[derive(Clone, Copy, Debug)]
+pub struct Reached {
+    /// ln evidence, up to a constant shared by all on the same background.
+    pub log_evidence: f64,
+    /// Best noise sigma, metres.
+    pub sigma_m: f64,
+    /// Best s_g / sigma.
+    pub geometry_ratio: f64,
+    /// Best s / sigma.
+    pub size_ratio: f64,
+}
+
+/// Registration, geometry and what was already found, eliminated over a subset of the data.
+pub struct Background {
+    /// Rows less flat directions.
+    m: f64,
+    rows: f64,
+    noise: Noise,
+    marginal: Marginal,
+    /// ln-spaced s_g/sigma, beginning with 0.
+    ratios: Vec<f64>,
+    size_ratios: Vec<f64>,
+    /// <y, y> with the flat columns projected out.
+    yy: f64,
+    /// Each flat direction, normalised, as weights of the design's columns.
+    directions: Vec<Vec<f64>>,
+    /// Data along each direction.
+    y_hat: Vec<f64>,
+    /// Geometry along each direction.
+    geometry_hat: Vec<DVector<f64>>,
+    /// Geometry with itself and with the data, flat directions projected out.
+    gg: DMatrix<f64>,
+    gy_raw: DVector<f64>,
+    geometry: Vec<usize>,
+    /// Eigenvectors of `gg`, its eigenvalues, the data along them.
+    turn: DMatrix<f64>,
+    lambda: DVector<f64>,
+    gy: DVector<f64>,
+}
+
+impl Background {
+    /// Eliminates the design's registration and `also` (columns, flat) over `subset`.
+    #[must_use]
+    pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: Noise) -> Self {
+        let gram = design.gram(subset);
+        let flat: Vec<usize> = design.flat.clone().collect();
+        let geometry: Vec<usize> = design.geometry.clone().collect();
+        let scale: Vec<f64> =
+            flat.iter().map(|&i| gram[(i, i)]).map(|v| if v > 0.0 { 1.0 / v.sqrt() } else { 0.0 }).collect();
+        let nn =
+            DMatrix::from_fn(flat.len(), flat.len(), |r, c| gram[(flat[r], flat[c])] * scale[r] * scale[c]);
+        let eigen = nn.symmetric_eigen();
+        let top = eigen.eigenvalues.max();
+        let rows = design.rows(subset) as f64;
+        let gy_raw = DVector::from_iterator(geometry.len(), geometry.iter().map(|&g| gram[(g, 0)]));
+        let gg = DMatrix::from_fn(geometry.len(), geometry.len(), |r, c| gram[(geometry[r], geometry[c])]);
+        let mut background = Self {
+            m: rows,
+            rows,
+            noise,
+            marginal: noise.over(rows),
+            ratios: Vec::new(),
+            size_ratios: Vec::new(),
+            yy: gram[(0, 0)],
+            directions: Vec::new(),
+            y_hat: Vec::new(),
+            geometry_hat: Vec::new(),
+            gg,
+            gy_raw,
+            geometry,
+            turn: DMatrix::zeros(0, 0),
+            lambda: DVector::zeros(0),
+            gy: DVector::zeros(0),
+        };
+        for i in (0..flat.len()).filter(|&i| eigen.eigenvalues[i] > RANK * top) {
+            let mut direction = vec![0.0; design.width()];
+            for (c, &column) in flat.iter().enumerate() {
+                direction[column] = eigen.eigenvectors[(c, i)] * scale[c] / eigen.eigenvalues[i].sqrt();
+            }
+            background.push(&gram, direction);
+        }
+        background.add(&gram, also);
+        background.finish();
+        background
+    }
+
+    /// Eliminates more columns of `design` over the same `subset`.
+    pub fn grow(&mut self, design: &Design, subset: &[usize], also: &[usize]) {
+        let gram = design.gram(subset);
+        self.add(&gram, also);
+        self.finish();
+    }
+
+    /// One column after the other, made orthogonal to those before (Gram and Schmidt).
+    fn add(&mut self, gram: &DMatrix<f64>, also: &[usize]) {
+        for direction in &mut self.directions {
+            direction.resize(gram.ncols(), 0.0);
+        }
+        for &column in also {
+            let mut direction = vec![0.0; gram.ncols()];
+            direction[column] = 1.0;
+            let whole = gram[(column, column)];
+            // Twice: the second pass takes out what rounding left of the first.
+            for _ in 0..2 {
+                let seen = times(gram, &direction);
+                for known in &self.directions {
+                    let along = dot(known, &seen);
+                    for (to, from) in direction.iter_mut().zip(known) {
+                        *to -= along * from;
+                    }
+                }
+            }
+            let left = dot(&direction, &times(gram, &direction));
+            if left > RANK * whole && left > 0.0 {
+                let length = left.sqrt();
+                direction.iter_mut().for_each(|d| *d /= length);
+                self.push(gram, direction);
+            }
+        }
+    }
+
+    fn push(&mut self, gram: &DMatrix<f64>, direction: Vec<f64>) {
+        let along = times(gram, &direction);
+        let y = along[0];
+        let g = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along[g]));
+        self.yy -= y * y;
+        self.gg -= &g * g.transpose();
+        self.gy_raw -= &g * y;
+        self.y_hat.push(y);
+        self.geometry_hat.push(g);
+        self.directions.push(direction);
+    }
+
+    fn finish(&mut self) {
+        let eigen = self.gg.clone().symmetric_eigen();
+        let top = eigen.eigenvalues.max().max(1e-300);
+        let kept: Vec<usize> =
+            (0..self.geometry.len()).filter(|&i| eigen.eigenvalues[i] > 1e-9 * top).collect();
+        self.turn = eigen.eigenvectors.select_columns(&kept).transpose();
+        self.lambda = DVector::from_iterator(kept.len(), kept.iter().map(|&i| eigen.eigenvalues[i]));
+        self.gy = &self.turn * &self.gy_raw;
+        self.m = (self.rows - self.directions.len() as f64).max(1.0);
+        self.marginal = self.noise.over(self.m);
+        (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
+    }
+
+    /// Degrees of freedom left by the flat columns.
+    #[must_use]
+    pub fn freedom(&self) -> f64 {
+        self.m
+    }
+
+    /// Parameters that the flat columns and geometry at `ratio` use up.
+    #[must_use]
+    pub fn parameters(&self, ratio: f64) -> f64 {
+        let r2 = ratio * ratio;
+        self.directions.len() as f64 + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
+    }
+
+    /// Evidence without any candidate.
+    #[must_use]
+    pub fn null(&self) -> Reached {
+        self.over_ratios(0.0, |_| vec![(0.0, 0.0, 0.0)])
+    }
+
+    /// Evidence without geometry, and with: how much the tolerances are needed.
+    #[must_use]
+    pub fn geometry_gain(&self) -> f64 {
+        let at = |which: fn(f64) -> bool| {
+            let terms = self.ratios.iter().filter(|r| which(**r)).map(|&r| self.at_ratio(r).0);
+            log_sum(terms)
+        };
+        at(|r| r > 0.0) - (1.0 - NO_GEOMETRY).ln() - (at(|r| r == 0.0) - NO_GEOMETRY.ln())
+    }
+
+    fn at_ratio(&self, ratio: f64) -> (f64, f64) {
+        let (q, log_det) = self.with_ratio(ratio);
+        let (log, sigma_m) = self.marginal.at(q);
+        (log - 0.5 * log_det + geometry_prior(ratio * sigma_m), sigma_m)
+    }
+
+    /// Squares that geometry of this ratio leaves, and its ln determinant.
+    fn with_ratio(&self, ratio: f64) -> (f64, f64) {
+        let r2 = ratio * ratio;
+        let mut q = self.yy;
+        let mut log_det = 0.0;
+        for (l, g) in self.lambda.iter().zip(self.gy.iter()) {
+            q -= r2 / (1.0 + r2 * l) * g * g;
+            log_det += (r2 * l).ln_1p();
+        }
+        (q, log_det)
+    }
+
+    /// Sums over both ratio grids; `terms` gives what each size ratio does at one geometry ratio, `reach` is the signal of
+    /// one usual size.
+    fn over_ratios(&self, reach: f64, terms: impl Fn(f64) -> Vec<(f64, f64, f64)>) -> Reached {
+        let mut best = Reached {
+            log_evidence: f64::NEG_INFINITY,
+            sigma_m: SIGMA_M[1],
+            geometry_ratio: 0.0,
+            size_ratio: 0.0,
+        };
+        let mut total = f64::NEG_INFINITY;
+        for &ratio in &self.ratios {
+            let (q, log_det) = self.with_ratio(ratio);
+            for (size, off, gain) in terms(ratio) {
+                let (log, sigma_m) = self.marginal.at(q - off);
+                let mut log = log - 0.5 * log_det + gain + geometry_prior(ratio * sigma_m);
+                if size > 0.0 {
+                    log += size_prior(size * sigma_m, size * reach);
+                }
+                total = log_add(total, log);
+                if log > best.log_evidence {
+                    best = Reached { log_evidence: log, sigma_m, geometry_ratio: ratio, size_ratio: size };
+                }
+            }
+        }
+        best.log_evidence = total;
+        best
+    }
+}
+
+/// gram x.
+fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; gram.nrows()];
+    for (c, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+        for (to, from) in out.iter_mut().zip(gram.column(c).iter()) {
+            *to += x * from;
+        }
+    }
+    out
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

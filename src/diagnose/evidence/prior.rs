@@ -1,0 +1,76 @@
+//! What is believed of sizes before the data are seen, and the grids over which they are summed.
+
+use crate::diagnose::marginal::{Noise, SIGMA_M, normal};
+use nalgebra::DVector;
+
+/// Prior weight of geometry exactly as drawn.
+pub const NO_GEOMETRY: f64 = 0.25;
+
+/// Smallest size that is looked at, in usual sizes.
+const SMALLEST: f64 = 1.0 / 64.0;
+
+/// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
+pub fn grids(
+    noise: &Noise,
+    m: f64,
+    yy: f64,
+    lambda: &DVector<f64>,
+    gy: &DVector<f64>,
+) -> (Vec<f64>, Vec<f64>) {
+    let explained: f64 = lambda.iter().zip(gy.iter()).map(|(l, g)| g * g / l).sum();
+    // Rounding may leave a little less than nothing.
+    let high_m = (yy.max(0.0) / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
+    let left = ((yy - explained).max(0.0) / m).sqrt() / 2.0;
+    let low_m = noise.known.map_or(left, |(sigma_m, _)| sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
+    let doubling = |from: f64, to: f64| {
+        let steps = (to / from).log2().ceil().max(0.0) as i32;
+        (0..=steps).map(move |k| from * f64::from(k).exp2())
+    };
+    let ratios = std::iter::once(0.0).chain(doubling(0.25 / high_m, 24.0 / low_m)).collect();
+    let sizes = doubling(SMALLEST / high_m, 24.0 / low_m).collect();
+    (ratios, sizes)
+}
+
+/// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated.
+pub fn geometry_prior(s_g: f64) -> f64 {
+    if s_g <= 0.0 {
+        return NO_GEOMETRY.ln();
+    }
+    let x = s_g.ln();
+    let density = 0.85 * normal(x, -0.3, 0.8) + 0.15 * normal(x, 1.6, 1.0);
+    ((1.0 - NO_GEOMETRY) * density * std::f64::consts::LN_2).max(1e-12).ln()
+}
+
+/// Prior weight of sizes in proportion to the noise.
+const BY_NOISE: f64 = 0.5;
+
+/// ln prior mass of one factor-of-two cell at size `s` times usual, whose signal is `rho` times the noise. What is looked
+/// for is of its usual size, or so large that these data just begin to ask for it, whatever is usual.
+pub fn size_prior(s: f64, rho: f64) -> f64 {
+    let x = s.max(1e-9).ln();
+    let usual = 0.8 * normal(x, 0.0, 0.9) + 0.2 * normal(x, 1.2, 1.3);
+    let seen = normal(rho.max(1e-9).ln(), 0.0, 1.1);
+    let density = (1.0 - BY_NOISE) * usual + BY_NOISE * seen;
+    (density * std::f64::consts::LN_2).max(1e-12).ln()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cells of a factor of two, however much signal one usual size has: mass 1 in all, and a signal as large as the noise
+    /// keeps weight where it is far below what is usual.
+    #[test]
+    fn sizes_share_one_and_what_is_small_but_seen_is_not_shut_out() {
+        for reach in [0.01, 1.0, 300.0] {
+            let total: f64 =
+                (-60..60).map(|k| f64::from(k).exp2()).map(|s| size_prior(s, s * reach).exp()).sum();
+            assert!((total - 1.0).abs() < 1e-3, "{total}");
+        }
+        // 1/300 of usual: 6.3 standard deviations of the usual sizes, but the middle of those by the noise:
+        // ln(0.5 ln 2 / (1.1 sqrt(2 pi)))
+        let seen = size_prior(1.0 / 300.0, 1.0);
+        let middle = (0.5 * std::f64::consts::LN_2 / (1.1 * std::f64::consts::TAU.sqrt())).ln();
+        assert!((seen - middle).abs() < 1e-2, "{seen} {middle}");
+    }
+}
