@@ -94,6 +94,11 @@ fn a_program_is_solved_for_every_effect_at_once_and_executed_on_that_robot() {
         told["warnings"].as_array().unwrap().iter().filter_map(|w| w["code"].as_str()).collect();
     // The instrument's scale and two steps; the cube's joints leave the ranges of the fixture.
     assert!(codes.contains(&"model::left-out"), "{codes:?}");
+    let left_out =
+        told["warnings"].as_array().unwrap().iter().find(|w| w["code"] == "model::left-out").unwrap();
+    for name in ["instrument_scale", "base_step at minute", "tool_step at minute"] {
+        assert!(left_out["message"].as_str().unwrap().contains(name), "{left_out}");
+    }
     let simulated = driftpost(
         &[
             &[

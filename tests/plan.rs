@@ -12,7 +12,9 @@ use driftpost::exam::poses::{Driven, Recorded, Spread};
 use driftpost::exam::truth::Kind;
 use driftpost::kinematics::Chain;
 use driftpost::measure::Measurements;
-use driftpost::plan::{MeasurementPlan, PlanOptions, Space, Step, plan, plan_from, rapid, template_csv};
+use driftpost::plan::{
+    MeasurementPlan, PlanOptions, Space, Step, Sweeps, plan, plan_from, rapid, template_csv,
+};
 use driftpost::robot::Robot;
 use driftpost::simulate::Controller;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -23,6 +25,7 @@ fn options(n: usize, repeats: usize) -> PlanOptions {
         tool_m: Vector3::new(0.08, 0.06, 0.1),
         n,
         repeats,
+        sweeps: Sweeps::default(),
         payloads_kg: vec![0.0, 5.0],
         nests: 0,
         sigma_m: 2e-5,
@@ -156,6 +159,41 @@ fn separation_is_what_a_regression_leaves() {
         let sigma = effect.usual / left.sqrt();
         assert!((parameter.sigma / sigma - 1.0).abs() < 1e-3, "{parameter:?}: {sigma}");
     }
+}
+
+/// Sweeps of two joints: equal steps of one joint, the others still, and its lines better known than without.
+#[test]
+fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let plain = plan_from(&robot, &options(24, 0), 120, 0).unwrap();
+    let sweeps = Sweeps { joints: vec![1, 2], n: 40, step_rad: 0.5_f64.to_radians() };
+    let swept = plan_from(&robot, &PlanOptions { sweeps, ..options(24, 0) }, 120, 0).unwrap();
+    let (before, after) = (arm_steps(&plain), arm_steps(&swept));
+    assert_eq!(before[..], after[..24]);
+    assert_eq!(after.len(), 24 + 80);
+    for (joint, rows) in [(1, &after[24..64]), (2, &after[64..])] {
+        for pair in rows.windows(2) {
+            for j in 0..6 {
+                let step = if j == joint { 0.5_f64.to_radians() } else { 0.0 };
+                assert!((pair[1].q_rad[j] - pair[0].q_rad[j] - step).abs() < 1e-12);
+            }
+            assert_eq!(pair[0].direction, [1; 6]);
+            assert_ne!(pair[0].pose, pair[1].pose);
+        }
+        assert!(rows.iter().all(|row| robot.within_range(&row.q_rad).is_ok()));
+    }
+    let lines = |plan: &MeasurementPlan, joint: usize| {
+        plan.outlook.lines.iter().find(|l| l.joint == joint).cloned().unwrap()
+    };
+    for joint in [2, 3] {
+        let (without, with) = (lines(&plain, joint), lines(&swept, joint));
+        assert_eq!(without.of, 318);
+        assert!(with.sigma < 0.8 * without.sigma, "{} {}", with.sigma, without.sigma);
+        assert!(with.told_apart >= without.told_apart, "{} {}", with.told_apart, without.told_apart);
+    }
+    let far = Sweeps { joints: vec![4], n: 500, step_rad: 1.0 };
+    let refused = plan_from(&robot, &PlanOptions { sweeps: far, ..options(24, 0) }, 60, 0);
+    assert_eq!(refused.unwrap_err().to_string().split(" cannot").next(), Some("joint 5"));
 }
 
 #[test]

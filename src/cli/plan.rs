@@ -3,9 +3,9 @@
 use super::number::positive;
 use super::{Console, Outcome, diagnose, files, model};
 use crate::diagnostic::Diagnostic;
-use crate::plan::{PlanError, PlanOptions, Space, plan, poses_csv, rapid, template_csv};
+use crate::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use crate::report::plan as report;
-use crate::units::m_from_mm;
+use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::Vector3;
 use std::io::Write;
 use std::path::PathBuf;
@@ -28,6 +28,18 @@ pub struct Args {
     /// Of these, how many come back to an earlier pose: they tell the noise [default: a sixth of --n].
     #[arg(long, value_name = "N")]
     pub repeats: Option<u32>,
+
+    /// Single joints to move in small steps after the poses, for the lines of their gears: 2,3.
+    #[arg(long, value_name = "JOINT,JOINT", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=6))]
+    pub sweep: Vec<u32>,
+
+    /// Poses of each sweep, beside --n.
+    #[arg(long, value_name = "N", default_value_t = 48, requires = "sweep", value_parser = clap::value_parser!(u32).range(4..=500))]
+    pub sweep_n: u32,
+
+    /// Step of a sweep; half a degree tells up to 320 periods per turn.
+    #[arg(long, value_name = "DEG", default_value_t = 0.5, requires = "sweep")]
+    pub sweep_step_deg: f64,
 
     /// Payloads to measure with, kg.
     #[arg(long, value_name = "KG,KG", value_delimiter = ',', default_value = "0")]
@@ -111,6 +123,7 @@ fn refused(error: &PlanError) -> Diagnostic {
     let code = match error {
         PlanError::TooFew { .. } => "plan::too-few",
         PlanError::NoRoom { .. } => "plan::no-room",
+        PlanError::NoSweep { .. } => "plan::no-sweep",
     };
     Diagnostic::error(code, error.to_string())
 }
@@ -125,6 +138,7 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
     positive(&[
         ("--sigma-mm", Some(args.sigma_mm)),
         ("--each-min", Some(args.each_min)),
+        ("--sweep-step-deg", Some(args.sweep_step_deg)),
         ("--reach-mm", args.reach_mm),
     ])?;
     number("floor-mm", args.floor_mm, f64::NEG_INFINITY)?;
@@ -134,10 +148,18 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
     let mut payloads_kg = args.payloads_kg.clone();
     payloads_kg.sort_by(f64::total_cmp);
     payloads_kg.dedup();
+    let mut sweep: Vec<usize> = args.sweep.iter().map(|j| *j as usize - 1).collect();
+    sweep.sort_unstable();
+    sweep.dedup();
     Ok(PlanOptions {
         tool_m: diagnose::tool(&args.tool)?,
         n: args.n as usize,
         repeats: args.repeats.unwrap_or(args.n / 6) as usize,
+        sweeps: Sweeps {
+            joints: sweep,
+            n: args.sweep_n as usize,
+            step_rad: rad_from_deg(args.sweep_step_deg),
+        },
         payloads_kg,
         nests: args.nests as usize,
         sigma_m: m_from_mm(args.sigma_mm),

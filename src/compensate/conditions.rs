@@ -113,8 +113,10 @@ fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
 /// Warns of what the model does not know of these motions.
 pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
-    for text in &model.left_out {
-        messages.add(None, Diagnostic::warning("model::left-out", format!("of the model {text}")));
+    // One message: of several with one code only the first is shown, and each of these is something else.
+    if !model.left_out.is_empty() {
+        let text = format!("of the model {}", model.left_out.join("; "));
+        messages.add(None, Diagnostic::warning("model::left-out", text));
     }
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     let playing: Vec<usize> =

@@ -7,12 +7,14 @@ mod changed;
 mod design;
 mod effects;
 mod evidence;
+mod false_row;
 mod identify;
 mod kernel;
 mod linearise;
 mod marginal;
 mod model;
 mod next;
+mod normal;
 mod outcome;
 mod rounding;
 mod scatter;
@@ -20,14 +22,17 @@ mod scene;
 mod search;
 mod shrink;
 pub mod signature;
+mod spectrum;
+mod terms;
 mod validate;
 mod verdict;
 pub mod warmup;
+mod zeros;
 
 pub use changed::{Changed, ChangedError, changed};
 pub use outcome::{
-    Cause, Detectable, Diagnosis, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual, Shrink,
-    Untestable, Verdict, Warning, Where,
+    Cause, Detectable, Diagnosis, FalseRow, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual,
+    Shrink, Untestable, Verdict, Warning, Where, Zero, Zeros,
 };
 pub use validate::{Distances, Part, Register, ValidateError, Validation, validate};
 pub use verdict::describe;
@@ -198,6 +203,7 @@ fn evaluate(
     names.dedup();
     diagnosis.untestable = names;
     diagnosis.untestable_detail = detail;
+    diagnosis.zeros_alone = far_off.then(|| zeros::zeros(&mut model)).flatten();
     diagnosis.noise = NoiseFound {
         repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
         repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
@@ -211,16 +217,8 @@ fn evaluate(
     diagnosis.rivals = judged.rivals;
     diagnosis.place = judged.place;
     diagnosis.detectable = detectable(&model);
-    for (station, out) in stations.stations.iter().zip(&model.outliers) {
-        if *out {
-            diagnosis
-                .false_lines
-                .extend(station.rows.iter().filter_map(|&i| measurements.rows.get(i)).map(|r| r.line));
-        }
-    }
-    let repeats = stations.false_rows.iter().filter_map(|&i| measurements.rows.get(i)).map(|r| r.line);
-    diagnosis.false_lines.extend(repeats);
-    diagnosis.false_lines.sort_unstable();
+    diagnosis.false_rows = false_row::false_rows(measurements, stations, linear, &model);
+    diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
     diagnosis.residuals = residuals(measurements, linear, stations, &model);
     diagnosis
 }

@@ -4,7 +4,7 @@ use super::Options;
 use super::linearise::Linear;
 use super::model::Model;
 use super::outcome::{NextMeasurement, Verdict};
-use super::scene::{Motion, Site, scaled};
+use super::scene::{Motion, Sight, Site, scaled};
 use super::shrink::Random;
 use super::verdict::describe_candidate;
 use crate::kinematics::Chain;
@@ -12,6 +12,7 @@ use crate::measure::{Registration, Seen, Station};
 use crate::robot::Robot;
 use crate::units::deg_from_rad;
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
+use std::f64::consts::TAU;
 
 const CANDIDATES: usize = 300;
 const CHOSEN: usize = 12;
@@ -117,15 +118,14 @@ fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Si
         if linear.scene.channels.payload { vec![0.0, if most > 0.0 { most } else { 5.0 }] } else { vec![0.0] }
     };
     let time = linear.scene.time_min;
+    let ranges = ranges(robot, linear);
     let mut all = Vec::new();
     for _ in 0..20 * CANDIDATES {
         if all.len() == CANDIDATES {
             break;
         }
         let mut q_rad = [0.0; 6];
-        for (q, joint) in q_rad.iter_mut().zip(&robot.joints) {
-            let [low, high] = joint.range_rad.unwrap_or([-std::f64::consts::PI, std::f64::consts::PI]);
-            let (low, high) = (low.max(-std::f64::consts::TAU), high.min(std::f64::consts::TAU));
+        for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
             let margin = MARGIN * (high - low);
             *q = low + margin + (high - low - 2.0 * margin) * random.unit();
         }
@@ -155,4 +155,16 @@ fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Si
         all.push((site, next));
     }
     all
+}
+
+/// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
+fn ranges(robot: &Robot, linear: &Linear) -> Vec<[f64; 2]> {
+    let measured = |j: usize| {
+        let all = linear.scene.sites.iter().filter(|s| s.sight != Sight::Nest).map(|s| s.q_rad[j]);
+        all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
+    };
+    let of = |(j, given): (usize, Option<[f64; 2]>)| {
+        given.filter(|[low, high]| high - low <= TAU).unwrap_or_else(|| measured(j))
+    };
+    robot.joints.iter().map(|joint| joint.range_rad).enumerate().map(of).collect()
 }

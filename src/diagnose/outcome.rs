@@ -228,6 +228,41 @@ pub struct RowResidual {
     pub outlier: bool,
 }
 
+/// A joint's zero, where zeros were all that is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Zero {
+    /// From 1.
+    pub joint: usize,
+    /// By how much it would be off.
+    pub offset_rad: f64,
+}
+
+/// What the joints' zeros alone would take of the gap.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Zeros {
+    /// With base and target alone.
+    pub before_rms_mm: f64,
+    /// With the zeros beside them.
+    pub after_rms_mm: f64,
+    /// Those that these data can show.
+    pub joints: Vec<Zero>,
+}
+
+/// A row set aside as false.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FalseRow {
+    /// Line in the file.
+    pub line: u64,
+    /// `id` of the row.
+    pub id: Option<String>,
+    /// Distance from the best model; none where it disagrees with its own repeats.
+    pub off_mm: Option<f64>,
+    /// That distance over the middle one of all rows.
+    pub times_middle: Option<f64>,
+    /// What would make it so, where one thing would.
+    pub looks_like: Option<String>,
+}
+
 /// The whole answer.
 #[derive(Clone, Debug, Serialize)]
 pub struct Diagnosis {
@@ -262,6 +297,10 @@ pub struct Diagnosis {
     pub detectable: Vec<Detectable>,
     /// Lines set aside as false.
     pub false_lines: Vec<u64>,
+    /// The same rows with their names, how far off, and what that looks like.
+    pub false_rows: Vec<FalseRow>,
+    /// Of an arm that was never calibrated: what its joints' zeros alone would take.
+    pub zeros_alone: Option<Zeros>,
     /// Place of the target on the flange, as fitted.
     pub tool_mm: Option<[f64; 3]>,
     /// Codes and messages.
@@ -307,6 +346,8 @@ impl Diagnosis {
             rivals: Vec::new(),
             detectable: Vec::new(),
             false_lines: Vec::new(),
+            false_rows: Vec::new(),
+            zeros_alone: None,
             tool_mm: None,
             warnings: Vec::new(),
             residuals: Vec::new(),

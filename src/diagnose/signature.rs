@@ -59,10 +59,12 @@ pub struct Signatures {
     pub width: usize,
     /// Three rows for each measurement, metres, each of `width` numbers; effects per usual size.
     pub rows: Vec<f64>,
+    /// How each joint moves the target at each measurement, metres per radian.
+    pub turns: Vec<[[f64; 3]; 6]>,
 }
 
-/// The signatures at `measurements` of a tool at `tool_m`; gear lines are left out: there are thousands, and they stand apart
-/// from all else wherever the joints are spread.
+/// The signatures at `measurements` of a tool at `tool_m`; gear lines are left out, there are thousands: `turns` has what
+/// they are made of.
 #[must_use]
 pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[Possible]) -> Signatures {
     let chain = Chain::nominal(robot);
@@ -144,7 +146,12 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[Possible]
             }
         }
     }
-    Signatures { registration, geometry, effects, width: first, rows }
+    let turns = scene
+        .sites
+        .iter()
+        .map(|site| std::array::from_fn(|j| std::array::from_fn(|k| site.seen(site.joint(j))[k])))
+        .collect();
+    Signatures { registration, geometry, effects, width: first, rows, turns }
 }
 
 /// One form of each effect and joint: the likeliest.

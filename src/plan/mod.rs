@@ -5,15 +5,19 @@
 
 mod choose;
 mod information;
+mod lines;
 mod outlook;
 mod pool;
 mod rapid;
 mod sheet;
+mod sweep;
 
+pub use lines::Lines;
 pub use outlook::{Confounded, Named, Outlook, Parameter};
 pub use pool::{Space, Why};
 pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};
+pub use sweep::Sweeps;
 
 use crate::diagnose::signature::{Possible, signatures};
 use crate::robot::Robot;
@@ -41,6 +45,8 @@ pub struct PlanOptions {
     pub n: usize,
     /// Of these, how many come back to a pose: they tell the noise.
     pub repeats: usize,
+    /// Single joints moved in small steps, after the poses and beside `n`.
+    pub sweeps: Sweeps,
     /// Payloads in turn.
     pub payloads_kg: Vec<f64>,
     /// Nests on the base, looked at every ten poses.
@@ -75,6 +81,14 @@ pub enum PlanError {
         found: usize,
         /// What forbids most.
         why: Why,
+    },
+    /// Nowhere can a joint be moved so far.
+    #[error(
+        "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
+    )]
+    NoSweep {
+        /// From 1.
+        joint: usize,
     },
 }
 
@@ -144,9 +158,13 @@ pub fn plan_from(
     let (chosen, exchanges) = choose::choose(&all, distinct, options.sigma_m, rounds);
     let mut taken: Vec<Pose> = chosen.into_iter().filter_map(|i| poses.get(i).cloned()).collect();
     shuffle(&mut taken, &mut random);
-    let steps = in_order(&taken, options);
+    let swept = sweep::sweeps(robot, options, &poses)?;
+    let steps = in_order(&taken, &swept, options);
     let run = timed(&steps, options);
-    let outlook = outlook::outlook(&signatures(robot, options.tool_m, &run), options.sigma_m);
+    let signatures = signatures(robot, options.tool_m, &run);
+    let mut outlook = outlook::outlook(&signatures, options.sigma_m);
+    let q_rad: Vec<[f64; 6]> = run.iter().map(|m| m.q_rad).collect();
+    outlook.lines = lines::lines(&signatures, &q_rad, options.sigma_m);
     Ok(MeasurementPlan { steps, outlook, exchanges, pool: poses.len() })
 }
 
@@ -158,8 +176,8 @@ fn shuffle(poses: &mut [Pose], random: &mut ChaCha8Rng) {
     }
 }
 
-/// Payload by payload, the first one again at the end, with the repeats; nests in between.
-fn in_order(poses: &[Pose], options: &PlanOptions) -> Vec<Step> {
+/// Payload by payload, the first one again at the end, with the repeats and the sweeps; nests in between.
+fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<Step> {
     let of = |payload: &f64| -> Vec<usize> {
         (0..poses.len()).filter(|&i| poses[i].payload_kg == *payload).collect()
     };
@@ -183,17 +201,21 @@ fn in_order(poses: &[Pose], options: &PlanOptions) -> Vec<Step> {
         if k % BETWEEN_NESTS == 0 {
             steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
         }
-        let pose = &poses[i];
-        steps.push(Step::Pose {
-            pose: i,
-            q_rad: pose.q_rad,
-            approach_rad: pose.approach_rad,
-            direction: pose.direction,
-            payload_kg: pose.payload_kg,
-        });
+        steps.push(step(i, &poses[i]));
     }
+    steps.extend(swept.iter().enumerate().map(|(k, pose)| step(poses.len() + k, pose)));
     steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
     steps
+}
+
+fn step(number: usize, pose: &Pose) -> Step {
+    Step::Pose {
+        pose: number,
+        q_rad: pose.q_rad,
+        approach_rad: pose.approach_rad,
+        direction: pose.direction,
+        payload_kg: pose.payload_kg,
+    }
 }
 
 fn timed(steps: &[Step], options: &PlanOptions) -> Vec<Possible> {

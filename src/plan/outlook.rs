@@ -1,12 +1,13 @@
 //! What can be expected of a plan: how exactly each effect will be known, and which pairs stay confounded.
 
 use super::information::{Information, Reduced};
+use super::lines::Lines;
 use crate::diagnose::signature::{Signature, Signatures};
 
 /// Separations below this do not tell two effects of usual size apart.
 pub const APART: f64 = 20.0;
 /// Nats that an effect must gain to be named, alarm and the price of its parameters.
-const NAMED_NATS: f64 = 8.0;
+pub(super) const NAMED_NATS: f64 = 8.0;
 /// Squared signal over noise under which nothing will ever be seen of an effect of usual size.
 const HIDDEN: f64 = 0.01;
 
@@ -64,6 +65,8 @@ pub struct Outlook {
     pub confounded: Vec<Confounded>,
     /// Effects of which nothing will be seen: they lie inside base, target and the arm's tolerances.
     pub hidden: Vec<Named>,
+    /// Lines of the gears, joint by joint.
+    pub lines: Vec<Lines>,
 }
 
 /// The outlook of measurements with these signatures at noise `sigma_m`.

@@ -103,7 +103,6 @@ pub fn poses(
             [low.max(-PI) + margin_rad, high.min(PI) - margin_rad]
         })
         .collect();
-    let far = rad_from_deg(APPROACH_DEG);
     let mut found = Vec::new();
     let mut forbidden = [0_usize; 4];
     let mut tried = 0;
@@ -115,7 +114,7 @@ pub fn poses(
         }
         let direction: [i8; 6] = std::array::from_fn(|_| if random.random::<bool>() { 1 } else { -1 });
         let payload = random.random_range(0..options.payloads_kg.len().max(1));
-        let approach_rad = std::array::from_fn(|j| q_rad[j] - f64::from(direction[j]) * far);
+        let approach_rad = approach_rad(&q_rad, &direction);
         match [q_rad, approach_rad].iter().find_map(|q| forbids(robot, &chain, options, q)) {
             Some(why) => forbidden[why as usize] += 1,
             None => found.push(Pose {
@@ -134,7 +133,14 @@ pub fn poses(
     Ok(found)
 }
 
-fn forbids(robot: &Robot, chain: &Chain, options: &PlanOptions, q_rad: &[f64; 6]) -> Option<Why> {
+/// Where the joints come from.
+pub fn approach_rad(q_rad: &[f64; 6], direction: &[i8; 6]) -> [f64; 6] {
+    let far = rad_from_deg(APPROACH_DEG);
+    std::array::from_fn(|j| q_rad[j] - f64::from(direction[j]) * far)
+}
+
+/// Why a pose is not allowed.
+pub fn forbids(robot: &Robot, chain: &Chain, options: &PlanOptions, q_rad: &[f64; 6]) -> Option<Why> {
     let frames = chain.frames(q_rad);
     let flange = &frames[6];
     let point_m = flange.translation.vector + flange.rotation * options.tool_m;

@@ -1,10 +1,13 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
-use crate::diagnose::{Cause, Diagnosis, Verdict, describe};
+use crate::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
+use crate::units::deg_from_rad;
 use std::fmt::Write;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.
 const MOST_LISTED: usize = 12;
+/// More false rows than this are counted.
+const MOST_FALSE: usize = 12;
 
 /// The page in the terminal.
 #[must_use]
@@ -67,11 +70,51 @@ fn noise(page: &mut String, d: &Diagnosis) {
             ),
         ),
     }
-    if !d.false_lines.is_empty() {
-        let lines: Vec<String> = d.false_lines.iter().take(20).map(u64::to_string).collect();
-        let more = if d.false_lines.len() > 20 { ", ..." } else { "" };
-        line(page, &format!("Set aside as false readings: lines {}{more}.", lines.join(", ")));
+    false_rows(page, d);
+}
+
+/// Rows to look at again, the furthest first.
+fn false_rows(page: &mut String, d: &Diagnosis) {
+    if d.false_rows.is_empty() {
+        return;
     }
+    line(page, "Set aside as false readings:");
+    let mut rows: Vec<&FalseRow> = d.false_rows.iter().collect();
+    // A row that disagrees with its repeats has no distance from the model: it comes first.
+    let off = |row: &FalseRow| row.off_mm.unwrap_or(f64::INFINITY);
+    rows.sort_by(|a, b| off(b).total_cmp(&off(a)).then(a.line.cmp(&b.line)));
+    for row in rows.iter().take(MOST_FALSE) {
+        let name = row.id.as_ref().map_or_else(String::new, |id| format!(" (id {id})"));
+        let off = match (row.off_mm, row.times_middle) {
+            (Some(off_mm), Some(times)) => {
+                format!(", {off_mm:.3} mm off the model, {times:.0} times the middle row")
+            }
+            _ => String::new(),
+        };
+        let like = row.looks_like.as_ref().map_or_else(String::new, |like| format!("; {like}"));
+        line(page, &format!("  line {}{name}{off}{like}", row.line));
+    }
+    if rows.len() > MOST_FALSE {
+        line(page, &format!("  and {} more, nearer: see the JSON", rows.len() - MOST_FALSE));
+    }
+}
+
+/// First of all, of an arm that was never calibrated.
+fn zeros(page: &mut String, d: &Diagnosis) {
+    let Some(zeros) = &d.zeros_alone else { return };
+    let all: Vec<String> = zeros
+        .joints
+        .iter()
+        .map(|zero| format!("joint {} {:+.3} deg", zero.joint, deg_from_rad(zero.offset_rad)))
+        .collect();
+    let named = d.causes.iter().any(|cause| cause.effect == "joint_offset");
+    let apart = if named { "" } else { "; beside geometry as wide as this arm's they are not told from it" };
+    let (before, after) = (zeros.before_rms_mm, zeros.after_rms_mm);
+    let all = all.join(", ");
+    line(
+        page,
+        &format!("  joint offsets alone would take the gap from {before:.3} to {after:.3} mm: {all}{apart}"),
+    );
 }
 
 fn evidence(page: &mut String, d: &Diagnosis) {
@@ -82,6 +125,7 @@ fn evidence(page: &mut String, d: &Diagnosis) {
         matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
     line(page, "");
     line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
+    zeros(page, d);
     let rows = rows(&d.causes);
     for row in rows.iter().take(MOST_LISTED) {
         line(page, &format!("  {row}"));

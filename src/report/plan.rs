@@ -1,13 +1,15 @@
 //! A measurement plan for people and as JSON.
 
 use super::table::{Align, Table};
-use crate::plan::{Confounded, MeasurementPlan, Named, Step};
+use crate::plan::{Confounded, Lines, MeasurementPlan, Named, Step};
 use crate::units::deg_from_rad;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Confounded pairs that are shown.
 const SHOWN: usize = 25;
+/// Confounded lines that are shown of a joint.
+const SHOWN_LINES: usize = 6;
 
 /// For people.
 ///
@@ -42,6 +44,7 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
         table.row([name(&p.of), usual, sigma, from, p.unit.to_owned()]);
     }
     table.write(out, "  ")?;
+    lines(out, &plan.outlook.lines)?;
     let hidden: Vec<String> = plan.outlook.hidden.iter().map(name).collect();
     if !hidden.is_empty() {
         writeln!(
@@ -75,6 +78,28 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     Ok(())
 }
 
+/// Gear lines, joint by joint.
+fn lines(out: &mut dyn Write, lines: &[Lines]) -> io::Result<()> {
+    let Some(first) = lines.first() else { return Ok(()) };
+    writeln!(out, "\nLines of the gears, 3 to 320 per turn; usual size {:.0e} rad", first.usual)?;
+    let mut table = Table::new(&[
+        ("joint", Align::Left),
+        ("sigma", Align::Right),
+        ("named from", Align::Right),
+        ("told from all others", Align::Right),
+        ("most easily taken for another", Align::Left),
+    ]);
+    for l in lines {
+        let pairs: Vec<String> =
+            l.confounded.iter().take(SHOWN_LINES).map(|[n, other]| format!("{n} for {other}")).collect();
+        let numbers = [l.sigma, l.seen_from].map(|v| format!("{v:.2e}"));
+        let [sigma, from] = numbers;
+        let told = format!("{} of {}", l.told_apart, l.of);
+        table.row([l.joint.to_string(), sigma, from, told, pairs.join(", ")]);
+    }
+    table.write(out, "  ")
+}
+
 fn name(of: &Named) -> String {
     match (of.joint, of.joint_b) {
         (Some(j), Some(b)) => format!("{} {j} to {b}", of.effect),
@@ -99,6 +124,6 @@ pub fn json(plan: &MeasurementPlan) -> Value {
         .collect();
     json!({
         "steps": steps, "parameters": plan.outlook.parameters, "confounded": plan.outlook.confounded,
-        "hidden": plan.outlook.hidden, "exchanges": plan.exchanges,
+        "hidden": plan.outlook.hidden, "lines": plan.outlook.lines, "exchanges": plan.exchanges,
     })
 }

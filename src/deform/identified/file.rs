@@ -1,5 +1,6 @@
 //! The model's file: TOML in mm, degrees and ppm, twelve digits, so that what is read and written again is the same.
 
+use super::keys::Keys;
 use super::{Hangs, Identified, Kind, Mounting, Seen, Shape, Term, Value};
 use crate::diagnostic::Diagnostic;
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
@@ -191,6 +192,9 @@ fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
         let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
         values.push(Value { value, sigma });
     }
+    if kind == Kind::GearSpectrum {
+        values = read_spectrum(&mut keys)?;
+    }
     let cause = keys.boolean("cause")?.unwrap_or(true);
     let held_above_n_m = keys.number("held_above_n_m")?;
     let hangs = read_hangs(&mut keys)?;
@@ -199,6 +203,43 @@ fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
     Ok(Term { kind, joint, joint_b, n, shape, held_above_n_m, hangs, cause, values })
 }
 
+/// Lists of sines and cosines, sigmas beside them or not.
+fn read_spectrum(keys: &mut Keys) -> Result<Vec<Value>, ModelError> {
+    let parts = SPECTRUM.map(|key| (key, format!("sigma_{key}")));
+    let mut lists = Vec::new();
+    for (key, sigma_key) in &parts {
+        lists.push((keys.list(key)?, keys.list(sigma_key)?));
+    }
+    let n = lists.first().map_or(0, |(values, _)| values.len());
+    for ((values, sigmas), (key, sigma_key)) in lists.iter().zip(&parts) {
+        if values.len() != n || n == 0 {
+            return Err(keys.wrong(key, "sines and cosines are needed, as many of each".to_owned()));
+        }
+        if !sigmas.is_empty() && sigmas.len() != n {
+            return Err(keys.wrong(sigma_key, format!("{n} numbers are needed, there are {}", sigmas.len())));
+        }
+    }
+    let value = |k: usize, (values, sigmas): &(Vec<f64>, Vec<f64>)| Value {
+        value: rad_from_deg(values[k]),
+        sigma: sigmas.get(k).map(|s| rad_from_deg(*s)),
+    };
+    Ok((0..n).flat_map(|k| lists.iter().map(move |list| value(k, list))).collect())
+}
+
+fn write_spectrum(out: &mut String, values: &[Value]) {
+    for (first, key) in SPECTRUM.iter().enumerate() {
+        let part: Vec<Value> = values.iter().skip(first).step_by(2).copied().collect();
+        let degrees: Vec<f64> = part.iter().map(|v| deg_from_rad(v.value)).collect();
+        let _ = writeln!(out, "{key} = {}", list(&degrees));
+        let sigmas: Option<Vec<f64>> = part.iter().map(|v| v.sigma.map(deg_from_rad)).collect();
+        if let Some(sigmas) = sigmas {
+            let _ = writeln!(out, "sigma_{key} = {}", list(&sigmas));
+        }
+    }
+}
+
+/// Keys of a spectrum's values.
+const SPECTRUM: [&str; 2] = ["sin_deg", "cos_deg"];
 /// Names of [`Hangs`] in the file.
 const HANGS: [(&str, Hangs); 3] =
     [("where-loaded", Hangs::WhereLoaded), ("always", Hangs::Always), ("per-kilogram", Hangs::PerKilogram)];
@@ -266,6 +307,9 @@ fn write_term(out: &mut String, term: &Term) {
             let _ = writeln!(out, "sigma_{key} = {}", number(unit.file(sigma)));
         }
     }
+    if term.kind == Kind::GearSpectrum {
+        write_spectrum(out, &term.values);
+    }
     if let Some(limit) = term.held_above_n_m {
         let _ = writeln!(out, "held_above_n_m = {}", number(limit));
     }
@@ -307,134 +351,6 @@ fn ranges(all: &[[f64; 2]; 6]) -> String {
 
 fn quoted(text: &str) -> String {
     toml::Value::String(text.to_owned()).to_string()
-}
-
-/// A table whose keys are taken one by one; what is left at the end is not known.
-struct Keys {
-    place: String,
-    left: toml::Table,
-}
-
-impl Keys {
-    fn new(place: impl Into<String>, left: toml::Table) -> Self {
-        Self { place: place.into(), left }
-    }
-
-    fn wrong(&self, key: &str, problem: String) -> ModelError {
-        ModelError::Value { place: format!("{}, {key}", self.place), problem }
-    }
-
-    fn text(&mut self, key: &str) -> Result<Option<String>, ModelError> {
-        match self.left.remove(key) {
-            None => Ok(None),
-            Some(toml::Value::String(text)) => Ok(Some(text)),
-            Some(_) => Err(self.wrong(key, "must be a text".to_owned())),
-        }
-    }
-
-    fn boolean(&mut self, key: &str) -> Result<Option<bool>, ModelError> {
-        match self.left.remove(key) {
-            None => Ok(None),
-            Some(toml::Value::Boolean(value)) => Ok(Some(value)),
-            Some(_) => Err(self.wrong(key, "must be true or false".to_owned())),
-        }
-    }
-
-    fn integer(&mut self, key: &str) -> Result<Option<i64>, ModelError> {
-        match self.left.remove(key) {
-            None => Ok(None),
-            Some(toml::Value::Integer(value)) => Ok(Some(value)),
-            Some(_) => Err(self.wrong(key, "must be a whole number".to_owned())),
-        }
-    }
-
-    fn joint(&mut self, key: &str) -> Result<Option<usize>, ModelError> {
-        match self.integer(key)? {
-            None => Ok(None),
-            Some(joint @ 1..=6) => Ok(usize::try_from(joint - 1).ok()),
-            Some(other) => Err(self.wrong(key, format!("{other} is not 1 to 6"))),
-        }
-    }
-
-    fn float(&self, key: &str, value: &toml::Value) -> Result<f64, ModelError> {
-        let value = match value {
-            toml::Value::Float(value) => *value,
-            toml::Value::Integer(value) => *value as f64,
-            _ => return Err(self.wrong(key, "must be a number".to_owned())),
-        };
-        if value.is_finite() { Ok(value) } else { Err(self.wrong(key, "must be finite".to_owned())) }
-    }
-
-    fn number(&mut self, key: &str) -> Result<Option<f64>, ModelError> {
-        self.left.remove(key).map(|value| self.float(key, &value)).transpose()
-    }
-
-    fn list(&mut self, key: &str) -> Result<Vec<f64>, ModelError> {
-        match self.left.remove(key) {
-            None => Ok(Vec::new()),
-            Some(toml::Value::Array(values)) => values.iter().map(|v| self.float(key, v)).collect(),
-            Some(_) => Err(self.wrong(key, "must be a list of numbers".to_owned())),
-        }
-    }
-
-    fn numbers<const N: usize>(&mut self, key: &str) -> Result<Option<[f64; N]>, ModelError> {
-        let there = self.left.contains_key(key);
-        let values = self.list(key)?;
-        match <[f64; N]>::try_from(values) {
-            Ok(values) => Ok(Some(values)),
-            Err(_) if !there => Ok(None),
-            Err(values) => {
-                Err(self.wrong(key, format!("{N} numbers are needed, there are {}", values.len())))
-            }
-        }
-    }
-
-    fn required<const N: usize>(&mut self, key: &str) -> Result<[f64; N], ModelError> {
-        self.numbers(key)?.ok_or_else(|| self.wrong(key, "missing".to_owned()))
-    }
-
-    fn ranges(&mut self, key: &str) -> Result<Option<[[f64; 2]; 6]>, ModelError> {
-        let Some(value) = self.left.remove(key) else { return Ok(None) };
-        let wrong = || self.wrong(key, "six ranges [low, high] are needed".to_owned());
-        let rows = value.as_array().filter(|rows| rows.len() == 6).ok_or_else(wrong)?;
-        let mut ranges = [[0.0; 2]; 6];
-        for (range, row) in ranges.iter_mut().zip(rows) {
-            let [low, high] = row.as_array().map(Vec::as_slice).unwrap_or_default() else {
-                return Err(wrong());
-            };
-            *range = [self.float(key, low)?, self.float(key, high)?];
-        }
-        Ok(Some(ranges))
-    }
-
-    fn table(&mut self, key: &str) -> Result<Option<Self>, ModelError> {
-        match self.left.remove(key) {
-            None => Ok(None),
-            Some(toml::Value::Table(table)) => Ok(Some(Self::new(format!("[{key}]"), table))),
-            Some(_) => Err(self.wrong(key, "must be a table".to_owned())),
-        }
-    }
-
-    fn tables(&mut self, key: &str) -> Result<Vec<toml::Table>, ModelError> {
-        let wrong = || self.wrong(key, "must be tables, [[effect]]".to_owned());
-        match self.left.get(key) {
-            None => return Ok(Vec::new()),
-            Some(toml::Value::Array(all)) if all.iter().all(toml::Value::is_table) => {}
-            Some(_) => return Err(wrong()),
-        }
-        let Some(toml::Value::Array(all)) = self.left.remove(key) else { return Ok(Vec::new()) };
-        Ok(all
-            .into_iter()
-            .filter_map(|v| if let toml::Value::Table(t) = v { Some(t) } else { None })
-            .collect())
-    }
-
-    fn finish(self) -> Result<(), ModelError> {
-        match self.left.keys().next() {
-            None => Ok(()),
-            Some(key) => Err(self.wrong(key, "is not known here".to_owned())),
-        }
-    }
 }
 
 #[cfg(test)]

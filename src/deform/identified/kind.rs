@@ -21,6 +21,8 @@ pub enum Kind {
     GearSecondHarmonic,
     /// Gear, n times per turn.
     GearMesh,
+    /// Gear, 1, 2, 3 ... times per turn at once.
+    GearSpectrum,
     /// A joint turns too far in proportion.
     JointGain,
     /// A joint turns another.
@@ -134,7 +136,7 @@ const fn joined<const A: usize, const N: usize>(
 }
 
 /// All, in the order of the documentation.
-pub(super) const ALL: [Kind; 19] = [
+pub(super) const ALL: [Kind; 20] = [
     Kind::JointOffset,
     Kind::LinkGeometry,
     Kind::JointCompliance,
@@ -143,6 +145,7 @@ pub(super) const ALL: [Kind; 19] = [
     Kind::GearEccentricity,
     Kind::GearSecondHarmonic,
     Kind::GearMesh,
+    Kind::GearSpectrum,
     Kind::JointGain,
     Kind::JointCoupling,
     Kind::Backlash,
@@ -169,6 +172,7 @@ impl Kind {
             Self::GearEccentricity => "gear_eccentricity",
             Self::GearSecondHarmonic => "gear_second_harmonic",
             Self::GearMesh => "gear_mesh",
+            Self::GearSpectrum => "gear_spectrum",
             Self::JointGain => "joint_gain",
             Self::JointCoupling => "joint_coupling",
             Self::Backlash => "backlash",
@@ -189,7 +193,7 @@ impl Kind {
         ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// Its parameters, in the order of a term's values.
+    /// Its parameters, in the order of a term's values. A spectrum has as many as it likes, a sine and a cosine in turn.
     #[must_use]
     pub fn parameters(self) -> &'static [Parameter] {
         match self {
@@ -204,6 +208,7 @@ impl Kind {
             Self::ThermalLinkGrowth => {
                 &[("growth_ppm", Unit::PartsPerMillion), ("constant_ppm", Unit::PartsPerMillion)]
             }
+            Self::GearSpectrum => &[],
             Self::ThermalJointDrift => &[("drift_deg", Unit::Degree), ("constant_deg", Unit::Degree)],
             Self::InstrumentScale => &[("scale_ppm", Unit::PartsPerMillion)],
             Self::ToolDrift | Self::ToolStep => FRAME.split_at(3).0,
@@ -248,6 +253,7 @@ impl Kind {
                 | Self::GearEccentricity
                 | Self::GearSecondHarmonic
                 | Self::GearMesh
+                | Self::GearSpectrum
                 | Self::JointGain
                 | Self::JointCoupling
                 | Self::Backlash

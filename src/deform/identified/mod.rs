@@ -5,6 +5,7 @@
 //! nothing of how a model is found, nor of RAPID.
 
 mod file;
+mod keys;
 mod kind;
 mod term;
 

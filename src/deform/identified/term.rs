@@ -124,7 +124,7 @@ pub struct Term {
     pub hangs: Hangs,
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
-    /// In the order of [`Kind::parameters`], SI.
+    /// In the order of [`Kind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn.
     pub values: Vec<Value>,
 }
 
@@ -196,6 +196,17 @@ impl Term {
                 let (sin, cos) = (n * at.q_rad[joint]).sin_cos();
                 to.turns_rad[joint] += v(0) * sin + v(1) * cos;
                 to.slopes[joint][joint] += n * (v(0) * cos - v(1) * sin);
+            }
+            Kind::GearSpectrum => {
+                let (sin1, cos1) = at.q_rad[joint].sin_cos();
+                let (mut sin, mut cos, mut n) = (sin1, cos1, 1.0);
+                for pair in self.values.chunks_exact(2) {
+                    let (a, b) = (pair[0].value, pair[1].value);
+                    to.turns_rad[joint] += a * sin + b * cos;
+                    to.slopes[joint][joint] += n * (a * cos - b * sin);
+                    (sin, cos) = (sin * cos1 + cos * sin1, cos * cos1 - sin * sin1);
+                    n += 1.0;
+                }
             }
             Kind::JointGain => {
                 to.turns_rad[joint] += v(0) * at.q_rad[joint];

@@ -1,0 +1,145 @@
+//! A TOML table whose keys are taken one by one, with messages that name the place.
+
+use super::ModelError;
+
+/// A table whose keys are taken one by one; what is left at the end is not known.
+pub(super) struct Keys {
+    place: String,
+    left: toml::Table,
+}
+
+impl Keys {
+    /// The keys of the table that `place` names.
+    pub(super) fn new(place: impl Into<String>, left: toml::Table) -> Self {
+        Self { place: place.into(), left }
+    }
+
+    /// An error at `key`.
+    pub(super) fn wrong(&self, key: &str, problem: String) -> ModelError {
+        ModelError::Value { place: format!("{}, {key}", self.place), problem }
+    }
+
+    /// A text.
+    pub(super) fn text(&mut self, key: &str) -> Result<Option<String>, ModelError> {
+        match self.left.remove(key) {
+            None => Ok(None),
+            Some(toml::Value::String(text)) => Ok(Some(text)),
+            Some(_) => Err(self.wrong(key, "must be a text".to_owned())),
+        }
+    }
+
+    /// True or false.
+    pub(super) fn boolean(&mut self, key: &str) -> Result<Option<bool>, ModelError> {
+        match self.left.remove(key) {
+            None => Ok(None),
+            Some(toml::Value::Boolean(value)) => Ok(Some(value)),
+            Some(_) => Err(self.wrong(key, "must be true or false".to_owned())),
+        }
+    }
+
+    /// A whole number.
+    pub(super) fn integer(&mut self, key: &str) -> Result<Option<i64>, ModelError> {
+        match self.left.remove(key) {
+            None => Ok(None),
+            Some(toml::Value::Integer(value)) => Ok(Some(value)),
+            Some(_) => Err(self.wrong(key, "must be a whole number".to_owned())),
+        }
+    }
+
+    /// A joint, from 1 in the file and from 0 here.
+    pub(super) fn joint(&mut self, key: &str) -> Result<Option<usize>, ModelError> {
+        match self.integer(key)? {
+            None => Ok(None),
+            Some(joint @ 1..=6) => Ok(usize::try_from(joint - 1).ok()),
+            Some(other) => Err(self.wrong(key, format!("{other} is not 1 to 6"))),
+        }
+    }
+
+    fn float(&self, key: &str, value: &toml::Value) -> Result<f64, ModelError> {
+        let value = match value {
+            toml::Value::Float(value) => *value,
+            toml::Value::Integer(value) => *value as f64,
+            _ => return Err(self.wrong(key, "must be a number".to_owned())),
+        };
+        if value.is_finite() { Ok(value) } else { Err(self.wrong(key, "must be finite".to_owned())) }
+    }
+
+    /// A finite number.
+    pub(super) fn number(&mut self, key: &str) -> Result<Option<f64>, ModelError> {
+        self.left.remove(key).map(|value| self.float(key, &value)).transpose()
+    }
+
+    /// Numbers; none where the key is missing.
+    pub(super) fn list(&mut self, key: &str) -> Result<Vec<f64>, ModelError> {
+        match self.left.remove(key) {
+            None => Ok(Vec::new()),
+            Some(toml::Value::Array(values)) => values.iter().map(|v| self.float(key, v)).collect(),
+            Some(_) => Err(self.wrong(key, "must be a list of numbers".to_owned())),
+        }
+    }
+
+    /// `N` numbers.
+    pub(super) fn numbers<const N: usize>(&mut self, key: &str) -> Result<Option<[f64; N]>, ModelError> {
+        let there = self.left.contains_key(key);
+        let values = self.list(key)?;
+        match <[f64; N]>::try_from(values) {
+            Ok(values) => Ok(Some(values)),
+            Err(_) if !there => Ok(None),
+            Err(values) => {
+                Err(self.wrong(key, format!("{N} numbers are needed, there are {}", values.len())))
+            }
+        }
+    }
+
+    /// `N` numbers that must be there.
+    pub(super) fn required<const N: usize>(&mut self, key: &str) -> Result<[f64; N], ModelError> {
+        self.numbers(key)?.ok_or_else(|| self.wrong(key, "missing".to_owned()))
+    }
+
+    /// Six ranges.
+    pub(super) fn ranges(&mut self, key: &str) -> Result<Option<[[f64; 2]; 6]>, ModelError> {
+        let Some(value) = self.left.remove(key) else { return Ok(None) };
+        let wrong = || self.wrong(key, "six ranges [low, high] are needed".to_owned());
+        let rows = value.as_array().filter(|rows| rows.len() == 6).ok_or_else(wrong)?;
+        let mut ranges = [[0.0; 2]; 6];
+        for (range, row) in ranges.iter_mut().zip(rows) {
+            let [low, high] = row.as_array().map(Vec::as_slice).unwrap_or_default() else {
+                return Err(wrong());
+            };
+            *range = [self.float(key, low)?, self.float(key, high)?];
+        }
+        Ok(Some(ranges))
+    }
+
+    /// A table.
+    pub(super) fn table(&mut self, key: &str) -> Result<Option<Self>, ModelError> {
+        match self.left.remove(key) {
+            None => Ok(None),
+            Some(toml::Value::Table(table)) => Ok(Some(Self::new(format!("[{key}]"), table))),
+            Some(_) => Err(self.wrong(key, "must be a table".to_owned())),
+        }
+    }
+
+    /// Tables, `[[key]]`.
+    pub(super) fn tables(&mut self, key: &str) -> Result<Vec<toml::Table>, ModelError> {
+        let wrong = || self.wrong(key, "must be tables, [[effect]]".to_owned());
+        match self.left.get(key) {
+            None => return Ok(Vec::new()),
+            Some(toml::Value::Array(all)) if all.iter().all(toml::Value::is_table) => {}
+            Some(_) => return Err(wrong()),
+        }
+        let Some(toml::Value::Array(all)) = self.left.remove(key) else { return Ok(Vec::new()) };
+        Ok(all
+            .into_iter()
+            .filter_map(|v| if let toml::Value::Table(t) = v { Some(t) } else { None })
+            .collect())
+    }
+
+    /// Everything must have been taken.
+    pub(super) fn finish(self) -> Result<(), ModelError> {
+        match self.left.keys().next() {
+            None => Ok(()),
+            Some(key) => Err(self.wrong(key, "is not known here".to_owned())),
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The whole spectrum of a gear in place of its lines, and its size, for a model that is to hold elsewhere.
+//!
+//! Over the part of a turn that a joint moved, near periods look alike: the search names one of them. Carried to another
+//! part of the turn the wrong one is as bad as none. Where a joint has several lines, the model therefore has all
+//! periods, each with the same small prior, which spreads what cannot be told apart. The size of that prior is chosen by
+//! transfer: each joint's lowest and highest fifth of its angles, and the last fifth of the time, are held out whole.
+//! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/REAL.md).
+
+use super::design::Whitening;
+use super::effects::Candidate;
+use super::normal::{Columns, LINE_RAD, Normal};
+use super::scene::{Motion, Scene};
+use super::search::Chosen;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A joint with so many lines has a spectrum; one or two stand for themselves.
+const FEWEST_LINES: usize = 3;
+/// Periods per turn that a spectrum goes up to; lines named beyond are in it too.
+const HIGHEST: u32 = 80;
+/// Prior standard deviations of a line that are tried, radians.
+const SIZES_RAD: [f64; 6] = [1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7];
+/// Share of the stations held out at each end of a joint's range and of the time.
+const SHARE: usize = 5;
+/// More stations than this are thinned out while the size is chosen.
+const MOST_STATIONS: usize = 3000;
+
+/// Joints, from 0, with the periods per turn of their spectra, ascending.
+#[must_use]
+pub(super) fn spectra(candidates: &[Candidate], chosen: &[Chosen]) -> Vec<(usize, Vec<u32>)> {
+    let mut named: BTreeMap<usize, BTreeSet<u32>> = BTreeMap::new();
+    for form in chosen.iter().map(|c| candidates[c.candidate].form) {
+        if let (Some(joint), Some(n)) = (form.joint, form.n) {
+            named.entry(joint).or_default().insert(n);
+        }
+    }
+    named.retain(|_, lines| lines.len() >= FEWEST_LINES);
+    let all = |lines: BTreeSet<u32>| (1..=HIGHEST).chain(lines).collect::<BTreeSet<u32>>();
+    named.into_iter().map(|(joint, lines)| (joint, all(lines).into_iter().collect())).collect()
+}
+
+/// Precision of every column: `geometry` and `causes` as given, lines by `size_rad`.
+#[must_use]
+pub(super) fn precisions(
+    columns: &Columns<'_>,
+    geometry: f64,
+    causes: &[f64],
+    sigma_m: f64,
+    size_rad: f64,
+) -> Vec<f64> {
+    let mut all = vec![0.0; columns.flat().end];
+    all.resize(columns.geometry().end, geometry);
+    for (range, precision) in columns.of_causes().into_iter().zip(causes) {
+        all.resize(range.end, *precision);
+    }
+    let line = (sigma_m * LINE_RAD / size_rad).powi(2);
+    all.resize(columns.of_lines().last().map_or(all.len(), |r| r.end), line);
+    all
+}
+
+/// The size of a line that transfers best: least logarithm of the held-out errors, on average over what is held out.
+#[must_use]
+pub(super) fn size_rad(
+    columns: &Columns<'_>,
+    residuals: &[Motion],
+    outliers: &[bool],
+    precisions_at: impl Fn(f64) -> Vec<f64>,
+) -> f64 {
+    let kept = thinned(columns.scene);
+    // Thinned out, each station stands for several.
+    let factor = columns.scene.sites.len() as f64 / kept.len().max(1) as f64;
+    let whitening = Whitening {
+        weights: columns.whitening.weights.iter().map(|w| w * factor).collect(),
+        ..columns.whitening.clone()
+    };
+    let columns = Columns {
+        whitening: &whitening,
+        causes: columns.causes.clone(),
+        lines: columns.lines.clone(),
+        ..*columns
+    };
+    let whole = columns.sum(&kept, residuals);
+    let held: Vec<(Vec<usize>, Normal)> = ends(columns.scene, &kept)
+        .into_iter()
+        .map(|part| {
+            let train = whole.without(&columns.sum(&part, residuals));
+            (part.into_iter().filter(|&i| !outliers[i]).collect(), train)
+        })
+        .collect();
+    let mut best = (f64::INFINITY, SIZES_RAD[0]);
+    for size_rad in SIZES_RAD {
+        let precisions = precisions_at(size_rad);
+        let left = |(part, train): &(Vec<usize>, Normal)| {
+            let (solved, _) = train.solve(&precisions, false)?;
+            let squares = columns.squares_m2(part, residuals, &solved);
+            let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
+            Some(0.5 * mean.max(1e-18).ln())
+        };
+        let scores: Vec<f64> = held.par_iter().filter_map(left).collect();
+        let score: f64 = scores.iter().sum();
+        if score > best.0 {
+            // One valley: the first time it rises is its floor.
+            break;
+        }
+        best = (score, size_rad);
+    }
+    best.1
+}
+
+/// Every so many-th station.
+fn thinned(scene: &Scene) -> Vec<usize> {
+    (0..scene.sites.len()).step_by(scene.sites.len().div_ceil(MOST_STATIONS).max(1)).collect()
+}
+
+/// Of `kept` the lowest and the highest fifth of each joint's angles, and the last fifth of the time.
+fn ends(scene: &Scene, kept: &[usize]) -> Vec<Vec<usize>> {
+    let count = kept.len() / SHARE;
+    let sorted = |value: &dyn Fn(usize) -> f64| {
+        let mut order = kept.to_vec();
+        order.sort_by(|&a, &b| value(a).total_cmp(&value(b)).then(a.cmp(&b)));
+        order
+    };
+    let mut parts = Vec::new();
+    for j in 0..6 {
+        let order = sorted(&|i| scene.sites[i].q_rad[j]);
+        parts.push(order[..count].to_vec());
+        parts.push(order[order.len() - count..].to_vec());
+    }
+    if scene.time_min.is_some() {
+        let order = sorted(&|i| scene.sites[i].t_min.unwrap_or(0.0));
+        parts.push(order[order.len() - count..].to_vec());
+    }
+    parts.retain(|part| !part.is_empty());
+    parts
+}
