@@ -129,13 +129,15 @@ fn accuracy_is_the_standards_and_go_is_an_exit_code() {
     }
     let with = |more: &[&str]| run(&[&common[..], more].concat()).0;
     assert_eq!(with(&["--limit-ap-mm", "5.3"]), 0);
-    assert_eq!(with(&["--limit-ap-mm", "5.2"]), 1);
+    let (code, out, _) = run(&[&common[..], &["--limit-ap-mm", "5.2"]].concat());
+    assert!(code == 1 && out.ends_with("NO GO: beyond --limit-ap-mm 5.2\n"), "{out}");
     assert_eq!(with(&["--limit-drift-mm", "4.4"]), 1);
     assert_eq!(with(&["--limit-rp-mm", "100"]), 0);
     // Nothing is repeated: repeatability cannot be judged.
     let single = write(folder.path(), "s.csv", &file(&again(&[]), &somewhere(), Vector3::from(TIP_M), 1));
     let (code, _, said) = run(&["accuracy", &single, "--limit-rp-mm", "1"]);
     assert!(code == 2 && said.contains("measure::no-repeats"), "{said}");
+    assert!(said.contains(": --limit-rp-mm: nothing was measured"), "{said}");
     assert_eq!(run(&["accuracy", &single, "--limit-ap-mm", "0.2"]).0, 0);
 }
 

@@ -73,13 +73,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let Some(found_m) = found else {
             return Err(Diagnostic::error(
                 "measure::no-repeats",
-                format!("--{name}: nothing was measured that tells it"),
+                format!("{name}: nothing was measured that tells it"),
             )
             .help("repeatability needs a pose measured twice and more, drift at times more than 10 min apart")
             .into());
         };
         if found_m > m_from_mm(limit_mm) {
-            beyond.push(format!("--{name} {limit_mm}"));
+            beyond.push(format!("{name} {limit_mm}"));
         }
     }
     let takes_standard_output = json.is_standard();
