@@ -249,3 +249,36 @@ fn a_false_row_is_named_and_can_be_taken_out() {
     lines.remove(11);
     assert_eq!(fs::read_to_string(&clean).unwrap(), lines.join("\r\n") + "\r\n");
 }
+
+/// A reading that was not taken anew, and a height with a wrong digit: both are named, each with what it looks like.
+#[test]
+fn a_false_row_is_named_with_what_it_looks_like() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = folder.path().join("set").to_string_lossy().into_owned();
+    let made =
+        run(&["synth", &set, "--effects", "joint_compliance:2", "--n", "80", "--rho", "2", "--seed", "5"]);
+    assert_eq!(made.0, 0, "{}", made.2);
+    let csv = fs::read_to_string(Path::new(&set).join("set_0000/measurements.csv")).unwrap();
+    let mut rows: Vec<Vec<String>> = csv.lines().map(|l| l.split(',').map(str::to_owned).collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|c| c == name).unwrap();
+    let (id, z) = (column("id"), column("z_mm"));
+    for at in ["x_mm", "y_mm", "z_mm"].map(column) {
+        let before = rows[30][at].clone();
+        rows[31][at] = before;
+    }
+    let height: f64 = rows[50][z].parse().unwrap();
+    rows[50][z] = format!("{}", height + 10.0);
+    let text: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
+    let file = write(folder.path(), "false.csv", &(text.join("\n") + "\n"));
+    let json = folder.path().join("d.json").to_string_lossy().into_owned();
+    let (code, out, said) = run(&["diagnose", &file, "--json", &json]);
+    assert_eq!(code, 0, "{said}");
+    let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
+    for (row, like) in [(31, "where the row before was measured"), (50, "only its z is off, by +")] {
+        let found = read["false_rows"].as_array().unwrap().iter().find(|f| f["line"] == row + 1);
+        let found = found.unwrap_or_else(|| panic!("{row}: {}", read["false_rows"]));
+        assert_eq!(found["id"].as_str().unwrap(), rows[row][id]);
+        assert!(found["looks_like"].as_str().unwrap().contains(like), "{found}");
+        assert!(out.contains(&format!("line {} (id {})", row + 1, rows[row][id])), "{out}");
+    }
+}

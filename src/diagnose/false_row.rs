@@ -7,7 +7,7 @@ use super::linearise::{Linear, norm3};
 use super::model::{Model, median};
 use super::outcome::FalseRow;
 use super::scene::{Motion, Sight};
-use crate::measure::{Measurements, Stations};
+use crate::measure::{Measurements, Seen, Stations};
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ pub(super) fn false_rows(
                 id: row.id.clone(),
                 off_mm: Some(mm_from_m(off_m)),
                 times_middle: Some(off_m / middle_m.max(1e-12)),
-                looks_like: likeness(linear, &model.residuals[i], i),
+                looks_like: likeness(stations, linear, &model.residuals[i], i),
             });
         }
     }
@@ -55,8 +55,16 @@ fn shift(motion: &Motion) -> Vector3<f64> {
     Vector3::new(motion[0], motion[1], motion[2])
 }
 
+/// As the instrument saw it.
+fn measured_m(stations: &Stations, i: usize) -> Option<Vector3<f64>> {
+    match stations.stations.get(i)?.seen {
+        Seen::Point { position_m } => Some(position_m),
+        _ => None,
+    }
+}
+
 /// What would make a station be off by `left`, base axes.
-fn likeness(linear: &Linear, left: &Motion, i: usize) -> Option<String> {
+fn likeness(stations: &Stations, linear: &Linear, left: &Motion, i: usize) -> Option<String> {
     let site = &linear.scene.sites[i];
     if site.sight != Sight::Instrument {
         return None;
@@ -67,8 +75,9 @@ fn likeness(linear: &Linear, left: &Motion, i: usize) -> Option<String> {
     let sites = &linear.scene.sites;
     let before = (0..sites.len()).filter(|&k| sites[k].row < site.row && sites[k].sight == Sight::Instrument);
     if let Some(before) = before.reduce(|a, b| if sites[b].row > sites[a].row { b } else { a }) {
-        let measured_m = |k: usize| sites[k].point_m + shift(&linear.residuals[k]);
-        let way = measured_m(before) - (measured_m(i) - place);
+        let (from, here) = (measured_m(stations, before)?, measured_m(stations, i)?);
+        let into_base = linear.registration.instrument_from_base.rotation.inverse();
+        let way = into_base * (from - here) + place;
         let along = way.dot(&place) / way.norm().max(1e-9);
         let aside = (place - way * (along / way.norm().max(1e-9))).norm();
         if aside < limit_m && (way - place).norm() < limit_m {
