@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector, Isometry3, Point3, Vector3};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-const SEED: u64 = 31;
+const SEED: u64 = 2027;
 const SETS: u64 = 150;
 /// Draws of noise and background for each set.
 const DRAWS: u64 = 4;
