@@ -181,6 +181,7 @@ fn with_causes(
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
 
+    let rivals = wanting(rivals, &causes);
     let cause_rms_m = total_rms_m(model, chosen);
     let left = structure_in(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(rest, k));
@@ -242,4 +243,30 @@ fn with_causes(
 
 fn same(a: &Cause, b: &Cause) -> bool {
     a.effect == b.effect && a.joint == b.joint && a.joint_b == b.joint_b && a.n == b.n && a.t0_min == b.t0_min
+}
+
+/// Each rival once, and none that is a cause itself in another place.
+fn wanting(rivals: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
+    let mut wanting: Vec<Cause> = Vec::new();
+    for rival in rivals {
+        if !causes.iter().chain(&wanting).any(|named| same(named, &rival)) {
+            wanting.push(rival);
+        }
+    }
+    wanting
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_named_is_not_ruled_out_in_another_place() {
+        let of =
+            |effect: usize, joint| Cause { joint: Some(joint), ..Cause::of(effects::LIBRARY[effect], 0.5) };
+        let left = wanting(vec![of(0, 2), of(1, 4), of(0, 2), of(0, 3)], &[of(1, 4), of(2, 2)]);
+        let named: Vec<_> = left.iter().map(|c| (c.effect, c.joint)).collect();
+        let first = effects::LIBRARY[0].name();
+        assert_eq!(named, [(first, Some(2)), (first, Some(3))]);
+    }
 }
