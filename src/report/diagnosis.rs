@@ -162,7 +162,7 @@ fn rows(causes: &[Cause]) -> Vec<String> {
             let mut row =
                 format!("gear_mesh{joint} ({}): {}{more} per turn", plainly("gear_mesh"), orders.join(", "));
             if let Some(rms_mm) = cause.rms_mm {
-                let _ = write!(row, "; the first moves the tool by {rms_mm:.3} mm");
+                let _ = write!(row, "; the first {}", moves(rms_mm));
             }
             rows.push(row);
         }
@@ -216,10 +216,19 @@ fn in_words(cause: &Cause) -> String {
         };
     }
     if let Some(rms_mm) = cause.rms_mm {
-        let _ = write!(text, ", moves the tool by {rms_mm:.3} mm");
+        let _ = write!(text, ", {}", moves(rms_mm));
     }
     let _ = write!(text, "; probability {}", percent(cause.posterior));
     text
+}
+
+/// What an effect does at the measured point; one on an axis that the point lies on is seen by the orientation alone.
+fn moves(rms_mm: f64) -> String {
+    if rms_mm < 0.0005 {
+        "turns the tool without moving it".to_owned()
+    } else {
+        format!("moves the tool by {rms_mm:.3} mm")
+    }
 }
 
 fn percent(p: f64) -> String {
