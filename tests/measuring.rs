@@ -33,8 +33,7 @@ struct Cell {
 impl Cell {
     fn new(effect: Effect, n: usize, seed: u64) -> Self {
         let robot = Robot::built_in("irb140").unwrap();
-        let recorded =
-            Recorded { time: true, direction: true, payload: true, temperature: false, orientation: false };
+        let recorded = Recorded::NOTED;
         let recipe = Recipe {
             name: "cell".into(),
             kind: Kind::One,

@@ -285,17 +285,8 @@ mod tests {
     fn scene() -> Scene {
         let robot = Robot::built_in("irb140").unwrap();
         let chain = Chain::nominal(&robot);
-        let registration = Registration {
-            instrument_from_base: Isometry3::identity(),
-            tools_m: vec![Vector3::new(0.03, -0.02, 0.1)],
-            places_m: Vec::new(),
-            tool_sigma_m: 0.0,
-            flange_from_sensor: None,
-            rms_m: 0.0,
-            median_m: 0.0,
-            iterations: 0,
-            converged: true,
-        };
+        let tools_m = vec![Vector3::new(0.03, -0.02, 0.1)];
+        let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
         let site = |i: usize| {
             let x = i as f64;
             let station = Station {

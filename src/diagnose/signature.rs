@@ -74,17 +74,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[Possible]
     for (n, at_m) in measurements.iter().filter_map(|m| m.nest) {
         places_m[n] = at_m;
     }
-    let registration = Registration {
-        instrument_from_base: Isometry3::identity(),
-        tools_m: vec![tool_m],
-        places_m,
-        tool_sigma_m: 0.0,
-        flange_from_sensor: None,
-        rms_m: 0.0,
-        median_m: 0.0,
-        iterations: 0,
-        converged: true,
-    };
+    let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], places_m);
     let sites: Vec<Site> = measurements
         .iter()
         .enumerate()

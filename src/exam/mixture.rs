@@ -83,13 +83,7 @@ pub fn recipe(number: usize, most_rows: usize, draw: &mut Draw) -> Recipe {
         _ => Spread::Sweeps,
     };
     let sigma_mm = draw.log_uniform(0.01, 0.05);
-    let all = Recorded {
-        time: true,
-        direction: true,
-        payload: true,
-        temperature: draw.chance(0.5),
-        orientation: draw.chance(0.3),
-    };
+    let all = Recorded { temperature: draw.chance(0.5), orientation: draw.chance(0.3), ..Recorded::NOTED };
     let rho = |draw: &mut Draw| draw.log_uniform(0.3, 5.0);
     let last_min = n as f64;
     let mut recorded = all;

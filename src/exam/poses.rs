@@ -37,6 +37,12 @@ pub struct Recorded {
     pub orientation: bool,
 }
 
+impl Recorded {
+    /// What can be noted of a point without thermometers: time, direction, payload.
+    pub const NOTED: Self =
+        Self { time: true, direction: true, payload: true, temperature: false, orientation: false };
+}
+
 /// Half the width, in degrees, that each joint moves over where its range is wider.
 const WIDEST_DEG: [f64; 6] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0];
 /// The middle of a small arm's working posture, degrees.

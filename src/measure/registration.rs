@@ -27,6 +27,26 @@ pub struct Registration {
 }
 
 impl Registration {
+    /// One that is assumed, not fitted.
+    #[must_use]
+    pub fn assumed(
+        instrument_from_base: Isometry3<f64>,
+        tools_m: Vec<Vector3<f64>>,
+        places_m: Vec<Vector3<f64>>,
+    ) -> Self {
+        Self {
+            instrument_from_base,
+            tools_m,
+            places_m,
+            tool_sigma_m: 0.0,
+            flange_from_sensor: None,
+            rms_m: 0.0,
+            median_m: 0.0,
+            iterations: 0,
+            converged: false,
+        }
+    }
+
     /// Measured minus predicted position in base axes, metres, for a flange pose `base_from_flange`; along the wire
     /// where a length was measured.
     #[must_use]

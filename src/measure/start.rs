@@ -9,17 +9,7 @@ pub(super) fn bare(
     places: usize,
     instrument_from_base: Isometry3<f64>,
 ) -> Registration {
-    Registration {
-        instrument_from_base,
-        tools_m: tools_m.to_vec(),
-        places_m: vec![Vector3::zeros(); places],
-        tool_sigma_m: 0.0,
-        flange_from_sensor: None,
-        rms_m: 0.0,
-        median_m: 0.0,
-        iterations: 0,
-        converged: false,
-    }
+    Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); places])
 }
 
 /// Fixed places as the base and the targets put them.
