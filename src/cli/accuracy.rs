@@ -2,8 +2,9 @@
 
 use super::measured::Source;
 use super::number::positive;
+use super::shared::{RobotName, tool};
 use super::validate::RegisterName;
-use super::{Console, Outcome, diagnose, files, model};
+use super::{Console, Outcome, files};
 use crate::diagnostic::Diagnostic;
 use crate::measure::{Compared, PerformanceError, performance};
 use crate::report::accuracy as report;
@@ -19,9 +20,9 @@ pub struct Args {
     #[command(flatten)]
     pub source: Source,
 
-    /// A built-in robot's name, or a robot file (TOML): its nominal arm is the command.
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Place of the measured target in the flange's frame, mm; needed with --register base and none.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -59,8 +60,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         ("--limit-drift-mm", args.limit_drift_mm),
     ];
     positive(&limits)?;
-    let robot = model::robot(&args.robot)?;
-    let tool_m = args.tool.as_deref().map(diagnose::tool).transpose()?;
+    let robot = args.robot.load()?;
+    let tool_m = args.tool.as_deref().map(tool).transpose()?;
     let compared = compared(args.register, tool_m)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;

@@ -1,8 +1,9 @@
 //! `driftpost changed`: what has changed between two measurements of one robot.
 
 use super::number::positive;
-use super::{Console, Outcome, diagnose, files, measured, model};
-use crate::diagnose::{Changed, ChangedError, Options, changed};
+use super::shared::{Known, RobotName};
+use super::{Console, Outcome, files, measured};
+use crate::diagnose::{Changed, ChangedError, changed};
 use crate::diagnostic::Diagnostic;
 use crate::report::changed as report;
 use crate::units::m_from_mm;
@@ -20,17 +21,13 @@ pub struct Args {
     #[arg(value_name = "AFTER")]
     pub after: PathBuf,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
-    /// Place of the measured target in the flange's frame, mm, known to about 1 mm.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    pub tool: Option<String>,
-
-    /// Noise of one coordinate, mm, where it is known better than the repeats say it.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
-    pub sigma_mm: Option<f64>,
+    /// What is known of the measurement.
+    #[command(flatten)]
+    pub known: Known,
 
     /// Another layout of both files (TOML, docs/MEASURING.md).
     #[arg(long, value_name = "MAP.toml")]
@@ -50,12 +47,9 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, too few poses in both.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    positive(&[("--sigma-mm", args.sigma_mm), ("--limit-mm", args.limit_mm)])?;
-    let robot = model::robot(&args.robot)?;
-    let options = Options {
-        tool_m: args.tool.as_deref().map(diagnose::tool).transpose()?,
-        sigma_m: args.sigma_mm.map(m_from_mm),
-    };
+    positive(&[("--limit-mm", args.limit_mm)])?;
+    let robot = args.robot.load()?;
+    let options = args.known.options()?;
     let json = files::Output::new(args.json.as_deref())?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;

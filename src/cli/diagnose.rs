@@ -1,13 +1,12 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
 use super::measured::Source;
-use super::number::positive;
-use super::{Console, Outcome, files, model};
-use crate::diagnose::{Diagnosis, Options, diagnose, diagnose_and_identify};
+use super::shared::{Known, RobotName};
+use super::{Console, Outcome, files};
+use crate::diagnose::{Diagnosis, diagnose, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
 use crate::report::shop::{self, Standing};
 use crate::report::{diagnosis, plots};
-use crate::units::m_from_mm;
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
 
@@ -18,17 +17,13 @@ pub struct Args {
     #[command(flatten)]
     pub source: Source,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
-    /// Place of the measured target in the flange's frame, mm, known to about 1 mm.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    pub tool: Option<String>,
-
-    /// Noise of one coordinate, mm, where it is known better than the repeats say it.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
-    pub sigma_mm: Option<f64>,
+    /// What is known of the measurement.
+    #[command(flatten)]
+    pub known: Known,
 
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
@@ -72,8 +67,8 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, an option that cannot be.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let options = options(args)?;
-    let robot = model::robot(&args.robot)?;
+    let options = args.known.options()?;
+    let robot = args.robot.load()?;
     let to_stdout = args.json.as_deref() == Some(Path::new("-"));
     let json = args.json.as_deref().filter(|_| !to_stdout).map(files::Pending::new).transpose()?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
@@ -172,23 +167,4 @@ fn as_json(diagnosis: &Diagnosis) -> anyhow::Result<String> {
     let mut text = serde_json::to_string_pretty(diagnosis)?;
     text.push('\n');
     Ok(text)
-}
-
-fn options(args: &Args) -> Result<Options, Diagnostic> {
-    let tool_m = args.tool.as_deref().map(tool).transpose()?;
-    positive(&[("--sigma-mm", args.sigma_mm)])?;
-    Ok(Options { tool_m, sigma_m: args.sigma_mm.map(m_from_mm) })
-}
-
-pub(super) fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
-    let wrong = || {
-        Diagnostic::error("diagnose::tool", format!("--tool {text}: three numbers are needed, x,y,z in mm"))
-            .help("for example --tool -12,0,80; leave it out where the target's place is not known")
-    };
-    let numbers: Vec<f64> =
-        text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
-    match numbers[..] {
-        [x, y, z] if numbers.iter().all(|n| n.is_finite()) => Ok(Vector3::new(x, y, z).map(m_from_mm)),
-        _ => Err(wrong()),
-    }
 }

@@ -3,7 +3,8 @@
 use super::files::Output;
 use super::given::{self, Given};
 use super::inspect::Format;
-use super::{Console, Outcome, model};
+use super::shared::RobotName;
+use super::{Console, Outcome};
 use crate::compensate::compare::compare;
 use crate::diagnostic::Diagnostic;
 use crate::emit::{bucket_of, differences, standing_in};
@@ -27,9 +28,9 @@ pub struct Args {
     #[arg(value_name = "B")]
     pub after: PathBuf,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Form of what is written; text begins with the lines that differ.
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -50,7 +51,7 @@ pub struct Args {
 /// A program that cannot be read, a robot that is not known.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let given = [&args.before, &args.after].map(|path| Given::read(std::slice::from_ref(path)));
     let [before, after] = given;
     let (given_before, given_after) = (before?, after?);

@@ -2,7 +2,8 @@
 
 use super::given::Given;
 use super::measured::Source;
-use super::{Console, Outcome, diagnose, files, model};
+use super::shared::{RobotName, tool};
+use super::{Console, Outcome, files, model};
 use crate::compensate::{self, targets};
 use crate::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
 use crate::diagnostic::Diagnostic;
@@ -21,9 +22,9 @@ pub struct Args {
     #[command(flatten)]
     pub source: Source,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Place of the touching tip (or reflector) in the flange's frame, mm, to about 1 mm.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -69,9 +70,9 @@ pub(super) fn stop(text: &str) -> Result<Stop, String> {
 /// # Errors
 /// A file that cannot be read or written, touches that say too little.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let options = FitOptions {
-        tool_m: args.tool.as_deref().map(diagnose::tool).transpose()?.unwrap_or_else(Vector3::zeros),
+        tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
         stops: stops(&args.stop)?,
     };
     let (touches, given) = args.source.touches(console)?;

@@ -14,6 +14,7 @@ pub mod minutes;
 pub mod model;
 pub mod number;
 mod outcome;
+pub mod shared;
 pub mod suggest;
 
 pub mod accuracy;

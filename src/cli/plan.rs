@@ -1,7 +1,8 @@
 //! `driftpost plan`: which poses to measure.
 
 use super::number::positive;
-use super::{Console, Outcome, diagnose, files, model};
+use super::shared::{RobotName, tool};
+use super::{Console, Outcome, files};
 use crate::diagnostic::Diagnostic;
 use crate::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use crate::report::plan as report;
@@ -13,9 +14,9 @@ use std::path::PathBuf;
 /// Options of `plan`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Place of the measured target in the flange's frame, mm; best 100 mm or more off the flange's axis.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, default_value = "80,60,100")]
@@ -95,7 +96,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be written, an option that cannot be, a robot without room.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let options = options(args)?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
@@ -152,7 +153,7 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
     sweep.sort_unstable();
     sweep.dedup();
     Ok(PlanOptions {
-        tool_m: diagnose::tool(&args.tool)?,
+        tool_m: tool(&args.tool)?,
         n: args.n as usize,
         repeats: args.repeats.unwrap_or(args.n / 6) as usize,
         sweeps: Sweeps {

@@ -2,7 +2,8 @@
 //! diagnosed, a program compensated for what was found, and its targets measured again on the same robot.
 
 use super::given::Given;
-use super::{Console, Outcome, files, model, synth};
+use super::shared::RobotName;
+use super::{Console, Outcome, files, synth};
 use crate::compensate::{self, plan};
 use crate::deform::{Deformation, GrowthLaw};
 use crate::diagnose::{Diagnosis, Options, describe, diagnose_and_identify};
@@ -34,9 +35,9 @@ pub struct Args {
     #[arg(long, value_name = "LIST")]
     pub withhold: String,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Poses measured.
     #[arg(long, default_value_t = 150, value_parser = clap::value_parser!(u32).range(12..=100_000))]
@@ -72,7 +73,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read, an effect that a program cannot meet, a program that cannot be compensated.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let given = Given::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
@@ -140,7 +141,7 @@ fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diag
         )
         .help("withhold effects of the arm that stay; drift over a warm-up is `fit`'s"));
     }
-    data_set(robot, &args.robot, &recipe, draw).ok_or_else(|| {
+    data_set(robot, &args.robot.name, &recipe, draw).ok_or_else(|| {
         Diagnostic::error("synth::no-signal", format!("{} cannot be made as large as asked", args.withhold))
             .help("it lies inside the registration of base and tool, or --rho is too large for it")
     })

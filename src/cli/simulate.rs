@@ -5,6 +5,7 @@ use super::files::{self, Output};
 use super::given::Given;
 use super::minutes::Minutes;
 use super::number::positive;
+use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use crate::diagnostic::Diagnostic;
 use crate::program::task_of;
@@ -52,9 +53,9 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     pub thermometer: Option<String>,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// The true robot's deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
     #[arg(long, value_name = "FILE")]
@@ -91,7 +92,7 @@ pub struct Args {
 /// A file that cannot be read or written, a module that does not load, or a scenario that cannot be played.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm))])?;
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let truth = truth(args, robot)?;
     let program = Given::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(Given::read(&args.original)?) };

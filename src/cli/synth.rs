@@ -1,6 +1,7 @@
 //! `driftpost synth`: measurement sets of a virtual robot, their truth sealed beside them.
 
 use super::number::positive;
+use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
 use crate::deform::GrowthLaw;
 use crate::diagnose::warmup::Stop;
@@ -35,9 +36,9 @@ pub struct Args {
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub sets: u32,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// With mix: sets of more rows than this get this many.
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(30..=300))]
@@ -99,7 +100,7 @@ pub struct Args {
 /// signal.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     check(args)?;
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let json = files::Output::new(args.json.as_deref())?;
     if let Some(points) = args.touches {
         return touched(args, points, &robot, json, console);
@@ -190,7 +191,7 @@ fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
             "weak" => mixture::weak_recipe(number as usize, &mut draw),
             _ => recipe(&Ask::of(args, number), &mut draw)?,
         };
-        if let Some(set) = data_set(robot, &args.robot, &recipe, &mut draw) {
+        if let Some(set) = data_set(robot, &args.robot.name, &recipe, &mut draw) {
             return Ok(set);
         }
     }

@@ -7,6 +7,7 @@
 
 use super::files::{self, Output};
 use super::minutes::Minutes;
+use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
 use crate::compensate::targets::{self, Target};
@@ -27,9 +28,9 @@ pub struct Args {
     #[arg(value_name = "TARGETS.csv")]
     pub targets: PathBuf,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Roll, pitch, yaw of the flange about fixed axes, where the targets have positions only.
     #[arg(long, value_name = "RX,RY,RZ", value_parser = three, allow_hyphen_values = true)]
@@ -68,7 +69,7 @@ pub struct Args {
 /// A file that cannot be read or written, or a target that the arm cannot stand on; nothing is written then.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let file = args.targets.display().to_string();
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let deformation = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
     let orientation = args.orient_deg.map(|rpy_deg| {
         let [roll, pitch, yaw] = rpy_deg.map(rad_from_deg);

@@ -2,6 +2,7 @@
 
 use super::measured::Source;
 use super::number::positive;
+use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Part, Register, ValidateError, Validation, validate};
 use crate::diagnostic::Diagnostic;
@@ -17,9 +18,9 @@ pub struct Args {
     #[command(flatten)]
     pub source: Source,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// The identified model (TOML).
     #[arg(long, value_name = "FILE")]
@@ -56,7 +57,7 @@ pub enum RegisterName {
 /// A file that cannot be read or written, or a registration that cannot be had.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--limit-mm", args.limit_mm)])?;
-    let robot = model::robot(&args.robot)?;
+    let robot = args.robot.load()?;
     let identified = model::identified(&args.model)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;

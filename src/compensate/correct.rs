@@ -5,13 +5,13 @@ use super::Options;
 use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::keep;
-use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
+use super::plan::{PlannedMotion, PlannedTarget, Status};
 use crate::deform::DeformedArm;
 use crate::kinematics::{Configuration, solve};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Keep, Motion, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::Vector3;
 
 /// A joint that would change by more is near a singularity, degrees.
 const JOINT_CHANGE_DEG: f64 = 1.0;
@@ -72,14 +72,14 @@ pub(super) fn correct(
                 continue;
             }
         };
-        let as_joints = matches!(target.value, Some(TargetValue::Joint(_)));
-        let corrected = made.add_target(point, as_joints, &joints, model);
+        made.add_corrections(point, &joints, model);
         made.add_errors(point, &joints, warm);
         let pose = match &target.value {
             Some(TargetValue::FromJoints(joints)) => Some(Box::new(pose_of(point, joints, model))),
             _ => None,
         };
-        made.planned.targets.push(PlannedTarget { pose, nominal_q_rad: point.q_rad, corrected });
+        let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
+        made.planned.targets.push(PlannedTarget { pose, nominal_q_rad, conditions });
     }
     let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
     made.planned.error_m = Some([over(0), over(1)]);
@@ -111,8 +111,7 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
     let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
     let mut refusal = None;
     for bucket in warm {
-        let start = joints.last().unwrap_or(&point.q_rad);
-        let q_rad = warm_joints(point, &bucket.at, start).map_err(Stop::Keep)?;
+        let q_rad = warm_joints(point, &bucket.at).map_err(Stop::Keep)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -129,12 +128,8 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
 }
 
 /// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
-pub(super) fn warm_joints(
-    point: &Point,
-    arm: &DeformedArm,
-    start_q_rad: &[f64; 6],
-) -> Result<[f64; 6], Keep> {
-    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, start_q_rad)
+pub(super) fn warm_joints(point: &Point, arm: &DeformedArm) -> Result<[f64; 6], Keep> {
+    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
         .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
         .q_rad;
     let (joint, change_rad) = q_rad
@@ -180,15 +175,8 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
 }
 
 impl Made {
-    /// What the nominal controller is to be told for each bucket.
-    fn add_target(
-        &mut self,
-        point: &Point,
-        as_joints: bool,
-        joints: &[[f64; 6]],
-        model: &Model,
-    ) -> Corrections {
-        let mut corrected = Vec::with_capacity(joints.len());
+    /// How far the nominal controller is told to go from the original target.
+    fn add_corrections(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) {
         let meant = point.object_from_tcp();
         for (k, q_rad) in joints.iter().enumerate() {
             let object_from_tcp = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
@@ -199,13 +187,7 @@ impl Made {
                 self.worst_bucket = k;
             }
             self.planned.max_correction_rad = self.planned.max_correction_rad.max(turned_rad);
-            corrected.push(if as_joints {
-                Corrected::Joints { q_rad: *q_rad }
-            } else {
-                as_written(&object_from_tcp, &meant)
-            });
         }
-        corrected.into_iter().collect()
     }
 
     /// Distances over each bucket, before and after, and the steps between buckets.
@@ -230,17 +212,5 @@ impl Made {
             before_from = before_end;
             ended = Some(end);
         }
-    }
-}
-
-/// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
-/// targets do not flip.
-fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>) -> Corrected {
-    let q = object_from_tcp.rotation.quaternion();
-    let sign = if q.dot(meant.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
-    let t = &object_from_tcp.translation.vector;
-    Corrected::Pose {
-        position_m: [t.x, t.y, t.z],
-        orientation_wxyz: [sign * q.w, sign * q.i, sign * q.j, sign * q.k],
     }
 }

@@ -5,6 +5,7 @@
 pub mod compare;
 mod conditions;
 mod correct;
+mod corrector;
 mod drift;
 mod figures;
 mod messages;
@@ -32,6 +33,7 @@ use crate::program::motion::{Keep, Motion, Path};
 use crate::robot::Robot;
 use crate::schedule::{Moment, ScheduleError, choose};
 use correct::{Made, correct, kept};
+use corrector::WarmArms;
 use drift::Points;
 use figures::Tally;
 use messages::Messages;
@@ -39,6 +41,7 @@ use model::Model;
 use nominal::{Resolved, resolve};
 use plan::{Plan, PlannedMotion, Status};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Motions that are corrected at one go: enough to share among cores, few enough for their figures to stay small.
 const AT_ONE_GO: usize = 4096;
@@ -159,11 +162,12 @@ pub fn plan(
     conditions::check_schedule(&model, &chosen.schedule, &mut messages);
     let ticks = ticks::ticks(program, &resolved, &motions, &chosen.schedule, options.gap_min);
     messages.add_long_gaps(program, &ticks.too_long);
-    let temperature_c = by_temperature.map(|(range_c, _)| range_c);
+    let temperature_c = by_temperature.as_ref().map(|(range_c, _)| *range_c);
     Ok(Plan {
         schedule: chosen.schedule,
         temperature_c,
         motions,
+        corrector: Arc::new(WarmArms::new(&model, warm)),
         ticks: ticks.places,
         summary,
         diagnostics: messages.finish(),
@@ -194,7 +198,7 @@ fn keep_unfollowable(model: &Model, resolved: &mut [Resolved]) {
     let settled = model.arm(Moment::Settled);
     resolved.par_iter_mut().for_each(|resolved| {
         if let Ok(points) = &resolved.points
-            && let Some(why) = points.iter().find_map(|p| correct::warm_joints(p, &settled, &p.q_rad).err())
+            && let Some(why) = points.iter().find_map(|p| correct::warm_joints(p, &settled).err())
         {
             resolved.keep(why);
         }

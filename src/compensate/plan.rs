@@ -1,9 +1,13 @@
 //! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
 
+use crate::deform::Conditions;
 use crate::diagnostic::Diagnostic;
+use crate::program::Program;
 use crate::program::data::RobTarget;
-use crate::program::motion::{Keep, TargetValue};
+use crate::program::motion::{Keep, Motion, TargetValue};
 use crate::schedule::Schedule;
+use std::fmt;
+use std::sync::Arc;
 
 /// What becomes of a program's motions.
 #[derive(Clone, Debug)]
@@ -13,8 +17,10 @@ pub struct Plan {
     /// For a deformation by temperature its range, degrees Celsius: the schedule's minutes are then degrees
     /// above the lowest.
     pub temperature_c: Option<[f64; 2]>,
-    /// One for each of [`Program::motions`](crate::program::Program::motions), in the same order.
+    /// One for each of [`Program::motions`], in the same order.
     pub motions: Vec<PlannedMotion>,
+    /// Gives their corrected targets.
+    pub corrector: Arc<dyn Corrector>,
     /// Where the clock is brought up to date.
     pub ticks: Vec<Tick>,
     /// Figures over the whole program.
@@ -60,9 +66,8 @@ pub struct PlannedTarget {
     pub pose: Option<Box<RobTarget>>,
     /// Nominal joints of the original on the branch that is meant, radians.
     pub nominal_q_rad: [f64; 6],
-    /// For each bucket, the target that makes the controller's nominal kinematics go to the compensated
-    /// joints: a robtarget's frame, or joints.
-    pub corrected: Corrections,
+    /// Load and direction, where the deformation depends on them.
+    pub conditions: Conditions,
 }
 
 impl PlannedTarget {
@@ -73,87 +78,26 @@ impl PlannedTarget {
     }
 }
 
-/// The corrected targets of all buckets, all poses or all joints.
-///
-/// Held small, as a program may have many targets: the first bucket's in full, of the others how far they are from it, in
-/// single precision. Of a step of millimetres that leaves a ten-millionth, far under what the controller's own
-/// single precision tells apart.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Corrections {
-    first: Option<Corrected>,
-    steps: Vec<[f32; 7]>,
+/// Computes what a plan's targets become, when they are asked for: of a large program they would be most of what is held.
+pub trait Corrector: fmt::Debug + Send + Sync {
+    /// For each target of the motion with this number what the controller is to be told in a bucket; `None` where the
+    /// plan has no such motion or bucket.
+    fn corrected(
+        &self,
+        number: usize,
+        motion: &Motion,
+        planned: &PlannedMotion,
+        bucket: usize,
+    ) -> Option<Vec<Corrected>>;
 }
 
-impl Corrections {
-    /// Number of buckets.
+impl Plan {
+    /// For each target of a compensated motion, the target that makes the controller's nominal kinematics go to the
+    /// compensated joints: a robtarget's frame, or joints. `None` where the plan has no such motion or bucket.
     #[must_use]
-    pub fn len(&self) -> usize {
-        usize::from(self.first.is_some()) + self.steps.len()
-    }
-
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.first.is_none()
-    }
-
-    /// That of a bucket.
-    #[must_use]
-    pub fn get(&self, bucket: usize) -> Option<Corrected> {
-        let first = self.first?;
-        let Some(before) = bucket.checked_sub(1) else { return Some(first) };
-        let step = self.steps.get(before)?.map(f64::from);
-        Some(match first {
-            Corrected::Pose { position_m: [x, y, z], orientation_wxyz: [qw, qx, qy, qz] } => {
-                let [dx, dy, dz, dqw, dqx, dqy, dqz] = step;
-                let q = [qw + dqw, qx + dqx, qy + dqy, qz + dqz];
-                let norm = q.iter().map(|q| q * q).sum::<f64>().sqrt();
-                Corrected::Pose {
-                    position_m: [x + dx, y + dy, z + dz],
-                    orientation_wxyz: q.map(|q| q / norm),
-                }
-            }
-            Corrected::Joints { q_rad: [q1, q2, q3, q4, q5, q6] } => {
-                let [d1, d2, d3, d4, d5, d6, _] = step;
-                Corrected::Joints { q_rad: [q1 + d1, q2 + d2, q3 + d3, q4 + d4, q5 + d5, q6 + d6] }
-            }
-        })
-    }
-
-    /// All, in order of buckets.
-    pub fn iter(&self) -> impl Iterator<Item = Corrected> + '_ {
-        (0..self.len()).filter_map(|bucket| self.get(bucket))
-    }
-}
-
-impl FromIterator<Corrected> for Corrections {
-    /// Ends before the first that is not of the first one's kind.
-    fn from_iter<I: IntoIterator<Item = Corrected>>(all: I) -> Self {
-        let mut all = all.into_iter();
-        let Some(first) = all.next() else { return Self::default() };
-        let step = |next: Corrected| match (next, first) {
-            (
-                Corrected::Pose { position_m: p, orientation_wxyz: q },
-                Corrected::Pose { position_m: p0, orientation_wxyz: q0 },
-            ) => Some([
-                (p[0] - p0[0]) as f32,
-                (p[1] - p0[1]) as f32,
-                (p[2] - p0[2]) as f32,
-                (q[0] - q0[0]) as f32,
-                (q[1] - q0[1]) as f32,
-                (q[2] - q0[2]) as f32,
-                (q[3] - q0[3]) as f32,
-            ]),
-            (Corrected::Joints { q_rad: q }, Corrected::Joints { q_rad: q0 }) => {
-                let mut step = [0.0; 7];
-                step.iter_mut().zip(q.iter().zip(q0)).for_each(|(step, (q, q0))| *step = (q - q0) as f32);
-                Some(step)
-            }
-            _ => None,
-        };
-        let mut steps: Vec<[f32; 7]> = all.map_while(step).collect();
-        steps.shrink_to_fit();
-        Self { first: Some(first), steps }
+    pub fn corrected(&self, program: &Program, number: usize, bucket: usize) -> Option<Vec<Corrected>> {
+        let (motion, planned) = (program.motions.get(number)?, self.motions.get(number)?);
+        self.corrector.corrected(number, motion, planned, bucket)
     }
 }
 
@@ -177,11 +121,11 @@ pub enum Corrected {
 /// A place where the clock is brought up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Tick {
-    /// First in a routine: index into [`Program::routines`](crate::program::Program::routines).
+    /// First in a routine: index into [`Program::routines`].
     Routine(usize),
-    /// First in a loop's body: index into [`Program::loops`](crate::program::Program::loops).
+    /// First in a loop's body: index into [`Program::loops`].
     Loop(usize),
-    /// Just before a motion: index into [`Program::motions`](crate::program::Program::motions).
+    /// Just before a motion: index into [`Program::motions`].
     Motion(usize),
 }
 
@@ -204,31 +148,4 @@ pub struct Summary {
     pub until_min: f64,
     /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
     pub other_tolerances: Vec<(f64, usize)>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn corrections_come_back_to_a_billionth_of_a_millimetre() {
-        let pose = |dx_m: f64| Corrected::Pose {
-            position_m: [0.712_345_678_9 + dx_m, -1.5, 0.1],
-            orientation_wxyz: [0.6, 0.8, 0.0, 0.0],
-        };
-        let all: Vec<Corrected> = (0..5).map(|k| pose(3e-3 * f64::from(k) / 7.0)).collect();
-        let held: Corrections = all.iter().copied().collect();
-        assert_eq!((held.len(), held.get(0), held.get(5)), (5, Some(all[0]), None));
-        for (held, meant) in held.iter().zip(&all) {
-            let (Corrected::Pose { position_m: a, .. }, Corrected::Pose { position_m: b, .. }) =
-                (held, *meant)
-            else {
-                panic!()
-            };
-            assert!((a[0] - b[0]).abs() < 2e-10 && a[1..] == b[1..]);
-        }
-        let joints = Corrected::Joints { q_rad: [0.1; 6] };
-        assert_eq!([pose(0.0), joints, pose(0.0)].into_iter().collect::<Corrections>().len(), 1);
-        assert!(Corrections::default().is_empty());
-    }
 }

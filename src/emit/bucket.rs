@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::chunk::{Chunk, Declared, Passed, chunks};
@@ -10,9 +11,10 @@ use super::module::{self, Change, Context};
 use super::names::Names;
 use super::options::{EmitError, EmittedFile};
 use super::place::{self, Style};
-use super::target::{MAX_LINE, TargetArray, element1};
+use super::target::{MAX_LINE, element1, write_corrected};
 use crate::diagnostic::{FileId, TextRange};
 use crate::program::Program;
+use crate::program::motion::TargetValue;
 use crate::syntax::tree::FileItem;
 use crate::syntax::{Edit, SourceFile};
 
@@ -177,19 +179,24 @@ fn corrected(
     chunk: &Chunk,
     bucket: usize,
 ) -> Result<(), EmitError> {
+    let Context { program, plan, .. } = *context;
+    let mismatch = |what: &str| EmitError::PlanMismatch(format!("{}: {what}", file.path));
+    let new: Vec<_> =
+        chunk.motions.par_iter().map(|&number| plan.corrected(program, number, bucket)).collect();
     let mut at = chunk.range.start;
-    for &number in &chunk.motions {
-        let (Some(motion), Some(planned)) =
-            (context.program.motions.get(number), context.plan.motions.get(number))
+    for (&number, new) in chunk.motions.iter().zip(new) {
+        let (Some(motion), Some(planned), Some(new)) =
+            (program.motions.get(number), plan.motions.get(number), new)
         else {
-            continue;
+            return Err(mismatch("a bucket is missing"));
         };
-        for (target, planned) in motion.targets.iter().zip(&planned.targets) {
-            let literal = target.literal.map(|span| context.program.file(span.file).text(span.range));
+        for ((target, planned), new) in motion.targets.iter().zip(&planned.targets).zip(&new) {
+            let literal = target.literal.map(|span| program.file(span.file).text(span.range));
             out.extend_from_slice(file.text(TextRange::new(at, target.range.start)));
-            let written = target.value.as_ref();
-            let element1 = element1(literal, written, planned)?;
-            TargetArray { name: String::new(), element1, written, planned }.write_element(out, bucket)?;
+            let original = target.value.as_ref().map(|written| planned.original(written));
+            let joint = matches!(original, Some(TargetValue::Joint(_)));
+            let element1 = element1(literal, original.as_ref())?;
+            write_corrected(out, new, joint, &element1).map_err(mismatch)?;
             at = target.range.end;
         }
     }

@@ -3,7 +3,9 @@
 //! An estimate: how a controller holds a program is not published. It is meant for telling megabytes from tens of them.
 
 use super::options::Form;
-use crate::compensate::plan::{Corrected, Plan, Status};
+use crate::compensate::plan::{Plan, Status};
+use crate::program::Program;
+use crate::program::motion::TargetValue;
 
 /// A move instruction with its arguments in place.
 const MOVE_BYTES: usize = 300;
@@ -33,11 +35,11 @@ pub struct Memory {
 impl Memory {
     /// Of a plan.
     #[must_use]
-    pub fn of_plan(plan: &Plan) -> Self {
-        let compensated = || plan.motions.iter().filter(|m| m.status == Status::Compensated);
-        let targets = || compensated().flat_map(|m| &m.targets);
-        let joints =
-            targets().filter(|t| matches!(t.corrected.get(0), Some(Corrected::Joints { .. }))).count();
+    pub fn of_plan(program: &Program, plan: &Plan) -> Self {
+        let motions = || program.motions.iter().zip(&plan.motions);
+        let compensated = || motions().filter(|(_, planned)| planned.status == Status::Compensated);
+        let targets = || compensated().flat_map(|(motion, _)| &motion.targets);
+        let joints = targets().filter(|t| matches!(t.value, Some(TargetValue::Joint(_)))).count();
         Self::of(
             plan.motions.len(),
             compensated().count(),

@@ -100,7 +100,7 @@ pub fn emit_each<E: From<EmitError>>(
         let name = |id: &FileId| task_of(&program.file(*id).path).unwrap_or_default().to_owned();
         return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() }.into());
     }
-    let about = about(plan, options, core, &names);
+    let about = about(program, plan, options, core, &names);
     let buckets = match options.form {
         Form::Schedule => None,
         Form::Modules => Some(Buckets::new(program, &changes, &mut names, &about)?),
@@ -204,11 +204,6 @@ fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
             Status::Compensated if planned.targets.len() != motion.targets.len() => {
                 Some("targets are missing")
             }
-            Status::Compensated
-                if planned.targets.iter().any(|t| t.corrected.len() != plan.schedule.buckets.len()) =>
-            {
-                Some("buckets are missing")
-            }
             Status::Compensated => None,
         };
         if let Some(wrong) = wrong {
@@ -251,14 +246,14 @@ fn changes(program: &Program, plan: &Plan) -> Result<BTreeMap<(FileId, usize), C
 }
 
 /// What the comment block tells people.
-fn about(plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<String> {
+fn about(program: &Program, plan: &Plan, options: &EmitOptions, core: Core, names: &Names) -> Vec<String> {
     let input =
         |what: &str, p: &Provenance| format!("{what} {}, SHA-256 {}", header::plain(&p.name), p.sha256);
     let compensated = || plan.motions.iter().filter(|m| m.status == Status::Compensated);
     let most =
         |of: fn(&crate::compensate::plan::PlannedMotion) -> f64| compensated().map(of).fold(0.0, f64::max);
     let (unit, zero) = plan.temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
-    let memory = Memory::of_plan(plan);
+    let memory = Memory::of_plan(program, plan);
     let edges: Vec<String> =
         plan.schedule.buckets.iter().map(|b| target::spelled(zero + b.from_min)).collect();
     let clock = match &options.clock {

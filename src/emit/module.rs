@@ -14,10 +14,10 @@ use super::options::{Core, EmitError};
 use super::place::{self, Style};
 use super::target::{TargetArray, element1};
 use super::{Law, clock};
-use crate::compensate::plan::{Plan, PlannedTarget};
+use crate::compensate::plan::{Corrected, Plan};
 use crate::diagnostic::{Span, TextRange};
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Target};
+use crate::program::motion::{Motion, Origin, Target, TargetValue};
 use crate::syntax::tree::{Module, ModuleItem};
 use crate::syntax::{Edit, SourceFile};
 
@@ -161,8 +161,7 @@ fn written(arrays: &[TargetArray], style: &Style) -> Result<Vec<Written>, EmitEr
     arrays
         .par_chunks(64)
         .map(|chunk| {
-            let mut text =
-                Vec::with_capacity(chunk.iter().map(|a| 160 * (a.planned.corrected.len() + 2)).sum());
+            let mut text = Vec::with_capacity(chunk.iter().map(|a| 160 * (a.corrected.len() + 2)).sum());
             let mut letters = Vec::new();
             for array in chunk {
                 letters.extend(array.write(&mut text, style)?);
@@ -193,13 +192,17 @@ impl<'p> Arrays<'p> {
         let mut found =
             Self { arrays: Vec::new(), edits: Vec::new(), was: std::collections::BTreeMap::new() };
         let mut shared: HashMap<(Span, &[u8]), Vec<usize>> = HashMap::new();
-        for &number in change.motions.iter().filter(|number| !elsewhere.contains(number)) {
-            let (Some(motion), Some(planned)) =
-                (context.program.motions.get(number), context.plan.motions.get(number))
+        let here: Vec<usize> =
+            change.motions.iter().copied().filter(|number| !elsewhere.contains(number)).collect();
+        let new: Vec<_> = here.par_iter().map(|&number| all_buckets(context, number)).collect();
+        for (number, new) in here.into_iter().zip(new) {
+            let (Some(motion), Some(planned), Some(new)) =
+                (context.program.motions.get(number), context.plan.motions.get(number), new)
             else {
-                continue;
+                return Err(EmitError::PlanMismatch(format!("{}: buckets are missing", file.path)));
             };
-            for (target, planned) in motion.targets.iter().zip(&planned.targets) {
+            for ((target, planned), corrected) in motion.targets.iter().zip(&planned.targets).zip(new) {
+                let original = target.value.as_ref().map(|written| planned.original(written));
                 let argument = file.text(target.range);
                 let known = match &target.origin {
                     Origin::Named { declaration, .. } => {
@@ -208,12 +211,14 @@ impl<'p> Arrays<'p> {
                     Origin::Inline | Origin::Expression => None,
                 };
                 let same = known.as_ref().and_then(|known| {
-                    known.iter().copied().find(|&a| found.arrays[a].is_of(target.value.as_ref(), planned))
+                    let same = |a: &TargetArray| a.original == original && a.corrected == corrected;
+                    known.iter().copied().find(|&a| same(&found.arrays[a]))
                 });
                 let array = match same {
                     Some(array) => array,
                     None => {
-                        let array = found.add(context, &mut names, file, motion, target, planned)?;
+                        let array =
+                            found.add(context, &mut names, file, (motion, target), original, corrected)?;
                         if let Some(known) = known {
                             known.push(array);
                         }
@@ -232,14 +237,14 @@ impl<'p> Arrays<'p> {
         context: &Context<'p>,
         names: &mut Names,
         file: &'p SourceFile,
-        motion: &Motion,
-        target: &'p Target,
-        planned: &'p PlannedTarget,
+        (motion, target): (&Motion, &'p Target),
+        original: Option<TargetValue>,
+        corrected: Vec<Corrected>,
     ) -> Result<usize, EmitError> {
         let argument = file.text(target.range);
         let literal: Option<&'p [u8]> =
             target.literal.map(|span| context.program.file(span.file).text(span.range));
-        let element1 = element1(literal, target.value.as_ref(), planned)?;
+        let element1 = element1(literal, original.as_ref())?;
         let by_name = match &target.origin {
             Origin::Named { name, .. } if name.is_ascii() && name.len() + 2 <= MAX_NAME => {
                 names.claim(&format!("tc{name}"))
@@ -257,9 +262,20 @@ impl<'p> Arrays<'p> {
         if !tells_itself {
             self.was.insert(name.clone(), argument.to_vec());
         }
-        self.arrays.push(TargetArray { name, element1, written: target.value.as_ref(), planned });
+        self.arrays.push(TargetArray { name, element1, original, corrected });
         Ok(self.arrays.len() - 1)
     }
+}
+
+/// For each target of a motion what it becomes in each bucket; `None` where one is missing.
+fn all_buckets(context: &Context, number: usize) -> Option<Vec<Vec<Corrected>>> {
+    let mut of_targets: Vec<Vec<Corrected>> = Vec::new();
+    for bucket in 0..context.plan.schedule.buckets.len() {
+        let corrected = context.plan.corrected(context.program, number, bucket)?;
+        of_targets.resize_with(corrected.len(), Vec::new);
+        of_targets.iter_mut().zip(corrected).for_each(|(of_target, corrected)| of_target.push(corrected));
+    }
+    Some(of_targets)
 }
 
 /// Hexadecimal digits.

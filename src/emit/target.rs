@@ -6,7 +6,7 @@ use super::check::Elements;
 use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
 use super::options::EmitError;
 use super::place::{Style, white};
-use crate::compensate::plan::{Corrected, PlannedTarget};
+use crate::compensate::plan::Corrected;
 use crate::program::data::{ExtJoint, RobTarget};
 use crate::program::motion::TargetValue;
 
@@ -22,10 +22,8 @@ pub const MAX_LINE: usize = 255;
 /// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
 pub fn element1<'s>(
     literal: Option<&'s [u8]>,
-    written: Option<&TargetValue>,
-    planned: &PlannedTarget,
+    original: Option<&TargetValue>,
 ) -> Result<Cow<'s, [u8]>, EmitError> {
-    let original = written.map(|written| planned.original(written));
     let components = if matches!(original, Some(TargetValue::Joint(_))) { 2 } else { 4 };
     if let Some(text) = literal.filter(|text| is_plain(text) && has_components(text, components)) {
         if text.len() < MAX_LINE / 2 + 80 && !text.iter().any(|&b| b == b'\n' || b == b'\r' || b == b'\t') {
@@ -34,7 +32,7 @@ pub fn element1<'s>(
         return Ok(Cow::Owned(text.iter().copied().filter(|&b| !white(b)).collect()));
     }
     let mut out = Vec::new();
-    match &original {
+    match original {
         Some(TargetValue::Rob(target)) => {
             let frame = &target.object_from_tcp;
             let q = frame.rotation.quaternion();
@@ -74,85 +72,71 @@ pub struct TargetArray<'p> {
     pub name: String,
     /// Text of element 1.
     pub element1: Cow<'p, [u8]>,
-    /// What the motion says.
-    pub written: Option<&'p TargetValue>,
-    /// Where the buckets' numbers come from.
-    pub planned: &'p PlannedTarget,
+    /// The target as programmed.
+    pub original: Option<TargetValue>,
+    /// For each bucket what it becomes.
+    pub corrected: Vec<Corrected>,
 }
 
 impl TargetArray<'_> {
-    /// Whether a motion's target is this one.
-    pub fn is_of(&self, written: Option<&TargetValue>, planned: &PlannedTarget) -> bool {
-        let original = |written: Option<&TargetValue>, planned: &PlannedTarget| {
-            written.map(|written| planned.original(written))
-        };
-        original(written, planned) == original(self.written, self.planned)
-            && planned.corrected == self.planned.corrected
-    }
-
-    /// Whether the elements are jointtargets.
-    fn is_joint(&self) -> bool {
-        matches!(self.written, Some(TargetValue::Joint(_)))
-    }
-
     /// Appends the declaration, one element a line; gives what the elements behind the first are recognised by.
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
     pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
-        let joint = self.is_joint();
+        let joint = matches!(self.original, Some(TargetValue::Joint(_)));
         let mut elements = Elements::new();
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
         out.extend_from_slice(self.name.as_bytes());
-        out.extend_from_slice(format!("{{{}}}:=[", self.planned.corrected.len() + 1).as_bytes());
+        out.extend_from_slice(format!("{{{}}}:=[", self.corrected.len() + 1).as_bytes());
         out.extend_from_slice(style.eol);
         let mut line = out.len();
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(&style.unit);
         out.extend_from_slice(&self.element1);
-        for k in 0..self.planned.corrected.len() {
+        for corrected in &self.corrected {
             end_element(out, line, b",", style);
             line = out.len();
             out.extend_from_slice(&style.indent);
             out.extend_from_slice(&style.unit);
             let from = out.len();
-            self.write_element(out, k)?;
+            write_corrected(out, corrected, joint, &self.element1)
+                .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
             elements.add(out.get(from..).unwrap_or_default());
         }
         end_element(out, line, b"];", style);
         Ok(elements.letters())
     }
+}
 
-    /// Appends the target of a bucket.
-    ///
-    /// # Errors
-    /// As [`write`](Self::write).
-    pub fn write_element(&self, out: &mut Vec<u8>, bucket: usize) -> Result<(), EmitError> {
-        let joint = self.is_joint();
-        match (self.planned.corrected.get(bucket), joint) {
-            (Some(Corrected::Pose { position_m, orientation_wxyz }), false) => {
-                out.push(b'[');
-                write_pos(out, position_m);
-                out.push(b',');
-                write_orient(out, orientation_wxyz);
-            }
-            (Some(Corrected::Joints { q_rad }), true) => {
-                out.push(b'[');
-                write_robjoint(out, q_rad.map(Some));
-            }
-            _ => {
-                return Err(EmitError::PlanMismatch(format!(
-                    "{}: bucket {bucket} is missing or of another type than the original",
-                    self.name
-                )));
-            }
+/// Appends the target of a bucket: what does not change as `element1` has it.
+///
+/// # Errors
+/// What is wrong where a robtarget's correction is given as joints or the other way.
+pub fn write_corrected(
+    out: &mut Vec<u8>,
+    corrected: &Corrected,
+    joint: bool,
+    element1: &[u8],
+) -> Result<(), &'static str> {
+    match (corrected, joint) {
+        (Corrected::Pose { position_m, orientation_wxyz }, false) => {
+            out.push(b'[');
+            write_pos(out, *position_m);
+            out.push(b',');
+            write_orient(out, *orientation_wxyz);
         }
-        out.push(b',');
-        out.extend_from_slice(tail_of(&self.element1, if joint { 1 } else { 2 }));
-        Ok(())
+        (Corrected::Joints { q_rad }, true) => {
+            out.push(b'[');
+            write_robjoint(out, q_rad.map(Some));
+        }
+        _ => return Err("a bucket's target is of another type than the original"),
     }
+    out.push(b',');
+    out.extend_from_slice(tail_of(element1, if joint { 1 } else { 2 }));
+    Ok(())
 }
 
 /// Ends the line that an element stands on, and breaks it at commas where it is too long for RAPID.
@@ -257,8 +241,13 @@ mod tests {
         })
     }
 
-    fn planned(corrected: &[Corrected]) -> PlannedTarget {
-        PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], corrected: corrected.iter().copied().collect() }
+    fn array<'t>(
+        name: &str,
+        element1: Cow<'t, [u8]>,
+        original: TargetValue,
+        corrected: &[Corrected],
+    ) -> TargetArray<'t> {
+        TargetArray { name: name.into(), element1, original: Some(original), corrected: corrected.to_vec() }
     }
 
     fn pose(x_mm: f64) -> Corrected {
@@ -274,9 +263,9 @@ mod tests {
 
     #[test]
     fn an_array_of_robtargets() {
-        let (written, planned) = (written(), planned(&[pose(400.125), pose(400.0625)]));
-        let element1 = element1(Some(LITERAL), Some(&written), &planned).unwrap();
-        let array = TargetArray { name: "tc57".into(), element1, written: Some(&written), planned: &planned };
+        let written = written();
+        let element1 = element1(Some(LITERAL), Some(&written)).unwrap();
+        let array = array("tc57", element1, written, &[pose(400.125), pose(400.0625)]);
         let mut out = Vec::new();
         array.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -290,16 +279,16 @@ mod tests {
 
     #[test]
     fn without_plain_spelling_the_numbers_stand() {
-        let (written, planned) = (written(), planned(&[pose(400.0)]));
+        let written = written();
         for literal in [None, Some(b"[[x,0,250],ori,conf,ext]".as_slice()), Some(b"p10")] {
-            let text = element1(literal, Some(&written), &planned).unwrap();
+            let text = element1(literal, Some(&written)).unwrap();
             assert_eq!(
                 String::from_utf8_lossy(&text),
                 "[[400,0,250],[1,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]"
             );
         }
         let broken_over_lines = b"[[400.0,\r\n\t0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        let text = element1(Some(broken_over_lines), Some(&written), &planned).unwrap();
+        let text = element1(Some(broken_over_lines), Some(&written)).unwrap();
         assert_eq!(
             String::from_utf8_lossy(&text),
             "[[400.0,0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
@@ -311,22 +300,18 @@ mod tests {
         let target =
             crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
         let written = TargetValue::Joint(target);
-        let planned = planned(&[Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }]);
-        let element1 = element1(None, Some(&written), &planned).unwrap();
-        let array = TargetArray { name: "tc3".into(), element1, written: Some(&written), planned: &planned };
+        let element1 = element1(None, Some(&written)).unwrap();
+        let joints = array("tc3", element1, written, &[Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }]);
         let mut out = Vec::new();
-        array.write(&mut out, &style()).unwrap();
+        joints.write(&mut out, &style()).unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),
             "  LOCAL CONST jointtarget tc3{2}:=[\r\n    \
              [[90,90,90,90,90,90],[9E9,9E9,9E9,9E9,9E9,9E9]],\r\n    \
              [[45,45,45,45,45,45],[9E9,9E9,9E9,9E9,9E9,9E9]]];\r\n"
         );
-        let mixed = PlannedTarget { corrected: [pose(1.0)].into_iter().collect(), ..planned.clone() };
-        let written = Some(&written);
-        let array =
-            TargetArray { name: "tc3".into(), element1: Cow::Borrowed(b"[[],[]]"), written, planned: &mixed };
-        assert!(array.write(&mut Vec::new(), &style()).is_err());
+        let mixed = array("tc3", Cow::Borrowed(b"[[],[]]"), written, &[pose(1.0)]);
+        assert!(mixed.write(&mut Vec::new(), &style()).is_err());
     }
 
     #[test]
@@ -334,9 +319,9 @@ mod tests {
         let number = "1234567.123456789012";
         let six = [number; 6].join(",");
         let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
-        let (written, planned) = (written(), planned(&[pose(400.0)]));
-        let element1 = element1(Some(literal.as_bytes()), Some(&written), &planned).unwrap();
-        let array = TargetArray { name: "tc3".into(), element1, written: Some(&written), planned: &planned };
+        let written = written();
+        let element1 = element1(Some(literal.as_bytes()), Some(&written)).unwrap();
+        let array = array("tc3", element1, written, &[pose(400.0)]);
         let mut out = Vec::new();
         let deep = Style { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
         array.write(&mut out, &deep).unwrap();

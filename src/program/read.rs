@@ -55,14 +55,14 @@ impl Program {
             kept_over: BTreeMap::new(),
             guesses: BTreeMap::new(),
         };
-        let mut motions = Vec::with_capacity(drafts.len());
-        for ((draft, state), (previous, wait, since_entry)) in drafts.into_iter().zip(states).zip(order) {
+        // Collected from the drafts themselves, the motions take their place and not as much again.
+        let finished = drafts.into_iter().zip(states).zip(order).map(|((draft, state), order)| {
             let mut motion = finish.motion(draft, state.as_deref());
-            motion.previous = previous;
-            motion.wait_before = wait;
-            motion.wait_since_entry = since_entry;
-            motions.push(motion);
-        }
+            (motion.previous, motion.wait_before, motion.wait_since_entry) = order;
+            motion
+        });
+        let mut motions: Vec<Motion> = finished.collect();
+        motions.shrink_to_fit();
         diagnostics.extend(external_axes(&motions, &routines));
         diagnostics.extend(finish.folder.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());

@@ -84,13 +84,18 @@ fn check_numbers(program: &Program, plan: &Plan, file: &EmittedFile) -> usize {
         .motions
         .iter()
         .zip(&plan.motions)
-        .filter(|(m, p)| Some(m.file) == file.source && p.status == Status::Compensated)
-        .flat_map(|(_, p)| &p.targets)
+        .enumerate()
+        .filter(|(_, (m, p))| Some(m.file) == file.source && p.status == Status::Compensated)
+        .flat_map(|(i, (m, _))| {
+            let buckets = 0..plan.schedule.buckets.len();
+            let each: Vec<_> = buckets.map(|k| plan.corrected(program, i, k).unwrap()).collect();
+            (0..m.targets.len()).map(move |t| each.iter().map(|of| of[t]).collect::<Vec<_>>())
+        })
         .collect();
     assert_eq!(arrays.len(), planned.len(), "{}", file.path);
     for (elements, target) in arrays.iter().zip(&planned) {
-        assert_eq!(elements.len(), target.corrected.len() + 1);
-        for (numbers, corrected) in elements[1..].iter().zip(target.corrected.iter()) {
+        assert_eq!(elements.len(), target.len() + 1);
+        for (numbers, corrected) in elements[1..].iter().zip(target) {
             let (exact, near): (Vec<f64>, Vec<f64>) = match corrected {
                 Corrected::Pose { position_m, orientation_wxyz } => {
                     (position_m.map(mm_from_m).to_vec(), orientation_wxyz.to_vec())

@@ -1,7 +1,10 @@
 //! Programs and plans for the tests of emitting, made from text by a reader that knows just enough: so
 //! that what is emitted is tested apart from how targets are understood and corrected.
 
-use driftpost::compensate::plan::{Corrected, Plan, PlannedMotion, PlannedTarget, Status, Summary, Tick};
+use driftpost::compensate::plan::{
+    Corrected, Corrector, Plan, PlannedMotion, PlannedTarget, Status, Summary, Tick,
+};
+use driftpost::deform::Conditions;
 use driftpost::diagnostic::FileId;
 use driftpost::program::Program;
 use driftpost::program::data::{ConfData, JointTarget, RobTarget};
@@ -14,6 +17,7 @@ use driftpost::syntax::tree::{
 };
 use driftpost::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+use std::sync::Arc;
 
 /// Reads the files.
 pub fn program(files: &[(&str, &[u8])]) -> Program {
@@ -231,13 +235,15 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             };
             planned.status = Status::Kept(Box::new(keep));
         } else {
-            let by = |k: usize| 0.01 * (k as f64 + 1.0) + tool(motion);
-            planned.targets = motion.targets.iter().map(|t| corrected(t, buckets, by)).collect();
+            let target =
+                PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], conditions: Conditions::default() };
+            planned.targets = vec![target; motion.targets.len()];
         }
         planned
     });
     Plan {
         motions: motions.collect(),
+        corrector: Arc::new(Steps { buckets, more: program.motions.iter().map(tool).collect() }),
         schedule: schedule(buckets),
         temperature_c: None,
         ticks,
@@ -255,19 +261,32 @@ pub fn schedule(buckets: usize) -> Schedule {
     Schedule { buckets: (0..buckets).map(bucket).collect(), parts_per_min: 1 }
 }
 
-fn corrected(target: &Target, buckets: usize, by: impl Fn(usize) -> f64) -> PlannedTarget {
-    let original = target.value.unwrap();
-    let one = |k: usize| match original {
+/// What the plan's buckets do, and by how much more for each motion.
+#[derive(Debug)]
+struct Steps {
+    buckets: usize,
+    more: Vec<f64>,
+}
+
+impl Corrector for Steps {
+    fn corrected(&self, i: usize, motion: &Motion, _: &PlannedMotion, k: usize) -> Option<Vec<Corrected>> {
+        let by = 0.01 * (k as f64 + 1.0) + self.more[i];
+        (k < self.buckets).then(|| motion.targets.iter().map(|target| moved(target, by)).collect())
+    }
+}
+
+/// A target so many mm further up, or so many degrees further on.
+fn moved(target: &Target, by: f64) -> Corrected {
+    match target.value.unwrap() {
         TargetValue::Rob(rob) => {
             let q = rob.object_from_tcp.rotation;
             let mut position_m: [f64; 3] = rob.object_from_tcp.translation.vector.into();
-            position_m[2] += m_from_mm(by(k));
+            position_m[2] += m_from_mm(by);
             Corrected::Pose { position_m, orientation_wxyz: [q.w, q.i, q.j, q.k] }
         }
         TargetValue::Joint(joint) => {
-            Corrected::Joints { q_rad: joint.q_rad.map(|q| q.unwrap() + rad_from_deg(by(k))) }
+            Corrected::Joints { q_rad: joint.q_rad.map(|q| q.unwrap() + rad_from_deg(by)) }
         }
         TargetValue::FromJoints(_) => unreachable!("not made here"),
-    };
-    PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], corrected: (0..buckets).map(one).collect() }
+    }
 }

@@ -7,6 +7,7 @@
 
 use crate::cli::model::{self, Named};
 use crate::cli::number::positive;
+use crate::cli::shared::RobotName;
 use crate::cli::suggest;
 use crate::compensate::Options;
 use crate::deform::Deformation;
@@ -28,9 +29,9 @@ pub struct Args {
     #[arg(required = true, value_name = "PROGRAM")]
     pub program: Vec<PathBuf>,
 
-    /// A built-in robot's name, or a robot file (TOML).
-    #[arg(long, value_name = "NAME|FILE", default_value = "irb140")]
-    pub robot: String,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
 
     /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
     #[arg(long, value_name = "FILE")]
@@ -231,7 +232,7 @@ impl Args {
     /// # Errors
     /// What is wrong with a name or a file.
     pub fn models(&self) -> Result<Models, Diagnostic> {
-        let robot = model::robot_with_source(&self.robot)?;
+        let robot = model::robot_with_source(&self.robot.name)?;
         let identified = self.model.as_deref().map(model::identified).transpose()?;
         let (table, growth) = (self.deformation.as_deref(), self.growth.as_deref());
         let deformation = match &identified {

@@ -126,7 +126,7 @@ impl Job {
         }
         let mut options = self.emit.clone();
         if self.form == FormName::Auto {
-            options.form = Memory::of_plan(&plan).suits();
+            options.form = Memory::of_plan(&program, &plan).suits();
         }
         let mut embedded = true;
         let mut hand_over = |file: EmittedFile| {
@@ -265,7 +265,7 @@ impl Made {
 
     /// The form, and what it takes of the controller's memory, in a sentence.
     pub fn about_form(&self) -> String {
-        let memory = Memory::of_plan(&self.plan);
+        let memory = Memory::of_plan(&self.program, &self.plan);
         let (form, other) = match self.form {
             Form::Schedule => ("schedule", "modules"),
             Form::Modules => ("modules", "schedule"),

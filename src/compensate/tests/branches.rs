@@ -183,9 +183,7 @@ fn a_correction_into_a_joint_limit_is_refused() {
     assert_eq!(why.code, "reach::limit");
     assert!(why.reason.contains("180.050"), "{}", why.reason);
     assert_eq!(plan.motions[1].status, Status::Compensated);
-    let plan::Corrected::Joints { q_rad } = plan.motions[1].targets[0].corrected.get(0).unwrap() else {
-        panic!()
-    };
+    let plan::Corrected::Joints { q_rad } = plan.corrected(&program, 1, 0).unwrap()[0] else { panic!() };
     assert!((deg_from_rad(q_rad[0]) - 10.05).abs() < 1e-9);
     // The base turned under everything: a turn of 0.05° for every pose.
     assert!((deg_from_rad(plan.motions[1].max_correction_rad) - 0.05).abs() < 1e-9);

@@ -1,0 +1,68 @@
+//! Options that several commands have.
+
+use super::model;
+use super::number::positive;
+use crate::diagnose;
+use crate::diagnostic::Diagnostic;
+use crate::robot::Robot;
+use crate::units::m_from_mm;
+use nalgebra::Vector3;
+
+/// The robot.
+#[derive(Debug, clap::Args)]
+pub struct RobotName {
+    /// A built-in robot's name, or a robot file (TOML).
+    #[arg(id = "robot", long = "robot", value_name = "NAME|FILE", default_value = "irb140")]
+    pub name: String,
+}
+
+impl RobotName {
+    /// The robot that is named.
+    ///
+    /// # Errors
+    /// What is wrong with the name or the file.
+    pub fn load(&self) -> Result<Robot, Diagnostic> {
+        model::robot(&self.name)
+    }
+}
+
+/// What is known of a measurement besides its file.
+#[derive(Debug, clap::Args)]
+pub struct Known {
+    /// Place of the measured target in the flange's frame, mm, known to about 1 mm.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub tool: Option<String>,
+
+    /// Noise of one coordinate, mm, where it is known better than the repeats say it.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub sigma_mm: Option<f64>,
+}
+
+impl Known {
+    /// The same, as the diagnosis takes it.
+    ///
+    /// # Errors
+    /// A tool that is not three numbers, a noise that is not positive.
+    pub fn options(&self) -> Result<diagnose::Options, Diagnostic> {
+        let tool_m = self.tool.as_deref().map(tool).transpose()?;
+        positive(&[("--sigma-mm", self.sigma_mm)])?;
+        Ok(diagnose::Options { tool_m, sigma_m: self.sigma_mm.map(m_from_mm) })
+    }
+}
+
+/// `X,Y,Z` in mm as a place in the flange's frame, metres.
+///
+/// # Errors
+/// Anything that is not three numbers.
+pub fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
+    let wrong = || {
+        Diagnostic::error("diagnose::tool", format!("--tool {text}: three numbers are needed, x,y,z in mm"))
+            .help("for example --tool -12,0,80; leave it out where the target's place is not known")
+    };
+    let numbers: Vec<f64> =
+        text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] if numbers.iter().all(|n| n.is_finite()) => Ok(Vector3::new(x, y, z).map(m_from_mm)),
+        _ => Err(wrong()),
+    }
+}
