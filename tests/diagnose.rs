@@ -220,6 +220,36 @@ fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
     assert_eq!(json.unwrap()["where"]["joint"], 5);
 }
 
+/// Two and three false readings one after the other, near the beginning and in the middle: rows to be set aside, and no step
+/// of base or target there and back.
+#[test]
+fn false_readings_side_by_side_are_no_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = synth(folder.path(), &["--effects", "joint_gain:2", "--n", "100", "--seed", "7"]);
+    // Up to 0.6 mm off, each another way.
+    let off_mm = [[0.4, -0.3, 0.2], [-0.1, 0.5, 0.3], [0.3, 0.1, -0.5]];
+    for (first, rows) in [(3, 2), (4, 3), (60, 3)] {
+        let mut lines: Vec<String> = csv.lines().map(str::to_owned).collect();
+        let x = lines[0].split(',').position(|name| name == "x_mm").unwrap();
+        for (line, off_mm) in lines[first..first + rows].iter_mut().zip(off_mm) {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            for (cell, off_mm) in cells[x..x + 3].iter_mut().zip(off_mm) {
+                *cell = format!("{:.5}", cell.parse::<f64>().unwrap() + off_mm);
+            }
+            *line = cells.join(",");
+        }
+        let (code, said, json) = diagnose(lines.join("\n").as_bytes(), &[]);
+        let json = json.unwrap();
+        let causes: Vec<&str> =
+            json["causes"].as_array().unwrap().iter().map(|c| c["effect"].as_str().unwrap()).collect();
+        assert_eq!((code, causes.as_slice()), (0, ["joint_gain"].as_slice()), "rows {first} on: {said}");
+        let aside: Vec<u64> =
+            json["false_rows"].as_array().unwrap().iter().map(|r| r["line"].as_u64().unwrap()).collect();
+        let falsified: Vec<u64> = (first..first + rows).map(|line| line as u64 + 1).collect();
+        assert_eq!(aside, falsified);
+    }
+}
+
 /// 18 sets of the exam's mixture; the same draws on every machine.
 #[test]
 fn a_small_fixed_exam() {

@@ -11,10 +11,14 @@ use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
 const ROUNDS: usize = 4;
+/// Rounds at most, where steps turn out to rest on false readings.
+const MOST_ROUNDS: usize = 6;
 /// Rounds of weights before any cause is looked for.
 const START_ROUNDS: usize = 2;
 /// A station further than this many sigmas from the model, and alone there, is false.
 const FALSE_SIGMAS: f64 = 4.5;
+/// A step that needs no more stations than these cannot be told from as many false readings.
+const FEW: usize = 3;
 /// Pose-to-pose scatter over scatter of repeats, squared, assumed at first.
 const FIRST_EXCESS: f64 = 0.5;
 
@@ -79,14 +83,18 @@ pub fn build<'a>(
         let reached = background.null();
         let fit = solve(&design, &all_atoms, &chosen, Some(reached.geometry_ratio));
         let residuals = design.residuals(&fit.coefficients);
-        let (next_robust, next_outliers) = weigh(linear, &residuals, &base_weights);
+        let (mut next_robust, mut next_outliers) = weigh(linear, &residuals, &base_weights);
+        let carried = steps_of_few(&design, candidates, &chosen, &reached, &base_weights, &residuals);
+        for &(i, weight) in &carried {
+            (next_robust[i], next_outliers[i]) = (weight, true);
+        }
         let next_excess = excess_of(linear, &residuals, &noise, &next_outliers, excess);
         let next_arm = arm_of(linear, &residuals).unwrap_or(arm_m);
         round += 1;
         let steady = next_outliers == outliers
             && (next_excess - excess).abs() < 0.2 * (excess + 0.1)
             && (next_arm / arm_m).ln().abs() < 0.15;
-        if steady || round == ROUNDS {
+        if steady || round >= ROUNDS && carried.is_empty() || round == MOST_ROUNDS {
             return Model {
                 design,
                 library,
@@ -181,6 +189,43 @@ fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f6
         .map(|(d, out)| if *out { (limit_m / d).powi(4) } else { 1.0 })
         .collect();
     (weights, outliers)
+}
+
+/// Stations that are far off without a step of base or target, where the step gains nothing but with them: false readings
+/// side by side in time, which it would take along. With the weight that each is then worth.
+fn steps_of_few(
+    design: &Design,
+    candidates: &[Candidate],
+    chosen: &[Chosen],
+    reached: &Reached,
+    base_weights: &[f64],
+    residuals: &[Motion],
+) -> Vec<(usize, f64)> {
+    let all_atoms: Vec<usize> = (0..design.atoms()).collect();
+    let squares = |residuals: &[Motion], i: usize| base_weights[i] * norm3(&residuals[i]).powi(2);
+    let mut carried = Vec::new();
+    let steps = |c: &Chosen| candidates[c.candidate].form.t0_min().is_some();
+    for (k, _) in chosen.iter().enumerate().filter(|(_, c)| steps(c)) {
+        let others: Vec<Chosen> =
+            chosen.iter().enumerate().filter(|(other, _)| *other != k).map(|(_, c)| c.clone()).collect();
+        let fit = solve(design, &all_atoms, &others, Some(reached.geometry_ratio));
+        let without = design.residuals(&fit.coefficients);
+        let gain =
+            |i: usize| (squares(&without, i) - squares(residuals, i)) / (2.0 * reached.sigma_m.powi(2));
+        let mut gains: Vec<(usize, f64)> = (0..without.len()).map(|i| (i, gain(i))).collect();
+        gains.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let (few, rest) = gains.split_at(FEW.min(gains.len()));
+        let [few_nats, rest_nats] = [few, rest].map(|part| part.iter().map(|(_, gain)| gain).sum::<f64>());
+        if few_nats < ALARM_NATS || rest_nats >= ALARM_NATS {
+            continue;
+        }
+        let limit_m = FALSE_SIGMAS * reached.sigma_m;
+        carried.extend(few.iter().filter_map(|&(i, _)| {
+            let far_m = squares(&without, i).sqrt();
+            (far_m > limit_m).then(|| (i, (limit_m / far_m).powi(4)))
+        }));
+    }
+    carried
 }
 
 /// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a

@@ -206,11 +206,22 @@ fn move_tool(scene: &Scene, site: &Site, factor: f64, out: &mut Vec<Motion>) {
     }
 }
 
-/// Times at which a step may lie, with four stations or more on each side.
+/// So many stations lie on each side of a step, and between two of them: of fewer one false reading or two could be taken
+/// along by the motion's six numbers.
+const STEP_ASIDE: usize = 6;
+
+/// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
+pub fn steps_too_near(scene: &Scene, t0_min: f64, other_t0_min: f64) -> bool {
+    let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
+    let between = scene.sites.iter().filter_map(|s| s.t_min).filter(|t| low < *t && *t < high).count();
+    0 < between && between < STEP_ASIDE
+}
+
+/// Times at which a step may lie.
 fn step_times(scene: &Scene) -> Vec<f64> {
     let times: Vec<f64> = scene.sites.iter().filter_map(|s| s.t_min).collect();
     let most = if times.len() > LARGE_SET { MOST_STEP_TIMES / 3 } else { MOST_STEP_TIMES };
-    gaps(times, most, 4)
+    gaps(times, most, STEP_ASIDE)
 }
 
 /// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like

@@ -9,7 +9,7 @@ pub use library::Library;
 pub use rank::{Hypothesis, Slot};
 
 use super::design::Design;
-use super::effects::Candidate;
+use super::effects::{Candidate, steps_too_near};
 use super::evidence::{Background, Reached};
 use super::marginal::Noise;
 use change::Search;
@@ -228,8 +228,11 @@ impl Library<'_> {
                 && other.form.joint == this.form.joint
                 && other.form.joint_b == this.form.joint_b
                 && other.form.n == this.form.n;
-            let steps = this.form.t0_min().is_some() && this.form.t0_min() != other.form.t0_min();
-            !same || steps
+            let steps = this.form.t0_min().zip(other.form.t0_min());
+            if steps.is_some_and(|(t0_min, other)| steps_too_near(self.scene, t0_min, other)) {
+                return false;
+            }
+            !same || steps.is_some_and(|(t0_min, other)| t0_min != other)
         })
     }
 
