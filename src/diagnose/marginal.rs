@@ -30,8 +30,12 @@ impl Noise {
     pub fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
         let seen = repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM);
         match (seen, stated_m) {
-            (Some(r), Some(sigma_m)) if agree(r, sigma_m) => {
-                Self { known: Some((sigma_m, MOST_FREEDOM)), seen: true }
+            // Both say the same: what they say together is worth what each is worth alone.
+            (Some(r), Some(stated_m)) if agree(r, stated_m) => {
+                let seen = r.degrees_of_freedom as f64;
+                let freedom = STATED_FREEDOM + seen;
+                let squares = STATED_FREEDOM * stated_m * stated_m + seen * r.sigma_m * r.sigma_m;
+                Self { known: Some(((squares / freedom).sqrt(), freedom.min(MOST_FREEDOM))), seen: true }
             }
             (Some(r), _) => {
                 let freedom = (r.degrees_of_freedom as f64).min(MOST_FREEDOM);
@@ -214,5 +218,19 @@ mod tests {
             let (log, _) = noise.over(m).at(q);
             assert!((log - sum).abs() < 0.05, "{known:?}: {log} {sum}");
         }
+    }
+    #[test]
+    fn a_statement_and_repeats_that_agree_are_taken_together() {
+        let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6, sigma_rad: None };
+        let Noise { known: Some((sigma_m, freedom)), seen: true } = Noise::new(Some(&repeats), Some(3e-5))
+        else {
+            panic!()
+        };
+        // (20 · 9 + 6 · 16) / 26 of 1e-10 m²
+        assert!((sigma_m - 3.258_12e-5).abs() < 1e-10 && freedom == 26.0, "{sigma_m} {freedom}");
+        // Three times the statement in 60 degrees of freedom contradict it.
+        let repeats = Repeats { sigma_m: 9e-5, degrees_of_freedom: 60, sigma_rad: None };
+        assert!(Noise::contradicted(Some(&repeats), Some(3e-5)));
+        assert_eq!(Noise::new(Some(&repeats), Some(3e-5)).known, Some((9e-5, 60.0)));
     }
 }
