@@ -195,14 +195,13 @@ fn the_same_bytes_whatever_the_number_of_threads_and_every_file_is_written() {
     }
 }
 
-/// A joint that turns with another's angle, by a curve and not in proportion, is named by place, not as gear lines.
-#[test]
-fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
+/// The diagnosis of `n` noted rows with an effect outside the library, four times the noise.
+fn outside(effect: Effect, n: usize, seed: u64) -> Value {
     let recipe = Recipe {
-        name: "curve".into(),
+        name: "outside".into(),
         kind: Kind::Outside,
-        effects: vec![(Effect::CrossTerm { joint: 5, a: 1, b: 1 }, 4.0)],
-        n: 100,
+        effects: vec![(effect, 4.0)],
+        n,
         repeats: 0,
         sigma_mm: 0.018,
         stated_sigma_mm: None,
@@ -214,10 +213,36 @@ fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
         payloads_kg: [0.0, 3.0],
     };
     let robot = Robot::built_in("irb140").unwrap();
-    let set = data_set(&robot, "irb140", &recipe, &mut Draw::new(4, 0)).unwrap();
+    let set = data_set(&robot, "irb140", &recipe, &mut Draw::new(seed, 0)).unwrap();
     let (code, said, json) = diagnose(set.csv.as_bytes(), &[]);
     assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{said}");
-    assert_eq!(json.unwrap()["where"]["joint"], 5);
+    json.unwrap()
+}
+
+/// A joint that turns with another's angle, by a curve and not in proportion, is named by place, not as gear lines.
+#[test]
+fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
+    assert_eq!(outside(Effect::CrossTerm { joint: 5, a: 1, b: 1 }, 100, 4)["where"]["joint"], 5);
+}
+
+/// A hose that pulls at the hand by the angles of all the wrist's joints is no coupling of two of them, and not noise.
+#[test]
+fn a_hose_that_pulls_at_the_wrist_is_no_cause_of_the_library() {
+    let said = outside(Effect::CablePull { direction: [0.6, 0.0, 0.8] }, 100, 4);
+    assert!(said["reason"].as_str().unwrap().contains("wrist"), "{said:#}");
+}
+
+/// One region in which everything is shifted is found where it is, from 60 poses of which few meet it.
+#[test]
+fn a_shift_near_one_place_is_no_cause_of_the_library() {
+    let centre_mm = [450.0, 100.0, 400.0];
+    let center_m = centre_mm.map(|mm| mm / 1000.0);
+    let bump = Effect::LocalBump { center_m, radius_m: 0.18, direction: [0.0, 0.6, 0.8] };
+    let said = outside(bump, 60, 4);
+    assert!(said["reason"].as_str().unwrap().contains("one place"), "{said:#}");
+    let found = said["where"]["region"]["center_mm"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
+    let away_mm = found.zip(centre_mm).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    assert!(away_mm < 180.0, "{away_mm} {said:#}");
 }
 
 /// Two and three false readings one after the other, near the beginning and in the middle: rows to be set aside, and no step

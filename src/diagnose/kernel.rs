@@ -4,8 +4,8 @@
 //! They say that something is there that the library lacks, and where; never how it works.
 
 use super::design::Design;
-use super::scene::{Motion, Scene, Site, scaled};
-use nalgebra::{DMatrix, Vector3};
+use super::scene::{Scene, Site, scaled};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// Structure of no named cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,8 @@ pub enum Kernel {
     JointFine(usize),
     /// Some function of all joints' angles turns one joint.
     Joints(usize),
+    /// Some function of the first two joints' angles turns the third.
+    Pair(usize, usize, usize),
     /// Some function of the first joint's angle turns the second.
     Driven(usize, usize),
     /// Some function of each joint's own angle turns it, for all joints.
@@ -24,6 +26,12 @@ pub enum Kernel {
     Workspace,
     /// The same, more local.
     WorkspaceFine,
+    /// One shift near one place of the workspace: which of the places, and which of the reaches.
+    Spot(usize, usize),
+    /// A shift with the hand by the angles of the wrist's joints: hoses and cables pull so.
+    Hand,
+    /// The same with finer detail.
+    HandFine,
     /// A shift over time.
     Time,
     /// A faster shift over time.
@@ -48,6 +56,15 @@ const MOST_FEATURES: usize = 28;
 const JOINT_RAD: [f64; 2] = [0.45, 0.13];
 const JOINTS_RAD: f64 = 1.0;
 const PLACE_M: [f64; 2] = [0.15, 0.075];
+const HAND_RAD: [f64; 2] = [2.0, 1.0];
+const PAIR_RAD: f64 = 1.0;
+/// Places at which a single shift is looked for, and how far it reaches, metres: shapes that are scanned at a price, for
+/// a process that may lie anywhere asks far more of the data than one place does.
+const SPOTS: usize = 24;
+const SPOT_M: [f64; 3] = [0.07, 0.14, 0.28];
+/// Pairs of joints times joints that they turn, and features kept for each.
+const PAIRS: f64 = 90.0;
+const MOST_OF_PAIR: usize = 16;
 const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
 /// Every kernel that these data can show, with its prior weight.
@@ -59,6 +76,16 @@ pub fn kernels() -> Vec<(Kernel, f64)> {
     }
     for a in 0..6 {
         all.extend((0..6).filter(|&b| b != a).map(|b| (Kernel::Driven(a, b), 0.1)));
+    }
+    for a in 0..6 {
+        for b in a + 1..6 {
+            all.extend((0..6).map(|j| (Kernel::Pair(a, b, j), 2.0 / PAIRS)));
+        }
+    }
+    all.extend([(Kernel::Hand, 1.0), (Kernel::HandFine, 1.0)]);
+    for place in 0..SPOTS {
+        let share = 2.0 / (SPOTS * SPOT_M.len()) as f64;
+        all.extend((0..SPOT_M.len()).map(|reach| (Kernel::Spot(place, reach), share)));
     }
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([(Kernel::Time, 2.0), (Kernel::TimeFine, 1.0), (Kernel::ToolTime, 1.0)]);
@@ -85,18 +112,31 @@ pub fn columns(kernel: Kernel, design: &Design, scene: &Scene) -> Vec<Vec<f64>> 
         }
         Kernel::Workspace => shift_columns(design, scene, place, 40, PLACE_M[0]),
         Kernel::WorkspaceFine => shift_columns(design, scene, place, 60, PLACE_M[1]),
+        Kernel::Spot(which, reach) => match spread(scene, place, SPOTS).get(which) {
+            Some(centre) => {
+                let centre = std::slice::from_ref(centre);
+                compress(shifts(design, scene, &place, &base, centre, SPOT_M[reach]))
+            }
+            None => Vec::new(),
+        },
+        Kernel::Hand => hand_columns(design, scene, HAND_RAD[0]),
+        Kernel::HandFine => hand_columns(design, scene, HAND_RAD[1]),
+        Kernel::Pair(a, b, j) => {
+            let at = |site: &Site| vec![site.q_rad[a], site.q_rad[b]];
+            let centres = spread(scene, at, 25);
+            let mut features = compress(design.stack(scene, centres.len(), |_, site, out| {
+                let features = bumps(&at(site), &centres, PAIR_RAD);
+                out.extend(features.into_iter().map(|f| scaled(site.joint(j), f)));
+            }));
+            features.truncate(MOST_OF_PAIR);
+            features
+        }
         Kernel::Time => shift_columns(design, scene, |s| vec![scene.progress(s)], 10, TIME_SHARE[0]),
         Kernel::TimeFine => shift_columns(design, scene, |s| vec![scene.progress(s)], 30, TIME_SHARE[1]),
         Kernel::ToolTime => {
             let centres: Vec<Vec<f64>> = (0..9).map(|k| vec![f64::from(k) / 8.0]).collect();
-            compress(design.stack(scene, 3 * centres.len(), |_, site, out| {
-                for f in bumps(&[scene.progress(site)], &centres, 0.5 * TIME_SHARE[0]) {
-                    for k in 0..3 {
-                        let axis = site.flange.column(k);
-                        out.push([f * axis[0], f * axis[1], f * axis[2], 0.0, 0.0, 0.0]);
-                    }
-                }
-            }))
+            let at = |site: &Site| vec![scene.progress(site)];
+            compress(shifts(design, scene, &at, &|site| site.flange, &centres, 0.5 * TIME_SHARE[0]))
         }
         Kernel::JointTime(j) => {
             let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
@@ -172,16 +212,34 @@ fn shift_columns(
     most: usize,
     length: f64,
 ) -> Vec<Vec<f64>> {
-    let centres = spread(scene, at, most);
-    compress(design.stack(scene, 3 * centres.len(), |_, site, out| {
-        for f in bumps(&at(site), &centres, length) {
-            for k in 0..3 {
-                let mut shift: Motion = [0.0; 6];
-                shift[k] = f;
-                out.push(shift);
-            }
+    compress(shifts(design, scene, &at, &base, &spread(scene, at, most), length))
+}
+
+/// A shift along each of three axes for each bump.
+fn shifts(
+    design: &Design,
+    scene: &Scene,
+    at: &dyn Fn(&Site) -> Vec<f64>,
+    axes: &dyn Fn(&Site) -> Matrix3<f64>,
+    centres: &[Vec<f64>],
+    length: f64,
+) -> Vec<Vec<f64>> {
+    design.stack(scene, 3 * centres.len(), |_, site, out| {
+        let axes = axes(site);
+        for f in bumps(&at(site), centres, length) {
+            out.extend(axes.column_iter().map(|a| [f * a[0], f * a[1], f * a[2], 0.0, 0.0, 0.0]));
         }
-    }))
+    })
+}
+
+fn base(_: &Site) -> Matrix3<f64> {
+    Matrix3::identity()
+}
+
+/// Functions of the wrist's angles that shift the target along the flange's axes.
+fn hand_columns(design: &Design, scene: &Scene, length_rad: f64) -> Vec<Vec<f64>> {
+    let at = |site: &Site| site.q_rad[3..].to_vec();
+    compress(shifts(design, scene, &at, &|site| site.flange, &spread(scene, at, 40), length_rad))
 }
 
 fn bumps(at: &[f64], centres: &[Vec<f64>], length: f64) -> Vec<f64> {

@@ -41,6 +41,29 @@ impl Design {
         products
     }
 
+    /// The same over all atoms at once.
+    #[must_use]
+    pub fn sums(&self, columns: &[Vec<f64>]) -> Sums {
+        let p = columns.len();
+        let own = DMatrix::from_fn(p, p, |a, b| if a < b { 0.0 } else { dot(&columns[a], &columns[b]) });
+        let mut sums = Sums { own, cross: DMatrix::zeros(p, 0) };
+        sums.own.fill_upper_triangle_with_lower_triangle();
+        self.extend_sums(&mut sums, columns);
+        sums
+    }
+
+    /// Brings `sums` over all atoms up to date with columns appended since.
+    pub fn extend_sums(&self, sums: &mut Sums, columns: &[Vec<f64>]) {
+        let known = sums.cross.ncols();
+        let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
+        sums.cross = cross.resize_horizontally(self.columns.len(), 0.0);
+        for (c, b) in self.columns.iter().enumerate().skip(known) {
+            for (a, column) in columns.iter().enumerate() {
+                sums.cross[(a, c)] = dot(column, b);
+            }
+        }
+    }
+
     /// Brings `products` up to date with columns appended since.
     pub fn extend(&self, products: &mut Products, columns: &[Vec<f64>]) {
         for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {

@@ -110,20 +110,21 @@ impl Background {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// A quick estimate of ln evidence: the best of few ratios, sizes in steps of four.
+    /// A quick estimate of the evidence: the best of few ratios, sizes in steps of four.
     #[must_use]
-    pub fn first_look(&self, candidate: &Projected, looks: &[Look]) -> f64 {
+    pub fn first_look(&self, candidate: &Projected, looks: &[Look]) -> Reached {
         let with_geometry = &self.turn * &candidate.geometry;
         let reach = self.reach(candidate);
-        let mut best = f64::NEG_INFINITY;
+        let mut best = Reached::NONE;
         for look in looks {
             let terms = self.size_terms(candidate, &with_geometry, look.ratio);
             for (size, off, gain) in terms.into_iter().step_by(2) {
-                let log = look.base
-                    + self.marginal.at(look.q - off).0
-                    + gain
-                    + size_prior(size * look.sigma_m, size * reach);
-                best = best.max(log);
+                let (log, sigma_m) = self.marginal.at(look.q - off);
+                let log = look.base + log + gain + size_prior(size * look.sigma_m, size * reach);
+                if log > best.log_evidence {
+                    best =
+                        Reached { log_evidence: log, sigma_m, geometry_ratio: look.ratio, size_ratio: size };
+                }
             }
         }
         best

@@ -8,7 +8,7 @@
 mod candidate;
 mod prior;
 
-pub use candidate::Projected;
+pub use candidate::{Look, Projected};
 
 use super::design::Design;
 use super::marginal::{Marginal, Noise, SIGMA_M, log_add, log_sum};
@@ -29,6 +29,12 @@ pub struct Reached {
     pub geometry_ratio: f64,
     /// Best s / sigma.
     pub size_ratio: f64,
+}
+
+impl Reached {
+    /// Before anything is looked at.
+    const NONE: Self =
+        Self { log_evidence: f64::NEG_INFINITY, sigma_m: SIGMA_M[1], geometry_ratio: 0.0, size_ratio: 0.0 };
 }
 
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
@@ -215,12 +221,7 @@ impl Background {
     /// Sums over both ratio grids; `terms` gives what each size ratio does at one geometry ratio, `reach` is the signal of
     /// one usual size.
     fn over_ratios(&self, reach: f64, terms: impl Fn(f64) -> Vec<(f64, f64, f64)>) -> Reached {
-        let mut best = Reached {
-            log_evidence: f64::NEG_INFINITY,
-            sigma_m: SIGMA_M[1],
-            geometry_ratio: 0.0,
-            size_ratio: 0.0,
-        };
+        let mut best = Reached::NONE;
         let mut total = f64::NEG_INFINITY;
         for &ratio in &self.ratios {
             let (q, log_det) = self.with_ratio(ratio);

@@ -48,7 +48,7 @@ impl Library<'_> {
         }
         let open: Vec<&Follower> =
             search.near.iter().filter(|&&c| self.allowed(c, others)).map(|&c| &search.followers[c]).collect();
-        let slot = self.rank(&background, search.subset, &open, false);
+        let slot = self.rank(&background, &open, false);
         (background, slot)
     }
 

@@ -4,13 +4,15 @@ use super::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::design::{Design, Products, Sums, Turning};
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{Background, Projected};
-use crate::diagnose::kernel::Kernel;
+use crate::diagnose::kernel::{self, Kernel};
 use crate::diagnose::scene::Scene;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
 const MOST_KEPT: usize = 40_000_000;
+/// Features of kernels are kept for no more stations than this: 80 MB.
+const MOST_SITES_KEPT: usize = 1000;
 /// Whitened columns of one candidate.
 type Columns = Vec<Vec<f64>>;
 /// A kernel's features.
@@ -40,10 +42,10 @@ pub struct Library<'a> {
 pub struct Structure {
     /// Which.
     pub kernel: Kernel,
-    /// Its features as columns.
-    columns: Vec<Vec<f64>>,
-    /// Their products with the design.
-    pub products: Products,
+    /// Its features as columns, where they are kept.
+    columns: Option<Columns>,
+    /// Their products with the design, over all its atoms.
+    pub sums: Sums,
     /// ln prior.
     pub log_prior: f64,
 }
@@ -105,14 +107,18 @@ impl<'a> Library<'a> {
 
     /// Adds `list` of kernels, each with its share of the prior of what no effect explains.
     pub fn add_kernels(&mut self, design: &Design, list: Vec<(Kernel, f64)>, columns: &ColumnsOf<'_>) {
+        // Those of a cause in the model cannot be computed again from the scene alone.
+        let small = self.scene.sites.len() <= MOST_SITES_KEPT;
+        let keep = |kernel: Kernel| small || matches!(kernel, Kernel::Varying(_));
         let more: Vec<Structure> = list
             .into_par_iter()
             .map(|(kernel, weight)| {
                 let columns = columns(kernel);
-                let products = design.products(&columns);
-                Structure { kernel, columns, products, log_prior: (UNEXPLAINED_PRIOR * weight).ln() }
+                let sums = design.sums(&columns);
+                let log_prior = (UNEXPLAINED_PRIOR * weight).ln();
+                Structure { kernel, columns: keep(kernel).then_some(columns), sums, log_prior }
             })
-            .filter(|structure| structure.products.p > 0)
+            .filter(|structure| !structure.sums.own.is_empty())
             .collect();
         self.kernels.extend(more);
     }
@@ -144,7 +150,10 @@ impl<'a> Library<'a> {
                 None => design.extend(products, &design.columns_of(scene, &candidates[c])),
             }
         });
-        self.kernels.par_iter_mut().for_each(|s| design.extend(&mut s.products, &s.columns));
+        self.kernels.par_iter_mut().for_each(|s| match &s.columns {
+            Some(columns) => design.extend_sums(&mut s.sums, columns),
+            None => design.extend_sums(&mut s.sums, &kernel::columns(s.kernel, design, scene)),
+        });
     }
 
     /// All candidates over `background`.

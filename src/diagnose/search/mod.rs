@@ -121,7 +121,7 @@ impl Library<'_> {
                 .filter(|f| self.allowed(f.candidate, &search.chosen))
                 .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
                 .collect();
-            let slot = self.rank(background, search.subset, &open, false);
+            let slot = self.rank(background, &open, false);
             search.near.extend(slot.ranked.iter().filter_map(|(h, _, _)| match h {
                 Hypothesis::Effect(c) => Some(*c),
                 _ => None,

@@ -2,7 +2,7 @@
 
 use super::NULL_PRIOR;
 use super::library::{Follower, Library};
-use crate::diagnose::evidence::{Background, Projected, Reached};
+use crate::diagnose::evidence::{Background, Look, Projected, Reached};
 use crate::diagnose::marginal::{log_sum, normal_below};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 const LONG_LIST: usize = 320;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
+/// A kernel this far behind is not looked at again.
+const FAR_BEHIND_NATS: f64 = 7.0;
 
 /// Probability that an effect has the sign that physics gives it: a controller may take off too much of it.
 const RIGHT_SIGN: f64 = 0.9;
@@ -36,18 +38,18 @@ pub struct Slot {
 }
 
 impl Library<'_> {
-    /// Every hypothesis over `background`, but the candidates in `without`.
+    /// Every hypothesis over `background` of all atoms, `subset`, but the candidates in `without`.
     #[must_use]
     pub fn scan(&self, background: &Background, subset: &[usize], without: &[usize]) -> Slot {
         let followers = self.follow(background, subset);
         let open: Vec<&Follower> = followers.iter().filter(|f| !without.contains(&f.candidate)).collect();
-        self.rank(background, subset, &open, true)
+        self.rank(background, &open, true)
     }
 
-    /// Every kernel over `background`, weighed against nothing.
+    /// Every kernel over `background` of all atoms, weighed against nothing.
     #[must_use]
-    pub fn scan_kernels(&self, background: &Background, subset: &[usize]) -> Slot {
-        self.rank(background, subset, &[], true)
+    pub fn scan_kernels(&self, background: &Background) -> Slot {
+        self.rank(background, &[], true)
     }
 
     /// ln evidence of one candidate over nothing.
@@ -72,13 +74,7 @@ impl Library<'_> {
     }
 
     /// Every hypothesis over `background`, its candidates already projected.
-    pub(super) fn rank(
-        &self,
-        background: &Background,
-        subset: &[usize],
-        followers: &[&Follower],
-        kernels: bool,
-    ) -> Slot {
+    pub(super) fn rank(&self, background: &Background, followers: &[&Follower], kernels: bool) -> Slot {
         let null = background.null();
         let looks = background.looks(&null);
         let best = |scores: Vec<f64>, among: Vec<usize>, most: usize| {
@@ -96,7 +92,7 @@ impl Library<'_> {
         };
         let bounds = score(&all, &|p| background.bound(p, &looks));
         let long = best(bounds, all, LONG_LIST);
-        let firsts = score(&long, &|p| background.first_look(p, &looks));
+        let firsts = score(&long, &|p| background.first_look(p, &looks).log_evidence);
         let seen: Vec<usize> = best(firsts, long, LONG_LIST);
         let most = if kernels { SHORT_LIST } else { SHORT_LIST / 3 };
         // Thousands of gear lines must not push out the one form of an effect that explains as much.
@@ -119,15 +115,7 @@ impl Library<'_> {
             })
             .collect();
         if kernels {
-            let scanned: Vec<_> = self
-                .kernels
-                .par_iter()
-                .enumerate()
-                .map(|(k, s)| {
-                    let reached = background.evidence(&background.project(&s.products.sum(subset)));
-                    (Hypothesis::Kernel(k), reached.log_evidence + s.log_prior, reached)
-                })
-                .collect();
+            let scanned = self.scanned(background, &looks, &null);
             ranked.extend(scanned);
         }
         ranked.push((Hypothesis::Null, null.log_evidence + NULL_PRIOR.ln(), null));
@@ -137,6 +125,38 @@ impl Library<'_> {
         }
         ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
         Slot { ranked, null }
+    }
+
+    /// Every kernel by its evidence: in full what comes near the best of them or nothing, a first look for the others.
+    fn scanned(
+        &self,
+        background: &Background,
+        looks: &[Look],
+        null: &Reached,
+    ) -> Vec<(Hypothesis, f64, Reached)> {
+        let seen: Vec<(Projected, Reached)> = self
+            .kernels
+            .par_iter()
+            .map(|s| {
+                let projected = background.project(&s.sums);
+                let first = background.first_look(&projected, looks);
+                (projected, first)
+            })
+            .collect();
+        let best = seen
+            .iter()
+            .zip(&self.kernels)
+            .map(|((_, first), s)| first.log_evidence + s.log_prior)
+            .fold(null.log_evidence + NULL_PRIOR.ln(), f64::max);
+        seen.par_iter()
+            .zip(&self.kernels)
+            .enumerate()
+            .map(|(k, ((projected, first), s))| {
+                let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
+                let reached = if near { background.evidence(projected) } else { *first };
+                (Hypothesis::Kernel(k), reached.log_evidence + s.log_prior, reached)
+            })
+            .collect()
     }
 
     /// Best candidate of `slot` and its effect's ln evidence over nothing, the prior within the effect included.

@@ -205,7 +205,7 @@ fn with_causes(
         let kernel = kernel_wins.or(left.map(|l| l.1)).or_else(|| {
             let atoms: Vec<usize> = (0..model.design.atoms()).collect();
             let bare = Background::new(&model.design, &atoms, &[], model.noise);
-            structure_in(model, &model.library.scan_kernels(&bare, &atoms)).map(|s| s.1)
+            structure_in(model, &model.library.scan_kernels(&bare)).map(|s| s.1)
         });
         let reason = kernel.map_or_else(String::new, |k| {
             structure_reason(model.library.kernels[k].kernel, linear.scene.time_min.is_some())

@@ -118,7 +118,7 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[Chosen]) -> Option<usize> {
                 _ => false,
             };
             if fits {
-                let reached = background.evidence(&background.project(&structure.products.sum(&atoms)));
+                let reached = background.evidence(&background.project(&structure.sums));
                 let odds = reached.log_evidence - bare + structure.log_prior - NULL_PRIOR.ln();
                 if best.is_none_or(|(b, _)| odds > b) {
                     best = Some((odds, k));
@@ -164,7 +164,7 @@ pub fn left_over_m(slot: &Slot, kernel: usize) -> f64 {
 pub fn odds_over_causes(model: &Model<'_>, chosen: &[Chosen]) -> f64 {
     let atoms: Vec<usize> = (0..model.design.atoms()).collect();
     let over = |k: usize| Background::new(&model.design, &atoms, &flat(&chosen[..k], None), model.noise);
-    let slot = model.library.scan_kernels(&over(0), &atoms);
+    let slot = model.library.scan_kernels(&over(0));
     let structure = log_sum(slot.ranked.iter().filter_map(|(h, _, reached)| match h {
         Hypothesis::Kernel(k) if !chosen.iter().any(|c| is_shape_of(model, *k, c.candidate)) => {
             Some(reached.log_evidence + model.library.kernels[*k].log_prior - NULL_PRIOR.ln())
@@ -198,6 +198,7 @@ pub fn place_of_kernel(model: &Model<'_>, linear: &Linear, chosen: &[Chosen], ke
             | Kernel::JointFine(j)
             | Kernel::Driven(_, j)
             | Kernel::Joints(j)
+            | Kernel::Pair(_, _, j)
             | Kernel::JointTime(j)
             | Kernel::Periodic(j, _)
             | Kernel::Steps(j, _) => Some(j + 1),

@@ -53,6 +53,11 @@ pub fn structure_reason(kernel: Kernel, timed: bool) -> String {
         Kernel::Driven(a, b) => format!("joint {}, depending on the angle of joint {}", b + 1, a + 1),
         Kernel::AllJoints => "the angles of several joints".to_owned(),
         Kernel::Workspace | Kernel::WorkspaceFine => "the place in the workspace".to_owned(),
+        Kernel::Spot(..) => "one place of the workspace".to_owned(),
+        Kernel::Hand | Kernel::HandFine => "the angles of the wrist's joints".to_owned(),
+        Kernel::Pair(a, b, j) => {
+            format!("joint {}, depending on the angles of joints {} and {}", j + 1, a + 1, b + 1)
+        }
         Kernel::Time | Kernel::TimeFine | Kernel::Varying(_) => time.to_owned(),
         Kernel::ToolTime => format!("the target on the flange, over {time}"),
         Kernel::JointTime(j) => format!("joint {}, over {time}", j + 1),
