@@ -33,7 +33,7 @@ pub struct Known {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub tool: Option<String>,
 
-    /// Noise of one coordinate, mm, where it is known better than the repeats say it.
+    /// Noise of one coordinate, mm, as stated; repeats in the file count beside it.
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub sigma_mm: Option<f64>,
 }

@@ -1,6 +1,6 @@
 //! The corrected targets of a plan, computed when they are asked for.
 //!
-//! Each bucket's joints are solved from the nominal ones alone, as [`correct`](super::correct) does when it looks whether
+//! Each bucket's joints are solved from the nominal ones alone, as [`correct`](mod@super::correct) does when it looks whether
 //! they may be sent: in whatever order they are asked for, the numbers are the same.
 
 use super::model::{Model, WarmBucket};

@@ -61,7 +61,7 @@ const INVISIBLE: f64 = 1e-7;
 pub struct Options {
     /// Place of the target in the flange's frame, to about 1 mm.
     pub tool_m: Option<Vector3<f64>>,
-    /// Noise of one coordinate, where it is known better than the repeats say it.
+    /// Noise of one coordinate as stated; repeats in the file count beside it.
     pub sigma_m: Option<f64>,
 }
 
