@@ -3,6 +3,9 @@
 use super::{Design, dot};
 use nalgebra::DMatrix;
 
+/// Rows that are multiplied at one go: so many of all columns stay in the processor's cache.
+const BLOCK: usize = 1024;
+
 /// A candidate's products for each atom, its columns scaled by their usual size.
 #[derive(Clone, Debug)]
 pub struct Products {
@@ -57,9 +60,13 @@ impl Design {
         let known = sums.cross.ncols();
         let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
         sums.cross = cross.resize_horizontally(self.columns.len(), 0.0);
-        for (c, b) in self.columns.iter().enumerate().skip(known) {
-            for (a, column) in columns.iter().enumerate() {
-                sums.cross[(a, c)] = dot(column, b);
+        let rows = columns.first().map_or(0, Vec::len);
+        for from in (0..rows).step_by(BLOCK) {
+            let block = from..rows.min(from + BLOCK);
+            for (c, b) in self.columns.iter().enumerate().skip(known) {
+                for (a, column) in columns.iter().enumerate() {
+                    sums.cross[(a, c)] += dot(&column[block.clone()], &b[block.clone()]);
+                }
             }
         }
     }
