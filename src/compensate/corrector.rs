@@ -45,13 +45,7 @@ impl WarmArms {
 }
 
 impl Corrector for WarmArms {
-    fn corrected(
-        &self,
-        _number: usize,
-        motion: &Motion,
-        planned: &PlannedMotion,
-        bucket: usize,
-    ) -> Option<Vec<Corrected>> {
+    fn corrected(&self, motion: &Motion, planned: &PlannedMotion, bucket: usize) -> Option<Vec<Corrected>> {
         let arm = self.at.get(bucket)?;
         let placement = Placement::of(motion).ok()?;
         let targets = motion.targets.iter().zip(&planned.targets);

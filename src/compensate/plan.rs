@@ -80,15 +80,9 @@ impl PlannedTarget {
 
 /// Computes what a plan's targets become, when they are asked for: of a large program they would be most of what is held.
 pub trait Corrector: fmt::Debug + Send + Sync {
-    /// For each target of the motion with this number what the controller is to be told in a bucket; `None` where the
-    /// plan has no such motion or bucket.
-    fn corrected(
-        &self,
-        number: usize,
-        motion: &Motion,
-        planned: &PlannedMotion,
-        bucket: usize,
-    ) -> Option<Vec<Corrected>>;
+    /// For each target of `motion`, planned as `planned`, what the controller is to be told in a bucket; `None` where there
+    /// is no such bucket.
+    fn corrected(&self, motion: &Motion, planned: &PlannedMotion, bucket: usize) -> Option<Vec<Corrected>>;
 }
 
 impl Plan {
@@ -97,7 +91,7 @@ impl Plan {
     #[must_use]
     pub fn corrected(&self, program: &Program, number: usize, bucket: usize) -> Option<Vec<Corrected>> {
         let (motion, planned) = (program.motions.get(number)?, self.motions.get(number)?);
-        self.corrector.corrected(number, motion, planned, bucket)
+        self.corrector.corrected(motion, planned, bucket)
     }
 }
 

@@ -17,6 +17,7 @@ use driftpost::syntax::tree::{
 };
 use driftpost::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Reads the files.
@@ -243,7 +244,10 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
     });
     Plan {
         motions: motions.collect(),
-        corrector: Arc::new(Steps { buckets, more: program.motions.iter().map(tool).collect() }),
+        corrector: Arc::new(Steps {
+            buckets,
+            more: program.motions.iter().map(|motion| (place(motion), tool(motion))).collect(),
+        }),
         schedule: schedule(buckets),
         temperature_c: None,
         ticks,
@@ -261,16 +265,20 @@ pub fn schedule(buckets: usize) -> Schedule {
     Schedule { buckets: (0..buckets).map(bucket).collect(), parts_per_min: 1 }
 }
 
-/// What the plan's buckets do, and by how much more for each motion.
+/// What the plan's buckets do, and by how much more for each motion, by its place.
 #[derive(Debug)]
 struct Steps {
     buckets: usize,
-    more: Vec<f64>,
+    more: HashMap<(FileId, u32), f64>,
+}
+
+fn place(motion: &Motion) -> (FileId, u32) {
+    (motion.file, motion.range.start)
 }
 
 impl Corrector for Steps {
-    fn corrected(&self, i: usize, motion: &Motion, _: &PlannedMotion, k: usize) -> Option<Vec<Corrected>> {
-        let by = 0.01 * (k as f64 + 1.0) + self.more[i];
+    fn corrected(&self, motion: &Motion, _: &PlannedMotion, k: usize) -> Option<Vec<Corrected>> {
+        let by = 0.01 * (k as f64 + 1.0) + self.more[&place(motion)];
         (k < self.buckets).then(|| motion.targets.iter().map(|target| moved(target, by)).collect())
     }
 }
