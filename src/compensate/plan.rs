@@ -112,6 +112,68 @@ pub enum Corrected {
     },
 }
 
+/// Counts and largest corrections over a program's motions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Totals {
+    /// Motions.
+    pub motions: usize,
+    /// Motions that are compensated.
+    pub compensated: usize,
+    /// Motions that stay as they are.
+    pub kept: usize,
+    /// Motions because of which the program is refused.
+    pub refused: usize,
+    /// Robtargets and jointtargets of the compensated motions.
+    pub targets: [usize; 2],
+    /// Largest distance between original and corrected TCP of a compensated motion, metres.
+    pub max_correction_m: f64,
+    /// Largest angle between them, radians.
+    pub max_correction_rad: f64,
+}
+
+impl Totals {
+    /// Over a program's own motions.
+    #[must_use]
+    pub fn of(program: &Program, plan: &Plan) -> Self {
+        let mut totals = Self::default();
+        for (motion, planned) in program.motions.iter().zip(&plan.motions) {
+            if program.is_own(motion) {
+                totals.add_motion(motion, planned);
+            }
+        }
+        totals
+    }
+
+    fn add_motion(&mut self, motion: &Motion, planned: &PlannedMotion) {
+        self.motions += 1;
+        match planned.status {
+            Status::Compensated => {
+                self.compensated += 1;
+                let is_joint = |value: Option<TargetValue>| matches!(value, Some(TargetValue::Joint(_)));
+                motion
+                    .targets
+                    .iter()
+                    .for_each(|target| self.targets[usize::from(is_joint(target.value))] += 1);
+                self.max_correction_m = self.max_correction_m.max(planned.max_correction_m);
+                self.max_correction_rad = self.max_correction_rad.max(planned.max_correction_rad);
+            }
+            Status::Kept(_) => self.kept += 1,
+            Status::Refused(_) => self.refused += 1,
+        }
+    }
+
+    /// Takes in those of another part of the program.
+    pub fn add(&mut self, other: &Self) {
+        self.motions += other.motions;
+        self.compensated += other.compensated;
+        self.kept += other.kept;
+        self.refused += other.refused;
+        self.targets = [self.targets[0] + other.targets[0], self.targets[1] + other.targets[1]];
+        self.max_correction_m = self.max_correction_m.max(other.max_correction_m);
+        self.max_correction_rad = self.max_correction_rad.max(other.max_correction_rad);
+    }
+}
+
 /// A place where the clock is brought up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Tick {

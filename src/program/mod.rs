@@ -83,4 +83,10 @@ impl Program {
     pub fn file(&self, id: FileId) -> &SourceFile {
         &self.files[id.0 as usize]
     }
+
+    /// Whether a motion stands in a file that is there in full, not in an outline that is there to understand the others.
+    #[must_use]
+    pub fn is_own(&self, motion: &Motion) -> bool {
+        !self.file(motion.file).is_outline()
+    }
 }

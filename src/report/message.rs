@@ -172,18 +172,10 @@ impl Shown {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{LineIndex, TextRange};
-    use crate::syntax::tree::Tree;
+    use crate::diagnostic::TextRange;
 
     fn file(bytes: &[u8]) -> SourceFile {
-        SourceFile {
-            id: FileId(0),
-            path: "cell/prog.mod".to_owned(),
-            bytes: bytes.into(),
-            lines: LineIndex::new(bytes),
-            tree: Tree::default(),
-            warnings: Vec::new(),
-        }
+        SourceFile::read(FileId(0), "cell/prog.mod", bytes)
     }
 
     fn plain(message: &Diagnostic, files: &[SourceFile]) -> String {
