@@ -7,7 +7,7 @@ use super::validate::RegisterName;
 use super::{Console, Outcome, files};
 use crate::diagnostic::Diagnostic;
 use crate::measure::{Compared, PerformanceError, performance};
-use crate::report::accuracy as report;
+use crate::report::{Told, accuracy as report};
 use crate::units::m_from_mm;
 use nalgebra::Vector3;
 use std::io::Write;
@@ -65,7 +65,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let compared = compared(args.register, tool_m)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
-    console.explain(&measurements.warnings, &[], true);
+    console.explain(&Told::all(measurements.warnings.iter().cloned(), &[]), true);
     let found = performance(&measurements, &robot, compared).map_err(|error| refused(&error))?;
     let worst = report::worst(&found);
     let mut beyond = Vec::new();

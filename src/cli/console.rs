@@ -5,8 +5,7 @@
 
 use super::Outcome;
 use crate::diagnostic::Diagnostic;
-use crate::report::{self, Look};
-use crate::syntax::SourceFile;
+use crate::report::{self, Look, Told};
 use std::io::{self, IsTerminal, Write};
 
 /// Standard output and standard error.
@@ -57,9 +56,9 @@ impl Console {
     }
 
     /// Messages to standard error, with excerpts of the files they are about.
-    pub fn explain(&mut self, messages: &[Diagnostic], files: &[SourceFile], all: bool) {
+    pub fn explain(&mut self, messages: &[Told], all: bool) {
         let look = if self.err_is_terminal { Look::Coloured } else { Look::Plain };
-        let _ = report::write_messages(&mut self.err, messages, files, look, all); // as in `say`
+        let _ = report::write_messages(&mut self.err, messages, look, all); // as in `say`
     }
 
     /// One line to standard error.
@@ -71,7 +70,7 @@ impl Console {
     pub fn fail(&mut self, error: &anyhow::Error) -> Outcome {
         let _ = self.out.flush();
         match error.downcast_ref::<Diagnostic>() {
-            Some(message) => self.explain(std::slice::from_ref(message), &[], true),
+            Some(message) => self.explain(&[Told::new(message.clone(), &[])], true),
             None => self.say(format_args!("error: {error:#}")),
         }
         Outcome::Refused

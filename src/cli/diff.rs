@@ -9,7 +9,7 @@ use crate::compensate::compare::compare;
 use crate::diagnostic::Diagnostic;
 use crate::emit::{bucket_of, differences, standing_in};
 use crate::program::{Overrides, Program};
-use crate::report::{self, Compared};
+use crate::report::{self, Compared, Told};
 use crate::syntax::SourceFile;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -125,7 +125,7 @@ fn with_bucket(program: &Program, bucket: Option<&[u8]>) -> Result<Option<Progra
 fn program(given: &Given, console: &mut Console) -> Option<Program> {
     let files = given.sources();
     if let Err(message) = given::check_modules(&files) {
-        console.explain(&[message], &files, true);
+        console.explain(&[Told::new(message, &files)], true);
         return None;
     }
     Some(Program::read(files, &Overrides::default()))

@@ -4,7 +4,7 @@
 //! (`tolerance-mm = 0.05`, `strict = true`, `tool = ["t=[...]"]`; files are relative to the case), and
 //! `CASE/expected/` the emitted files, `review.txt`, `changes.diff` and `messages.txt`.
 
-use super::compensate::{self, Job, Refusal, write_diff};
+use super::compensate::{self, Job, write_diff};
 use super::destination::Destination;
 use super::files::{self, Output, Pending};
 use super::given::Given;
@@ -13,7 +13,6 @@ use crate::diagnostic::Diagnostic;
 use crate::emit::EmittedFile;
 use crate::program::Program;
 use crate::report::{self, Look};
-use crate::syntax::SourceFile;
 use clap::{Args as _, FromArgMatches};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -118,20 +117,17 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         Ok(())
     };
     let job = Job::new(&args)?.make(&given, &mut take);
-    let (messages, sources): (Vec<Diagnostic>, Vec<SourceFile>) = match job {
+    let messages = match job {
         Ok(made) => {
             let mut text = Vec::new();
             made.write_review(&mut text, true)?;
             result.insert("review.txt".to_owned(), text);
             result.insert("changes.diff".to_owned(), diff);
-            (made.messages, made.program.files)
+            made.messages
         }
-        Err(refusal) => {
-            let Refusal { program, messages, .. } = *refusal;
-            (messages, program.files)
-        }
+        Err(refusal) => refusal.messages,
     };
-    report::write_messages(&mut said, &messages, &sources, look, true)?;
+    report::write_messages(&mut said, &messages, look, true)?;
     if !said.is_empty() {
         result.insert("messages.txt".to_owned(), said);
     }

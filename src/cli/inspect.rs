@@ -3,9 +3,8 @@
 use super::files::Output;
 use super::given::{self, Given};
 use super::{Console, Outcome};
-use crate::diagnostic::Diagnostic;
 use crate::program::{Overrides, Program};
-use crate::report;
+use crate::report::{self, Told};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
@@ -49,13 +48,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given = Given::read(&args.program)?;
     let files = given.sources();
     if let Err(message) = given::check_modules(&files) {
-        console.explain(&[message], &files, true);
+        console.explain(&[Told::new(message, &files)], true);
         return Ok(Outcome::Refused);
     }
     let program = Program::read(files, &Overrides::default());
-    let mut messages: Vec<Diagnostic> = program.files.iter().flat_map(|file| file.warnings.clone()).collect();
-    messages.extend(program.diagnostics.iter().cloned());
-    console.explain(&messages, &program.files, args.all);
+    let warnings = program.files.iter().flat_map(|file| &file.warnings);
+    let messages = Told::all(warnings.chain(&program.diagnostics).cloned(), &program.files);
+    console.explain(&messages, args.all);
     let pretty = || format!("{:#}\n", report::inspection(&program, &messages)).into_bytes();
     if !json.is_standard() {
         match args.format {

@@ -3,6 +3,7 @@
 use super::{Console, files, model};
 use crate::diagnostic::Diagnostic;
 use crate::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
+use crate::report::Told;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
@@ -91,7 +92,7 @@ impl Source {
                 format!("{} and {}: {error}", points.display(), joints.display()),
             )
         })?;
-        console.explain(&alone(&joined, points, joints), &[], true);
+        console.explain(&Told::all(alone(&joined, points, joints), &[]), true);
         whole.sha256 = model::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;

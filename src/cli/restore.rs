@@ -4,6 +4,7 @@ use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
 use crate::diagnostic::Diagnostic;
 use crate::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
+use crate::report::Told;
 use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -75,7 +76,7 @@ fn warn(path: &Path, altered: &[Altered], console: &mut Console) {
     let message = |what: &Altered| {
         Diagnostic::warning(what.code(), format!("{}:{}: {what}", path.display(), what.line()))
     };
-    console.explain(&altered.iter().map(message).collect::<Vec<_>>(), &[], true);
+    console.explain(&Told::all(altered.iter().map(message), &[]), true);
 }
 
 /// Where an original goes.

@@ -6,6 +6,7 @@ use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
 use crate::diagnose::{Part, Register, ValidateError, Validation, validate};
 use crate::diagnostic::Diagnostic;
+use crate::report::Told;
 use clap::ValueEnum;
 use serde_json::json;
 use std::io::Write;
@@ -61,7 +62,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let identified = model::identified(&args.model)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
-    console.explain(model::of_another_robot(&identified.model, &robot).as_slice(), &[], false);
+    console.explain(&Told::all(model::of_another_robot(&identified.model, &robot), &[]), false);
     let which = match args.register {
         RegisterName::BaseTool => Register::BaseAndTool,
         RegisterName::Base => Register::Base,

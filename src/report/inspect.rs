@@ -1,8 +1,8 @@
 //! What a program's motions are, as far as its text tells, and which can be compensated.
 
 use super::json::messages;
+use super::message::Told;
 use super::{Align, Table, rounded};
-use crate::diagnostic::Diagnostic;
 use crate::emit::{Form, Memory};
 use crate::program::Program;
 use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
@@ -107,7 +107,7 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
 
 /// The same for scripts.
 #[must_use]
-pub fn inspection(program: &Program, warnings: &[Diagnostic]) -> Value {
+pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
     let motions: Vec<Value> = program
         .motions
         .iter()
@@ -141,7 +141,7 @@ pub fn inspection(program: &Program, warnings: &[Diagnostic]) -> Value {
         "motions": motions,
         "form": form_name(memory(program).suits()),
         "form_because": memory(program).why(),
-        "warnings": messages(warnings, &program.files),
+        "warnings": messages(warnings),
     })
 }
 

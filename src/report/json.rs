@@ -1,11 +1,11 @@
 //! The JSON that scripts rely on; its keys and units are part of the contract, more may be added.
 
+use super::message::Told;
 use super::review::target_name;
 use crate::compensate::plan::{Plan, Status};
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::Severity;
 use crate::program::Program;
 use crate::program::motion::{Keep, Motion};
-use crate::syntax::SourceFile;
 use crate::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
@@ -28,12 +28,12 @@ pub struct Compensation<'a> {
     /// What becomes of it.
     pub plan: &'a Plan,
     /// What there is to be said.
-    pub messages: &'a [Diagnostic],
+    pub messages: &'a [Told],
 }
 
 impl Serialize for Compensation<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { program, plan, messages } = self;
+        let Self { plan, messages, .. } = self;
         let mm = |m: f64| rounded(mm_from_m(m));
         let buckets: Vec<Value> = plan
             .schedule
@@ -65,8 +65,8 @@ impl Serialize for Compensation<'_> {
         map.serialize_entry("rigid_shift_worst_mm", &mm(s.rigid_shift_worst_m))?;
         map.serialize_entry("until_min", &rounded(s.until_min))?;
         map.serialize_entry("other_tolerances", &others)?;
-        map.serialize_entry("warnings", &of_severity(messages, &program.files, |s| s != Severity::Error))?;
-        map.serialize_entry("errors", &of_severity(messages, &program.files, |s| s == Severity::Error))?;
+        map.serialize_entry("warnings", &of_severity(messages, |s| s != Severity::Error))?;
+        map.serialize_entry("errors", &of_severity(messages, |s| s == Severity::Error))?;
         map.end()
     }
 }
@@ -127,8 +127,7 @@ fn motion_row(
 /// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
 /// are.
 #[must_use]
-pub fn refusal(program: &Program, kept: &[Keep], list: &[Diagnostic]) -> Value {
-    let files = &program.files;
+pub fn refusal(program: &Program, kept: &[Keep], list: &[Told]) -> Value {
     let row = |(index, (motion, why)): (usize, (&Motion, &Keep))| {
         motion_row(program, index, motion, ("kept", Some(why)), [0.0; 2], None)
     };
@@ -141,35 +140,36 @@ pub fn refusal(program: &Program, kept: &[Keep], list: &[Diagnostic]) -> Value {
         "rigid_shift_worst_mm": null,
         "until_min": null,
         "other_tolerances": [],
-        "warnings": of_severity(list, files, |s| s != Severity::Error),
-        "errors": of_severity(list, files, |s| s == Severity::Error),
+        "warnings": of_severity(list, |s| s != Severity::Error),
+        "errors": of_severity(list, |s| s == Severity::Error),
     })
 }
 
 /// Messages as `{"code","file","line","message","help"}`; `file` and `line` are null where a message is
 /// about the whole run.
 #[must_use]
-pub fn messages(list: &[Diagnostic], files: &[SourceFile]) -> Value {
-    of_severity(list, files, |_| true)
+pub fn messages(list: &[Told]) -> Value {
+    of_severity(list, |_| true)
 }
 
-fn of_severity(list: &[Diagnostic], files: &[SourceFile], is: fn(Severity) -> bool) -> Value {
-    let one = |d: &Diagnostic| {
-        let file = d.span.and_then(|span| Some((files.get(span.file.0 as usize)?, span)));
+fn of_severity(list: &[Told], is: fn(Severity) -> bool) -> Value {
+    let one = |told: &Told| {
+        let message = &told.diagnostic;
         json!({
-            "code": d.code,
-            "file": file.map(|(f, _)| &f.path),
-            "line": file.map(|(f, span)| f.line(span.range)),
-            "message": d.message,
-            "help": d.help,
+            "code": message.code,
+            "file": told.place().map(|(path, _)| path),
+            "line": told.place().map(|(_, line)| line),
+            "message": message.message,
+            "help": message.help,
         })
     };
-    list.iter().filter(|d| is(d.severity)).map(one).collect()
+    list.iter().filter(|told| is(told.diagnostic.severity)).map(one).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnostic::Diagnostic;
 
     #[test]
     fn numbers_are_rounded_and_never_minus_zero() {
@@ -180,6 +180,7 @@ mod tests {
     #[test]
     fn a_message_without_a_place_has_null_for_it() {
         let list = [Diagnostic::warning("a::b", "w"), Diagnostic::error("c::d", "e").help("h")];
+        let list = Told::all(list, &[]);
         let value = refusal(&Program::default(), &[], &list);
         assert_eq!(
             value["warnings"][0],

@@ -25,23 +25,52 @@ const REACH: u32 = 400;
 /// How many messages of one code are shown in full before the rest is only counted.
 const SHOWN_OF_A_CODE: usize = 5;
 
+/// A message with all that is needed to show it when its files are no longer at hand.
+#[derive(Clone, Debug)]
+pub struct Told {
+    /// The message.
+    pub diagnostic: Diagnostic,
+    /// The path of the file that it is about, and the line.
+    place: Option<(String, u32)>,
+    excerpts: Vec<Excerpt>,
+}
+
+impl Told {
+    /// Takes from `files` what is to be seen of them; a place in a file that is not among them is left out.
+    #[must_use]
+    pub fn new(diagnostic: Diagnostic, files: &[SourceFile]) -> Self {
+        let place = diagnostic.span.and_then(|span| {
+            let file = files.get(span.file.0 as usize)?;
+            Some((file.path.clone(), file.line(span.range)))
+        });
+        Self { place, excerpts: excerpts(&diagnostic, files), diagnostic }
+    }
+
+    /// Each of `diagnostics`, in their order.
+    #[must_use]
+    pub fn all(diagnostics: impl IntoIterator<Item = Diagnostic>, files: &[SourceFile]) -> Vec<Self> {
+        diagnostics.into_iter().map(|diagnostic| Self::new(diagnostic, files)).collect()
+    }
+
+    /// The path of the file that the message is about, and the line (from 1) it begins on; `None` where it is about the
+    /// whole run.
+    #[must_use]
+    pub fn place(&self) -> Option<(&str, u32)> {
+        self.place.as_ref().map(|(path, line)| (path.as_str(), *line))
+    }
+}
+
 /// Writes messages in their order; of each code the first few in full, the rest as a count, or all.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_messages(
-    out: &mut dyn Write,
-    messages: &[Diagnostic],
-    files: &[SourceFile],
-    look: Look,
-    all: bool,
-) -> io::Result<()> {
+pub fn write_messages(out: &mut dyn Write, messages: &[Told], look: Look, all: bool) -> io::Result<()> {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
     for message in messages {
-        let count = seen.entry(message.code).or_default();
+        let count = seen.entry(message.diagnostic.code).or_default();
         *count += 1;
         if all || *count <= SHOWN_OF_A_CODE {
-            write_message(out, message, files, look)?;
+            write_message(out, message, look)?;
         }
     }
     for (code, count) in seen {
@@ -57,49 +86,45 @@ pub fn write_messages(
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_message(
-    out: &mut dyn Write,
-    message: &Diagnostic,
-    files: &[SourceFile],
-    look: Look,
-) -> io::Result<()> {
+pub fn write_message(out: &mut dyn Write, message: &Told, look: Look) -> io::Result<()> {
+    let Told { diagnostic, excerpts, .. } = message;
     let renderer = match look {
         Look::Plain => Renderer::plain(),
         Look::Coloured => Renderer::styled(),
     }
     .term_width(WIDTH);
-    let level = match message.severity {
+    let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
         Severity::Note => Level::NOTE,
     };
-    let excerpts = excerpts(message, files);
-    let title = level.primary_title(message.message.as_str()).id(message.code);
+    let title = level.primary_title(diagnostic.message.as_str()).id(diagnostic.code);
     let snippets = excerpts.iter().map(|excerpt| {
         Snippet::source(excerpt.text.as_str())
             .line_start(excerpt.line as usize)
-            .path(excerpt.path)
+            .path(excerpt.path.as_str())
             .annotations(excerpt.marks.iter().map(|(range, label, kind)| {
                 let mark = kind.span(range.clone());
-                if label.is_empty() { mark } else { mark.label(*label) }
+                if label.is_empty() { mark } else { mark.label(label.as_str()) }
             }))
     });
     let mut group: Group = title.elements(snippets);
-    if let Some(help) = &message.help {
+    if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(help.as_str()));
     }
     writeln!(out, "{}", renderer.render(&[group]))
 }
 
 /// Some lines of one file, as text, and what is to be seen there.
-struct Excerpt<'m> {
-    path: &'m str,
+#[derive(Clone, Debug)]
+struct Excerpt {
+    path: String,
     line: u32,
     text: String,
-    marks: Vec<(Range<usize>, &'m str, AnnotationKind)>,
+    marks: Vec<(Range<usize>, String, AnnotationKind)>,
 }
 
-fn excerpts<'m>(message: &'m Diagnostic, files: &'m [SourceFile]) -> Vec<Excerpt<'m>> {
+fn excerpts(message: &Diagnostic, files: &[SourceFile]) -> Vec<Excerpt> {
     let primary = message.span.iter().map(|span| (*span, "", AnnotationKind::Primary));
     let further = message.labels.iter().map(|(span, text)| (*span, text.as_str(), AnnotationKind::Context));
     let mut lines: BTreeMap<(bool, FileId, u32), Vec<_>> = BTreeMap::new();
@@ -119,28 +144,27 @@ fn excerpts<'m>(message: &'m Diagnostic, files: &'m [SourceFile]) -> Vec<Excerpt
 }
 
 /// The line on which all of `marks` begin; what a mark covers of further lines is left out.
-fn excerpt<'m>(
-    file: &'m SourceFile,
-    line: u32,
-    marks: Vec<(Span, &'m str, AnnotationKind)>,
-) -> Option<Excerpt<'m>> {
+fn excerpt(file: &SourceFile, line: u32, marks: Vec<(Span, &str, AnnotationKind)>) -> Option<Excerpt> {
     let start = file.lines.start_of(line);
     let rest = file.bytes.get(start as usize..)?;
-    let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+    let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len()) as u32;
+    // of an outline, the text of a later line may follow without a line's end
+    let next = Some(file.lines.start_of(line + 1)).filter(|next| *next > start);
+    let end = next.map_or(start + length, |next| next.min(start + length));
     let first = marks.iter().map(|(span, ..)| span.range.start).min()?;
     let from = first.saturating_sub(REACH).max(start);
     let last = marks.iter().map(|(span, ..)| span.range.end).max()?;
-    let to = last.saturating_add(REACH).min(start + length as u32).max(from);
+    let to = last.saturating_add(REACH).min(end).max(from);
     let shown = file.bytes.get(from as usize..to as usize)?;
     let text = Shown::new(shown);
     let marks = marks
         .into_iter()
         .map(|(span, label, kind)| {
             let at = |byte: u32| text.at[(byte.clamp(from, to) - from) as usize];
-            (at(span.range.start)..at(span.range.end), label, kind)
+            (at(span.range.start)..at(span.range.end), label.to_owned(), kind)
         })
         .collect();
-    Some(Excerpt { path: &file.path, line, text: text.text, marks })
+    Some(Excerpt { path: file.path.clone(), line, text: text.text, marks })
 }
 
 /// Bytes as text: UTF-8 where they are that, else one character a byte as in ISO 8859-1.
@@ -180,7 +204,7 @@ mod tests {
 
     fn plain(message: &Diagnostic, files: &[SourceFile]) -> String {
         let mut out = Vec::new();
-        write_message(&mut out, message, files, Look::Plain).unwrap();
+        write_message(&mut out, &Told::new(message.clone(), files), Look::Plain).unwrap();
         String::from_utf8(out).unwrap()
     }
 
@@ -192,6 +216,45 @@ mod tests {
         let shown = plain(&Diagnostic::warning("keep::x", "no target").at(at).help("teach it"), &files);
         let expected = "warning[keep::x]: no target\n --> cell/prog.mod:3:16\n  |\n3 |   ! \u{fc}ber MoveL p1,v5;\n  |                ^^\n  |\n  = help: teach it\n";
         assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn what_is_told_needs_its_files_no_more() {
+        let first = file(b"MODULE m\n MoveL p1,v5;\nENDMODULE\n");
+        let second =
+            SourceFile::read(FileId(1), "cell/data.sys", &b"MODULE d\n CONST robtarget p1;\nENDMODULE"[..]);
+        let here = Span { file: FileId(0), range: TextRange::new(16, 18) };
+        let there = Span { file: FileId(1), range: TextRange::new(26, 28) };
+        assert_eq!([first.text(here.range), second.text(there.range)], [b"p1"; 2]);
+        let message = Diagnostic::warning("keep::x", "no value").at(here).label(there, "declared here");
+        let told = Told::new(message, &[first, second]);
+        assert_eq!(told.place(), Some(("cell/prog.mod", 2)));
+        let mut out = Vec::new();
+        write_message(&mut out, &told, Look::Plain).unwrap();
+        let expected = "warning[keep::x]: no value\n --> cell/prog.mod:2:8\n  |\n2 |  MoveL p1,v5;\n  |        ^^\n  |\n ::: cell/data.sys:2:18\n  |\n2 |  CONST robtarget p1;\n  |                  -- declared here\n";
+        assert_eq!(String::from_utf8(out).unwrap(), expected);
+    }
+
+    #[test]
+    fn of_an_outline_a_line_is_shown_under_its_number_without_what_was_left_out() {
+        let text = b"MODULE m\n MoveL p1,v5;\n MoveL p2,v5; ! \xc3\xbc\n MoveL p3,v5;\nENDMODULE";
+        let at = |word: &[u8]| text.windows(word.len()).position(|w| w == word).unwrap() as u32;
+        // left out: from within line 2 into line 3, and from the middle of a character there into line 4
+        let cut = [TextRange::new(at(b"p1"), at(b"p2")), TextRange::new(at(b"\xbc"), at(b"p3"))];
+        let outline = file(text).without(&cut);
+        let place = |word: &[u8]| {
+            let start = outline.bytes.windows(word.len()).position(|w| w == word).unwrap() as u32;
+            outline.span(TextRange::new(start, start + word.len() as u32))
+        };
+        let files = std::slice::from_ref(&outline);
+        for (word, line, shown) in [
+            (&b"MoveL"[..], "2:2", "2 |  MoveL \n"),
+            (b"p2", "3:1", "3 | p2,v5; ! \u{c3}\n"),
+            (b"p3", "4:1", "4 | p3,v5;\n"),
+        ] {
+            let text = plain(&Diagnostic::error("a::b", "m").at(place(word)), files);
+            assert!(text.contains(&format!("prog.mod:{line}\n")) && text.contains(shown), "{text}");
+        }
     }
 
     #[test]
@@ -207,9 +270,9 @@ mod tests {
     #[test]
     fn many_messages_of_one_code_are_counted_and_a_place_that_is_not_there_is_left_out() {
         let outside = Span { file: FileId(7), range: TextRange::new(1, 2) };
-        let many: Vec<Diagnostic> = (0..9).map(|i| Diagnostic::warning("a::b", format!("m{i}"))).collect();
+        let many = Told::all((0..9).map(|i| Diagnostic::warning("a::b", format!("m{i}"))), &[]);
         let mut out = Vec::new();
-        write_messages(&mut out, &many, &[], Look::Plain, false).unwrap();
+        write_messages(&mut out, &many, Look::Plain, false).unwrap();
         let text = String::from_utf8(out).unwrap();
         assert!(text.contains("m4") && !text.contains("m5"), "{text}");
         assert!(text.contains("4 more of a::b"), "{text}");

@@ -25,6 +25,6 @@ pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::{JointRow, write_joints};
 pub use json::{Compensation, messages, refusal, rounded};
-pub use message::{Look, write_message, write_messages};
+pub use message::{Look, Told, write_message, write_messages};
 pub use review::{Review, write_review};
 pub use table::{Align, Table};

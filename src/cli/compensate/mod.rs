@@ -33,7 +33,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             Ok(Outcome::Done)
         }
         Err(refusal) => {
-            console.explain(&refusal.messages, refusal.files(), args.all);
+            console.explain(&refusal.messages, args.all);
             console.say("nothing was written");
             json.stream(console, |out| refusal.write_json(out))?;
             Ok(Outcome::Refused)
@@ -75,7 +75,7 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
 
     let joints = args.joints_csv.is_some().then(|| job.joints(&made)).transpose();
     let joints = joints.map_err(|message| made.refuse(message))?;
-    console.explain(&made.messages, &made.program.files, args.all);
+    console.explain(&made.messages, args.all);
     let written = writing.finish(&destination, &given).map_err(|message| made.refuse(message))?;
     if let Some(diff) = diff_file {
         diff.write(&[]).map_err(|message| made.refuse(message))?;

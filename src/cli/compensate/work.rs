@@ -11,9 +11,8 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit_each, megabytes};
 use crate::program::motion::Keep;
 use crate::program::{Overrides, Program};
-use crate::report::{self, Compensation, Review};
+use crate::report::{self, Compensation, Review, Told};
 use crate::robot::Robot;
-use crate::syntax::SourceFile;
 use std::io::{self, Write};
 
 /// What is to be done, all names resolved.
@@ -44,7 +43,7 @@ pub struct Made {
     /// Clock and index are in the module itself.
     embedded: bool,
     /// All warnings.
-    pub messages: Vec<Diagnostic>,
+    pub messages: Vec<Told>,
     provenance: Vec<(&'static str, String)>,
 }
 
@@ -58,7 +57,7 @@ pub struct Refusal {
     /// Why each motion is kept, where all are.
     pub kept: Vec<Keep>,
     /// Warnings, and at least one error.
-    pub messages: Vec<Diagnostic>,
+    pub messages: Vec<Told>,
 }
 
 /// Why emitting stopped.
@@ -105,10 +104,12 @@ impl Job {
     ) -> Result<Made, Box<Refusal>> {
         let files = given.sources();
         if let Err(message) = given::check_modules(&files) {
-            return Err(Refusal::of(Program { files, ..Program::default() }, None, vec![message]));
+            let messages = vec![Told::new(message, &files)];
+            return Err(Refusal::of(Program { files, ..Program::default() }, None, messages));
         }
         let program = Program::read(files, &self.overrides);
-        let mut messages = self.about_program(&program);
+        let told = |messages: Vec<Diagnostic>| Told::all(messages, &program.files);
+        let mut messages = told(self.about_program(&program));
         if messages.iter().any(is_error) {
             return Err(Refusal::of(program, None, messages));
         }
@@ -116,11 +117,11 @@ impl Job {
             Ok(plan) => plan,
             Err(error) => {
                 let (why, kept) = why_no_plan(error);
-                messages.extend(why);
+                messages.extend(told(why));
                 return Err(Box::new(Refusal { program, plan: None, kept, messages }));
             }
         };
-        messages.extend(plan.diagnostics.iter().cloned());
+        messages.extend(told(plan.diagnostics.clone()));
         if messages.iter().any(is_error) {
             return Err(Refusal::of(program, Some(plan), messages));
         }
@@ -144,10 +145,11 @@ impl Job {
                 Ok(Made { program, plan, form: options.form, embedded, messages, provenance })
             }
             Err(halt) => {
-                messages.push(match halt {
+                let why = match halt {
                     Halt::Emit(error) => Diagnostic::error(error.code(), error.to_string()),
                     Halt::Taking(message) => message,
-                });
+                };
+                messages.push(Told::new(why, &program.files));
                 Err(Refusal::of(program, Some(plan), messages))
             }
         }
@@ -238,8 +240,8 @@ impl Job {
     }
 }
 
-fn is_error(message: &Diagnostic) -> bool {
-    message.severity == Severity::Error
+fn is_error(message: &Told) -> bool {
+    message.diagnostic.severity == Severity::Error
 }
 
 /// What there is to be said, and why each motion is kept.
@@ -298,7 +300,8 @@ impl Made {
 
     /// The refusal of what is made but cannot be written.
     pub fn refuse(&self, message: Diagnostic) -> Box<Refusal> {
-        Refusal::of(self.program.clone(), Some(self.plan.clone()), vec![message])
+        let messages = vec![Told::new(message, &self.program.files)];
+        Refusal::of(self.program.clone(), Some(self.plan.clone()), messages)
     }
 }
 
@@ -324,13 +327,8 @@ pub fn write_diff(
 }
 
 impl Refusal {
-    fn of(program: Program, plan: Option<Plan>, messages: Vec<Diagnostic>) -> Box<Self> {
+    fn of(program: Program, plan: Option<Plan>, messages: Vec<Told>) -> Box<Self> {
         Box::new(Self { program, plan, kept: Vec::new(), messages })
-    }
-
-    /// The files that the messages are about.
-    pub fn files(&self) -> &[SourceFile] {
-        &self.program.files
     }
 
     /// What was found, for scripts.
@@ -353,6 +351,6 @@ fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> anyhow::Result<
 
 impl From<Diagnostic> for Box<Refusal> {
     fn from(message: Diagnostic) -> Self {
-        Refusal::of(Program::default(), None, vec![message])
+        Refusal::of(Program::default(), None, vec![Told::new(message, &[])])
     }
 }
