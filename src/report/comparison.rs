@@ -1,6 +1,6 @@
 //! Two programs compared: for people, as JSON and as CSV.
 
-use super::review::target_name;
+use super::motion_rows::target_name;
 use super::{Align, Table, rounded};
 use crate::compensate::compare::{ComparedMotion, Comparison, Step};
 use crate::emit::Difference;

@@ -1,6 +1,6 @@
 //! The offline table of joints, as CSV.
 
-use super::review::target_name;
+use super::motion_rows::target_name;
 use super::rounded;
 use crate::compensate::MinuteJoints;
 use crate::program::Program;

@@ -1,7 +1,7 @@
 //! The JSON that scripts rely on; its keys and units are part of the contract, more may be added.
 
 use super::message::Told;
-use super::review::target_name;
+use super::motion_rows::target_name;
 use crate::compensate::plan::{Plan, Status};
 use crate::diagnostic::Severity;
 use crate::program::Program;

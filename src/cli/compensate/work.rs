@@ -4,14 +4,14 @@ use super::{Args, FormName, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::{self, Given};
 use crate::cli::model::{self, Named};
-use crate::compensate::plan::{Plan, Status};
+use crate::compensate::plan::{Plan, Status, Totals};
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit_each, megabytes};
 use crate::program::motion::Keep;
 use crate::program::{Overrides, Program};
-use crate::report::{self, Compensation, Review, Told};
+use crate::report::{self, Compensation, MotionRows, Review, Told};
 use crate::robot::Robot;
 use std::io::{self, Write};
 
@@ -294,8 +294,17 @@ impl Made {
     /// # Errors
     /// Those of `out`.
     pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
-        let (program, plan, provenance) = (&self.program, &self.plan, self.provenance.as_slice());
-        report::write_review(out, &Review { program, plan, provenance, all })
+        let mut rows = MotionRows::new(all);
+        rows.add(&self.program, &self.plan);
+        let review = Review {
+            schedule: &self.plan.schedule,
+            temperature_c: self.plan.temperature_c,
+            summary: &self.plan.summary,
+            totals: &Totals::of(&self.program, &self.plan),
+            rows: &rows,
+            provenance: &self.provenance,
+        };
+        report::write_review(out, &review)
     }
 
     /// The refusal of what is made but cannot be written.
