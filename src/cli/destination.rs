@@ -180,26 +180,48 @@ fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<St
 }
 
 /// Files of a result, each written beside its place; all are written before any is put in its place.
+///
+/// The first are the emitted ones: changed modules, new ones beside them, those on the controller's disk.
 #[derive(Default)]
 pub struct Writing {
     pending: Vec<Pending>,
+    /// Paths and sizes of the emitted files.
     written: Vec<(PathBuf, usize)>,
     /// The emitted files; of the common module alone with what stands in it.
     emitted: Vec<EmittedFile>,
 }
 
 impl Writing {
-    /// Writes an emitted file.
+    /// Writes an emitted file, or the next piece of one on the controller's disk.
     ///
     /// # Errors
     /// `output::unwritable`.
     pub fn add(&mut self, to: &Destination, given: &Given, file: EmittedFile) -> Result<(), Diagnostic> {
+        if file.on_disk
+            && let Some(at) = self.emitted.iter().position(|begun| begun.on_disk && begun.path == file.path)
+            && let (Some(pending), Some((_, size))) = (self.pending.get_mut(at), self.written.get_mut(at))
+        {
+            *size += file.bytes.len();
+            return pending.fill(&mut file.bytes.as_slice());
+        }
         let path = to.path_of(&file, given);
-        self.put(&path, &mut file.bytes.as_slice())?;
-        self.written.push((path, file.bytes.len()));
+        let mut pending = Pending::new(&path)?;
+        pending.fill(&mut file.bytes.as_slice())?;
+        let disk = self.emitted.iter().position(|other| other.on_disk).filter(|_| !file.on_disk);
+        let at = disk.unwrap_or(self.emitted.len());
+        self.pending.insert(at, pending);
+        self.written.insert(at, (path, file.bytes.len()));
         let bytes = if file.source.is_none() && !file.on_disk { file.bytes } else { Vec::new() };
-        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
+        self.emitted.insert(at, EmittedFile { bytes, edits: Vec::new(), ..file });
         Ok(())
+    }
+
+    /// The files on the controller's disk as far as they are written, with their paths.
+    pub fn on_disk(&self) -> impl Iterator<Item = (&Path, Result<fs::File, Diagnostic>)> {
+        let files = self.emitted.iter().zip(&self.pending).zip(&self.written);
+        files
+            .filter(|((file, _), _)| file.on_disk)
+            .map(|((_, pending), (path, _))| (path.as_path(), pending.written()))
     }
 
     fn put(&mut self, path: &Path, from: &mut dyn std::io::Read) -> Result<(), Diagnostic> {

@@ -12,6 +12,7 @@ use crate::program::{Overrides, Program};
 use crate::report::{self, Compared, Told};
 use crate::syntax::SourceFile;
 use std::collections::BTreeMap;
+use std::io::Cursor;
 use std::path::PathBuf;
 
 /// A longer diff is cut on standard output.
@@ -139,7 +140,7 @@ fn write_lines(before: &Program, after: &Program, all: bool, console: &mut Conso
         let same = |name: &str| name.eq_ignore_ascii_case(&module.name);
         match before.facts.modules.iter().find(|m| same(&m.name)).map(|m| before.file(m.file)) {
             Some(old) => report::write_texts(&mut cut, &old.path, &new.path, &old.bytes, &new.bytes)?,
-            None => report::write_created(&mut cut, &new.path, &new.bytes)?,
+            None => report::write_created(&mut cut, &new.path, &mut Cursor::new(&new.bytes))?,
         }
     }
     let dropped = cut.dropped;

@@ -91,7 +91,7 @@ impl Pending {
         &self.path
     }
 
-    /// Writes the whole file, still beside its place.
+    /// Writes the whole file, or its next piece, still beside its place.
     ///
     /// # Errors
     /// `output::unwritable`; the file at the path is then as it was.
@@ -102,6 +102,14 @@ impl Pending {
             return Ok(());
         }
         fs::create_dir_all(folder_of(&self.path)).map_err(failed)
+    }
+
+    /// What was written, from its beginning.
+    ///
+    /// # Errors
+    /// `output::unwritable`.
+    pub fn written(&self) -> Result<fs::File, Diagnostic> {
+        self.file.reopen().map_err(|cause| unwritable(&self.path, cause))
     }
 
     /// The file, still beside its place, to be written to.

@@ -5,17 +5,17 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use super::chunk::{Chunk, Declared, Passed, chunks};
+use super::change::{Change, Place};
+use super::chunk::{Chunk, Passed};
+use super::common::{Beside, Common};
 use super::header::{self, Record};
-use super::module::{self, Change, Context};
+use super::module::Context;
 use super::names::Names;
 use super::options::{EmitError, EmittedFile};
 use super::place::{self, Style};
 use super::target::{MAX_LINE, element1, write_corrected};
 use crate::diagnostic::{FileId, TextRange};
-use crate::program::Program;
 use crate::program::motion::TargetValue;
-use crate::syntax::tree::FileItem;
 use crate::syntax::{Edit, SourceFile};
 
 /// The folder of the controller's disk.
@@ -23,54 +23,47 @@ pub const DISK: &str = "HOME";
 
 /// A run of statements and the routine of the buckets' modules that holds it.
 #[derive(Clone, Debug)]
-pub struct Named {
+pub struct Named<'e> {
     /// The run.
-    pub chunk: Chunk,
+    pub chunk: &'e Chunk,
     /// The routine's name.
     pub name: String,
 }
 
 /// What stands in the buckets' modules.
 #[derive(Clone, Debug, Default)]
-pub struct Buckets {
+pub struct Buckets<'e> {
     /// What their files' names begin with.
     pub stem: String,
     /// By which a module proves that it belongs to this program; a `num` holds it exactly.
     pub id: u32,
-    runs: BTreeMap<(FileId, usize), Vec<Named>>,
+    runs: BTreeMap<Place, Vec<Named<'e>>>,
+    beside: Option<&'e Beside>,
 }
 
-impl Buckets {
-    /// Finds the runs of all changed modules and names them.
+impl<'e> Buckets<'e> {
+    /// Names the runs of all changed modules, which stand in `files`; `digest` is over the bytes of those files.
     ///
     /// # Errors
     /// [`EmitError::NoRun`] where there is none, [`EmitError::NoName`].
     pub fn new(
-        program: &Program,
-        changes: &BTreeMap<(FileId, usize), Change>,
+        files: &'e BTreeMap<FileId, Beside>,
+        modules: &'e BTreeMap<Place, Vec<Chunk>>,
+        mut digest: Sha256,
         names: &mut Names,
         about: &[String],
     ) -> Result<Self, EmitError> {
-        let declared = Declared::new(program);
-        let mut buckets = Self::default();
-        let mut digest = Sha256::new();
-        for (&(id, index), change) in changes {
-            let file = program.file(id);
-            let whole = file.whole_tree();
-            let Some(FileItem::Module(tree)) = whole.items.get(index) else { continue };
-            if buckets.stem.is_empty() {
-                buckets.stem = format!("tc{}_b", stem(&file.path));
-            }
-            digest.update(&file.bytes);
-            let ticks = module::tick_places(tree, &change.ticks);
-            let runs = chunks(program, &declared, file, tree, &change.motions, &ticks);
+        let beside = files.first_key_value().map(|(_, beside)| beside);
+        let mut buckets = Self { beside, ..Self::default() };
+        buckets.stem = format!("tc{}_b", stem(beside.map_or("", |beside| &beside.path)));
+        for (place, runs) in modules {
             for (n, chunk) in (1..).zip(runs) {
                 let routine: String = chunk.routine.chars().filter(char::is_ascii).take(24).collect();
                 let name = names.claim(&format!("tc{routine}_{n}")).ok_or_else(|| EmitError::NoName {
-                    path: file.path.clone().into(),
-                    line: file.line(chunk.range),
+                    path: files.get(&place.0).map(|file| file.path.clone().into()).unwrap_or_default(),
+                    line: chunk.line,
                 })?;
-                buckets.runs.entry((id, index)).or_default().push(Named { chunk, name });
+                buckets.runs.entry(*place).or_default().push(Named { chunk, name });
             }
         }
         about.iter().for_each(|line| digest.update(line));
@@ -81,63 +74,80 @@ impl Buckets {
 
     /// The runs of a module.
     #[must_use]
-    pub fn of(&self, file: FileId, module: usize) -> &[Named] {
-        self.runs.get(&(file, module)).map(Vec::as_slice).unwrap_or_default()
+    pub fn of(&self, module: Place) -> &[Named<'e>] {
+        self.runs.get(&module).map(Vec::as_slice).unwrap_or_default()
     }
 
-    /// The file of a bucket, to be put on the controller's disk.
+    /// What a part of the program gives to the file of a bucket; `None` where that is nothing.
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where the plan has no such bucket.
-    pub fn file(
+    pub fn piece(
         &self,
         context: &Context,
-        beside: &SourceFile,
+        changes: &BTreeMap<Place, Change>,
         bucket: usize,
-    ) -> Result<EmittedFile, EmitError> {
-        let style =
-            Style { eol: place::majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
-        let name = format!("{}{bucket}", self.stem);
-        let mut bytes = format!("MODULE {name}").into_bytes();
-        bytes.extend_from_slice(style.eol);
-        let record = Record { is_core: true, ..Record::default() };
-        for line in header::lines(context.about, &record) {
-            style.push(&mut bytes, &format!("  {line}"));
-        }
-        for line in [
-            format!("  PROC {}(INOUT num tcIs,INOUT num tcMade)", context.names.core("tcWho")),
-            format!("    tcIs:={bucket};"),
-            format!("    tcMade:={};", self.id),
-            "  ENDPROC".to_owned(),
-        ] {
-            style.push(&mut bytes, &line);
-        }
-        for (&(id, _), runs) in &self.runs {
-            for run in runs {
+    ) -> Result<Option<EmittedFile>, EmitError> {
+        let Some(beside) = self.beside else { return Ok(None) };
+        let style = beside.style();
+        let mut bytes = Vec::new();
+        for (place, change) in changes {
+            if self.runs.first_key_value().is_some_and(|(first, _)| first == place) {
+                self.head(&mut bytes, context.common, &style, bucket);
+            }
+            for run in self.of(*place) {
                 bytes.extend_from_slice(style.eol);
                 let params: Vec<String> = run.chunk.passed.iter().map(parameter).collect();
                 let start = bytes.len();
                 style.push(&mut bytes, &format!("  PROC {}({})", run.name, params.join(",")));
                 bytes.extend_from_slice(b"    ");
-                corrected(&mut bytes, context, context.program.file(id), &run.chunk, bucket)?;
+                let range = run.chunk.range;
+                let motions = change.motions_in(context.program, range);
+                corrected(&mut bytes, context, context.program.file(place.0), range, motions, bucket)?;
                 bytes.extend_from_slice(style.eol);
                 break_lines(&mut bytes, start, style.eol);
                 style.push(&mut bytes, "  ENDPROC");
             }
         }
-        bytes.extend_from_slice(b"ENDMODULE");
+        Ok((!bytes.is_empty()).then(|| self.file(beside, bucket, bytes)))
+    }
+
+    /// The end of the file of a bucket.
+    #[must_use]
+    pub fn end(&self, bucket: usize) -> Option<EmittedFile> {
+        let beside = self.beside?;
+        let bytes = [b"ENDMODULE", beside.style().eol].concat();
+        Some(self.file(beside, bucket, bytes))
+    }
+
+    fn head(&self, bytes: &mut Vec<u8>, common: &Common, style: &Style, bucket: usize) {
+        bytes.extend_from_slice(format!("MODULE {}{bucket}", self.stem).as_bytes());
         bytes.extend_from_slice(style.eol);
-        let folder = disk_of(&beside.path);
-        let path = format!("{folder}{DISK}/{name}.mod");
-        Ok(EmittedFile { source: None, on_disk: true, path, bytes, edits: Vec::new() })
+        let record = Record { is_core: true, ..Record::default() };
+        for line in header::lines(&common.about, &record) {
+            style.push(bytes, &format!("  {line}"));
+        }
+        for line in [
+            format!("  PROC {}(INOUT num tcIs,INOUT num tcMade)", common.names.core("tcWho")),
+            format!("    tcIs:={bucket};"),
+            format!("    tcMade:={};", self.id),
+            "  ENDPROC".to_owned(),
+        ] {
+            style.push(bytes, &line);
+        }
+    }
+
+    fn file(&self, beside: &Beside, bucket: usize, bytes: Vec<u8>) -> EmittedFile {
+        let path = format!("{}{DISK}/{}{bucket}.mod", disk_of(&beside.path), self.stem);
+        EmittedFile { source: None, on_disk: true, path, bytes, edits: Vec::new() }
     }
 }
 
 /// The calls of a module's runs: before each run, and behind it.
 #[must_use]
-pub fn calls(context: &Context, file: &SourceFile, runs: &[Named], style: &Style) -> Vec<Edit> {
+pub fn calls(context: &Context, file: &SourceFile, runs: &[Named<'_>], style: &Style) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let index = context.names.core("tcI");
+    let index = context.common.names.core("tcI");
     for run in runs {
         let TextRange { start, end } = run.chunk.range;
         let indent = place::indent_at(&file.bytes, start);
@@ -176,15 +186,15 @@ fn corrected(
     out: &mut Vec<u8>,
     context: &Context,
     file: &SourceFile,
-    chunk: &Chunk,
+    range: TextRange,
+    motions: &[usize],
     bucket: usize,
 ) -> Result<(), EmitError> {
     let Context { program, plan, .. } = *context;
     let mismatch = |what: &str| EmitError::PlanMismatch(format!("{}: {what}", file.path));
-    let new: Vec<_> =
-        chunk.motions.par_iter().map(|&number| plan.corrected(program, number, bucket)).collect();
-    let mut at = chunk.range.start;
-    for (&number, new) in chunk.motions.iter().zip(new) {
+    let new: Vec<_> = motions.par_iter().map(|&number| plan.corrected(program, number, bucket)).collect();
+    let mut at = range.start;
+    for (&number, new) in motions.iter().zip(new) {
         let (Some(motion), Some(planned), Some(new)) =
             (program.motions.get(number), plan.motions.get(number), new)
         else {
@@ -200,7 +210,7 @@ fn corrected(
             at = target.range.end;
         }
     }
-    out.extend_from_slice(file.text(TextRange::new(at, chunk.range.end)));
+    out.extend_from_slice(file.text(TextRange::new(at, range.end)));
     Ok(())
 }
 

@@ -22,8 +22,8 @@ const FEWEST: usize = 4;
 pub struct Chunk {
     /// From its first statement to the end of its last.
     pub range: TextRange,
-    /// Its compensated motions: indices into [`Program::motions`].
-    pub motions: Vec<usize>,
+    /// The line it begins on.
+    pub line: u32,
     /// What is handed over.
     pub passed: Vec<Passed>,
     /// The routine's name.
@@ -114,33 +114,23 @@ fn passed(file: &SourceFile, data: &DataDecl) -> Option<Passed> {
     (made.name.is_ascii() && made.type_name.is_ascii()).then_some(made)
 }
 
-/// The runs of a module, in order; `ticks` are the statements before which the clock must be asked.
+/// The runs of a module, in order; `starts` are where its compensated motions begin, `ticks` the statements before which the
+/// clock must be asked.
 #[must_use]
 pub fn chunks(
-    program: &Program,
     declared: &Declared,
     file: &SourceFile,
     module: &Module,
-    motions: &[usize],
+    starts: &BTreeSet<u32>,
     ticks: &BTreeSet<u32>,
 ) -> Vec<Chunk> {
-    let starts: BTreeMap<u32, usize> =
-        motions.iter().filter_map(|&m| Some((program.motions.get(m)?.range.start, m))).collect();
     let mut found = Vec::new();
     for item in &module.items {
         let ModuleItem::Routine(routine) = item else { continue };
         let fits = routine.kind == RoutineKind::Proc && routine.handlers.is_empty() && routine.end.is_some();
         if fits && starts.range(routine.range.start..routine.range.end).next().is_some() {
-            let mut work = Work {
-                declared,
-                file,
-                module,
-                routine,
-                starts: &starts,
-                ticks,
-                found: &mut found,
-                loops: vec![],
-            };
+            let (found, loops) = (&mut found, Vec::new());
+            let mut work = Work { declared, file, module, routine, starts, ticks, found, loops };
             work.list(&routine.body);
         }
     }
@@ -152,7 +142,7 @@ struct Work<'w> {
     file: &'w SourceFile,
     module: &'w Module,
     routine: &'w Routine,
-    starts: &'w BTreeMap<u32, usize>,
+    starts: &'w BTreeSet<u32>,
     ticks: &'w BTreeSet<u32>,
     found: &'w mut Vec<Chunk>,
     /// Variables of the loops round the statements at hand, in lower case.
@@ -229,13 +219,13 @@ impl Work<'_> {
 
     fn close(&mut self, run: Option<TextRange>) {
         let Some(range) = run else { return };
-        let motions: Vec<usize> = self.starts.range(range.start..range.end).map(|(_, &m)| m).collect();
-        if motions.len() < FEWEST {
+        if self.starts.range(range.start..range.end).take(FEWEST).count() < FEWEST {
             return;
         }
         if let Some(passed) = self.passed(range) {
             let routine = text(self.file, self.routine.name);
-            self.found.push(Chunk { range, motions, passed, routine });
+            let line = self.file.line(range);
+            self.found.push(Chunk { range, line, passed, routine });
         }
     }
 

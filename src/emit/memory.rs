@@ -3,9 +3,7 @@
 //! An estimate: how a controller holds a program is not published. It is meant for telling megabytes from tens of them.
 
 use super::options::Form;
-use crate::compensate::plan::{Plan, Status};
-use crate::program::Program;
-use crate::program::motion::TargetValue;
+use crate::compensate::plan::Totals;
 
 /// A move instruction with its arguments in place.
 const MOVE_BYTES: usize = 300;
@@ -33,19 +31,10 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Of a plan.
+    /// Of a plan with these totals.
     #[must_use]
-    pub fn of_plan(program: &Program, plan: &Plan) -> Self {
-        let motions = || program.motions.iter().zip(&plan.motions);
-        let compensated = || motions().filter(|(_, planned)| planned.status == Status::Compensated);
-        let targets = || compensated().flat_map(|(motion, _)| &motion.targets);
-        let joints = targets().filter(|t| matches!(t.value, Some(TargetValue::Joint(_)))).count();
-        Self::of(
-            plan.motions.len(),
-            compensated().count(),
-            [targets().count() - joints, joints],
-            plan.schedule.buckets.len(),
-        )
+    pub fn of_totals(totals: &Totals, buckets: usize) -> Self {
+        Self::of(totals.motions, totals.compensated, totals.targets, buckets)
     }
 
     /// Of so many moves, of which so many are compensated, with so many robtargets and jointtargets.

@@ -6,14 +6,15 @@ use std::collections::{BTreeSet, HashMap};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use super::bucket::{self, Buckets};
+use super::bucket;
+use super::change::Change;
 use super::check;
+use super::common::Common;
 use super::header::{self, Record};
 use super::names::{MAX_NAME, Names};
 use super::options::{Core, EmitError};
 use super::place::{self, Style};
 use super::target::{TargetArray, element1};
-use super::{Law, clock};
 use crate::compensate::plan::{Corrected, Plan};
 use crate::diagnostic::{Span, TextRange};
 use crate::program::Program;
@@ -21,25 +22,11 @@ use crate::program::motion::{Motion, Origin, Target, TargetValue};
 use crate::syntax::tree::{Module, ModuleItem};
 use crate::syntax::{Edit, SourceFile};
 
-/// What all modules of a program have in common.
+/// What a part of a program is emitted from.
 pub struct Context<'a> {
     pub program: &'a Program,
     pub plan: &'a Plan,
-    pub names: &'a Names,
-    pub law: &'a Law,
-    pub core: Core,
-    /// What the buckets' modules hold, where that is the form.
-    pub buckets: Option<&'a Buckets>,
-    pub about: &'a [String],
-}
-
-/// What is to be changed in a module.
-#[derive(Clone, Debug, Default)]
-pub struct Change {
-    /// The compensated motions: indices into [`Program::motions`].
-    pub motions: Vec<usize>,
-    /// Where the clock is brought up to date: before the statement at this byte.
-    pub ticks: Vec<u32>,
+    pub common: &'a Common<'a>,
 }
 
 /// The edits of a module.
@@ -49,14 +36,15 @@ pub fn edits(
     (index, module): (usize, &Module),
     change: &Change,
 ) -> Result<Vec<Edit>, EmitError> {
-    let runs = context.buckets.map(|buckets| buckets.of(file.id, index)).unwrap_or_default();
+    let common = context.common;
+    let runs = common.buckets.as_ref().map(|buckets| buckets.of((file.id, index))).unwrap_or_default();
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
     let end = place::routines(&file.bytes, module).ok_or_else(no_end)?;
     let style = Style::of(&file.bytes, module);
     let mut added = Arrays::collect(context, file, change, runs)?;
     let mut edits = std::mem::take(&mut added.edits);
 
-    let tick = format!("{};", context.names.core("tcTick"));
+    let tick = format!("{};", context.common.names.core("tcTick"));
     let mut ticks = tick_places(module, &change.ticks);
     ticks.extend(runs.iter().map(|run| run.chunk.range.start));
     for &offset in &ticks {
@@ -64,12 +52,9 @@ pub fn edits(
         edits.push(Edit { range: TextRange::empty(at), text });
     }
     edits.extend(bucket::calls(context, file, runs, &style));
-    let (data, routines) = match context.core {
+    let (data, routines) = match common.core {
         Core::Separate => (Vec::new(), Vec::new()),
-        Core::Embedded => (
-            clock::data(context.law, context.buckets, context.names),
-            clock::routines(context.law, &context.plan.schedule, context.buckets, context.names),
-        ),
+        Core::Embedded => (common.data(), common.routines()),
     };
     let arrays = written(&added.arrays, &style)?;
     let record = Record {
@@ -80,8 +65,8 @@ pub fn edits(
         data: data.len(),
         routines: heads(&routines).count(),
         ticks: ticks.len(),
-        index: context.names.core("tcI").to_owned(),
-        tick: context.names.core("tcTick").to_owned(),
+        index: context.common.names.core("tcI").to_owned(),
+        tick: context.common.names.core("tcTick").to_owned(),
         was: added.was,
         checks: added.arrays.iter().flat_map(|a| check::of_numbers(&a.element1)).collect(),
         elements: arrays.iter().flat_map(|(_, letters)| letters.iter().copied()).collect(),
@@ -89,7 +74,7 @@ pub fn edits(
         is_whole: true,
     };
     let mut block = Vec::new();
-    for line in header::lines(context.about, &record) {
+    for line in header::lines(&common.about, &record) {
         style.push(&mut block, &format!("  {line}"));
     }
     let mut text = Vec::new();
@@ -185,10 +170,13 @@ impl<'p> Arrays<'p> {
         change: &Change,
         runs: &[bucket::Named],
     ) -> Result<Self, EmitError> {
-        let elsewhere: BTreeSet<usize> =
-            runs.iter().flat_map(|run| run.chunk.motions.iter().copied()).collect();
-        let mut names = context.names.clone();
-        let index = context.names.core("tcI");
+        let elsewhere: BTreeSet<usize> = runs
+            .iter()
+            .flat_map(|run| change.motions_in(context.program, run.chunk.range))
+            .copied()
+            .collect();
+        let mut names = context.common.names.clone();
+        let index = context.common.names.core("tcI");
         let mut found =
             Self { arrays: Vec::new(), edits: Vec::new(), was: std::collections::BTreeMap::new() };
         let mut shared: HashMap<(Span, &[u8]), Vec<usize>> = HashMap::new();
@@ -270,7 +258,7 @@ impl<'p> Arrays<'p> {
 /// For each target of a motion what it becomes in each bucket; `None` where one is missing.
 fn all_buckets(context: &Context, number: usize) -> Option<Vec<Vec<Corrected>>> {
     let mut of_targets: Vec<Vec<Corrected>> = Vec::new();
-    for bucket in 0..context.plan.schedule.buckets.len() {
+    for bucket in 0..context.common.schedule.buckets.len() {
         let corrected = context.plan.corrected(context.program, number, bucket)?;
         of_targets.resize_with(corrected.len(), Vec::new);
         of_targets.iter_mut().zip(corrected).for_each(|(of_target, corrected)| of_target.push(corrected));

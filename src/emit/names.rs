@@ -24,9 +24,9 @@ pub struct Names {
 }
 
 impl Names {
-    /// Names that collide with no word in any file of `program`; `core` is the core's RAPID text.
+    /// The names that the files of `program` take, in lower case; an outline has every word of its file.
     #[must_use]
-    pub fn new<'a>(program: &Program, core: impl Iterator<Item = &'a str>) -> Self {
+    pub fn taken(program: &Program) -> BTreeSet<String> {
         let mut taken = BTreeSet::new();
         for file in &program.files {
             words(&file.bytes, |word| {
@@ -40,6 +40,12 @@ impl Names {
                 taken.remove(&name);
             }
         }
+        taken
+    }
+
+    /// Names that collide with none of `taken`; `core` is the core's RAPID text.
+    #[must_use]
+    pub fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
         let mut ours = BTreeSet::new();
         for text in core {
             words(text.as_bytes(), |word| {

@@ -84,7 +84,7 @@ pub struct EmitOptions {
     pub absolute_accuracy: bool,
 }
 
-/// One file of the emitted program.
+/// One file of the emitted program; of one that is `on_disk` perhaps a piece, the next of those with the same path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EmittedFile {
     /// The file it comes from; `None` for one that is new.

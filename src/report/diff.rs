@@ -2,7 +2,7 @@
 
 use crate::syntax::Edit;
 use similar::TextDiff;
-use std::io::{self, Write};
+use std::io::{self, BufRead, Seek, Write};
 use std::time::Duration;
 
 /// Unchanged lines shown round a change.
@@ -54,14 +54,33 @@ pub fn write_edits(
     Ok(())
 }
 
-/// The diff that creates a file.
+/// The diff that creates a file, which is read twice: for the number of its lines, and for the lines.
 ///
 /// # Errors
-/// Those of `out`.
-pub fn write_created(out: &mut dyn Write, new_path: &str, bytes: &[u8]) -> io::Result<()> {
-    let lines = Lines::new(bytes);
-    writeln!(out, "--- /dev/null\n+++ {new_path}\n@@ -0,0 +1,{} @@", lines.count())?;
-    write_lines(out, b'+', (0..lines.count()).map(|i| lines.of(bytes, i)))
+/// Those of `out` and of `from`.
+pub fn write_created(
+    out: &mut dyn Write,
+    new_path: &str,
+    from: &mut (impl BufRead + Seek),
+) -> io::Result<()> {
+    let (mut lines, mut ended) = (0, true);
+    loop {
+        let read = from.fill_buf()?;
+        let Some(last) = read.last() else { break };
+        lines += memchr::memchr_iter(b'\n', read).count();
+        ended = *last == b'\n';
+        let length = read.len();
+        from.consume(length);
+    }
+    lines += usize::from(!ended);
+    writeln!(out, "--- /dev/null\n+++ {new_path}\n@@ -0,0 +1,{lines} @@")?;
+    from.rewind()?;
+    let mut line = Vec::new();
+    while from.read_until(b'\n', &mut line)? > 0 {
+        write_lines(out, b'+', std::iter::once(line.as_slice()))?;
+        line.clear();
+    }
+    Ok(())
 }
 
 /// The diff of two texts; nothing where they are equal.
@@ -296,12 +315,23 @@ mod tests {
 
     #[test]
     fn a_new_file_is_all_additions() {
-        let mut out = Vec::new();
-        write_created(&mut out, "tcCore.mod", b"MODULE tcCore\nENDMODULE\n").unwrap();
-        assert_eq!(
-            String::from_utf8(out).unwrap(),
-            "--- /dev/null\n+++ tcCore.mod\n@@ -0,0 +1,2 @@\n+MODULE tcCore\n+ENDMODULE\n"
-        );
+        let created = |text: &str, at_once: usize| {
+            let mut out = Vec::new();
+            let from = io::Cursor::new(text.as_bytes());
+            write_created(&mut out, "x.mod", &mut io::BufReader::with_capacity(at_once, from)).unwrap();
+            String::from_utf8(out).unwrap()
+        };
+        for at_once in [1, 5, 100] {
+            assert_eq!(
+                created("MODULE tcCore\nENDMODULE\n", at_once),
+                "--- /dev/null\n+++ x.mod\n@@ -0,0 +1,2 @@\n+MODULE tcCore\n+ENDMODULE\n"
+            );
+            assert_eq!(
+                created("a\nb", at_once),
+                "--- /dev/null\n+++ x.mod\n@@ -0,0 +1,2 @@\n+a\n+b\n\\ No newline at end of file\n"
+            );
+            assert_eq!(created("", at_once), "--- /dev/null\n+++ x.mod\n@@ -0,0 +1,0 @@\n");
+        }
     }
 
     #[test]

@@ -22,11 +22,13 @@ use std::sync::Arc;
 
 /// Reads the files.
 pub fn program(files: &[(&str, &[u8])]) -> Program {
-    let mut program = Program::default();
-    for (i, (path, bytes)) in files.iter().enumerate() {
-        program.files.push(SourceFile::read(FileId(i as u32), *path, bytes.to_vec()));
-    }
-    let files = program.files.clone();
+    let read = |(i, (path, bytes)): (u32, &(&str, &[u8]))| SourceFile::read(FileId(i), *path, bytes.to_vec());
+    program_of((0..).zip(files).map(read).collect())
+}
+
+/// Understands files that were read.
+pub fn program_of(files: Vec<SourceFile>) -> Program {
+    let mut program = Program { files: files.clone(), ..Program::default() };
     for file in &files {
         for item in &file.tree.items {
             let FileItem::Module(module) = item else { continue };

@@ -15,7 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::emit::EmittedFile;
 use crate::program::Program;
 use crate::report;
-use std::io::{BufWriter, Write};
+use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
 /// A diff on standard output is cut after so many lines.
@@ -51,26 +51,27 @@ fn work(args: &Args, console: &mut Console, quiet: bool) -> Result<Made, Box<Ref
     let mut diff_file = diff_file(args)?;
     let joints_file = Output::new(args.joints_csv.as_deref())?;
     let quiet = quiet || joints_file.is_standard();
-    let (diff_file_wanted, shown) = (diff_file.is_some(), !quiet && args.diff.is_none());
+    let shown = !quiet && args.diff.is_none();
 
     // File by file: the result of a large program is larger than what is needed to make it.
     let mut writing = Writing::default();
     let mut head = Vec::new();
     let mut cut = report::Cut::new(&mut head, if quiet || args.diff.is_some() { 0 } else { DIFF_LINES });
+    let diff: Option<&mut dyn Write> = match &mut diff_file {
+        Some(pending) => Some(pending.out()),
+        None if shown => Some(&mut cut),
+        None => None,
+    };
+    let mut diff = diff.map(|out| BufWriter::with_capacity(1 << 16, out));
     let mut take = |program: &Program, file: EmittedFile| {
-        let diff: &mut dyn Write = match &mut diff_file {
-            Some(pending) => pending.out(),
-            None => &mut cut,
-        };
-        if diff_file_wanted || shown {
-            let mut diff = BufWriter::with_capacity(1 << 16, diff);
-            let written =
-                write_diff(&mut diff, program, &file, &given, &destination).and_then(|()| diff.flush());
-            written.map_err(|cause| no_output(&cause))?;
+        if let Some(diff) = &mut diff {
+            write_diff(diff, program, &file, &given, &destination).map_err(|cause| no_output(&cause))?;
         }
         writing.add(&destination, &given, file)
     };
     let made = console.while_busy("compensating", || job.make(&given, &mut take))?;
+    let whole = diff.map_or(Ok(()), |diff| write_on_disk(diff, &writing));
+    whole.map_err(|message| made.refuse(message))?;
     let dropped = cut.dropped;
 
     let joints = args.joints_csv.is_some().then(|| job.joints(&made)).transpose();
@@ -104,6 +105,16 @@ fn show(args: &Args, console: &mut Console, made: &Made, diff: &[u8], dropped: u
         writeln!(console.out(), "... and {dropped} more lines; --diff FILE writes all of them")?;
     }
     console.out().flush()
+}
+
+/// The diff of the files on the controller's disk, which are whole now.
+fn write_on_disk(mut diff: BufWriter<&mut dyn Write>, writing: &Writing) -> Result<(), Diagnostic> {
+    for (path, file) in writing.on_disk() {
+        let mut file = BufReader::with_capacity(1 << 16, file?);
+        report::write_created(&mut diff, &path.display().to_string(), &mut file)
+            .map_err(|cause| no_output(&cause))?;
+    }
+    diff.flush().map_err(|cause| no_output(&cause))
 }
 
 fn diff_file(args: &Args) -> Result<Option<Pending>, Diagnostic> {

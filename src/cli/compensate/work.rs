@@ -4,11 +4,11 @@ use super::{Args, FormName, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::{self, Given};
 use crate::cli::model::{self, Named};
-use crate::compensate::plan::{Plan, Status, Totals};
+use crate::compensate::plan::{Plan, Totals};
 use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::emit::{EmitError, EmitOptions, EmittedFile, Form, Memory, emit_each, megabytes};
+use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile, Form, Memory, megabytes};
 use crate::program::motion::Keep;
 use crate::program::{Overrides, Program};
 use crate::report::{self, Compensation, MotionRows, Review, Told};
@@ -38,6 +38,8 @@ pub struct Made {
     pub program: Program,
     /// What becomes of it.
     pub plan: Plan,
+    /// Counts over the whole program.
+    totals: Totals,
     /// How the targets are held.
     pub form: Form,
     /// Clock and index are in the module itself.
@@ -125,24 +127,16 @@ impl Job {
         if messages.iter().any(is_error) {
             return Err(Refusal::of(program, Some(plan), messages));
         }
-        let mut options = self.emit.clone();
-        if self.form == FormName::Auto {
-            options.form = Memory::of_plan(&program, &plan).suits();
-        }
+        let totals = Totals::of(&program, &plan);
         let mut embedded = true;
         let mut hand_over = |file: EmittedFile| {
             embedded &= file.source.is_some() || file.on_disk;
             take(&program, file).map_err(Halt::Taking)
         };
-        let mut emitted = emit_each(&program, &plan, &options, &mut hand_over);
-        if self.form == FormName::Auto && matches!(emitted, Err(Halt::Emit(EmitError::NoRun))) {
-            options.form = Form::Schedule;
-            emitted = emit_each(&program, &plan, &options, &mut hand_over);
-        }
-        match emitted {
-            Ok(()) => {
+        match self.emitted(&program, &plan, &totals, &mut hand_over) {
+            Ok(form) => {
                 let provenance = self.provenance(given);
-                Ok(Made { program, plan, form: options.form, embedded, messages, provenance })
+                Ok(Made { program, plan, totals, form, embedded, messages, provenance })
             }
             Err(halt) => {
                 let why = match halt {
@@ -153,6 +147,31 @@ impl Job {
                 Err(Refusal::of(program, Some(plan), messages))
             }
         }
+    }
+
+    /// Emits in the form that was asked for, or in the one that suits. Gives that form.
+    fn emitted(
+        &self,
+        program: &Program,
+        plan: &Plan,
+        totals: &Totals,
+        take: &mut dyn FnMut(EmittedFile) -> Result<(), Halt>,
+    ) -> Result<Form, Halt> {
+        let mut emission = Emission::new(&self.emit, self.form != FormName::Schedule);
+        emission.look(program, plan)?;
+        let chosen = self.form != FormName::Auto;
+        let suits = Memory::of_totals(totals, plan.schedule.buckets.len()).suits();
+        let mut form = if chosen { self.emit.form } else { suits };
+        let mut ready = emission.ready(form, &plan.schedule, totals);
+        if !chosen && matches!(ready, Err(EmitError::NoRun)) {
+            form = Form::Schedule;
+            ready = emission.ready(form, &plan.schedule, totals);
+        }
+        if let Some(ready) = ready? {
+            ready.emit(program, plan, take)?;
+            ready.finish(take)?;
+        }
+        Ok(form)
     }
 
     /// The table of joints at every minute.
@@ -267,7 +286,7 @@ impl Made {
 
     /// The form, and what it takes of the controller's memory, in a sentence.
     pub fn about_form(&self) -> String {
-        let memory = Memory::of_plan(&self.program, &self.plan);
+        let memory = Memory::of_totals(&self.totals, self.plan.schedule.buckets.len());
         let (form, other) = match self.form {
             Form::Schedule => ("schedule", "modules"),
             Form::Modules => ("modules", "schedule"),
@@ -282,8 +301,7 @@ impl Made {
 
     /// What must be known before the module is loaded beside others, where there is something.
     pub fn about_core(&self) -> Option<&'static str> {
-        let compensated = self.plan.motions.iter().any(|motion| motion.status == Status::Compensated);
-        (self.embedded && compensated).then_some(
+        (self.embedded && self.totals.compensated > 0).then_some(
             "the clock is in the module itself, under global names: no other module with a clock of its own loads beside \
              it; compensate the modules of one task in one run",
         )
@@ -300,7 +318,7 @@ impl Made {
             schedule: &self.plan.schedule,
             temperature_c: self.plan.temperature_c,
             summary: &self.plan.summary,
-            totals: &Totals::of(&self.program, &self.plan),
+            totals: &self.totals,
             rows: &rows,
             provenance: &self.provenance,
         };
@@ -314,7 +332,7 @@ impl Made {
     }
 }
 
-/// The diff of a changed file.
+/// The diff of a changed file; nothing of what comes in pieces, which is compared when it is whole.
 ///
 /// # Errors
 /// Those of `out`.
@@ -331,7 +349,8 @@ pub fn write_diff(
             let source = program.file(id);
             report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)
         }
-        None => report::write_created(out, &path, &file.bytes),
+        None if file.on_disk => Ok(()),
+        None => report::write_created(out, &path, &mut io::Cursor::new(&file.bytes)),
     }
 }
 
