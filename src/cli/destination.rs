@@ -287,6 +287,49 @@ mod tests {
     use super::*;
 
     #[test]
+    fn pieces_of_a_file_are_written_one_behind_the_other() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["A.mod", "B.mod"] {
+            fs::write(folder.path().join(name), format!("MODULE {name}")).unwrap();
+        }
+        let given = Given::read(&[folder.path().to_path_buf()]).unwrap();
+        let out = tempfile::tempdir().unwrap();
+        let to = Destination::new(&given, Some(out.path()), false).unwrap();
+        let emitted = |source: Option<u32>, name: &str, text: &str| EmittedFile {
+            source: source.map(FileId),
+            on_disk: name.starts_with("HOME/"),
+            path: folder.path().join(name).to_string_lossy().replace('\\', "/"),
+            bytes: text.as_bytes().to_vec(),
+            edits: Vec::new(),
+        };
+        let mut writing = Writing::default();
+        for (source, name, text) in [
+            (Some(0), "A.mod", "a"),
+            (None, "HOME/b0.mod", "first,"),
+            (None, "HOME/b1.mod", "other,"),
+            (Some(1), "B.mod", "bb"),
+            (None, "HOME/b0.mod", "second,"),
+            (None, "tcCore.mod", "core"),
+            (None, "HOME/b0.mod", "end"),
+            (None, "HOME/b1.mod", "end"),
+        ] {
+            writing.add(&to, &given, emitted(source, name, text)).unwrap();
+        }
+        let on_disk = writing.on_disk().map(|(path, file)| {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            (name, std::io::read_to_string(file.unwrap()).unwrap())
+        });
+        let expected = [("b0.mod", "first,second,end"), ("b1.mod", "other,end")];
+        assert_eq!(on_disk.collect::<Vec<_>>(), expected.map(|(name, text)| (name.into(), text.into())));
+        let written = writing.finish(&to, &given).unwrap();
+        let places = [("A.mod", 1), ("B.mod", 2), ("tcCore.mod", 4), ("HOME/b0.mod", 16), ("HOME/b1.mod", 9)];
+        assert_eq!(written, places.map(|(place, size)| (out.path().join(place), size)));
+        for (path, size) in written {
+            assert_eq!(fs::metadata(&path).unwrap().len(), size as u64, "{}", path.display());
+        }
+    }
+
+    #[test]
     fn names_get_tc_before_the_extension() {
         assert_eq!(with_tc(Path::new("a/Cube45.MOD"), true), PathBuf::from("a/Cube45_tc.MOD"));
         assert_eq!(with_tc(Path::new("a/cell.pgf"), false), PathBuf::from("a/cell_tc"));
