@@ -239,9 +239,9 @@ impl Writing {
     pub fn finish(mut self, to: &Destination, given: &Given) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
         to.check_new(given, &self.emitted)?;
         if to.whole {
-            for (id, (path, bytes)) in (0..).zip(to.modules.iter().zip(&given.bytes)) {
-                if !self.emitted.iter().any(|file| file.source == Some(FileId(id))) {
-                    self.put(path, &mut &**bytes)?;
+            for (id, path) in to.modules.iter().enumerate() {
+                if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
+                    self.put(path, &mut &*given.content(id)?)?;
                 }
             }
         }

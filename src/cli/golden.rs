@@ -121,15 +121,15 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         result.entry(place).or_default().extend(file.bytes);
         Ok(())
     };
-    let job = Job::new(&args)?.make(&given, &mut take);
-    let messages = match job {
+    let job = Job::new(&args)?;
+    let messages = match job.make(&given, true, &mut take) {
         Ok(made) => {
             for (path, place) in on_disk {
                 let bytes = result.get(&place).map(Vec::as_slice).unwrap_or_default();
                 report::write_created(&mut diff, &path.display().to_string(), &mut Cursor::new(bytes))?;
             }
             let mut text = Vec::new();
-            made.write_review(&mut text, true)?;
+            made.write_review(&mut text)?;
             result.insert("review.txt".to_owned(), text);
             result.insert("changes.diff".to_owned(), diff);
             made.messages

@@ -13,7 +13,7 @@ use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
 use crate::compensate::targets::{self, Target};
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::Configuration;
-use crate::report::{JointRow, write_joints};
+use crate::report::{JointRow, JointTable};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use anyhow::Context;
 use nalgebra::UnitQuaternion;
@@ -94,7 +94,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 fn joints_text(file: &str, targets: &[Target], table: &Table) -> anyhow::Result<Vec<u8>> {
-    let rows = table.rows.iter().filter_map(|row| {
+    let mut rows = table.rows.iter().filter_map(|row| {
         let target = targets.get(row.target)?;
         Some(JointRow {
             target: target.name.as_str().into(),
@@ -107,7 +107,11 @@ fn joints_text(file: &str, targets: &[Target], table: &Table) -> anyhow::Result<
         })
     });
     let mut text = Vec::new();
-    write_joints(&mut text, rows).context("the table of joints")?;
+    let written = JointTable::new(&mut text).and_then(|mut table| {
+        rows.try_for_each(|row| table.add(row))?;
+        table.finish()
+    });
+    written.context("the table of joints")?;
     Ok(text)
 }
 

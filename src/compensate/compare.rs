@@ -3,6 +3,7 @@
 //!
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
+use super::exits::Exits;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::resolve;
@@ -15,6 +16,7 @@ use crate::program::data::RobTarget;
 use crate::program::motion::{Motion, Target, TargetValue};
 use crate::robot::Robot;
 use nalgebra::Isometry3;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Two programs, compared.
@@ -114,8 +116,8 @@ pub struct ArmStep {
 /// [`CompensateError::Structure`] where the robot has no closed form.
 pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Comparison, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
-    let model = Model::new(robot, &rigid, &Options::default(), None)?;
-    let resolved = resolve(before, &model, &mut Messages::default());
+    let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
+    let resolved = resolve(before, &model, &Exits::default(), &mut Messages::default());
     let mut out = Comparison::default();
     let mut others = by_routine(after);
     for (key, own) in by_routine(before) {

@@ -1,6 +1,7 @@
 //! What an identified model asks of each motion besides its joints: the load from the tool, the direction from the
 //! program's own order of motions; and warnings where a motion leaves the ranges in which the model was found.
 
+use super::exits::Exits;
 use super::messages::{Messages, place};
 use super::model::Model;
 use super::nominal::{Point, Resolved};
@@ -25,12 +26,16 @@ const SLACK_C: f64 = 1.0;
 const SLACK_KG: f64 = 0.1;
 
 /// Fills in load and direction of every point, where the model depends on them.
-pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
+pub(super) fn fill(program: &Program, model: &Model<'_>, exits: &Exits, resolved: &mut [Resolved]) {
     let Some(identified) = &model.identified else { return };
     let needs_load = identified.needs_load() || identified.terms.iter().any(|t| t.held_above_n_m.is_some());
-    let directions = if identified.needs_direction() { directions(program, resolved) } else { Vec::new() };
+    let directions =
+        if identified.needs_direction() { directions(program, exits, resolved) } else { Vec::new() };
     for (i, resolved) in resolved.iter_mut().enumerate() {
         let Some(motion) = program.motions.get(i) else { continue };
+        if exits.of_motion(program, motion).is_some() {
+            continue;
+        }
         let payload = if needs_load { payload(motion, model.payload_kg) } else { Payload::default() };
         let of_motion = directions.get(i).map_or(&[][..], Vec::as_slice);
         for (k, point) in resolved.points.iter_mut().flatten().enumerate() {
@@ -40,6 +45,7 @@ pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolve
         if let Some(end) = resolved.kept_end_mut() {
             end.conditions = Conditions { payload, direction: of_motion.last().copied().unwrap_or_default() };
         }
+        resolved.direction = of_motion.last().copied().unwrap_or_default();
     }
 }
 
@@ -63,9 +69,14 @@ fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
 }
 
 /// For each motion and each of its points the sign of each joint's last motion; 0 where nothing says it.
-fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
-    let mut done: Vec<Option<Vec<[i8; 6]>>> = vec![None; resolved.len()];
+fn directions(program: &Program, exits: &Exits, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
+    let known = |motion: &Motion| exits.of_motion(program, motion).map(|exit| vec![exit.direction]);
+    let mut done: Vec<Option<Vec<[i8; 6]>>> = program.motions.iter().map(known).collect();
+    done.resize(resolved.len(), None);
     for first in 0..resolved.len() {
+        if done[first].is_some() {
+            continue;
+        }
         // Back along the motions before, then forward again.
         let mut way = vec![first];
         while let Some(previous) = way.last().and_then(|&i| program.motions.get(i)?.previous)
@@ -110,19 +121,13 @@ fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
     done.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// Warns of what the model does not know of these motions.
+/// Warns of what the model does not know of a part's own motions.
 pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
-    // One message: of several with one code only the first is shown, and each of these is something else.
-    if !model.left_out.is_empty() {
-        let text = format!("of the model {}", model.left_out.join("; "));
-        messages.add(None, Diagnostic::warning("model::left-out", text));
-    }
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     let playing: Vec<usize> =
         identified.terms.iter().filter(|t| t.kind == Kind::Backlash).filter_map(|t| t.joint).collect();
-    warmer(model, messages);
-    for (motion, resolved) in program.motions.iter().zip(resolved) {
+    for (motion, resolved) in program.motions.iter().zip(resolved).filter(|(m, _)| program.is_own(m)) {
         if unknown_grip && motion.grip.is_none() && resolved.points.iter().flatten().next().is_some() {
             let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
             let message = Diagnostic::warning("model::gripload", text).at(place(motion));
@@ -133,6 +138,19 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
         for point in resolved.points.iter().flatten() {
             check_point(motion, point, model, &playing, messages);
         }
+    }
+}
+
+/// Warns of what the model has that a program cannot have, and of the conditions for which it is asked.
+pub(super) fn check_model(model: &Model<'_>, schedule: Option<&Schedule>, messages: &mut Messages) {
+    // One message: of several with one code only the first is shown, and each of these is something else.
+    if !model.left_out.is_empty() {
+        let text = format!("of the model {}", model.left_out.join("; "));
+        messages.add(None, Diagnostic::warning("model::left-out", text));
+    }
+    warmer(model, messages);
+    if let Some(schedule) = schedule {
+        check_schedule(model, schedule, messages);
     }
 }
 
@@ -199,7 +217,7 @@ fn check_point(
 }
 
 /// Warns where the schedule goes on after the minutes that were measured.
-pub(super) fn check_schedule(model: &Model<'_>, schedule: &Schedule, messages: &mut Messages) {
+fn check_schedule(model: &Model<'_>, schedule: &Schedule, messages: &mut Messages) {
     let Some(identified) = model.identified.as_ref().filter(|m| m.moves_with_time()) else { return };
     let (Some([_, high]), Some(last)) = (identified.seen.t_min, schedule.buckets.last()) else { return };
     if last.from_min > high + 1.0 {

@@ -9,7 +9,7 @@ use super::plan::{PlannedMotion, PlannedTarget, Status};
 use crate::deform::DeformedArm;
 use crate::kinematics::{Configuration, solve};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
-use crate::program::motion::{Keep, Motion, TargetValue};
+use crate::program::motion::{Keep, Motion, Target, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use nalgebra::Vector3;
 
@@ -30,14 +30,7 @@ pub(super) struct Made {
 
 /// The plan of a motion that stays as it is.
 pub(super) fn kept(why: Keep) -> Made {
-    let planned = PlannedMotion {
-        status: Status::Kept(Box::new(why)),
-        targets: Vec::new(),
-        max_correction_m: 0.0,
-        max_correction_rad: 0.0,
-        mid_path_m: None,
-        error_m: None,
-    };
+    let planned = PlannedMotion { status: Status::Kept(Box::new(why)), ..no_figures() };
     Made { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
 }
 
@@ -50,14 +43,7 @@ pub(super) fn correct(
     options: &Options,
 ) -> Made {
     let mut made = Made {
-        planned: PlannedMotion {
-            status: Status::Compensated,
-            targets: Vec::with_capacity(points.len()),
-            max_correction_m: 0.0,
-            max_correction_rad: 0.0,
-            mid_path_m: None,
-            error_m: None,
-        },
+        planned: PlannedMotion { targets: Vec::with_capacity(points.len()), ..no_figures() },
         error_m: vec![[0.0; 2]; warm.len()],
         switch_jump_m: 0.0,
         worst_bucket: 0,
@@ -74,12 +60,7 @@ pub(super) fn correct(
         };
         made.add_corrections(point, &joints, model);
         made.add_errors(point, &joints, warm);
-        let pose = match &target.value {
-            Some(TargetValue::FromJoints(joints)) => Some(Box::new(pose_of(point, joints, model))),
-            _ => None,
-        };
-        let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
-        made.planned.targets.push(PlannedTarget { pose, nominal_q_rad, conditions });
+        made.planned.targets.push(planned_target(point, target, model));
     }
     let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
     made.planned.error_m = Some([over(0), over(1)]);
@@ -90,6 +71,34 @@ pub(super) fn correct(
         }
     }
     made
+}
+
+/// The plan of a motion that is known to be compensated; its figures are left out.
+pub(super) fn compensated(motion: &Motion, points: &[Point], model: &Model) -> PlannedMotion {
+    let targets = points.iter().zip(&motion.targets);
+    let targets = targets.map(|(point, target)| planned_target(point, target, model)).collect();
+    PlannedMotion { status: Status::Compensated, targets, ..no_figures() }
+}
+
+/// A motion of which nothing is known yet.
+fn no_figures() -> PlannedMotion {
+    PlannedMotion {
+        status: Status::Compensated,
+        targets: Vec::new(),
+        max_correction_m: 0.0,
+        max_correction_rad: 0.0,
+        mid_path_m: None,
+        error_m: None,
+    }
+}
+
+fn planned_target(point: &Point, target: &Target, model: &Model) -> PlannedTarget {
+    let pose = match &target.value {
+        Some(TargetValue::FromJoints(joints)) => Some(Box::new(pose_of(point, joints, model))),
+        _ => None,
+    };
+    let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
+    PlannedTarget { pose, nominal_q_rad, conditions }
 }
 
 /// The pose that joints mean, with the configuration that it is reached in.

@@ -19,8 +19,8 @@ pub(super) struct WarmArms {
 }
 
 impl WarmArms {
-    pub(super) fn new(model: &Model, warm: Vec<WarmBucket>) -> Self {
-        Self { nominal: model.nominal.clone(), at: warm.into_iter().map(|bucket| bucket.at).collect() }
+    pub(super) fn new(model: &Model, warm: &[WarmBucket]) -> Self {
+        Self { nominal: model.nominal.clone(), at: warm.iter().map(|bucket| bucket.at.clone()).collect() }
     }
 
     fn target(

@@ -4,7 +4,7 @@ use super::model::Model;
 use super::nominal::Point;
 use crate::deform::DeformedArm;
 use crate::kinematics::solve;
-use crate::schedule::{Drift, Moment};
+use crate::schedule::Moment;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -19,45 +19,68 @@ impl Point {
     }
 }
 
-/// All points that are to be corrected.
+/// Points of a program.
 pub(super) struct Points<'a> {
     pub(super) model: &'a Model<'a>,
     pub(super) points: Vec<&'a Point>,
 }
 
-impl Drift for Points<'_> {
-    fn targets(&self) -> usize {
-        self.points.len()
-    }
-
-    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
+impl Points<'_> {
+    /// How far each stands from where it is meant to be at a moment, uncorrected, metres.
+    pub(super) fn displacements_m(&self, moment: Moment) -> Vec<[f64; 3]> {
         let arm = self.model.arm(moment);
-        let one = |&i: &usize| {
-            let point = self.points[i];
-            point.miss_m(&arm, &point.q_rad).into()
-        };
-        if targets.len() < WORTH_SHARING {
-            targets.iter().map(one).collect()
+        let one = |point: &&Point| point.miss_m(&arm, &point.q_rad).into();
+        if self.points.len() < WORTH_SHARING {
+            self.points.iter().map(one).collect()
         } else {
-            targets.par_iter().with_min_len(WORTH_SHARING).map(one).collect()
+            self.points.par_iter().with_min_len(WORTH_SHARING).map(one).collect()
         }
     }
 
-    fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        let at = self.model.arm(Moment::Minute(at_min));
-        let arms: Vec<DeformedArm> = moments.iter().map(|&moment| self.model.arm(moment)).collect();
-        targets
-            .iter()
-            .map(|&i| {
-                let point = self.points[i];
-                let solved =
-                    solve(&at.under(&point.conditions), &point.base_from_flange, &point.q_rad).ok()?;
-                arms.iter().map(|arm| point.miss_m(arm, &solved.q_rad).norm()).reduce(f64::max)
+    /// For each pair of moments the point whose displacement differs most, the first of equals, and the square of how much,
+    /// metres squared.
+    pub(super) fn furthest_m2(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
+        let mut moments: Vec<Moment> = Vec::new();
+        let mut position = |moment: &Moment| {
+            moments.iter().position(|known| known == moment).unwrap_or_else(|| {
+                moments.push(*moment);
+                moments.len() - 1
             })
-            .collect()
+        };
+        let pairs: Vec<(usize, usize)> = pairs.iter().map(|(a, b)| (position(a), position(b))).collect();
+        let arms: Vec<DeformedArm> = moments.iter().map(|&moment| self.model.arm(moment)).collect();
+        let of_some = |(chunk, points): (usize, &[&Point])| {
+            let mut best = vec![(0, 0.0); pairs.len()];
+            for (i, point) in points.iter().enumerate() {
+                let missed: Vec<Vector3<f64>> =
+                    arms.iter().map(|arm| point.miss_m(arm, &point.q_rad)).collect();
+                for ((a, b), best) in pairs.iter().zip(&mut best) {
+                    let far_m2 = (missed[*a] - missed[*b]).norm_squared();
+                    if far_m2 > best.1 {
+                        *best = (chunk * WORTH_SHARING + i, far_m2);
+                    }
+                }
+            }
+            best
+        };
+        let chunks: Vec<_> = self.points.par_chunks(WORTH_SHARING).enumerate().map(of_some).collect();
+        let first = vec![(0, 0.0); pairs.len()];
+        chunks.into_iter().fold(first, |best, next| further(&best, &next))
     }
 
-    fn bends_min(&self) -> &[f64] {
-        &self.model.bends_min
+    /// For each point the worst distance over `moments` from where it is meant to be, corrected for `at_min`, metres.
+    pub(super) fn errors_m(&self, at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
+        let at = self.model.arm(Moment::Minute(at_min));
+        let arms: Vec<DeformedArm> = moments.iter().map(|&moment| self.model.arm(moment)).collect();
+        let one = |point: &&Point| {
+            let solved = solve(&at.under(&point.conditions), &point.base_from_flange, &point.q_rad).ok()?;
+            arms.iter().map(|arm| point.miss_m(arm, &solved.q_rad).norm()).reduce(f64::max)
+        };
+        self.points.iter().map(one).collect()
     }
+}
+
+/// The further of each two, the first of equals.
+pub(super) fn further(a: &[(usize, f64)], b: &[(usize, f64)]) -> Vec<(usize, f64)> {
+    a.iter().zip(b).map(|(a, b)| if b.1 > a.1 { *b } else { *a }).collect()
 }

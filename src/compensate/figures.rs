@@ -3,12 +3,12 @@
 use super::correct::Made;
 use super::drift::Points;
 use super::model::{Model, WarmBucket};
-use super::nominal::Resolved;
+use super::nominal::{Point, Resolved};
 use super::path::Leg;
 use super::plan::{PlannedMotion, Status, Summary};
-use super::rigid;
+use super::rigid::{self, Supports};
 use crate::program::Program;
-use crate::schedule::{Chosen, Drift, Moment, Schedule};
+use crate::schedule::{Chosen, Moment, Schedule};
 use rayon::prelude::*;
 
 /// The fine check's step, minutes, and how far it goes in the last bucket.
@@ -37,25 +37,27 @@ pub(super) fn follow_paths(
     });
 }
 
+/// The figures of no motion.
+pub(super) fn none_yet(chosen: &Chosen) -> Summary {
+    Summary {
+        until_min: chosen.until_min,
+        other_tolerances: chosen.other_tolerances.iter().filter_map(|&(m, n)| Some((m, n?))).collect(),
+        bucket_error_m: vec![[0.0; 2]; chosen.schedule.buckets.len()],
+        ..Summary::default()
+    }
+}
+
 /// The program's worst cases, over what is compensated, motion by motion.
 pub(super) struct Tally {
     summary: Summary,
-    /// For each bucket the motion that is furthest off in it, the points that the fine check looks at: how far, from which
-    /// point on, and how many.
-    furthest: Vec<(f64, usize, usize)>,
-    points: usize,
+    /// For each bucket the points of the motion that is furthest off in it, which the fine check looks at, and how far it is.
+    furthest: Vec<(f64, Vec<Point>)>,
 }
 
 impl Tally {
     pub(super) fn new(chosen: &Chosen) -> Self {
-        let buckets = chosen.schedule.buckets.len();
-        let summary = Summary {
-            until_min: chosen.until_min,
-            other_tolerances: chosen.other_tolerances.iter().filter_map(|&(m, n)| Some((m, n?))).collect(),
-            bucket_error_m: vec![[0.0; 2]; buckets],
-            ..Summary::default()
-        };
-        Self { summary, furthest: vec![(0.0, 0, 0); buckets], points: 0 }
+        let furthest = vec![(0.0, Vec::new()); chosen.schedule.buckets.len()];
+        Self { summary: none_yet(chosen), furthest }
     }
 
     /// Takes the next motion in.
@@ -65,41 +67,37 @@ impl Tally {
         if made.planned.status != Status::Compensated {
             return;
         }
-        let points = resolved.points.as_deref().unwrap_or_default().len();
+        let points = resolved.points.as_deref().unwrap_or_default();
         for (furthest, error_m) in self.furthest.iter_mut().zip(&made.error_m) {
             self.summary.worst_before_m = self.summary.worst_before_m.max(error_m[0]);
             self.summary.worst_after_m = self.summary.worst_after_m.max(error_m[1]);
             if error_m[1] > furthest.0 {
-                *furthest = (error_m[1], self.points, points);
+                *furthest = (error_m[1], points.to_vec());
             }
         }
         self.summary.worst_switch_jump_m = self.summary.worst_switch_jump_m.max(made.switch_jump_m);
-        self.points += points;
     }
 
-    /// What has come of all motions.
+    /// What has come of all motions that were taken in, `compensated` being their points; and what holds the rival's shifts.
     pub(super) fn summary(
         self,
         model: &Model,
-        resolved: &[Resolved],
-        planned: &[PlannedMotion],
+        compensated: Vec<&Point>,
         schedule: &Schedule,
-    ) -> Summary {
+    ) -> (Summary, Supports) {
         let mut summary = self.summary;
-        let compensated = resolved.iter().zip(planned).filter(|(_, p)| p.status == Status::Compensated);
-        let points = compensated.flat_map(|(r, _)| r.points.as_deref().unwrap_or_default()).collect();
-        let drift = Points { model, points };
-        for (bucket, (_, first, targets)) in schedule.buckets.iter().zip(self.furthest) {
+        for (bucket, (_, points)) in schedule.buckets.iter().zip(&self.furthest) {
             let to_min = bucket.to_min.unwrap_or(bucket.from_min + LAST_MIN);
             let steps = ((to_min - bucket.from_min) / FINE_MIN).ceil();
             let moments: Vec<Moment> = (0..=steps as u32)
                 .map(|k| Moment::Minute((bucket.from_min + FINE_MIN * f64::from(k)).min(to_min)))
                 .collect();
-            let targets: Vec<usize> = (first..first + targets).collect();
-            let fine = drift.errors_m(&targets, bucket.at_min, &moments);
+            let drift = Points { model, points: points.iter().collect() };
+            let fine = drift.errors_m(bucket.at_min, &moments);
             summary.worst_after_m = fine.into_iter().flatten().fold(summary.worst_after_m, f64::max);
         }
-        summary.rigid_shift_worst_m = rigid::worst_m(&drift, schedule);
-        summary
+        let (rigid_m, supports) = rigid::worst_m(&Points { model, points: compensated }, schedule);
+        summary.rigid_shift_worst_m = rigid_m;
+        (summary, supports)
     }
 }

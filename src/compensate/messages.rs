@@ -10,7 +10,7 @@ use crate::units::mm_from_m;
 use std::collections::BTreeMap;
 
 /// Messages by routine and code.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Messages(BTreeMap<(Option<usize>, &'static str), (Diagnostic, usize)>);
 
 impl Messages {
@@ -40,7 +40,7 @@ impl Messages {
 
     /// What was kept and refused, and why.
     pub(super) fn add_statuses(&mut self, program: &Program, planned: &[PlannedMotion]) {
-        for (motion, planned) in program.motions.iter().zip(planned) {
+        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
             match &planned.status {
                 Status::Compensated => {}
                 Status::Kept(why) => self.add_kept(motion, why),
@@ -60,7 +60,7 @@ impl Messages {
     /// Linear moves that leave their line.
     pub(super) fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
         let mut worst: BTreeMap<usize, (f64, &Motion, usize)> = BTreeMap::new();
-        for (motion, planned) in program.motions.iter().zip(planned) {
+        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
             let Some(far_m) = planned.mid_path_m else { continue };
             if motion.path == Path::Linear && far_m > options.path_tolerance_m {
                 let entry = worst.entry(motion.routine).or_insert((far_m, motion, 0));

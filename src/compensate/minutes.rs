@@ -1,14 +1,12 @@
 //! The offline table: each compensated target's joints at every minute, streamed.
 
 use super::messages::Messages;
-use super::model::Model;
-use super::nominal::{Point, resolve};
+use super::nominal::Point;
 use super::plan::{Plan, Status};
-use super::{CompensateError, Options};
-use crate::deform::{Deformation, DeformedArm};
+use super::{CompensateError, Planner};
+use crate::deform::DeformedArm;
 use crate::kinematics::solve;
-use crate::program::Program;
-use crate::robot::Robot;
+use crate::program::Part;
 use crate::schedule::Moment;
 use rayon::prelude::*;
 
@@ -32,42 +30,49 @@ pub struct MinuteJoints {
     pub residual_m: f64,
 }
 
-/// Every compensated target at every whole minute from 0 to `until_min`, target by target.
-///
-/// A target that the warm arm does not reach at a minute has no row there.
-///
-/// # Errors
-/// As [`plan`](super::plan()).
-pub fn joints_every_minute(
-    program: &Program,
-    robot: &Robot,
-    deformation: &Deformation,
-    options: &Options,
-    plan: &Plan,
-    until_min: f64,
-) -> Result<impl Iterator<Item = MinuteJoints>, CompensateError> {
-    let model = Model::new(robot, deformation, options, None)?;
-    let minutes: Vec<(f64, DeformedArm)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
-        .map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t)))))
-        .collect();
-    let points: Vec<(usize, usize, Point)> = resolve(program, &model, &mut Messages::default())
-        .into_iter()
-        .zip(&plan.motions)
-        .enumerate()
-        .filter(|(_, (_, planned))| planned.status == Status::Compensated)
-        .flat_map(|(i, (resolved, _))| {
-            resolved.points.into_iter().flatten().enumerate().map(move |(target, point)| (i, target, point))
-        })
-        .collect();
-    let starts = (0..points.len()).step_by(AT_ONE_GO);
-    Ok(starts.flat_map(move |start| {
-        let end = (start + AT_ONE_GO).min(points.len());
-        let rows: Vec<Vec<MinuteJoints>> = points[start..end]
-            .par_iter()
-            .map(|(motion, target, point)| over_minutes(*motion, *target, point, &minutes))
+impl Planner<'_> {
+    /// Every compensated target of a part at every whole minute from 0 to `until_min`, target by target.
+    ///
+    /// A target that the warm arm does not reach at a minute has no row there.
+    ///
+    /// # Errors
+    /// [`CompensateError::Temperature`] where the schedule goes by temperature.
+    pub fn joints_every_minute(
+        &self,
+        part: Part<'_>,
+        plan: &Plan,
+        until_min: f64,
+    ) -> Result<impl Iterator<Item = MinuteJoints>, CompensateError> {
+        let model = self.model()?;
+        let minutes: Vec<(f64, DeformedArm)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
+            .map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t)))))
             .collect();
-        rows.into_iter().flatten()
-    }))
+        let program = part.program;
+        let compensated = |i: usize| {
+            let is_own = program.motions.get(i).is_some_and(|motion| program.is_own(motion));
+            is_own && plan.motions.get(i).is_some_and(|planned| planned.status == Status::Compensated)
+        };
+        let resolved = self
+            .resolved(part, &mut Messages::default())
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| compensated(*i));
+        let points: Vec<(usize, usize, Point)> = resolved
+            .flat_map(|(i, resolved)| {
+                let points = resolved.points.into_iter().flatten().enumerate();
+                points.map(move |(target, point)| (i, target, point))
+            })
+            .collect();
+        let starts = (0..points.len()).step_by(AT_ONE_GO);
+        Ok(starts.flat_map(move |start| {
+            let end = (start + AT_ONE_GO).min(points.len());
+            let rows: Vec<Vec<MinuteJoints>> = points[start..end]
+                .par_iter()
+                .map(|(motion, target, point)| over_minutes(*motion, *target, point, &minutes))
+                .collect();
+            rows.into_iter().flatten()
+        }))
+    }
 }
 
 fn over_minutes(

@@ -6,12 +6,13 @@ use crate::deform::{Deformation, DeformedArm, Index};
 use crate::kinematics::{Chain, ClosedForm};
 use crate::robot::Robot;
 use crate::schedule::{Bucket, Moment, Schedule};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Nominal and deformed arm.
 pub(super) struct Model<'a> {
     robot: &'a Robot,
-    deformation: &'a Deformation,
+    deformation: Cow<'a, Deformation>,
     pub(super) nominal: Chain,
     pub(super) closed: ClosedForm,
     pub(super) bends_min: Vec<f64>,
@@ -28,7 +29,7 @@ pub(super) struct Model<'a> {
 impl<'a> Model<'a> {
     pub(super) fn new(
         robot: &'a Robot,
-        deformation: &'a Deformation,
+        deformation: Cow<'a, Deformation>,
         options: &Options,
         from_c: Option<f64>,
     ) -> Result<Self, CompensateError> {

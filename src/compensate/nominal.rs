@@ -2,6 +2,7 @@
 //! comes from.
 
 use super::conditions;
+use super::exits::Exits;
 use super::messages::{Messages, place};
 use super::model::Model;
 use super::placement::{Placement, keep};
@@ -21,7 +22,7 @@ const WRIST_DEG: f64 = 2.0;
 const SAME_RAD: f64 = 1e-6;
 
 /// One target of a motion, placed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Point {
     pub(super) placement: Arc<Placement>,
     pub(super) base_from_flange: Isometry3<f64>,
@@ -42,7 +43,7 @@ impl Point {
 }
 
 /// A motion as far as the nominal arm goes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Resolved {
     /// Its targets, or why it stays as it is.
     pub(super) points: Result<Vec<Point>, Keep>,
@@ -51,6 +52,8 @@ pub(super) struct Resolved {
     /// Where a motion that stays as it is ends, where that is known exactly: not so after program displacements,
     /// searches and the like.
     kept_end: Option<Box<Point>>,
+    /// The sign of each joint's last motion when it ends, where a model asks for it; 0 where nothing says it.
+    pub(super) direction: [i8; 6],
 }
 
 impl Resolved {
@@ -95,10 +98,18 @@ enum Note {
     Unset,
 }
 
-/// All motions of a program, in their order.
-pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages) -> Vec<Resolved> {
+/// All motions of a program, in their order; those of outlines end where their own part has found them to end.
+pub(super) fn resolve(
+    program: &Program,
+    model: &Model,
+    exits: &Exits,
+    messages: &mut Messages,
+) -> Vec<Resolved> {
     let motions = &program.motions;
-    let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
+    let mut done: Vec<Option<Resolved>> =
+        motions.iter().map(|motion| exits.of_motion(program, motion).cloned()).collect();
+    // What there is to be said of motions in outlines is said with their own part.
+    let mut unsaid = Messages::default();
     let mut waiting = vec![false; motions.len()];
     // The last placement seen: most motions share it.
     let mut seen = None;
@@ -120,13 +131,14 @@ pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages)
                 continue;
             }
             let history = previous.and_then(|p| done[p].as_ref()).and_then(Resolved::exit_q_rad);
+            let messages = if program.is_own(&motions[i]) { &mut *messages } else { &mut unsaid };
             done[i] = Some(resolve_motion(&motions[i], history, model, &mut seen, messages));
             stack.pop();
         }
     }
     let mut resolved = Vec::with_capacity(done.len());
     resolved.extend(done.into_iter().flatten());
-    conditions::fill(program, model, &mut resolved);
+    conditions::fill(program, model, exits, &mut resolved);
     resolved
 }
 
@@ -148,7 +160,7 @@ fn resolve_motion(
         (None, Err(why)) => (Err(why), None),
     };
     let kept_exit_q_rad = exit_q_rad.filter(|_| points.is_err()).map(Box::new);
-    Resolved { points, kept_exit_q_rad, kept_end }
+    Resolved { points, kept_exit_q_rad, kept_end, direction: [0; 6] }
 }
 
 /// Why the arm cannot be corrected there at all.

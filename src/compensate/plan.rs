@@ -205,3 +205,16 @@ pub struct Summary {
     /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
     pub other_tolerances: Vec<(f64, usize)>,
 }
+
+impl Summary {
+    /// Takes in the figures of another part of the program.
+    pub fn add(&mut self, other: &Self) {
+        self.worst_before_m = self.worst_before_m.max(other.worst_before_m);
+        self.worst_after_m = self.worst_after_m.max(other.worst_after_m);
+        self.worst_switch_jump_m = self.worst_switch_jump_m.max(other.worst_switch_jump_m);
+        self.rigid_shift_worst_m = self.rigid_shift_worst_m.max(other.rigid_shift_worst_m);
+        for (own, other) in self.bucket_error_m.iter_mut().zip(&other.bucket_error_m) {
+            *own = [own[0].max(other[0]), own[1].max(other[1])];
+        }
+    }
+}

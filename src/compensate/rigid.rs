@@ -1,36 +1,46 @@
 //! The cheap rival: one shift of the work object per bucket, the same for all targets.
 
 use super::drift::Points;
-use crate::schedule::{Drift, Moment, Schedule};
+use crate::schedule::{Moment, Schedule};
 use nalgebra::Vector3;
 
-/// What the best shift per bucket would leave of the worst target, over all buckets, metres.
+/// For each bucket the displacements that hold its best shift in place: those that are ever farthest out.
+pub(super) type Supports = Vec<Vec<Vector3<f64>>>;
+
+/// What the best shift per bucket would leave of the worst target, over all buckets, metres, and what holds the shifts in place.
 ///
 /// The best shift is the centre of the smallest ball round all displacements at the bucket's two ends.
-pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> f64 {
-    let all: Vec<usize> = (0..drift.targets()).collect();
+pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> (f64, Supports) {
     // One bucket after the other: the displacements of a large program are many.
     let each = schedule.buckets.iter().map(|bucket| {
         let ends = [Moment::Minute(bucket.from_min), bucket.end()];
-        smallest_ball_radius(&ends.map(|moment| drift.displacements_m(moment, &all)))
+        smallest_ball(&ends.map(|moment| drift.displacements_m(moment)))
     });
-    each.fold(0.0, f64::max)
+    let (radii, supports): (Vec<f64>, Supports) = each.unzip();
+    (radii.into_iter().fold(0.0, f64::max), supports)
 }
 
-/// Radius of the smallest ball that holds all points, to a thousandth or so.
+/// The same of several parts of a program, from what holds the shifts of each in place.
+pub(super) fn worst_of_parts_m(supports: &Supports) -> f64 {
+    let radius =
+        |few: &Vec<Vector3<f64>>| smallest_ball(&[few.iter().map(|p| (*p).into()).collect(), Vec::new()]).0;
+    supports.iter().map(radius).fold(0.0, f64::max)
+}
+
+/// Radius of the smallest ball that holds all points, to a thousandth or so, and those of them that it was found by.
 ///
 /// Bădoiu and Clarkson (2003): the centre goes towards the farthest point by 1/(n+1) of the way. Done on
 /// the few points that were ever farthest; whatever of the others is found outside joins them.
-fn smallest_ball_radius(ends: &[Vec<[f64; 3]>; 2]) -> f64 {
+fn smallest_ball(ends: &[Vec<[f64; 3]>; 2]) -> (f64, Vec<Vector3<f64>>) {
     let points = || ends.iter().flatten().map(|&p| Vector3::from(p));
-    let Some(first) = points().next() else { return 0.0 };
+    let Some(first) = points().next() else { return (0.0, Vec::new()) };
     let mut center = first;
     let mut few: Vec<Vector3<f64>> = vec![center];
     let mut radius = 0.0;
     for _ in 0..32 {
         let (outermost, far) = farthest(points(), &center);
         if far <= radius * 1.001 {
-            return far;
+            return (far, few);
         }
         few.push(outermost);
         for n in 1..1000 {
@@ -39,7 +49,7 @@ fn smallest_ball_radius(ends: &[Vec<[f64; 3]>; 2]) -> f64 {
         }
         radius = farthest(few.iter().copied(), &center).1;
     }
-    farthest(points(), &center).1
+    (farthest(points(), &center).1, few)
 }
 
 fn farthest(points: impl Iterator<Item = Vector3<f64>>, from: &Vector3<f64>) -> (Vector3<f64>, f64) {
@@ -62,7 +72,7 @@ mod tests {
         // Two points: half their distance. An equilateral triangle of side 1: 1/√3. A regular tetrahedron's
         // corners on a cube of side 1: half the cube's diagonal, √3/2.
         let close = |points: &[[f64; 3]], radius: f64| {
-            let found = smallest_ball_radius(&[points.to_vec(), Vec::new()]);
+            let found = smallest_ball(&[points.to_vec(), Vec::new()]).0;
             assert!((found / radius - 1.0).abs() < 2e-3, "{found} for {radius}");
         };
         close(&[[0.0; 3], [3.0, 4.0, 0.0]], 2.5);
@@ -71,6 +81,6 @@ mod tests {
             1.0 / 3.0_f64.sqrt(),
         );
         close(&[[0.0; 3], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]], 0.75_f64.sqrt());
-        assert_eq!(smallest_ball_radius(&[vec![[1.0, 2.0, 3.0]; 4], Vec::new()]), 0.0);
+        assert_eq!(smallest_ball(&[vec![[1.0, 2.0, 3.0]; 4], Vec::new()]).0, 0.0);
     }
 }

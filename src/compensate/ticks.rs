@@ -2,6 +2,7 @@
 //! narrowest bucket's width, and that the clock does not take motion for a pause; no more often than that
 //! asks for.
 
+use super::exits::Exits;
 use super::nominal::{Point, Resolved};
 use super::plan::{PlannedMotion, Status, Tick};
 use crate::program::Program;
@@ -42,7 +43,7 @@ pub(super) struct Ticks {
 /// clock does not tell.
 pub(super) fn ticks(
     program: &Program,
-    resolved: &[Resolved],
+    (resolved, exits): (&[Resolved], &Exits),
     planned: &[PlannedMotion],
     schedule: &Schedule,
     gap_min: Option<f64>,
@@ -52,7 +53,8 @@ pub(super) fn ticks(
     let moving_s = SHARE_OF_GAP * gap_s;
     let times: Vec<Time> =
         (0..program.motions.len()).map(|i| time(resolved, &program.motions[i], i)).collect();
-    let compensated = |i: usize| matches!(planned[i].status, Status::Compensated);
+    let is_own = |i: usize| program.is_own(&program.motions[i]);
+    let compensated = |i: usize| matches!(planned[i].status, Status::Compensated) && is_own(i);
     let mut ticks = BTreeSet::new();
     let mut ticking = vec![false; program.loops.len()];
     let passes = |l: usize| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64);
@@ -94,7 +96,7 @@ pub(super) fn ticks(
             }
             inside = loops;
             let repeats = repeats(i, None, &ticking);
-            let called_s = called_s(program, i, &of_routine, &times);
+            let called_s = called_s(program, i, &of_routine, &times, exits);
             since_s += (times[i].all_s() + called_s) * repeats;
             since_moving_s += (times[i].move_s + called_s) * repeats;
             if since_s > stale_s && compensated(i) || since_moving_s > moving_s {
@@ -114,18 +116,29 @@ pub(super) fn ticks(
                 all_s > gap_s
             }
     };
-    let too_long = (0..program.motions.len()).filter(too_long).collect();
+    let too_long = (0..program.motions.len()).filter(|i| is_own(*i) && too_long(i)).collect();
     Ticks { places: ticks.into_iter().collect(), too_long }
 }
 
+/// What all motions of each routine take together, seconds.
+pub(super) fn routine_times_s(program: &Program, resolved: &[Resolved]) -> Vec<f64> {
+    let mut times_s = vec![0.0; program.routines.len()];
+    for (i, motion) in program.motions.iter().enumerate() {
+        if let Some(time_s) = times_s.get_mut(motion.routine) {
+            *time_s += time(resolved, motion, i).all_s();
+        }
+    }
+    times_s
+}
+
 /// Where the arm comes back from a called routine: what that one's motions take, seconds.
-fn called_s(program: &Program, i: usize, of_routine: &[Vec<usize>], times: &[Time]) -> f64 {
+fn called_s(program: &Program, i: usize, of_routine: &[Vec<usize>], times: &[Time], exits: &Exits) -> f64 {
     let motion = &program.motions[i];
     let called = motion.previous.and_then(|p| program.motions.get(p)).map(|previous| previous.routine);
     match called {
-        Some(called) if called != motion.routine && motion.wait_since_entry.is_none() => {
-            of_routine[called].iter().map(|&i| times[i].all_s()).sum()
-        }
+        Some(called) if called != motion.routine && motion.wait_since_entry.is_none() => exits
+            .of_routine_s(program, called)
+            .unwrap_or_else(|| of_routine[called].iter().map(|&i| times[i].all_s()).sum()),
         _ => 0.0,
     }
 }

@@ -24,7 +24,9 @@ mod lower;
 pub mod made_for;
 mod names;
 mod order;
+mod outline;
 mod overrides;
+mod parts;
 mod predefined;
 mod read;
 mod record;
@@ -33,6 +35,7 @@ mod touched;
 mod value;
 mod writes;
 
+pub use parts::{InParts, Part, Parts};
 pub use pgf::{modules_of_pgf, pgf_with_module};
 
 use crate::diagnostic::{Diagnostic, FileId};
@@ -84,9 +87,24 @@ impl Program {
         &self.files[id.0 as usize]
     }
 
+    /// A file of which only the outline is at hand.
+    #[must_use]
+    pub fn outline(&self, id: FileId) -> Option<&SourceFile> {
+        self.files.get(id.0 as usize).filter(|file| file.is_outline())
+    }
+
     /// Whether a motion stands in a file that is there in full, not in an outline that is there to understand the others.
     #[must_use]
     pub fn is_own(&self, motion: &Motion) -> bool {
-        !self.file(motion.file).is_outline()
+        self.outline(motion.file).is_none()
+    }
+
+    /// What a reader should know of the own files; what is about none of the files is said with the first part.
+    pub fn own_diagnostics(&self, part: usize) -> impl Iterator<Item = &Diagnostic> {
+        let own = move |message: &&Diagnostic| match message.span {
+            Some(span) => self.outline(span.file).is_none(),
+            None => part == 0,
+        };
+        self.diagnostics.iter().filter(own)
     }
 }

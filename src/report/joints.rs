@@ -60,20 +60,38 @@ impl<'a> JointRow<'a> {
     }
 }
 
-/// Writes one line for each row. Joints have 12 decimals, so that they alone give the residual.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write_joints<'a>(out: &mut dyn Write, rows: impl Iterator<Item = JointRow<'a>>) -> io::Result<()> {
-    let mut csv = csv::Writer::from_writer(out);
-    csv.write_record(HEADER)?;
-    for row in rows {
+/// The table, written row by row. Joints have 12 decimals, so that they alone give the residual.
+pub struct JointTable<W: Write>(csv::Writer<W>);
+
+impl<W: Write> JointTable<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn new(out: W) -> io::Result<Self> {
+        let mut csv = csv::Writer::from_writer(out);
+        csv.write_record(HEADER)?;
+        Ok(Self(csv))
+    }
+
+    /// Writes a row.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn add(&mut self, row: JointRow<'_>) -> io::Result<()> {
         let mut record = vec![row.target.into_owned(), row.file.to_owned(), row.line.to_string()];
         record.push(row.t_min.to_string());
         record.extend(row.q_rad.map(|q| format!("{:.12}", deg_from_rad(q))));
         record.extend(row.position_m.map(|p| format!("{:.9}", rounded(mm_from_m(p)))));
         record.push(format!("{:.3e}", mm_from_m(row.residual_m)));
-        csv.write_record(&record)?;
+        Ok(self.0.write_record(&record)?)
     }
-    csv.flush()
+
+    /// Brings out what is still to be written.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn finish(mut self) -> io::Result<()> {
+        self.0.flush()
+    }
 }

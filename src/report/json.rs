@@ -2,13 +2,15 @@
 
 use super::message::Told;
 use super::motion_rows::target_name;
-use crate::compensate::plan::{Plan, Status};
-use crate::diagnostic::Severity;
+use crate::compensate::plan::{Plan, PlannedMotion, Status, Summary};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::program::Program;
 use crate::program::motion::{Keep, Motion};
+use crate::schedule::Schedule;
 use crate::units::{deg_from_rad, mm_from_m};
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Error as _, Serialize, SerializeMap, SerializeSeq, Serializer};
 use serde_json::{Value, json};
+use std::cell::RefCell;
 
 /// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
 #[must_use]
@@ -18,25 +20,38 @@ pub fn rounded(value: f64) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
+/// Shows a program and its plan, or one part after the other with its own.
+pub type Each<'e> = dyn FnMut(&mut dyn FnMut(&Program, &Plan)) -> Result<(), Diagnostic> + 'e;
+
 /// What `compensate` found and did.
 ///
 /// Is made row by row while it is written: a program may have many motions.
-#[derive(Clone, Copy, Debug)]
-pub struct Compensation<'a> {
-    /// The program.
-    pub program: &'a Program,
-    /// What becomes of it.
-    pub plan: &'a Plan,
-    /// What there is to be said.
-    pub messages: &'a [Told],
+pub struct Compensation<'a, 'e> {
+    schedule: &'a Schedule,
+    temperature_c: Option<[f64; 2]>,
+    summary: &'a Summary,
+    messages: &'a [Told],
+    each: RefCell<&'a mut Each<'e>>,
 }
 
-impl Serialize for Compensation<'_> {
+impl<'a, 'e> Compensation<'a, 'e> {
+    /// `each` shows the motions; the summary and the messages are those of all of them.
+    pub fn new(
+        schedule: &'a Schedule,
+        temperature_c: Option<[f64; 2]>,
+        summary: &'a Summary,
+        messages: &'a [Told],
+        each: &'a mut Each<'e>,
+    ) -> Self {
+        Self { schedule, temperature_c, summary, messages, each: RefCell::new(each) }
+    }
+}
+
+impl Serialize for Compensation<'_, '_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { plan, messages, .. } = self;
+        let Self { schedule, temperature_c, summary: s, messages, .. } = self;
         let mm = |m: f64| rounded(mm_from_m(m));
-        let buckets: Vec<Value> = plan
-            .schedule
+        let buckets: Vec<Value> = schedule
             .buckets
             .iter()
             .enumerate()
@@ -46,11 +61,10 @@ impl Serialize for Compensation<'_> {
                     "from_min": rounded(b.from_min),
                     "to_min": b.to_min.map(rounded),
                     "at_min": rounded(b.at_min),
-                    "from_c": plan.temperature_c.map(|[low_c, _]| rounded(low_c + b.from_min)),
+                    "from_c": temperature_c.map(|[low_c, _]| rounded(low_c + b.from_min)),
                 })
             })
             .collect();
-        let s = &plan.summary;
         let others: Vec<Value> = s
             .other_tolerances
             .iter()
@@ -72,31 +86,38 @@ impl Serialize for Compensation<'_> {
 }
 
 /// Its rows of motions.
-struct Motions<'a>(&'a Compensation<'a>);
+struct Motions<'m, 'a, 'e>(&'m Compensation<'a, 'e>);
 
-impl Serialize for Motions<'_> {
+impl Serialize for Motions<'_, '_, '_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Compensation { program, plan, .. } = self.0;
-        let mm = |m: f64| rounded(mm_from_m(m));
-        let rows = program.motions.iter().zip(&plan.motions).enumerate();
-        serializer.collect_seq(rows.map(|(index, (motion, planned))| {
-            let (status, why) = match &planned.status {
-                Status::Compensated => ("compensated", None),
-                Status::Kept(why) => ("kept", Some(why)),
-                Status::Refused(why) => ("refused", Some(why)),
-            };
-            let correction =
-                [mm(planned.max_correction_m), rounded(deg_from_rad(planned.max_correction_rad))];
-            motion_row(
-                program,
-                index,
-                motion,
-                (status, why.map(|why| &**why)),
-                correction,
-                planned.mid_path_m.map(mm),
-            )
-        }))
+        let mut seq = serializer.serialize_seq(None)?;
+        let (mut index, mut failed) = (0, None);
+        let shown = (self.0.each.borrow_mut())(&mut |program, plan| {
+            let own = program.motions.iter().zip(&plan.motions).filter(|(motion, _)| program.is_own(motion));
+            for (motion, planned) in own {
+                if failed.is_none() {
+                    failed = seq.serialize_element(&planned_row(program, index, motion, planned)).err();
+                }
+                index += 1;
+            }
+        });
+        shown.map_err(|message| S::Error::custom(message.message))?;
+        match failed {
+            Some(error) => Err(error),
+            None => seq.end(),
+        }
     }
+}
+
+fn planned_row(program: &Program, index: usize, motion: &Motion, planned: &PlannedMotion) -> Value {
+    let mm = |m: f64| rounded(mm_from_m(m));
+    let (status, why) = match &planned.status {
+        Status::Compensated => ("compensated", None),
+        Status::Kept(why) => ("kept", Some(&**why)),
+        Status::Refused(why) => ("refused", Some(&**why)),
+    };
+    let correction = [mm(planned.max_correction_m), rounded(deg_from_rad(planned.max_correction_rad))];
+    motion_row(program, index, motion, (status, why), correction, planned.mid_path_m.map(mm))
 }
 
 /// A row of `motions`; `correction` in mm and deg.

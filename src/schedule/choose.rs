@@ -3,7 +3,7 @@
 
 use super::cover::{Edges, NoCover, cover};
 use super::curve::{Curve, horizon_min};
-use super::drift::{Drift, Moment, minus, norm2};
+use super::drift::{Drift, Moment};
 use super::{Bucket, Schedule};
 
 /// More buckets than this are refused: each costs a target per motion on the controller.
@@ -144,7 +144,7 @@ impl ScheduleError {
 ///
 /// # Errors
 /// A request that makes no sense, or a drift that no allowed schedule can follow.
-pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleError> {
+pub fn choose(drift: &mut dyn Drift, request: &Request) -> Result<Chosen, ScheduleError> {
     request.check()?;
     if drift.targets() == 0 {
         return Ok(Chosen::nothing_drifts());
@@ -234,42 +234,26 @@ impl Chosen {
 }
 
 /// The targets that go furthest from cold to settled and between some minutes on the way.
-fn most_drifting(drift: &dyn Drift, request: &Request) -> Result<Vec<usize>, ScheduleError> {
-    let all: Vec<usize> = (0..drift.targets()).collect();
-    let cold = drift.displacements_m(Moment::Minute(0.0), &all);
-    let settled = drift.displacements_m(Moment::Settled, &all);
-    let (first, total_m) = furthest(&cold, &settled);
+fn most_drifting(drift: &mut dyn Drift, request: &Request) -> Result<Vec<usize>, ScheduleError> {
+    let (cold, settled) = (Moment::Minute(0.0), Moment::Settled);
+    let bends = drift.bends_min();
+    let every = bends.len().div_ceil(24).max(1);
+    let on_the_way = bends.iter().step_by(every).filter(|&&t| t > 0.0).map(|&t| Moment::Minute(t));
+    let moments: Vec<Moment> = std::iter::once(cold).chain(on_the_way).chain([settled]).collect();
+    let steps = moments.windows(2).filter_map(|step| Some((*step.first()?, *step.last()?)));
+    let pairs: Vec<(Moment, Moment)> = std::iter::once((cold, settled)).chain(steps).collect();
+    let found = drift.furthest(&pairs);
+    let total_m = found.first().map_or(0.0, |(_, far_m)| *far_m);
     if request.width == Width::Tolerance
         && request.until == Until::Auto
         && total_m > 2.0 * request.tolerance_m * MAX_BUCKETS as f64
     {
         return Err(ScheduleError::TooManyBuckets);
     }
-    let mut active = vec![first];
-    let bends = drift.bends_min();
-    let every = bends.len().div_ceil(24).max(1);
-    let mut before = cold;
-    for &bend_min in bends.iter().step_by(every).filter(|&&t| t > 0.0) {
-        let here = drift.displacements_m(Moment::Minute(bend_min), &all);
-        active.push(furthest(&before, &here).0);
-        before = here;
-    }
-    active.push(furthest(&before, &settled).0);
+    let mut active: Vec<usize> = found.into_iter().map(|(target, _)| target).collect();
     active.sort_unstable();
     active.dedup();
     Ok(active)
-}
-
-/// The target that moved furthest and how far, metres; the first of equals.
-fn furthest(a: &[[f64; 3]], b: &[[f64; 3]]) -> (usize, f64) {
-    let mut best = (0, 0.0);
-    for (i, (&a, &b)) in a.iter().zip(b).enumerate() {
-        let d2 = norm2(minus(a, b));
-        if d2 > best.1 {
-            best = (i, d2);
-        }
-    }
-    (best.0, best.1.sqrt())
 }
 
 fn by_tolerance(
@@ -345,35 +329,26 @@ fn held_until(curve: &Curve, request: &Request, schedule: &Schedule) -> Moment {
 
 /// For each bucket the target that is furthest off in it, where that is more than `tolerance_m`; over all
 /// targets, at the moments where the worst can stand.
-fn further_off(drift: &dyn Drift, schedule: &Schedule, held: Moment, tolerance_m: f64) -> Vec<usize> {
-    let all: Vec<usize> = (0..drift.targets()).collect();
-    let mut found = Vec::new();
-    let mut from: Option<Vec<[f64; 3]>> = None;
+fn further_off(drift: &mut dyn Drift, schedule: &Schedule, held: Moment, tolerance_m: f64) -> Vec<usize> {
+    let mut pairs = Vec::new();
+    let mut of_bucket = Vec::with_capacity(schedule.buckets.len());
     for bucket in &schedule.buckets {
+        let at = Moment::Minute(bucket.at_min);
         let end = if bucket.to_min.is_none() { held } else { bucket.end() };
-        let at = drift.displacements_m(Moment::Minute(bucket.at_min), &all);
-        let start =
-            from.take().unwrap_or_else(|| drift.displacements_m(Moment::Minute(bucket.from_min), &all));
-        let stop = drift.displacements_m(end, &all);
-        let mut worst = furthest(&at, &start);
-        let mut consider = |d: &[[f64; 3]]| {
-            let next = furthest(&at, d);
-            if next.1 > worst.1 {
-                worst = next;
-            }
-        };
-        consider(&stop);
-        for &bend_min in drift.bends_min() {
-            if bend_min > bucket.from_min && bucket.to_min.is_none_or(|to_min| bend_min < to_min) {
-                consider(&drift.displacements_m(Moment::Minute(bend_min), &all));
-            }
-        }
-        if worst.1 > tolerance_m * (1.0 + 1e-9) {
-            found.push(worst.0);
-        }
-        from = Some(stop);
+        let inside = |t: &&f64| **t > bucket.from_min && bucket.to_min.is_none_or(|to_min| **t < to_min);
+        let bends = drift.bends_min().iter().filter(inside).map(|&t| Moment::Minute(t));
+        let first = pairs.len();
+        pairs
+            .extend([Moment::Minute(bucket.from_min), end].into_iter().chain(bends).map(|there| (at, there)));
+        of_bucket.push(first..pairs.len());
     }
-    found
+    let found = drift.furthest(&pairs);
+    let worst = |of: std::ops::Range<usize>| {
+        let first = |worst: (usize, f64), next: &(usize, f64)| if next.1 > worst.1 { *next } else { worst };
+        found.get(of).unwrap_or_default().iter().fold((0, 0.0), first)
+    };
+    let worst = of_bucket.into_iter().map(worst);
+    worst.filter(|(_, far_m)| *far_m > tolerance_m * (1.0 + 1e-9)).map(|(target, _)| target).collect()
 }
 
 /// The worst distance of the targets of `active` over all time, by exact kinematics on a grid of a quarter

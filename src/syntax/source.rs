@@ -20,8 +20,9 @@ pub struct SourceFile {
     pub tree: Tree,
     /// What could not be read, and where.
     pub warnings: Vec<Diagnostic>,
-    /// Of an outline: the places where text was left out, and how many bytes are left out up to there in all.
-    cuts: Vec<(u32, u32)>,
+    /// Of an outline: the places where text was left out, and how many bytes are left out up to there in all. `None` for a file
+    /// in full; an outline may leave out nothing.
+    cuts: Option<Vec<(u32, u32)>>,
 }
 
 impl SourceFile {
@@ -33,7 +34,7 @@ impl SourceFile {
         let at = |range| Span { file: id, range };
         let warnings =
             warnings.into_iter().map(|w| Diagnostic::warning(w.code, w.message).at(at(w.range))).collect();
-        Self { id, path: path.into(), lines: LineIndex::new(&bytes), bytes, tree, warnings, cuts: Vec::new() }
+        Self { id, path: path.into(), lines: LineIndex::new(&bytes), bytes, tree, warnings, cuts: None }
     }
 
     /// The file without the ranges `cut` (in order, apart from each other): shorter text whose lines keep their numbers.
@@ -53,25 +54,38 @@ impl SourceFile {
         let bytes: Arc<[u8]> = kept.iter().flat_map(|range| self.text(*range)).copied().collect();
         let (tree, _) = parse(&bytes);
         let (path, lines) = (self.path.clone(), self.lines.of_parts(&kept));
-        Self { id: self.id, path, bytes, lines, tree, warnings: Vec::new(), cuts }
+        Self { id: self.id, path, bytes, lines, tree, warnings: Vec::new(), cuts: Some(cuts) }
     }
 
-    /// Whether text was left out: what is read of such a file serves to understand others.
+    /// Whether it is an outline: what is read of such a file serves to understand others.
     #[must_use]
     pub fn is_outline(&self) -> bool {
-        !self.cuts.is_empty()
+        self.cuts.is_some()
+    }
+
+    /// Of an outline: whether a byte of the whole file is left.
+    #[must_use]
+    pub fn keeps(&self, offset: u32) -> bool {
+        let mut missing = 0;
+        for &(at, missing_here) in self.cuts.iter().flatten() {
+            if offset < at + missing {
+                return true;
+            }
+            if offset < at + missing_here {
+                return false;
+            }
+            missing = missing_here;
+        }
+        true
     }
 
     /// Where a range of an outline stands in the whole file.
     #[must_use]
     pub fn in_whole(&self, range: TextRange) -> TextRange {
+        let cuts = self.cuts.as_deref().unwrap_or_default();
         let whole = |offset: u32| {
-            let before = self.cuts.partition_point(|(at, _)| *at <= offset);
-            offset
-                + before
-                    .checked_sub(1)
-                    .and_then(|last| self.cuts.get(last))
-                    .map_or(0, |(_, missing)| *missing)
+            let before = cuts.partition_point(|(at, _)| *at <= offset);
+            offset + before.checked_sub(1).and_then(|last| cuts.get(last)).map_or(0, |(_, missing)| *missing)
         };
         match range.is_empty() {
             true => TextRange::empty(whole(range.start)),
@@ -156,6 +170,10 @@ mod tests {
         assert_eq!(file.text(outline.in_whole(both)), b"a;\n  b;\n  c;\n  d;");
         let first = TextRange::new(at(b"a;"), d.start);
         assert_eq!(file.text(outline.in_whole(first)), b"a;");
+        assert_eq!(
+            [at(b"a;"), at(b"b;"), at(b"c;"), at(b"d;")].map(|o| outline.keeps(o)),
+            [true, false, false, true]
+        );
         assert_eq!(outline.tree.items.len(), 1);
     }
 

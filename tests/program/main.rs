@@ -7,6 +7,7 @@ mod corpus;
 mod errors;
 mod names;
 mod order;
+mod parts;
 mod robodk;
 mod state;
 mod targets;

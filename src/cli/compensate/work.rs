@@ -1,18 +1,20 @@
 //! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
 
+use super::made::{Halt, Made, Refusal};
 use super::{Args, FormName, Models};
 use crate::cli::destination::Destination;
-use crate::cli::given::{self, Given};
+use crate::cli::given::Given;
 use crate::cli::model::{self, Named};
 use crate::compensate::plan::{Plan, Totals};
-use crate::compensate::{CompensateError, Options, joints_every_minute, plan};
+use crate::compensate::{CompensateError, Options, Planner};
 use crate::deform::Deformation;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile, Form, Memory, megabytes};
+use crate::diagnostic::{Diagnostic, FileId, Severity};
+use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile, Form, Memory, Ready};
 use crate::program::motion::Keep;
-use crate::program::{Overrides, Program};
-use crate::report::{self, Compensation, MotionRows, Review, Told};
+use crate::program::{InParts, Overrides, Part, Parts, Program};
+use crate::report::{self, MotionRows, Told};
 use crate::robot::Robot;
+use crate::schedule::Schedule;
 use std::io::{self, Write};
 
 /// What is to be done, all names resolved.
@@ -30,51 +32,6 @@ pub struct Job {
 
 /// The robot that the built-in deformation table is of.
 const PAPER_ROBOT: &str = "irb140";
-
-/// A compensated program.
-#[derive(Debug)]
-pub struct Made {
-    /// As read.
-    pub program: Program,
-    /// What becomes of it.
-    pub plan: Plan,
-    /// Counts over the whole program.
-    totals: Totals,
-    /// How the targets are held.
-    pub form: Form,
-    /// Clock and index are in the module itself.
-    embedded: bool,
-    /// All warnings.
-    pub messages: Vec<Told>,
-    provenance: Vec<(&'static str, String)>,
-}
-
-/// Why nothing is written.
-#[derive(Debug, Default)]
-pub struct Refusal {
-    /// As far as it was read.
-    pub program: Program,
-    /// As far as it was made.
-    pub plan: Option<Plan>,
-    /// Why each motion is kept, where all are.
-    pub kept: Vec<Keep>,
-    /// Warnings, and at least one error.
-    pub messages: Vec<Told>,
-}
-
-/// Why emitting stopped.
-enum Halt {
-    /// The program cannot be emitted.
-    Emit(EmitError),
-    /// A file could not be taken.
-    Taking(Diagnostic),
-}
-
-impl From<EmitError> for Halt {
-    fn from(error: EmitError) -> Self {
-        Self::Emit(error)
-    }
-}
 
 impl Job {
     /// Resolves what the options name.
@@ -95,125 +52,132 @@ impl Job {
         })
     }
 
-    /// Reads, plans and emits; each changed file is given to `take` with the program that it comes from.
+    /// Reads, plans and emits; each changed file is given to `take` with the program, or the part of it, that it comes from.
+    /// `all` motions are reviewed, or those that are corrected most.
     ///
     /// # Errors
     /// Why not; what was taken until then must not be used.
-    pub fn make(
-        &self,
-        given: &Given,
+    pub fn make<'j>(
+        &'j self,
+        given: &'j Given,
+        all: bool,
         take: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
-    ) -> Result<Made, Box<Refusal>> {
-        let files = given.sources();
-        if let Err(message) = given::check_modules(&files) {
-            let messages = vec![Told::new(message, &files)];
-            return Err(Refusal::of(Program { files, ..Program::default() }, None, messages));
-        }
-        let program = Program::read(files, &self.overrides);
-        let told = |messages: Vec<Diagnostic>| Told::all(messages, &program.files);
-        let mut messages = told(self.about_program(&program));
-        if messages.iter().any(is_error) {
-            return Err(Refusal::of(program, None, messages));
-        }
-        let plan = match plan(&program, &self.robot.model, &self.deformation.model, &self.options) {
-            Ok(plan) => plan,
-            Err(error) => {
-                let (why, kept) = why_no_plan(error);
-                messages.extend(told(why));
-                return Err(Box::new(Refusal { program, plan: None, kept, messages }));
+    ) -> Result<Made<'j>, Box<Refusal>> {
+        if given.is_large() {
+            match self.make_in_parts(given, (given.part_bytes(), all), take) {
+                Err(Stop::Before) => {} // at once, to say of all motions what keeps them
+                Err(Stop::Refused(refusal)) => return Err(refusal),
+                Ok(made) => return Ok(made),
             }
+        }
+        self.make_in_parts(given, (usize::MAX, all), take).map_err(|stop| match stop {
+            Stop::Refused(refusal) => refusal,
+            Stop::Before => Box::default(),
+        })
+    }
+
+    fn make_in_parts<'j>(
+        &'j self,
+        given: &'j Given,
+        (part_bytes, all): (usize, bool),
+        take: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
+    ) -> Result<Made<'j>, Stop> {
+        let load = |FileId(id)| given.source(id as usize);
+        let parts = InParts::new(given.paths.len(), part_bytes, &self.overrides, load);
+        let mut parts = parts.map_err(|message| Stop::of_file(message, given))?;
+        let mut messages = Vec::new();
+        if let Some(program) = parts.whole() {
+            messages = Told::all(self.about(program, 0).into_iter().flatten(), &program.files);
+            if messages.iter().any(is_error) {
+                return Err(Stop::refused(parts, None, (messages, Vec::new())));
+            }
+        }
+        let survey = Planner::survey(&mut parts, &self.robot.model, &self.deformation.model, &self.options);
+        let mut planner = match survey {
+            Ok(planner) => planner,
+            Err(error) => return Err(Stop::no_plan(parts, messages, error)),
         };
-        messages.extend(told(plan.diagnostics.clone()));
-        if messages.iter().any(is_error) {
-            return Err(Refusal::of(program, Some(plan), messages));
-        }
-        let totals = Totals::of(&program, &plan);
-        let mut embedded = true;
-        let mut hand_over = |file: EmittedFile| {
-            embedded &= file.source.is_some() || file.on_disk;
-            take(&program, file).map_err(Halt::Taking)
+        let emission = Emission::new(&self.emit, self.form != FormName::Schedule);
+        let mut looked = Looked::new(emission, all);
+        let shown = planner.each(&mut parts, &mut |part, plan| looked.look(self, part, plan));
+        shown.map_err(|message| Stop::of_file(message, given))?;
+        let (summary, said) = match planner.conclude() {
+            Ok(concluded) => concluded,
+            Err(error) => return Err(Stop::no_plan(parts, messages, error)),
         };
-        match self.emitted(&program, &plan, &totals, &mut hand_over) {
-            Ok(form) => {
-                let provenance = self.provenance(given);
-                Ok(Made { program, plan, totals, form, embedded, messages, provenance })
-            }
-            Err(halt) => {
-                let why = match halt {
-                    Halt::Emit(error) => Diagnostic::error(error.code(), error.to_string()),
-                    Halt::Taking(message) => message,
-                };
-                messages.push(Told::new(why, &program.files));
-                Err(Refusal::of(program, Some(plan), messages))
-            }
+        let messages = looked.messages(said);
+        if messages.iter().any(is_error) {
+            return Err(Stop::refused(parts, planner.plan_of_only().cloned(), (messages, Vec::new())));
+        }
+        let Looked { totals, rows, emission, refused, .. } = looked;
+        let mut made = Made {
+            form: Form::Schedule,
+            parts,
+            planner,
+            summary,
+            totals,
+            rows,
+            embedded: true,
+            messages,
+            provenance: self.provenance(given),
+        };
+        let schedule = made.planner.schedule().clone();
+        let ready = match refused {
+            None => self.ready(&emission, &schedule, &made.totals),
+            Some(error) => Err(error),
+        };
+        let (form, ready) = match ready {
+            Ok(ready) => ready,
+            Err(_) if made.parts.count() > 1 => return Err(Stop::Before),
+            Err(error) => return Err(Stop::Refused(made.refuse_with(Halt::Emit(error).into()))),
+        };
+        made.form = form;
+        match ready.map_or(Ok(()), |ready| made.emit(&ready, take)) {
+            Ok(()) => Ok(made),
+            Err(halt) => Err(Stop::Refused(made.refuse_with(halt.into()))),
         }
     }
 
-    /// Emits in the form that was asked for, or in the one that suits. Gives that form.
-    fn emitted(
+    /// The program ready to be emitted in the form that was asked for, or in the one that suits.
+    fn ready<'e>(
         &self,
-        program: &Program,
-        plan: &Plan,
+        emission: &'e Emission<'e>,
+        schedule: &'e Schedule,
         totals: &Totals,
-        take: &mut dyn FnMut(EmittedFile) -> Result<(), Halt>,
-    ) -> Result<Form, Halt> {
-        let mut emission = Emission::new(&self.emit, self.form != FormName::Schedule);
-        emission.look(program, plan)?;
-        let chosen = self.form != FormName::Auto;
-        let suits = Memory::of_totals(totals, plan.schedule.buckets.len()).suits();
-        let mut form = if chosen { self.emit.form } else { suits };
-        let mut ready = emission.ready(form, &plan.schedule, totals);
-        if !chosen && matches!(ready, Err(EmitError::NoRun)) {
-            form = Form::Schedule;
-            ready = emission.ready(form, &plan.schedule, totals);
+    ) -> Result<(Form, Option<Ready<'e>>), EmitError> {
+        let form = match self.form {
+            FormName::Auto => Memory::of_totals(totals, schedule.buckets.len()).suits(),
+            FormName::Schedule => Form::Schedule,
+            FormName::Modules => Form::Modules,
+        };
+        match emission.ready(form, schedule, totals) {
+            Err(EmitError::NoRun) if self.form == FormName::Auto => {
+                Ok((Form::Schedule, emission.ready(Form::Schedule, schedule, totals)?))
+            }
+            ready => Ok((form, ready?)),
         }
-        if let Some(ready) = ready? {
-            ready.emit(program, plan, take)?;
-            ready.finish(take)?;
-        }
-        Ok(form)
     }
 
-    /// The table of joints at every minute.
-    ///
-    /// # Errors
-    /// Those of the plan.
-    pub fn joints<'m>(
-        &'m self,
-        made: &'m Made,
-    ) -> Result<impl Iterator<Item = report::JointRow<'m>>, Diagnostic> {
-        let until_min = made.plan.summary.until_min;
-        joints_every_minute(
-            &made.program,
-            &self.robot.model,
-            &self.deformation.model,
-            &self.options,
-            &made.plan,
-            until_min,
-        )
-        .map(|rows| rows.filter_map(|row| report::JointRow::of_program(&made.program, &row)))
-        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))
-    }
-
-    /// What the program's text says against compensating it, and its warnings.
-    fn about_program(&self, program: &Program) -> Vec<Diagnostic> {
-        let mut messages: Vec<Diagnostic> =
-            program.files.iter().flat_map(|file| file.warnings.iter().cloned()).collect();
-        messages.extend(program.diagnostics.iter().cloned());
-        let other = self.options.model.as_deref().and_then(|m| model::of_another_robot(m, &self.robot.model));
-        messages.extend(other);
-        messages.extend(self.about_robot(program));
-        for module in &program.facts.modules {
+    /// What the text of a part's own files says against compensating it, and its warnings: of the text, of its meaning, of the
+    /// robot, of how it was made.
+    fn about(&self, program: &Program, part: usize) -> [Vec<Diagnostic>; 4] {
+        let is_own = |id: FileId| program.outline(id).is_none();
+        let of_text = program.files.iter().flat_map(|file| file.warnings.iter().cloned()).collect();
+        let of_meaning = program.own_diagnostics(part).cloned().collect();
+        let of_robot = if part == 0 { self.about_robot(program) } else { Vec::new() };
+        let mut of_making = Vec::new();
+        for module in program.facts.modules.iter().filter(|module| is_own(module.file)) {
             if let Some(range) = module.compensated {
                 let text = format!("module {} is already compensated", module.name);
-                messages.push(
+                of_making.push(
                     Diagnostic::error("refuse::already-compensated", text)
                         .at(program.file(module.file).span(range))
                         .help("give the original, or get it back with `driftpost restore`"),
                 );
             }
         }
-        for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
+        let remarks = program.facts.kinematics.iter().filter(|remark| is_own(remark.span.file));
+        for remark in remarks.filter(|remark| !remark.is_nominal()) {
             let text = format!("made with {} kinematics, not with nominal ones", remark.word);
             let (severity, help) = if self.allow_non_nominal {
                 (Severity::Warning, "what the targets already correct is corrected twice")
@@ -223,15 +187,16 @@ impl Job {
                     "export from RoboDK with nominal kinematics; --allow-non-nominal takes the program as it is",
                 )
             };
-            messages.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
+            of_making.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
         }
-        messages
+        [of_text, of_meaning, of_robot, of_making]
     }
 
     /// Warnings where the program or the deformation belongs to another robot.
     fn about_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let robot = &self.robot.model.name;
-        let mut messages = Vec::new();
+        let other = self.options.model.as_deref().and_then(|m| model::of_another_robot(m, &self.robot.model));
+        let mut messages: Vec<Diagnostic> = other.into_iter().collect();
         if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
             let text = format!("made for {}, and taken as one for {robot}", remark.robot);
             let help = "name the robot that runs it with --robot";
@@ -263,6 +228,77 @@ fn is_error(message: &Told) -> bool {
     message.diagnostic.severity == Severity::Error
 }
 
+/// Why nothing was made.
+enum Stop {
+    /// Found before anything was taken, in a program of several parts.
+    Before,
+    /// Nothing more can be done.
+    Refused(Box<Refusal>),
+}
+
+impl Stop {
+    /// Of a program in one part, with all that is known of it.
+    fn refused(parts: InParts<'_>, plan: Option<Plan>, (messages, kept): (Vec<Told>, Vec<Keep>)) -> Self {
+        match parts.into_whole() {
+            Some(program) => Self::Refused(Box::new(Refusal { program, plan, kept, messages })),
+            None => Self::Before,
+        }
+    }
+
+    fn no_plan(parts: InParts<'_>, mut messages: Vec<Told>, error: CompensateError) -> Self {
+        let (why, kept) = why_no_plan(error);
+        if let Some(program) = parts.whole() {
+            messages.extend(Told::all(why, &program.files));
+        }
+        Self::refused(parts, None, (messages, kept))
+    }
+
+    /// A file that cannot be used.
+    fn of_file(message: Diagnostic, given: &Given) -> Self {
+        let files = given.sources();
+        let messages = vec![Told::new(message, &files)];
+        let program = Program { files, ..Program::default() };
+        Self::Refused(Box::new(Refusal { program, messages, ..Refusal::default() }))
+    }
+}
+
+/// What is found in one part after the other.
+struct Looked<'o> {
+    emission: Emission<'o>,
+    /// Why some part cannot be emitted.
+    refused: Option<EmitError>,
+    about: [Vec<Told>; 4],
+    of_plan: Vec<Told>,
+    totals: Totals,
+    rows: MotionRows,
+}
+
+impl<'o> Looked<'o> {
+    fn new(emission: Emission<'o>, all: bool) -> Self {
+        let (about, of_plan, totals) = ([const { Vec::new() }; 4], Vec::new(), Totals::default());
+        Self { emission, refused: None, about, of_plan, totals, rows: MotionRows::new(all) }
+    }
+
+    fn look(&mut self, job: &Job, part: Part<'_>, plan: &Plan) {
+        let Part { program, number, .. } = part;
+        for (all, own) in self.about.iter_mut().zip(job.about(program, number)) {
+            all.extend(Told::all(own, &program.files));
+        }
+        self.of_plan.extend(Told::all(plan.diagnostics.iter().cloned(), &program.files));
+        self.totals.add(&Totals::of(program, plan));
+        self.rows.add(program, plan);
+        if self.refused.is_none() {
+            self.refused = self.emission.look(program, plan).err();
+        }
+    }
+
+    /// All there is to be said; `said`: of the program as a whole.
+    fn messages(&mut self, said: Vec<Diagnostic>) -> Vec<Told> {
+        let about = std::mem::take(&mut self.about).into_iter().flatten();
+        about.chain(Told::all(said, &[])).chain(std::mem::take(&mut self.of_plan)).collect()
+    }
+}
+
 /// What there is to be said, and why each motion is kept.
 fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Keep>) {
     let (code, text) = (error.code(), error.to_string());
@@ -272,64 +308,6 @@ fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Keep>) {
     };
     messages.push(Diagnostic::error(code, text));
     (messages, kept)
-}
-
-impl Made {
-    /// What happened, for scripts.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
-        let (program, plan, messages) = (&self.program, &self.plan, self.messages.as_slice());
-        pretty(out, &Compensation { program, plan, messages })
-    }
-
-    /// The form, and what it takes of the controller's memory, in a sentence.
-    pub fn about_form(&self) -> String {
-        let memory = Memory::of_totals(&self.totals, self.plan.schedule.buckets.len());
-        let (form, other) = match self.form {
-            Form::Schedule => ("schedule", "modules"),
-            Form::Modules => ("modules", "schedule"),
-        };
-        let [own, others] = match self.form {
-            Form::Schedule => [Form::Schedule, Form::Modules],
-            Form::Modules => [Form::Modules, Form::Schedule],
-        }
-        .map(|form| megabytes(memory.peak_bytes(form)));
-        format!("form {form}: about {own} of the controller's program memory at its peak, {other} {others}")
-    }
-
-    /// What must be known before the module is loaded beside others, where there is something.
-    pub fn about_core(&self) -> Option<&'static str> {
-        (self.embedded && self.totals.compensated > 0).then_some(
-            "the clock is in the module itself, under global names: no other module with a clock of its own loads beside \
-             it; compensate the modules of one task in one run",
-        )
-    }
-
-    /// The table of motions and its summary.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
-        let mut rows = MotionRows::new(all);
-        rows.add(&self.program, &self.plan);
-        let review = Review {
-            schedule: &self.plan.schedule,
-            temperature_c: self.plan.temperature_c,
-            summary: &self.plan.summary,
-            totals: &self.totals,
-            rows: &rows,
-            provenance: &self.provenance,
-        };
-        report::write_review(out, &review)
-    }
-
-    /// The refusal of what is made but cannot be written.
-    pub fn refuse(&self, message: Diagnostic) -> Box<Refusal> {
-        let messages = vec![Told::new(message, &self.program.files)];
-        Refusal::of(self.program.clone(), Some(self.plan.clone()), messages)
-    }
 }
 
 /// The diff of a changed file; nothing of what comes in pieces, which is compared when it is whole.
@@ -351,34 +329,5 @@ pub fn write_diff(
         }
         None if file.on_disk => Ok(()),
         None => report::write_created(out, &path, &mut io::Cursor::new(&file.bytes)),
-    }
-}
-
-impl Refusal {
-    fn of(program: Program, plan: Option<Plan>, messages: Vec<Told>) -> Box<Self> {
-        Box::new(Self { program, plan, kept: Vec::new(), messages })
-    }
-
-    /// What was found, for scripts.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
-        let (program, messages) = (&self.program, self.messages.as_slice());
-        match &self.plan {
-            Some(plan) => pretty(out, &Compensation { program, plan, messages }),
-            None => pretty(out, &report::refusal(program, &self.kept, messages)),
-        }
-    }
-}
-
-fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> anyhow::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, value)?;
-    Ok(out.write_all(b"\n")?)
-}
-
-impl From<Diagnostic> for Box<Refusal> {
-    fn from(message: Diagnostic) -> Self {
-        Refusal::of(Program::default(), None, vec![Told::new(message, &[])])
     }
 }

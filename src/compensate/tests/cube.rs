@@ -173,10 +173,17 @@ fn an_early_end_is_said_to_leave_more_than_the_tolerance() {
 #[test]
 fn every_minute_of_the_papers_three_hours_is_reached() {
     let (program, robot, deformation) = (cube45(true), irb140(), Deformation::paper());
-    let plan = plan(&program, &robot, &deformation, &Options::default()).unwrap();
-    let rows: Vec<_> = joints_every_minute(&program, &robot, &deformation, &Options::default(), &plan, 180.0)
-        .unwrap()
-        .collect();
+    let (mut whole, options) = (&program, Options::default());
+    let mut planner = Planner::survey(&mut whole, &robot, &deformation, &options).unwrap();
+    let mut plan = None;
+    planner.each(&mut whole, &mut |_, made| plan = Some(made.clone())).unwrap();
+    let mut rows = Vec::new();
+    whole
+        .visit(0, &mut |part| {
+            let minutes = planner.joints_every_minute(part, plan.as_ref().unwrap(), 180.0);
+            rows.extend(minutes.unwrap());
+        })
+        .unwrap();
     assert_eq!(rows.len(), 46 * 181);
     assert_eq!((rows[181].motion, rows[181].t_min, rows[361].t_min), (1, 0.0, 180.0));
     assert!(rows.iter().all(|row| mm_from_m(row.residual_m) < 1e-9));

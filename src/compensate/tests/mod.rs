@@ -2,14 +2,17 @@
 
 mod branches;
 mod cube;
+mod parts;
 mod ticks;
 
 use super::*;
 use crate::diagnostic::{FileId, Severity, TextRange};
+use crate::program::Parts;
 use crate::program::data::{ConfData, JointTarget, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
-use crate::program::motion::{Loop, Motion, Origin, RoutineInfo, Target, TargetValue, Wait};
+use crate::program::motion::{Loop, Motion, Origin, Path, RoutineInfo, Target, TargetValue, Wait};
 use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+use plan::{Status, Summary};
 use std::sync::Arc;
 
 const NO_EXT: [Option<f64>; 6] = [None; 6];

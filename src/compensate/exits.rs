@@ -1,0 +1,88 @@
+//! What the parts of a program must know of each other: where the motions end that motions of other parts start from, and how
+//! long the routines take that they come back from.
+
+use super::nominal::Resolved;
+use crate::diagnostic::{FileId, Span, TextRange};
+use crate::program::Program;
+use crate::program::motion::Motion;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Where something begins in its whole file.
+type Place = (FileId, u32);
+
+/// What is known of the motions and routines that other parts see in outlines.
+#[derive(Debug, Default)]
+pub(super) struct Exits {
+    motions: BTreeMap<Place, Resolved>,
+    routines_s: BTreeMap<Place, f64>,
+    /// What was last taken from here.
+    taken: BTreeMap<Place, Option<Resolved>>,
+    /// Motions that start from each other in a circle, so that nothing can be said of their ends.
+    circular: BTreeSet<Place>,
+}
+
+impl Exits {
+    /// Where a motion of an outline ends, as its own part has found.
+    pub(super) fn of_motion(&self, program: &Program, motion: &Motion) -> Option<&Resolved> {
+        self.motions.get(&place(program, motion.file, motion.range)?)
+    }
+
+    /// What all motions of a routine of an outline take, seconds.
+    pub(super) fn of_routine_s(&self, program: &Program, routine: usize) -> Option<f64> {
+        let routine = program.routines.get(routine)?;
+        self.routines_s.get(&place(program, routine.file, routine.range)?).copied()
+    }
+
+    /// Takes note of what a part's own motions start from and, of those that other parts see, where they end.
+    pub(super) fn note(
+        &mut self,
+        program: &Program,
+        resolved: &[Resolved],
+        is_outlined: &dyn Fn(Span) -> bool,
+    ) {
+        for (motion, resolved) in program.motions.iter().zip(resolved) {
+            if !program.is_own(motion) {
+                continue;
+            }
+            let before = motion.previous.and_then(|p| program.motions.get(p));
+            if let Some(key) = before.and_then(|before| place(program, before.file, before.range)) {
+                self.taken.insert(key, self.motions.get(&key).cloned());
+            }
+            let own = (motion.file, motion.range.start);
+            if is_outlined(Span { file: motion.file, range: motion.range }) && !self.circular.contains(&own) {
+                self.motions.insert(own, resolved.clone());
+            }
+        }
+    }
+
+    /// Takes note of how long a part's own routines take, in the order of the program's routines.
+    pub(super) fn note_times(&mut self, program: &Program, routines_s: &[f64]) {
+        for (routine, &time_s) in program.routines.iter().zip(routines_s) {
+            if program.outline(routine.file).is_none() {
+                self.routines_s.insert((routine.file, routine.range.start), time_s);
+            }
+        }
+    }
+
+    /// Whether all that was taken is still so.
+    pub(super) fn are_settled(&self) -> bool {
+        self.taken.iter().all(|(key, taken)| self.motions.get(key) == taken.as_ref())
+    }
+
+    /// How many motions there are that others in other parts start from.
+    pub(super) fn taken(&self) -> usize {
+        self.taken.len()
+    }
+
+    /// Forgets for good what does not settle: a motion that nothing is known to stand before is resolved by what is written in it.
+    pub(super) fn forget_unsettled(&mut self) {
+        let unsettled = self.taken.iter().filter(|(key, taken)| self.motions.get(key) != taken.as_ref());
+        self.circular.extend(unsettled.map(|(key, _)| *key));
+        self.motions.retain(|key, _| !self.circular.contains(key));
+    }
+}
+
+/// `None` in a file that is there in full.
+fn place(program: &Program, file: FileId, range: TextRange) -> Option<Place> {
+    program.outline(file).map(|outline| (file, outline.in_whole(range).start))
+}

@@ -1,0 +1,346 @@
+//! Planning part by part: what must be known of the whole program first, then the plan of one part after the other.
+//!
+//! Where the motions end that other parts start from is found by going over the parts until nothing changes; the schedule is
+//! chosen from the targets of all parts that drift most. Nothing is held that grows with the number of motions.
+
+use super::conditions;
+use super::correct::{Made, compensated, correct, kept};
+use super::corrector::WarmArms;
+use super::exits::Exits;
+use super::figures::{self, Tally};
+use super::messages::Messages;
+use super::model::{Model, WarmBucket};
+use super::nominal::Resolved;
+use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary, Tick};
+use super::rigid::{Supports, worst_of_parts_m};
+use super::survey::{Exceptions, Nothing, Survey, except, own_points, resolved_as_asked, unfollowable};
+use super::{CompensateError, Options, placement, ticks};
+use crate::deform::Deformation;
+use crate::diagnostic::Diagnostic;
+use crate::program::motion::{Keep, Motion};
+use crate::program::{Part, Parts};
+use crate::robot::Robot;
+use crate::schedule::{Chosen, Drift, Schedule, choose};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Motions that are corrected at one go: enough to share among cores, few enough for their figures to stay small.
+const AT_ONE_GO: usize = 4096;
+
+/// What became of a part's motions.
+struct Fate {
+    /// Runs of motions that are compensated.
+    compensated: Vec<Range<usize>>,
+    /// Those that stay as they are for a reason that lies in their correction.
+    kept: Exceptions,
+    ticks: Vec<Tick>,
+}
+
+/// What is known of a program as a whole, and with it the plan of each part.
+pub struct Planner<'a> {
+    model: Model<'a>,
+    options: &'a Options,
+    temperature_c: Option<[f64; 2]>,
+    exits: Exits,
+    chosen: Chosen,
+    warm: Vec<WarmBucket>,
+    corrector: Arc<dyn Corrector>,
+    /// What the motions of the only part come to, where there is one.
+    only: Option<(Vec<Resolved>, Messages)>,
+    /// The plan of the only part, once it was made.
+    plan_of_only: Option<Plan>,
+    /// For each part what the settled arm cannot follow.
+    unfollowable: Vec<Exceptions>,
+    /// What was found of the motions of each part that was planned.
+    fates: Vec<Fate>,
+    summary: Summary,
+    /// What holds the shifts of the cheap rival in place, of all parts that were planned.
+    supports: Supports,
+    /// Some motion was found that does not stay as it is.
+    corrected_any: bool,
+    /// There is one part.
+    single: bool,
+    /// Why nothing of the only part can be compensated.
+    nothing: Option<CompensateError>,
+}
+
+impl<'a> Planner<'a> {
+    /// Goes over all parts as often as it takes to know what they have in common.
+    ///
+    /// # Errors
+    /// [`CompensateError`] where no motion can be compensated or no schedule meets the request, or a part cannot be read.
+    pub fn survey(
+        parts: &mut dyn Parts,
+        robot: &'a Robot,
+        deformation: &'a Deformation,
+        options: &'a Options,
+    ) -> Result<Self, CompensateError> {
+        let (temperature_c, deformation) = match deformation.above_lowest() {
+            Some((range_c, above)) => (Some(range_c), Cow::Owned(above)),
+            None => (None, Cow::Borrowed(deformation)),
+        };
+        let model = Model::new(robot, deformation, options, temperature_c.map(|range_c| range_c[0]))?;
+        let mut survey = Survey::new(&model, options, parts);
+        survey.settle()?;
+        if survey.targets() == 0 {
+            return Err(survey.nothing());
+        }
+        let chosen = choose(&mut survey, &options.request());
+        let Survey { exits, only, failed, unfollowable, .. } = survey;
+        if let Some(failed) = failed {
+            return Err(CompensateError::Part(Box::new(failed)));
+        }
+        let chosen = chosen?;
+        let warm = model.warm(&chosen.schedule);
+        Ok(Self {
+            corrector: Arc::new(WarmArms::new(&model, &warm)),
+            supports: vec![Vec::new(); warm.len()],
+            summary: figures::none_yet(&chosen),
+            corrected_any: false,
+            single: parts.count() == 1,
+            nothing: None,
+            unfollowable,
+            fates: Vec::new(),
+            plan_of_only: None,
+            model,
+            options,
+            temperature_c,
+            exits,
+            chosen,
+            warm,
+            only,
+        })
+    }
+
+    /// Shows each part with its plan, in order.
+    ///
+    /// # Errors
+    /// Those of reading a part.
+    pub fn each(
+        &mut self,
+        parts: &mut dyn Parts,
+        see: &mut dyn FnMut(Part<'_>, &Plan),
+    ) -> Result<(), Diagnostic> {
+        for part in 0..parts.count() {
+            self.show(parts, part, &mut |_, part, plan| see(part, plan))?;
+        }
+        Ok(())
+    }
+
+    /// Shows a part with its plan.
+    ///
+    /// # Errors
+    /// Those of reading it.
+    pub fn show(
+        &mut self,
+        parts: &mut dyn Parts,
+        part: usize,
+        see: &mut dyn FnMut(&Self, Part<'_>, &Plan),
+    ) -> Result<(), Diagnostic> {
+        parts.visit(part, &mut |part| {
+            let plan = self.plan_of_only.take().unwrap_or_else(|| self.plan(part));
+            see(self, part, &plan);
+            self.plan_of_only = self.single.then_some(plan);
+        })
+    }
+
+    /// Shows each part once more with its plan, as it was found before but for the figures, which are left out.
+    ///
+    /// # Errors
+    /// Those of reading a part.
+    pub fn each_again(
+        &mut self,
+        parts: &mut dyn Parts,
+        see: &mut dyn FnMut(Part<'_>, &Plan),
+    ) -> Result<(), Diagnostic> {
+        for number in 0..parts.count() {
+            parts.visit(number, &mut |part| match (&self.plan_of_only, self.fates.get(number)) {
+                (Some(plan), _) => see(part, plan),
+                (None, Some(fate)) => see(part, &self.plan_again(part, fate)),
+                (None, None) => {}
+            })?;
+        }
+        Ok(())
+    }
+
+    fn plan_again(&self, part: Part<'_>, fate: &Fate) -> Plan {
+        let resolved = self.resolved(part, &mut Messages::default());
+        let mut runs = fate.compensated.iter().peekable();
+        let planned = |(i, (motion, resolved)): (usize, (&Motion, &Resolved))| {
+            while runs.next_if(|run| run.end <= i).is_some() {}
+            match (&resolved.points, runs.peek()) {
+                (Ok(points), Some(run)) if run.contains(&i) => compensated(motion, points, &self.model),
+                (Err(why), _) => kept(why.clone()).planned,
+                (Ok(_), _) => {
+                    let found = fate.kept.get(&i).cloned();
+                    kept(found.unwrap_or_else(|| placement::keep("keep::other", "of another part"))).planned
+                }
+            }
+        };
+        let motions = part.program.motions.iter().zip(&resolved).enumerate().map(planned).collect();
+        self.plan_of(motions, fate.ticks.clone(), self.summary.clone(), Vec::new())
+    }
+
+    fn plan_of(
+        &self,
+        motions: Vec<PlannedMotion>,
+        ticks: Vec<Tick>,
+        summary: Summary,
+        diagnostics: Vec<Diagnostic>,
+    ) -> Plan {
+        Plan {
+            schedule: self.chosen.schedule.clone(),
+            temperature_c: self.temperature_c,
+            motions,
+            corrector: Arc::clone(&self.corrector),
+            ticks,
+            summary,
+            diagnostics,
+        }
+    }
+
+    /// When which bucket is in use.
+    #[must_use]
+    pub fn schedule(&self) -> &Schedule {
+        &self.chosen.schedule
+    }
+
+    /// For a deformation by temperature its range, degrees Celsius.
+    #[must_use]
+    pub fn temperature_c(&self) -> Option<[f64; 2]> {
+        self.temperature_c
+    }
+
+    /// The plan of a program in one part, once it was made.
+    #[must_use]
+    pub fn plan_of_only(&self) -> Option<&Plan> {
+        self.plan_of_only.as_ref()
+    }
+
+    /// The plan of a part: its summary and its diagnostics are of the part's own motions.
+    fn plan(&mut self, part: Part<'_>) -> Plan {
+        let program = part.program;
+        let (resolved, mut messages) = self.only.take().unwrap_or_else(|| {
+            let mut messages = Messages::default();
+            (self.resolved(part, &mut messages), messages)
+        });
+        let Self { model, options, warm, chosen, .. } = &*self;
+        conditions::check(program, model, &resolved, &mut messages);
+        let mut tally = Tally::new(chosen);
+        let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
+        let mut worst_bucket = Vec::with_capacity(resolved.len());
+        for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
+            let one = |(motion, resolved): (&Motion, &Resolved)| match &resolved.points {
+                Ok(points) => correct(motion, points, warm, model, options),
+                Err(why) => kept(why.clone()),
+            };
+            let made: Vec<Made> = some.par_iter().zip(resolved).map(one).collect();
+            for ((motion, resolved), made) in some.iter().zip(resolved).zip(made) {
+                if program.is_own(motion) {
+                    tally.add(resolved, &made);
+                }
+                worst_bucket.push(made.worst_bucket);
+                // Copied: what stays lies together, not among what the threads worked with.
+                motions.push(made.planned.clone());
+            }
+        }
+        figures::follow_paths(program, &resolved, warm, model, &worst_bucket, &mut motions);
+        let compensated = own_points(program, &resolved)
+            .filter(|(i, _)| motions[*i].status == Status::Compensated)
+            .flat_map(|(_, points)| points);
+        let (summary, supports) = tally.summary(model, compensated.collect(), &chosen.schedule);
+        let of_correction = |(i, planned): (usize, &PlannedMotion)| match &planned.status {
+            Status::Kept(why) if resolved[i].points.is_ok() => Some((i, Keep::clone(why))),
+            _ => None,
+        };
+        let kept = motions.iter().enumerate().filter_map(of_correction).collect();
+        let own = program.motions.iter().zip(&motions).filter(|(motion, _)| program.is_own(motion));
+        let corrected_any = own.into_iter().any(|(_, planned)| !matches!(planned.status, Status::Kept(_)));
+        if options.strict && (corrected_any || !self.single) {
+            motions.iter_mut().for_each(refuse_kept);
+        }
+        let nothing = (self.single && !corrected_any).then(|| {
+            let (mut nothing, mut said) = (Nothing::default(), messages.clone());
+            conditions::check_model(model, None, &mut said);
+            let reason = |i: usize| match &motions.get(i)?.status {
+                Status::Kept(why) => Some(&**why),
+                Status::Compensated | Status::Refused(_) => None,
+            };
+            nothing.add(program, reason, said);
+            nothing.into()
+        });
+        messages.add_statuses(program, &motions);
+        messages.add_paths(program, &motions, options);
+        let ticks =
+            ticks::ticks(program, (&resolved, &self.exits), &motions, &chosen.schedule, options.gap_min);
+        messages.add_long_gaps(program, &ticks.too_long);
+        self.corrected_any |= corrected_any;
+        self.nothing = nothing;
+        if part.number == self.fates.len() {
+            let ticks = ticks.places.clone();
+            self.fates.push(Fate { compensated: runs_of_compensated(&motions), kept, ticks });
+            self.summary.add(&summary);
+            self.supports.iter_mut().zip(supports).for_each(|(all, own)| all.extend(own));
+        }
+        self.plan_of(motions, ticks.places, summary, messages.finish())
+    }
+
+    /// The arms.
+    pub(super) fn model(&self) -> Result<&Model<'a>, CompensateError> {
+        // Degrees are no minutes.
+        if self.temperature_c.is_some() { Err(CompensateError::Temperature) } else { Ok(&self.model) }
+    }
+
+    /// The motions of a part's program.
+    pub(super) fn resolved(&self, part: Part<'_>, messages: &mut Messages) -> Vec<Resolved> {
+        let mut resolved = resolved_as_asked(part.program, &self.model, self.options, &self.exits, messages);
+        let anew;
+        let exceptions = match self.unfollowable.get(part.number) {
+            Some(known) => known,
+            None => {
+                anew = unfollowable(&self.model, &resolved);
+                &anew
+            }
+        };
+        except(&mut resolved, exceptions);
+        resolved
+    }
+
+    /// Figures over all parts, once each was planned, and what there is to be said of the program as a whole.
+    ///
+    /// # Errors
+    /// [`CompensateError::NothingToCompensate`] where all motions stay as they are.
+    pub fn conclude(&self) -> Result<(Summary, Vec<Diagnostic>), CompensateError> {
+        if !self.corrected_any {
+            return Err(self.nothing.clone().unwrap_or(CompensateError::NoMotion));
+        }
+        let mut summary = self.summary.clone();
+        if self.fates.len() > 1 {
+            summary.rigid_shift_worst_m = worst_of_parts_m(&self.supports);
+        }
+        let mut messages = Messages::default();
+        messages.add_schedule(&self.chosen, &summary, self.options);
+        conditions::check_model(&self.model, Some(&self.chosen.schedule), &mut messages);
+        Ok((summary, messages.finish()))
+    }
+}
+
+fn runs_of_compensated(motions: &[PlannedMotion]) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    let compensated = motions.iter().enumerate().filter(|(_, m)| m.status == Status::Compensated);
+    for (i, _) in compensated {
+        match runs.last_mut() {
+            Some(run) if run.end == i => run.end += 1,
+            _ => runs.push(i..i + 1),
+        }
+    }
+    runs
+}
+
+fn refuse_kept(motion: &mut PlannedMotion) {
+    if let Status::Kept(why) = &motion.status {
+        motion.status = Status::Refused(why.clone());
+    }
+}
