@@ -16,7 +16,7 @@ const AT_ONE_GO: usize = 256;
 /// One target at one minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MinuteJoints {
-    /// Index into [`Program::motions`].
+    /// Index into [`Program::motions`](crate::program::Program::motions).
     pub motion: usize,
     /// Which of the motion's targets.
     pub target: usize,
