@@ -14,16 +14,16 @@ use super::nominal::Resolved;
 use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary, Tick};
 use super::rigid::{Supports, worst_of_parts_m};
 use super::survey::{Exceptions, Nothing, Survey, except, own_points, resolved_as_asked, unfollowable};
-use super::{CompensateError, Options, placement, ticks};
+use super::{CompensateError, Options, ticks};
 use crate::deform::Deformation;
 use crate::diagnostic::Diagnostic;
-use crate::program::motion::{Keep, Motion};
+use crate::program::motion::Motion;
 use crate::program::{Part, Parts};
 use crate::robot::Robot;
 use crate::schedule::{Chosen, Drift, Schedule, choose};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::ops::Range;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Motions that are corrected at one go: enough to share among cores, few enough for their figures to stay small.
@@ -31,10 +31,8 @@ const AT_ONE_GO: usize = 4096;
 
 /// What became of a part's motions.
 struct Fate {
-    /// Runs of motions that are compensated.
-    compensated: Vec<Range<usize>>,
-    /// Those that stay as they are for a reason that lies in their correction.
-    kept: Exceptions,
+    /// Of motions, by their number in the part's program, that have targets to be corrected and are not compensated.
+    exceptions: BTreeMap<usize, Status>,
     ticks: Vec<Tick>,
 }
 
@@ -167,17 +165,15 @@ impl<'a> Planner<'a> {
 
     fn plan_again(&self, part: Part<'_>, fate: &Fate) -> Plan {
         let resolved = self.resolved(part, &mut Messages::default());
-        let mut runs = fate.compensated.iter().peekable();
         let planned = |(i, (motion, resolved)): (usize, (&Motion, &Resolved))| {
-            while runs.next_if(|run| run.end <= i).is_some() {}
-            match (&resolved.points, runs.peek()) {
-                (Ok(points), Some(run)) if run.contains(&i) => compensated(motion, points, &self.model),
-                (Err(why), _) => kept(why.clone()).planned,
-                (Ok(_), _) => {
-                    let found = fate.kept.get(&i).cloned();
-                    kept(found.unwrap_or_else(|| placement::keep("keep::other", "of another part"))).planned
-                }
+            let mut planned = match &resolved.points {
+                Ok(points) => compensated(motion, points, &self.model),
+                Err(why) => kept(why.clone()).planned,
+            };
+            if let Some(status) = fate.exceptions.get(&i) {
+                planned.status = status.clone();
             }
+            planned
         };
         let motions = part.program.motions.iter().zip(&resolved).enumerate().map(planned).collect();
         self.plan_of(motions, fate.ticks.clone(), self.summary.clone(), Vec::new())
@@ -251,11 +247,6 @@ impl<'a> Planner<'a> {
             .filter(|(i, _)| motions[*i].status == Status::Compensated)
             .flat_map(|(_, points)| points);
         let (summary, supports) = tally.summary(model, compensated.collect(), &chosen.schedule);
-        let of_correction = |(i, planned): (usize, &PlannedMotion)| match &planned.status {
-            Status::Kept(why) if resolved[i].points.is_ok() => Some((i, Keep::clone(why))),
-            _ => None,
-        };
-        let kept = motions.iter().enumerate().filter_map(of_correction).collect();
         let own = program.motions.iter().zip(&motions).filter(|(motion, _)| program.is_own(motion));
         let corrected_any = own.into_iter().any(|(_, planned)| !matches!(planned.status, Status::Kept(_)));
         if options.strict && (corrected_any || !self.single) {
@@ -279,8 +270,12 @@ impl<'a> Planner<'a> {
         self.corrected_any |= corrected_any;
         self.nothing = nothing;
         if part.number == self.fates.len() {
-            let ticks = ticks.places.clone();
-            self.fates.push(Fate { compensated: runs_of_compensated(&motions), kept, ticks });
+            let exception = |(i, planned): (usize, &PlannedMotion)| {
+                let is_one = planned.status != Status::Compensated && resolved[i].points.is_ok();
+                is_one.then(|| (i, planned.status.clone()))
+            };
+            let exceptions = motions.iter().enumerate().filter_map(exception).collect();
+            self.fates.push(Fate { exceptions, ticks: ticks.places.clone() });
             self.summary.add(&summary);
             self.supports.iter_mut().zip(supports).for_each(|(all, own)| all.extend(own));
         }
@@ -325,18 +320,6 @@ impl<'a> Planner<'a> {
         conditions::check_model(&self.model, Some(&self.chosen.schedule), &mut messages);
         Ok((summary, messages.finish()))
     }
-}
-
-fn runs_of_compensated(motions: &[PlannedMotion]) -> Vec<Range<usize>> {
-    let mut runs: Vec<Range<usize>> = Vec::new();
-    let compensated = motions.iter().enumerate().filter(|(_, m)| m.status == Status::Compensated);
-    for (i, _) in compensated {
-        match runs.last_mut() {
-            Some(run) if run.end == i => run.end += 1,
-            _ => runs.push(i..i + 1),
-        }
-    }
-    runs
 }
 
 fn refuse_kept(motion: &mut PlannedMotion) {
