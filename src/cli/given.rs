@@ -56,7 +56,7 @@ impl Given {
         Self::read_up_to(arguments, usize::MAX)
     }
 
-    /// The same; of files that have more than `part_bytes` in all only digests are kept, by which they are known when they are read
+    /// The same; of regular files that have more than `part_bytes` in all only digests are kept, by which they are known when they are read
     /// again.
     ///
     /// # Errors
@@ -69,6 +69,8 @@ impl Given {
             several => Self::several(several)?,
         };
         let mut all_bytes = 0;
+        // A pipe gives its bytes once.
+        let again = given.paths.iter().all(|path| path.is_file());
         given.part_bytes = part_bytes;
         for path in &given.paths {
             let bytes = files::read(path, "program")?;
@@ -76,7 +78,7 @@ impl Given {
             all_bytes += bytes.len();
             given.digests.push(Sha256::digest(&bytes).into());
             given.bytes.push(bytes.into());
-            if all_bytes > part_bytes && given.paths.len() > 1 {
+            if all_bytes > part_bytes && given.paths.len() > 1 && again {
                 given.bytes.clear();
             }
         }

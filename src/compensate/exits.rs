@@ -3,8 +3,8 @@
 
 use super::nominal::Resolved;
 use crate::diagnostic::{FileId, Span, TextRange};
-use crate::program::Program;
 use crate::program::motion::Motion;
+use crate::program::{Part, Program};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where something begins in its whole file.
@@ -15,8 +15,8 @@ type Place = (FileId, u32);
 pub(super) struct Exits {
     motions: BTreeMap<Place, Resolved>,
     routines_s: BTreeMap<Place, f64>,
-    /// What was last taken from here.
-    taken: BTreeMap<Place, Option<Resolved>>,
+    /// For each part what it has last taken from here.
+    taken: BTreeMap<usize, BTreeMap<Place, Option<Resolved>>>,
     /// Motions that start from each other in a circle, so that nothing can be said of their ends.
     circular: BTreeSet<Place>,
 }
@@ -34,25 +34,24 @@ impl Exits {
     }
 
     /// Takes note of what a part's own motions start from and, of those that other parts see, where they end.
-    pub(super) fn note(
-        &mut self,
-        program: &Program,
-        resolved: &[Resolved],
-        is_outlined: &dyn Fn(Span) -> bool,
-    ) {
+    pub(super) fn note(&mut self, part: Part<'_>, resolved: &[Resolved]) {
+        let program = part.program;
+        let mut taken = BTreeMap::new();
         for (motion, resolved) in program.motions.iter().zip(resolved) {
             if !program.is_own(motion) {
                 continue;
             }
             let before = motion.previous.and_then(|p| program.motions.get(p));
             if let Some(key) = before.and_then(|before| place(program, before.file, before.range)) {
-                self.taken.insert(key, self.motions.get(&key).cloned());
+                taken.insert(key, self.motions.get(&key).cloned());
             }
             let own = (motion.file, motion.range.start);
-            if is_outlined(Span { file: motion.file, range: motion.range }) && !self.circular.contains(&own) {
+            let at = Span { file: motion.file, range: motion.range };
+            if part.is_outlined(at) && !self.circular.contains(&own) {
                 self.motions.insert(own, resolved.clone());
             }
         }
+        self.taken.insert(part.number, taken);
     }
 
     /// Takes note of how long a part's own routines take, in the order of the program's routines.
@@ -64,21 +63,23 @@ impl Exits {
         }
     }
 
-    /// Whether all that was taken is still so.
-    pub(super) fn are_settled(&self) -> bool {
-        self.taken.iter().all(|(key, taken)| self.motions.get(key) == taken.as_ref())
+    /// Whether all that a part has taken is still so; not before it was looked at.
+    pub(super) fn is_settled(&self, part: usize) -> bool {
+        let same = |(key, taken): (&Place, &Option<Resolved>)| self.motions.get(key) == taken.as_ref();
+        self.taken.get(&part).is_some_and(|taken| taken.iter().all(same))
     }
 
     /// How many motions there are that others in other parts start from.
     pub(super) fn taken(&self) -> usize {
-        self.taken.len()
+        self.taken.values().map(BTreeMap::len).sum()
     }
 
     /// Forgets for good what does not settle: a motion that nothing is known to stand before is resolved by what is written in it.
     pub(super) fn forget_unsettled(&mut self) {
-        let unsettled = self.taken.iter().filter(|(key, taken)| self.motions.get(key) != taken.as_ref());
-        self.circular.extend(unsettled.map(|(key, _)| *key));
-        self.motions.retain(|key, _| !self.circular.contains(key));
+        let Self { motions, taken, circular, .. } = self;
+        let unsettled = taken.values().flatten().filter(|(key, taken)| motions.get(key) != taken.as_ref());
+        circular.extend(unsettled.map(|(key, _)| *key));
+        motions.retain(|key, _| !circular.contains(key));
     }
 }
 

@@ -50,7 +50,7 @@ pub struct Planner<'a> {
     /// The plan of the only part, once it was made.
     plan_of_only: Option<Plan>,
     /// For each part what the settled arm cannot follow.
-    unfollowable: Vec<Exceptions>,
+    unfollowable: BTreeMap<usize, Exceptions>,
     /// What was found of the motions of each part that was planned.
     fates: Vec<Fate>,
     summary: Summary,
@@ -282,6 +282,14 @@ impl<'a> Planner<'a> {
         self.plan_of(motions, ticks.places, summary, messages.finish())
     }
 
+    /// Whether the schedule goes by minutes, so that joints can be given at each.
+    ///
+    /// # Errors
+    /// [`CompensateError::Temperature`].
+    pub fn check_minutes(&self) -> Result<(), CompensateError> {
+        self.model().map(drop)
+    }
+
     /// The arms.
     pub(super) fn model(&self) -> Result<&Model<'a>, CompensateError> {
         // Degrees are no minutes.
@@ -292,7 +300,7 @@ impl<'a> Planner<'a> {
     pub(super) fn resolved(&self, part: Part<'_>, messages: &mut Messages) -> Vec<Resolved> {
         let mut resolved = resolved_as_asked(part.program, &self.model, self.options, &self.exits, messages);
         let anew;
-        let exceptions = match self.unfollowable.get(part.number) {
+        let exceptions = match self.unfollowable.get(&part.number) {
             Some(known) => known,
             None => {
                 anew = unfollowable(&self.model, &resolved);

@@ -3,8 +3,11 @@
 use super::drift::Points;
 use crate::schedule::{Moment, Schedule};
 use nalgebra::Vector3;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
 
-/// For each bucket the displacements that hold its best shift in place: those that are ever farthest out.
+/// For each bucket displacements that hold its best shift in place: those that the shift was found by, and those that are farthest
+/// out in many directions, as with other parts' the shift is another.
 pub(super) type Supports = Vec<Vec<Vector3<f64>>>;
 
 /// What the best shift per bucket would leave of the worst target, over all buckets, metres, and what holds the shifts in place.
@@ -12,9 +15,13 @@ pub(super) type Supports = Vec<Vec<Vector3<f64>>>;
 /// The best shift is the centre of the smallest ball round all displacements at the bucket's two ends.
 pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> (f64, Supports) {
     // One bucket after the other: the displacements of a large program are many.
+    let directions = directions();
     let each = schedule.buckets.iter().map(|bucket| {
-        let ends = [Moment::Minute(bucket.from_min), bucket.end()];
-        smallest_ball(&ends.map(|moment| drift.displacements_m(moment)))
+        let ends =
+            [Moment::Minute(bucket.from_min), bucket.end()].map(|moment| drift.displacements_m(moment));
+        let (radius, mut support) = smallest_ball(&ends);
+        support.extend(outermost(&ends, &directions));
+        (radius, support)
     });
     let (radii, supports): (Vec<f64>, Supports) = each.unzip();
     (radii.into_iter().fold(0.0, f64::max), supports)
@@ -25,6 +32,25 @@ pub(super) fn worst_of_parts_m(supports: &Supports) -> f64 {
     let radius =
         |few: &Vec<Vector3<f64>>| smallest_ball(&[few.iter().map(|p| (*p).into()).collect(), Vec::new()]).0;
     supports.iter().map(radius).fold(0.0, f64::max)
+}
+
+/// Directions all over a cube, about 20 degrees from each other.
+fn directions() -> Vec<Vector3<f64>> {
+    let steps = || (-2..=2).map(f64::from);
+    let all = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vector3::new(x, y, z))));
+    all.filter(|v| v.amax() == 2.0).map(|v| v.normalize()).collect()
+}
+
+/// For each direction the displacement that is farthest out in it, each once.
+fn outermost(ends: &[Vec<[f64; 3]>; 2], directions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    let points: Vec<Vector3<f64>> = ends.iter().flatten().map(|&p| Vector3::from(p)).collect();
+    let farthest = |direction: &Vector3<f64>| {
+        let far = points.iter().enumerate().map(|(i, point)| (i, point.dot(direction)));
+        far.reduce(|best, next| if next.1 > best.1 { next } else { best })
+    };
+    let found: BTreeSet<usize> =
+        directions.par_iter().filter_map(farthest).map(|(i, _)| i).collect::<Vec<_>>().into_iter().collect();
+    found.into_iter().filter_map(|i| points.get(i).copied()).collect()
 }
 
 /// Radius of the smallest ball that holds all points, to a thousandth or so, and those of them that it was found by.

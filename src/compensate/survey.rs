@@ -49,7 +49,7 @@ pub(super) struct Survey<'s, 'a> {
     /// How many points each part has.
     points: Vec<usize>,
     /// For each of several parts what the settled arm cannot follow.
-    pub(super) unfollowable: Vec<Exceptions>,
+    pub(super) unfollowable: BTreeMap<usize, Exceptions>,
     /// Those that drift most.
     found: BTreeMap<usize, Point>,
     pub(super) only: Option<(Vec<Resolved>, Messages)>,
@@ -59,7 +59,7 @@ pub(super) struct Survey<'s, 'a> {
 impl<'s, 'a> Survey<'s, 'a> {
     pub(super) fn new(model: &'s Model<'a>, options: &'s Options, parts: &'s mut dyn Parts) -> Self {
         let (points, found) = (vec![0; parts.count()], BTreeMap::new());
-        let unfollowable = Vec::new();
+        let unfollowable = BTreeMap::new();
         let exits = Exits::default();
         Self { model, options, parts, exits, points, unfollowable, found, only: None, failed: None }
     }
@@ -69,23 +69,25 @@ impl<'s, 'a> Survey<'s, 'a> {
         // Each time over, one more at least of what motions start from is known for good, unless they start from each other in a
         // circle.
         let mut times = 0;
-        self.go_over()?;
-        while !self.exits.are_settled() && times <= self.exits.taken() {
+        while self.go_over()? && times <= self.exits.taken() {
             times += 1;
-            self.go_over()?;
         }
-        while !self.exits.are_settled() {
+        while self.go_over()? {
             self.exits.forget_unsettled();
-            self.go_over()?;
         }
         Ok(())
     }
 
-    fn go_over(&mut self) -> Result<(), CompensateError> {
+    /// Goes over the parts that rest on what is no longer so; whether there was any.
+    fn go_over(&mut self) -> Result<bool, CompensateError> {
         let Self { model, options, parts, exits, points, only, unfollowable: stuck, .. } = self;
         let single = parts.count() == 1;
-        stuck.clear();
+        let mut any = false;
         for part in 0..parts.count() {
+            if exits.is_settled(part) {
+                continue;
+            }
+            any = true;
             let see = &mut |part: Part<'_>| {
                 let mut messages = Messages::default();
                 let mut resolved = resolved_as_asked(part.program, model, options, exits, &mut messages);
@@ -94,17 +96,17 @@ impl<'s, 'a> Survey<'s, 'a> {
                 if let Some(points) = points.get_mut(part.number) {
                     *points = own_points(part.program, &resolved).map(|(_, points)| points.len()).sum();
                 }
+                exits.note(part, &resolved);
                 if single {
                     *only = Some((resolved, messages));
                 } else {
-                    stuck.push(exceptions);
-                    exits.note(part.program, &resolved, &|place| part.is_outlined(place));
                     exits.note_times(part.program, &ticks::routine_times_s(part.program, &resolved));
+                    stuck.insert(part.number, exceptions);
                 }
             };
             parts.visit(part, see).map_err(|failed| CompensateError::Part(Box::new(failed)))?;
         }
-        Ok(())
+        Ok(any)
     }
 
     /// The motions of a part.
@@ -117,7 +119,7 @@ impl<'s, 'a> Survey<'s, 'a> {
                 None => {
                     let mut said = Messages::default();
                     let mut own = resolved_as_asked(part.program, model, options, exits, &mut said);
-                    unfollowable.get(part.number).into_iter().for_each(|known| except(&mut own, known));
+                    unfollowable.get(&part.number).into_iter().for_each(|known| except(&mut own, known));
                     anew = own;
                     &anew
                 }

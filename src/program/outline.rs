@@ -43,7 +43,7 @@ fn routines(file: &SourceFile) -> impl Iterator<Item = &Routine> {
 
 struct Work<'a> {
     file: &'a SourceFile,
-    /// Words of the moves that are left, in lower case.
+    /// Words, in lower case, of the moves that are left since there was something else: what they name is the same since.
     seen: BTreeSet<Vec<u8>>,
     cuts: Vec<TextRange>,
 }
@@ -70,9 +70,11 @@ impl Work<'_> {
                 _ => {}
             }
             self.close(run.take());
+            self.seen.clear();
             inner_bodies(stmt).into_iter().for_each(|body| self.list(body));
         }
         self.close(run);
+        self.seen.clear();
     }
 
     /// One move more: it goes on with the run where it, and what stands before it, names nothing new.
@@ -175,6 +177,8 @@ mod tests {
             let text = format!("MoveL [1],v5,z1,t;\n{kept}MoveL [9],v5,z1,t;\n");
             assert_eq!(outlined(&text), text);
         }
+        let renamed = "MoveL [1],v5,z1,t;\nMoveL [2],v6,z1,t;\nt:=u;\nMoveL [3],v5,z1,t;\nMoveL [4],v6,z1,t;\nMoveL [5],v5,z1,t;\n";
+        assert_eq!(outlined(renamed), renamed, "behind an assignment a name may mean something else");
         let numbers = "MoveL [1],v5,z1,t;\n! 12.5\nMoveL [2],v5,z1,t;\nMoveL [9],v5,z1,t;\n";
         assert_eq!(outlined(numbers), "MoveL [1],v5,z1,t;\nMoveL [9],v5,z1,t;\n");
         let inside =

@@ -124,7 +124,17 @@ impl<'l> InParts<'l> {
         self.held.as_ref().filter(|_| self.parts.len() == 1).map(|(_, program)| program)
     }
 
-    /// The same, let go.
+    /// All of it, read anew.
+    ///
+    /// # Errors
+    /// Those of reading a file.
+    pub fn at_once(&self) -> Result<Program, Diagnostic> {
+        let files = self.parts.last().map_or(0, |part| part.end);
+        let files = (0..files).map(|id| (self.load)(FileId(id as u32))).collect::<Result<Vec<_>, _>>()?;
+        Ok(Program::read(files, self.overrides))
+    }
+
+    /// The same as [`whole`](Self::whole), let go.
     #[must_use]
     pub fn into_whole(self) -> Option<Program> {
         self.held.filter(|_| self.parts.len() == 1).map(|(_, program)| program)

@@ -1,5 +1,6 @@
 //! A compensated program, and the reasons why there is none.
 
+use super::Job;
 use crate::compensate::Planner;
 use crate::compensate::plan::{Plan, Summary, Totals};
 use crate::diagnostic::Diagnostic;
@@ -11,6 +12,8 @@ use std::io::{self, Write};
 
 /// A compensated program.
 pub struct Made<'j> {
+    /// How.
+    pub(super) job: &'j Job,
     /// As read.
     pub(super) parts: InParts<'j>,
     /// What becomes of its motions.
@@ -101,6 +104,15 @@ impl Made<'_> {
         pretty(out, &Compensation::new(&schedule, temperature_c, summary, messages, &mut each))
     }
 
+    /// Whether there is a table of joints at every minute.
+    ///
+    /// # Errors
+    /// There is none where the schedule goes by temperature.
+    pub fn check_joints(&self) -> Result<(), Diagnostic> {
+        let by_minutes = self.planner.check_minutes();
+        by_minutes.map_err(|error| Diagnostic::error(error.code(), error.to_string()))
+    }
+
     /// The table of joints at every minute.
     ///
     /// # Errors
@@ -169,14 +181,19 @@ impl Made<'_> {
 
     /// The refusal of what is made but cannot be written.
     pub fn refuse(&self, message: Diagnostic) -> Box<Refusal> {
-        let program = self.parts.whole().cloned().unwrap_or_default();
+        let (program, plan) = match self.parts.whole() {
+            Some(program) => (program.clone(), self.planner.plan_of_only().cloned()),
+            // All of it at once, to say what becomes of each motion; nothing where its files have changed.
+            None => match self.parts.at_once() {
+                Ok(program) => {
+                    let plan = self.job.plan(&program);
+                    (program, plan)
+                }
+                Err(_) => (Program::default(), None),
+            },
+        };
         let messages = vec![Told::new(message, &program.files)];
-        Box::new(Refusal {
-            program,
-            plan: self.planner.plan_of_only().cloned(),
-            messages,
-            ..Refusal::default()
-        })
+        Box::new(Refusal { program, plan, messages, ..Refusal::default() })
     }
 
     /// The refusal of what was made so far, with its warnings.

@@ -33,23 +33,24 @@ const DIFF_LINES: usize = 2000;
 /// # Errors
 /// A JSON file or standard output that cannot be written; everything else is a refusal, which says why.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let json = Output::new(args.json.as_deref())?;
-    match work(args, console, &json) {
-        Ok(mut made) => {
-            json.stream(console, |out| copy(&mut made, out))?;
-            Ok(Outcome::Done)
-        }
+    let mut json = Some(Output::new(args.json.as_deref())?);
+    match work(args, console, &mut json) {
+        Ok(written) => written.map(|()| Outcome::Done),
         Err(refusal) => {
             console.explain(&refusal.messages, args.all);
             console.say("nothing was written");
-            json.stream(console, |out| refusal.write_json(out))?;
+            json.map_or(Ok(()), |json| json.stream(console, |out| refusal.write_json(out)))?;
             Ok(Outcome::Refused)
         }
     }
 }
 
-/// Gives the JSON of what was made.
-fn work(args: &Args, console: &mut Console, json: &Output) -> Result<File, Box<Refusal>> {
+/// Gives what came of writing the JSON, for which `json` is taken.
+fn work(
+    args: &Args,
+    console: &mut Console,
+    json: &mut Option<Output>,
+) -> Result<anyhow::Result<()>, Box<Refusal>> {
     args.check()?;
     let given = Given::read_up_to(&args.program, PART_BYTES)?;
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
@@ -58,7 +59,7 @@ fn work(args: &Args, console: &mut Console, json: &Output) -> Result<File, Box<R
     destination.open()?;
     let mut diff_file = diff_file(args)?;
     let joints_file = Output::new(args.joints_csv.as_deref())?;
-    let quiet = json.is_standard() || joints_file.is_standard();
+    let quiet = json.as_ref().is_some_and(Output::is_standard) || joints_file.is_standard();
     let shown = !quiet && args.diff.is_none();
 
     // File by file: the result of a large program is larger than what is needed to make it.
@@ -82,17 +83,24 @@ fn work(args: &Args, console: &mut Console, json: &Output) -> Result<File, Box<R
     whole.map_err(|message| made.refuse(message))?;
     let dropped = cut.dropped;
 
-    // Before anything is put in its place: the program may be read for them once more.
-    let table = written_aside(args.joints_csv.is_some(), |out| made.write_joints(out));
-    let mut table = table.map_err(|message| made.refuse(message))?;
-    let facts = written_aside(args.json.is_some(), |out| made.write_json(out));
+    if args.joints_csv.is_some() {
+        made.check_joints().map_err(|message| made.refuse(message))?;
+    }
+    // A large program is read again for these, and where it is changed in place that must be before.
+    let early = args.in_place && given.is_large();
+    let table = aside(early && args.joints_csv.is_some(), |out| made.write_joints(out));
+    let table = table.map_err(|message| made.refuse(message))?;
+    let facts = aside(early && args.json.is_some(), |out| made.write_json(out));
     let facts = facts.map_err(|message| made.refuse(message))?;
     console.explain(&made.messages, args.all);
     let written = writing.finish(&destination, &given).map_err(|message| made.refuse(message))?;
     if let Some(diff) = diff_file {
         diff.write(&[]).map_err(|message| made.refuse(message))?;
     }
-    let kept = joints_file.stream(console, |out| copy(&mut table, out));
+    let kept = joints_file.stream(console, |out| match table {
+        Some(table) => copy(table, out),
+        None => made.write_joints(out),
+    });
     kept.map_err(|error| made.refuse(no_output(&std::io::Error::other(error))))?;
     if !quiet {
         show(console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;
@@ -104,32 +112,37 @@ fn work(args: &Args, console: &mut Console, json: &Output) -> Result<File, Box<R
     for (path, size) in written {
         console.say(format_args!("wrote {} ({size} bytes)", path.display()));
     }
-    Ok(facts)
+    let json = json.take().unwrap_or(Output::Nowhere);
+    Ok(json.stream(console, |out| match facts {
+        Some(facts) => copy(facts, out),
+        None => made.write_json(out),
+    }))
 }
 
-/// A result in a file of its own until all others are in their places; an empty one where it is not wanted.
-fn written_aside(
+/// A result in a file of its own until all others are in their places, where that is wanted.
+fn aside(
     wanted: bool,
     write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
-) -> Result<File, Diagnostic> {
+) -> Result<Option<File>, Diagnostic> {
     let failed = |error: anyhow::Error| {
-        error.downcast().unwrap_or_else(|error| no_output(&std::io::Error::other(error)))
+        error.downcast().unwrap_or_else(|error| {
+            let text = format!("a result cannot be kept in a file until the others are written: {error}");
+            Diagnostic::error("output::unwritable", text)
+                .help("make room in the folder for temporary files, or name one in TMPDIR")
+        })
     };
-    let aside = || -> anyhow::Result<File> {
-        let mut file = tempfile::tempfile()?;
-        if wanted {
-            let mut out = BufWriter::with_capacity(1 << 16, &mut file);
-            write(&mut out)?;
-            out.flush()?;
-        }
+    let write = || -> anyhow::Result<File> {
+        let mut out = BufWriter::with_capacity(1 << 16, tempfile::tempfile()?);
+        write(&mut out)?;
+        let mut file = out.into_inner()?;
         file.rewind()?;
         Ok(file)
     };
-    aside().map_err(failed)
+    wanted.then(write).transpose().map_err(failed)
 }
 
-fn copy(file: &mut File, out: &mut dyn Write) -> anyhow::Result<()> {
-    std::io::copy(file, out)?;
+fn copy(mut file: File, out: &mut dyn Write) -> anyhow::Result<()> {
+    std::io::copy(&mut file, out)?;
     Ok(())
 }
 

@@ -6,7 +6,7 @@ use crate::cli::destination::Destination;
 use crate::cli::given::Given;
 use crate::cli::model::{self, Named};
 use crate::compensate::plan::{Plan, Totals};
-use crate::compensate::{CompensateError, Options, Planner};
+use crate::compensate::{self, CompensateError, Options, Planner};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, FileId, Severity};
 use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile, Form, Memory, Ready};
@@ -111,6 +111,7 @@ impl Job {
         }
         let Looked { totals, rows, emission, refused, .. } = looked;
         let mut made = Made {
+            job: self,
             form: Form::Schedule,
             parts,
             planner,
@@ -136,6 +137,11 @@ impl Job {
             Ok(()) => Ok(made),
             Err(halt) => Err(Stop::Refused(made.refuse_with(halt.into()))),
         }
+    }
+
+    /// The plan of a program at once, where there is one.
+    pub(super) fn plan(&self, program: &Program) -> Option<Plan> {
+        compensate::plan(program, &self.robot.model, &self.deformation.model, &self.options).ok()
     }
 
     /// The program ready to be emitted in the form that was asked for, or in the one that suits.
