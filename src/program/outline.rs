@@ -101,7 +101,9 @@ impl Work<'_> {
             let text = self.file.text(TextRange::new(from, last.start));
             let blanks = text.iter().rev().take_while(|b| b.is_ascii_whitespace()).count() as u32;
             let cut = TextRange::new(from, last.start - blanks);
-            if !cut.is_empty() {
+            // Of moves in one line nothing is left out: columns stay what they are.
+            let begins_line = text.iter().rev().take(blanks as usize).any(|b| matches!(b, b'\n' | b'\r'));
+            if !cut.is_empty() && begins_line {
                 self.cuts.push(cut);
             }
         }
@@ -177,6 +179,8 @@ mod tests {
             let text = format!("MoveL [1],v5,z1,t;\n{kept}MoveL [9],v5,z1,t;\n");
             assert_eq!(outlined(&text), text);
         }
+        let in_line = "MoveL [1],v5,z1,t; MoveL [2],v5,z1,t; MoveL [3],v5,z1,t;\n";
+        assert_eq!(outlined(in_line), in_line);
         let renamed = "MoveL [1],v5,z1,t;\nMoveL [2],v6,z1,t;\nt:=u;\nMoveL [3],v5,z1,t;\nMoveL [4],v6,z1,t;\nMoveL [5],v5,z1,t;\n";
         assert_eq!(outlined(renamed), renamed, "behind an assignment a name may mean something else");
         let numbers = "MoveL [1],v5,z1,t;\n! 12.5\nMoveL [2],v5,z1,t;\nMoveL [9],v5,z1,t;\n";
