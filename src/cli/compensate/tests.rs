@@ -122,3 +122,20 @@ fn a_file_that_changes_between_the_parts_is_refused() {
     let refusal = job.make(&given, false, &mut |_, _| panic!("nothing is emitted")).err().unwrap();
     assert_eq!(refusal.messages[0].diagnostic.code, "input::changed");
 }
+
+/// A pipe gives its bytes once: they are held, however many there are.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_not_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("A.mod");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    let bytes = std::fs::read(fixture("parts").join("A.mod")).unwrap();
+    let (to, sent) = (pipe.clone(), bytes.clone());
+    let writer = std::thread::spawn(move || std::fs::write(to, sent).unwrap());
+    let given = Given::read_up_to(&[pipe, fixture("parts").join("Main.mod")], 1).unwrap();
+    writer.join().unwrap();
+    assert!(!given.is_large());
+    assert_eq!(&*given.content(0).unwrap(), bytes.as_slice());
+}
