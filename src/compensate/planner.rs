@@ -13,7 +13,7 @@ use super::model::{Model, WarmBucket};
 use super::nominal::Resolved;
 use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary, Tick};
 use super::rigid::{Supports, worst_of_parts_m};
-use super::survey::{Exceptions, Nothing, Survey, except, own_points, resolved_as_asked, unfollowable};
+use super::survey::{Exceptions, Nothing, Survey, own_points, resolved_to_follow};
 use super::{CompensateError, Options, ticks};
 use crate::deform::Deformation;
 use crate::diagnostic::Diagnostic;
@@ -298,17 +298,8 @@ impl<'a> Planner<'a> {
 
     /// The motions of a part's program.
     pub(super) fn resolved(&self, part: Part<'_>, messages: &mut Messages) -> Vec<Resolved> {
-        let mut resolved = resolved_as_asked(part.program, &self.model, self.options, &self.exits, messages);
-        let anew;
-        let exceptions = match self.unfollowable.get(&part.number) {
-            Some(known) => known,
-            None => {
-                anew = unfollowable(&self.model, &resolved);
-                &anew
-            }
-        };
-        except(&mut resolved, exceptions);
-        resolved
+        let known = self.unfollowable.get(&part.number);
+        resolved_to_follow(part.program, (&self.model, self.options, &self.exits), known, messages)
     }
 
     /// Figures over all parts, once each was planned, and what there is to be said of the program as a whole.

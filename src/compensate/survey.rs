@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 pub(super) type Exceptions = BTreeMap<usize, Keep>;
 
 /// The motions of a part's program, with what the options take out.
-pub(super) fn resolved_as_asked(
+fn resolved_as_asked(
     program: &Program,
     model: &Model,
     options: &Options,
@@ -28,6 +28,24 @@ pub(super) fn resolved_as_asked(
 ) -> Vec<Resolved> {
     let mut resolved = resolve(program, model, exits, messages);
     keep_as_asked(program, options, &mut resolved);
+    resolved
+}
+
+/// The same, with what the settled arm cannot follow taken out too; `known` is that, where it was found before.
+pub(super) fn resolved_to_follow(
+    program: &Program,
+    (model, options, exits): (&Model, &Options, &Exits),
+    known: Option<&Exceptions>,
+    messages: &mut Messages,
+) -> Vec<Resolved> {
+    let mut resolved = resolved_as_asked(program, model, options, exits, messages);
+    match known {
+        Some(known) => except(&mut resolved, known),
+        None => {
+            let found = unfollowable(model, &resolved);
+            except(&mut resolved, &found);
+        }
+    }
     resolved
 }
 
@@ -117,10 +135,9 @@ impl<'s, 'a> Survey<'s, 'a> {
             let resolved = match &*only {
                 Some((resolved, _)) => resolved,
                 None => {
-                    let mut said = Messages::default();
-                    let mut own = resolved_as_asked(part.program, model, options, exits, &mut said);
-                    unfollowable.get(&part.number).into_iter().for_each(|known| except(&mut own, known));
-                    anew = own;
+                    let known = unfollowable.get(&part.number);
+                    let with = (&**model, &**options, &*exits);
+                    anew = resolved_to_follow(part.program, with, known, &mut Messages::default());
                     &anew
                 }
             };
@@ -250,7 +267,7 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
 }
 
 /// What the settled arm cannot follow: no schedule is to be made for it.
-pub(super) fn unfollowable(model: &Model, resolved: &[Resolved]) -> Exceptions {
+fn unfollowable(model: &Model, resolved: &[Resolved]) -> Exceptions {
     let settled = model.arm(Moment::Settled);
     let stuck = |(i, resolved): (usize, &Resolved)| {
         let points = resolved.points.as_deref().ok()?;
@@ -259,7 +276,7 @@ pub(super) fn unfollowable(model: &Model, resolved: &[Resolved]) -> Exceptions {
     resolved.par_iter().enumerate().filter_map(stuck).collect()
 }
 
-pub(super) fn except(resolved: &mut [Resolved], exceptions: &Exceptions) {
+fn except(resolved: &mut [Resolved], exceptions: &Exceptions) {
     for (i, why) in exceptions {
         if let Some(resolved) = resolved.get_mut(*i) {
             resolved.keep(why.clone());
