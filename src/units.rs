@@ -31,6 +31,13 @@ pub fn deg_from_rad(rad: f64) -> f64 {
     rad.to_degrees()
 }
 
+/// Seconds from minutes.
+#[inline]
+#[must_use]
+pub fn seconds_from_min(min: f64) -> f64 {
+    min * 60.0
+}
+
 /// Metres from inches (exact since 1959).
 #[inline]
 #[must_use]

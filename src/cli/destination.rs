@@ -98,16 +98,11 @@ impl Destination {
         }
         let path = Path::new(&emitted.path);
         let folder = path.parent().unwrap_or(Path::new(""));
-        // A folder of the disk stands above the modules in a backup, and is new beside them.
-        let (above, sub) = match folder.parent() {
-            Some(above) if emitted.on_disk => (above, folder.file_name()),
-            _ => (folder, None),
-        };
-        let below = given.paths.iter().position(|p| p.starts_with(above)).unwrap_or(0);
+        let below = given.paths.iter().position(|p| p.starts_with(folder)).unwrap_or(0);
         let depth =
-            given.paths.get(below).and_then(|p| p.strip_prefix(above).ok()).map_or(1, |p| p.iter().count());
+            given.paths.get(below).and_then(|p| p.strip_prefix(folder).ok()).map_or(1, |p| p.iter().count());
         let to = self.modules.get(below).and_then(|p| p.ancestors().nth(depth)).unwrap_or(Path::new(""));
-        to.join(sub.unwrap_or_default()).join(path.file_name().unwrap_or_default())
+        to.join(path.file_name().unwrap_or_default())
     }
 
     /// Refuses new modules in the place of others: an input, another result, or what belongs to another
@@ -118,7 +113,7 @@ impl Destination {
         let new = emitted.iter().zip(&paths).filter(|(file, _)| file.source.is_none());
         let unchanged = self.modules.iter().filter(|path| !paths.contains(path) && self.whole);
         let outputs: Vec<&Path> = paths.iter().chain(unchanged).map(PathBuf::as_path).collect();
-        for (file, path) in new.filter(|(file, _)| !file.on_disk) {
+        for (file, path) in new {
             files::keep_apart(&inputs, &[path])?;
             if let Some(other) = of_another_program(path, &file.bytes, &outputs) {
                 let text = format!("{} is there already, and {other}", path.display());
@@ -146,7 +141,7 @@ impl Destination {
             return bytes.to_vec();
         }
         let mut bytes = bytes.to_vec();
-        for file in emitted.iter().filter(|file| file.source.is_none() && !file.on_disk) {
+        for file in emitted.iter().filter(|file| file.source.is_none()) {
             let path = self.path_of(file, given);
             let place = path.strip_prefix(to.parent().unwrap_or(Path::new(""))).unwrap_or(&path);
             bytes = pgf_with_module(&bytes, &place.to_string_lossy().replace('\\', "/"));
@@ -181,7 +176,7 @@ fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<St
 
 /// Files of a result, each written beside its place; all are written before any is put in its place.
 ///
-/// The first are the emitted ones: changed modules, new ones beside them, those on the controller's disk.
+/// The first are the emitted ones: changed modules, new ones beside them.
 #[derive(Default)]
 pub struct Writing {
     pending: Vec<Pending>,
@@ -192,36 +187,19 @@ pub struct Writing {
 }
 
 impl Writing {
-    /// Writes an emitted file, or the next piece of one on the controller's disk.
+    /// Writes an emitted file.
     ///
     /// # Errors
     /// `output::unwritable`.
     pub fn add(&mut self, to: &Destination, given: &Given, file: EmittedFile) -> Result<(), Diagnostic> {
-        if file.on_disk
-            && let Some(at) = self.emitted.iter().position(|begun| begun.on_disk && begun.path == file.path)
-            && let (Some(pending), Some((_, size))) = (self.pending.get_mut(at), self.written.get_mut(at))
-        {
-            *size += file.bytes.len();
-            return pending.fill(&mut file.bytes.as_slice());
-        }
         let path = to.path_of(&file, given);
         let mut pending = Pending::new(&path)?;
         pending.fill(&mut file.bytes.as_slice())?;
-        let disk = self.emitted.iter().position(|other| other.on_disk).filter(|_| !file.on_disk);
-        let at = disk.unwrap_or(self.emitted.len());
-        self.pending.insert(at, pending);
-        self.written.insert(at, (path, file.bytes.len()));
-        let bytes = if file.source.is_none() && !file.on_disk { file.bytes } else { Vec::new() };
-        self.emitted.insert(at, EmittedFile { bytes, edits: Vec::new(), ..file });
+        self.pending.push(pending);
+        self.written.push((path, file.bytes.len()));
+        let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
+        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
         Ok(())
-    }
-
-    /// The files on the controller's disk as far as they are written, with their paths.
-    pub fn on_disk(&self) -> impl Iterator<Item = (&Path, Result<fs::File, Diagnostic>)> {
-        let files = self.emitted.iter().zip(&self.pending).zip(&self.written);
-        files
-            .filter(|((file, _), _)| file.on_disk)
-            .map(|((_, pending), (path, _))| (path.as_path(), pending.written()))
     }
 
     fn put(&mut self, path: &Path, from: &mut dyn std::io::Read) -> Result<(), Diagnostic> {
@@ -285,49 +263,6 @@ fn with_tc(path: &Path, keep_extension: bool) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn pieces_of_a_file_are_written_one_behind_the_other() {
-        let folder = tempfile::tempdir().unwrap();
-        for name in ["A.mod", "B.mod"] {
-            fs::write(folder.path().join(name), format!("MODULE {name}")).unwrap();
-        }
-        let given = Given::read(&[folder.path().to_path_buf()]).unwrap();
-        let out = tempfile::tempdir().unwrap();
-        let to = Destination::new(&given, Some(out.path()), false).unwrap();
-        let emitted = |source: Option<u32>, name: &str, text: &str| EmittedFile {
-            source: source.map(FileId),
-            on_disk: name.starts_with("HOME/"),
-            path: folder.path().join(name).to_string_lossy().replace('\\', "/"),
-            bytes: text.as_bytes().to_vec(),
-            edits: Vec::new(),
-        };
-        let mut writing = Writing::default();
-        for (source, name, text) in [
-            (Some(0), "A.mod", "a"),
-            (None, "HOME/b0.mod", "first,"),
-            (None, "HOME/b1.mod", "other,"),
-            (Some(1), "B.mod", "bb"),
-            (None, "HOME/b0.mod", "second,"),
-            (None, "tcCore.mod", "core"),
-            (None, "HOME/b0.mod", "end"),
-            (None, "HOME/b1.mod", "end"),
-        ] {
-            writing.add(&to, &given, emitted(source, name, text)).unwrap();
-        }
-        let on_disk = writing.on_disk().map(|(path, file)| {
-            let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            (name, std::io::read_to_string(file.unwrap()).unwrap())
-        });
-        let expected = [("b0.mod", "first,second,end"), ("b1.mod", "other,end")];
-        assert_eq!(on_disk.collect::<Vec<_>>(), expected.map(|(name, text)| (name.into(), text.into())));
-        let written = writing.finish(&to, &given).unwrap();
-        let places = [("A.mod", 1), ("B.mod", 2), ("tcCore.mod", 4), ("HOME/b0.mod", 16), ("HOME/b1.mod", 9)];
-        assert_eq!(written, places.map(|(place, size)| (out.path().join(place), size)));
-        for (path, size) in written {
-            assert_eq!(fs::metadata(&path).unwrap().len(), size as u64, "{}", path.display());
-        }
-    }
 
     #[test]
     fn names_get_tc_before_the_extension() {

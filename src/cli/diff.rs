@@ -7,11 +7,9 @@ use super::shared::RobotName;
 use super::{Console, Outcome};
 use crate::compensate::compare::compare;
 use crate::diagnostic::Diagnostic;
-use crate::emit::{bucket_of, differences, standing_in};
+use crate::emit::differences;
 use crate::program::{Overrides, Program};
 use crate::report::{self, Compared, Told};
-use crate::syntax::SourceFile;
-use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -60,27 +58,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     else {
         return Ok(Outcome::Refused);
     };
-    let against = |after: &Program| {
-        compare(&before, after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))
-    };
-    let buckets = buckets(&given_after)?;
-    let own = with_bucket(&after, None)?;
-    if own.is_some() && buckets.is_empty() {
-        let text = format!("the modules of {}'s buckets are not there", args.after.display());
-        return Err(Diagnostic::error("diff::no-buckets", text).help("put the folder HOME beside it").into());
-    }
-    let mut comparison = against(own.as_ref().unwrap_or(&after))?;
-    let mut elsewhere = differences(&before, &after);
-    for bytes in buckets.values().filter(|_| own.is_some()) {
-        let Some(in_bucket) = with_bucket(&after, Some(bytes))? else { continue };
-        for difference in differences(&before, &in_bucket) {
-            if !elsewhere.contains(&difference) {
-                elsewhere.push(difference);
-            }
-        }
-        comparison.add_bucket(&against(&in_bucket)?);
-    }
-    comparison.forget_unchanged();
+    let comparison = compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+    let elsewhere = differences(&before, &after);
     let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
     let pretty = || -> anyhow::Result<Vec<u8>> {
         let mut bytes = serde_json::to_vec_pretty(&shown)?;
@@ -100,27 +79,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     json.write(console, pretty)?;
     let same_bytes = given_before.bytes == given_after.bytes;
     Ok(if same_bytes || shown.is_same() { Outcome::Done } else { Outcome::Difference })
-}
-
-/// The modules of a program's buckets, by number.
-fn buckets(given: &Given) -> Result<BTreeMap<usize, Vec<u8>>, Diagnostic> {
-    Ok(given.disk()?.into_iter().filter_map(|(_, bytes)| Some((bucket_of(&bytes)?, bytes))).collect())
-}
-
-/// A program as it runs with a bucket's module, or with its own statements; `None` where no module of it asks.
-fn with_bucket(program: &Program, bucket: Option<&[u8]>) -> Result<Option<Program>, Diagnostic> {
-    let mut asks = false;
-    let mut files = Vec::new();
-    for file in &program.files {
-        let made = standing_in(&file.bytes, bucket).map_err(|routine| {
-            Diagnostic::error("diff::bucket", format!("a bucket's module has no routine {routine}"))
-                .help("give the program and the folder HOME of one run")
-        })?;
-        asks |= made.is_some();
-        let bytes = made.unwrap_or_else(|| file.bytes.to_vec());
-        files.push(SourceFile::read(file.id, file.path.clone(), bytes));
-    }
-    Ok(asks.then(|| Program::read(files, &Overrides::default())))
 }
 
 fn program(given: &Given, console: &mut Console) -> Option<Program> {

@@ -41,6 +41,8 @@ pub struct Given {
     pub bytes: Vec<Arc<[u8]>>,
     /// Programs of more bytes than this are read part by part, in parts of about so many.
     part_bytes: usize,
+    /// How many bytes all files have.
+    all_bytes: usize,
     /// SHA-256 of each file, where its bytes are read again when they are wanted.
     digests: Vec<[u8; 32]>,
     /// Files that are no modules: path and place. They are copied as they are.
@@ -68,17 +70,16 @@ impl Given {
             [one] => Self::list(Shape::One, one, std::slice::from_ref(one)),
             several => Self::several(several)?,
         };
-        let mut all_bytes = 0;
         // A pipe gives its bytes once.
         let again = given.paths.iter().all(|path| path.is_file());
         given.part_bytes = part_bytes;
         for path in &given.paths {
             let bytes = files::read(path, "program")?;
             check(path, &bytes)?;
-            all_bytes += bytes.len();
+            given.all_bytes += bytes.len();
             given.digests.push(Sha256::digest(&bytes).into());
             given.bytes.push(bytes.into());
-            if all_bytes > part_bytes && given.paths.len() > 1 && again {
+            if given.all_bytes > part_bytes && given.paths.len() > 1 && again {
                 given.bytes.clear();
             }
         }
@@ -92,6 +93,12 @@ impl Given {
     #[must_use]
     pub fn is_large(&self) -> bool {
         self.bytes.is_empty()
+    }
+
+    /// How many bytes all files have.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.all_bytes
     }
 
     /// How many bytes a part has, about.
@@ -169,6 +176,7 @@ impl Given {
             paths: paths.to_vec(),
             bytes: Vec::new(),
             part_bytes: usize::MAX,
+            all_bytes: 0,
             digests: Vec::new(),
             others: Vec::new(),
         }
@@ -212,6 +220,7 @@ impl Given {
             paths: modules,
             bytes: Vec::new(),
             part_bytes: usize::MAX,
+            all_bytes: 0,
             digests: Vec::new(),
         })
     }

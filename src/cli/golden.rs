@@ -17,7 +17,6 @@ use clap::{Args as _, FromArgMatches};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// Options of `golden`.
@@ -109,25 +108,17 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
     let look = Look::Plain;
     let mut said = Vec::new();
     let mut diff = Vec::new();
-    let mut on_disk: Vec<(PathBuf, String)> = Vec::new();
     let mut take = |program: &Program, file: EmittedFile| {
         write_diff(&mut diff, program, &file, &given, &destination)
             .map_err(|cause| Diagnostic::error("output::unwritable", cause.to_string()))?;
         let path = destination.path_of(&file, &given);
         let place = path.strip_prefix("expected").unwrap_or(&path).to_string_lossy().replace('\\', "/");
-        if file.on_disk && !result.contains_key(&place) {
-            on_disk.push((path, place.clone()));
-        }
         result.entry(place).or_default().extend(file.bytes);
         Ok(())
     };
     let job = Job::new(&args)?;
     let messages = match job.make(&given, true, &mut take) {
         Ok(made) => {
-            for (path, place) in on_disk {
-                let bytes = result.get(&place).map(Vec::as_slice).unwrap_or_default();
-                report::write_created(&mut diff, &path.display().to_string(), &mut Cursor::new(bytes))?;
-            }
             let mut text = Vec::new();
             made.write_review(&mut text)?;
             result.insert("review.txt".to_owned(), text);

@@ -4,11 +4,11 @@
 use super::given::Given;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use crate::compensate::{self, plan};
+use crate::compensate::{self, FormChoice, plan};
 use crate::deform::{Deformation, GrowthLaw};
 use crate::diagnose::{Diagnosis, Options, describe, diagnose_and_identify};
 use crate::diagnostic::Diagnostic;
-use crate::emit::{Clock, EmitOptions, Form, Provenance, emit};
+use crate::emit::{Clock, EmitOptions, Provenance, emit};
 use crate::exam::again::{Again, Commanded, is_lasting, measured_rms_m};
 use crate::exam::draw::Draw;
 use crate::exam::generate::{DataSet, data_set};
@@ -183,7 +183,8 @@ fn compensated(
     let how = EmitOptions {
         clock: Clock::Elapsed,
         core: None,
-        form: Form::Schedule,
+        form: FormChoice::Schedule,
+        growth: None,
         robot: Provenance::default(),
         deformation: Provenance::default(),
         absolute_accuracy: false,
@@ -209,7 +210,7 @@ fn moves(robot: &Robot, program: &[(String, Vec<u8>)]) -> Result<Vec<Move>, Diag
         controller.load(path, bytes).map_err(refused)?;
         controller.put_file(path, bytes);
     }
-    for name in ["tcColdStart", "tcTick"] {
+    for name in ["tcColdStart", "tcUpdate"] {
         if controller.has_routine(name) {
             controller.call(name, 1).map_err(refused)?;
         }

@@ -49,17 +49,23 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         results.push((path, restored, pending));
     }
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
+    let mut outcome = Outcome::Done;
     for (path, restored, pending) in results {
+        if !restored.touched.is_empty() || !restored.altered.is_empty() {
+            outcome = Outcome::Difference;
+        }
         for touched in &restored.touched {
             let into = match touched.into {
                 TouchedInto::Motion => "the motion",
                 TouchedInto::Declaration => "the declaration",
             };
             console.say(format_args!(
-                "{}:{}: {} was touched up on the controller; its new value is in {into}",
+                "{}:{}: {} was touched up on the controller by {:.4} {}; its new value is in {into}",
                 path.display(),
                 touched.line,
-                touched.target
+                touched.target,
+                touched.moved,
+                touched.unit
             ));
         }
         warn(path, &restored.altered, console);
@@ -68,7 +74,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         pending.place()?;
         console.say(format_args!("wrote {} ({how})", to.display()));
     }
-    Ok(Outcome::Done)
+    Ok(outcome)
 }
 
 /// What was changed in the emitted module and has no place in the original.
@@ -114,7 +120,9 @@ fn summary(results: &[(&Path, Restored, Pending)]) -> serde_json::Value {
         let touched: Vec<_> = restored
             .touched
             .iter()
-            .map(|t| json!({"line": t.line, "target": t.target, "value": t.value}))
+            .map(|t| {
+                json!({"line": t.line, "target": t.target, "value": t.value, "moved": t.moved, "unit": t.unit})
+            })
             .collect();
         let altered: Vec<_> = restored
             .altered

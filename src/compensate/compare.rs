@@ -13,7 +13,7 @@ use crate::deform::{Deformation, GrowthLaw};
 use crate::kinematics::{Configuration, FrameOffsets};
 use crate::program::Program;
 use crate::program::data::RobTarget;
-use crate::program::motion::{Motion, Target, TargetValue};
+use crate::program::motion::{Motion, TargetValue};
 use crate::robot::Robot;
 use nalgebra::Isometry3;
 use std::borrow::Cow;
@@ -28,34 +28,6 @@ pub struct Comparison {
     pub only_before: Vec<usize>,
     /// Motions of the second program that the first has not.
     pub only_after: Vec<usize>,
-}
-
-impl Comparison {
-    /// Takes in the same program with the targets of one more bucket: a step more for each motion that is not
-    /// scheduled by itself. Whatever else is different counts once.
-    pub fn add_bucket(&mut self, bucket: &Self) {
-        for (own, other) in self.motions.iter_mut().zip(&bucket.motions) {
-            own.same_frames &= own.before == other.before && other.same_frames;
-            if let [step] = other.steps.as_slice() {
-                own.steps.push(*step);
-            }
-        }
-        for (own, other) in
-            [(&mut self.only_before, &bucket.only_before), (&mut self.only_after, &bucket.only_after)]
-        {
-            own.extend(other);
-            own.sort_unstable();
-            own.dedup();
-        }
-    }
-
-    /// Leaves one step to motions that are the same in every bucket.
-    pub fn forget_unchanged(&mut self) {
-        let still = |step: &Step| step.distance_m == 0.0 && step.angle_rad == 0.0 && step.same_configuration;
-        for motion in self.motions.iter_mut().filter(|m| m.steps.iter().all(still)) {
-            motion.steps.truncate(1);
-        }
-    }
 }
 
 /// A motion of both programs.
@@ -166,7 +138,7 @@ fn motion(
     let mut steps = Vec::new();
     if let (Ok(from), Ok(to)) = placements {
         for (n, (a, b)) in before.targets.iter().zip(&after.targets).enumerate() {
-            let (a, b) = (values(a), values(b));
+            let (a, b) = (a.values(), b.values());
             let compared = b.iter().enumerate().filter_map(|(k, b)| {
                 let a = a.get(k).or(a.first())?;
                 step(a, from, b, to, q_rad.get(n), model)
@@ -176,13 +148,6 @@ fn motion(
         }
     }
     ComparedMotion { before: i, after: j, same_frames, steps }
-}
-
-fn values(target: &Target) -> Vec<TargetValue> {
-    match target.value {
-        Some(value) => vec![value],
-        None => target.elements.clone(),
-    }
 }
 
 /// A target as a pose in its work object and as the flange's pose.

@@ -1,15 +1,16 @@
-//! One motion's correction: for each bucket the deformed arm's joints, what they look like to the nominal
-//! controller, and whether that may be sent.
+//! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
+//! like to the nominal controller, and whether that may be sent.
 
 use super::Options;
 use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::keep;
-use super::plan::{PlannedMotion, PlannedTarget, Status};
+use super::plan::{Form, PlannedMotion, PlannedTarget, Status};
+use super::ramp::Ramp;
 use crate::deform::DeformedArm;
 use crate::kinematics::{Configuration, solve};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
-use crate::program::motion::{Keep, Motion, Target, TargetValue};
+use crate::program::motion::{Keep, Motion, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use nalgebra::Vector3;
 
@@ -34,22 +35,25 @@ pub(super) fn kept(why: Keep) -> Made {
     Made { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
 }
 
-/// Corrects a motion's points for all buckets.
+/// Corrects a motion's points for all buckets, or for all nodes of time functions.
 pub(super) fn correct(
     motion: &Motion,
     points: &[Point],
-    warm: &[WarmBucket],
+    at: &Moments,
     model: &Model,
     options: &Options,
 ) -> Made {
+    let warm = at.warm();
     let mut made = Made {
         planned: PlannedMotion { targets: Vec::with_capacity(points.len()), ..no_figures() },
-        error_m: vec![[0.0; 2]; warm.len()],
+        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
     };
+    made.planned.form = options.form.of_known();
     let mut refusal = None;
-    for (point, target) in points.iter().zip(&motion.targets) {
+    let values = motion.targets.iter().flat_map(|target| target.values());
+    for (point, value) in points.iter().zip(values) {
         let joints = match joints_per_bucket(point, warm, model) {
             Ok(joints) => joints,
             Err(Stop::Keep(why)) => return kept(why),
@@ -59,8 +63,18 @@ pub(super) fn correct(
             }
         };
         made.add_corrections(point, &joints, model);
-        made.add_errors(point, &joints, warm);
-        made.planned.targets.push(planned_target(point, target, model));
+        let mut planned = planned_target(point, value, model);
+        match at {
+            Moments::Buckets(warm) => made.add_errors(point, &joints, warm),
+            Moments::Nodes(ramp) => {
+                planned.corrections =
+                    ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
+                let error_m = ramp.errors_m(point, &planned.corrections, model);
+                let worst = &mut made.error_m[0];
+                *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
+            }
+        }
+        made.planned.targets.push(planned);
     }
     let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
     made.planned.error_m = Some([over(0), over(1)]);
@@ -74,16 +88,58 @@ pub(super) fn correct(
 }
 
 /// The plan of a motion that is known to be compensated; its figures are left out.
-pub(super) fn compensated(motion: &Motion, points: &[Point], model: &Model) -> PlannedMotion {
-    let targets = points.iter().zip(&motion.targets);
-    let targets = targets.map(|(point, target)| planned_target(point, target, model)).collect();
-    PlannedMotion { status: Status::Compensated, targets, ..no_figures() }
+pub(super) fn compensated(
+    motion: &Motion,
+    points: &[Point],
+    (at, model): (&Moments, &Model),
+    options: &Options,
+) -> PlannedMotion {
+    let values = motion.targets.iter().flat_map(|target| target.values());
+    let one = |(point, value): (&Point, &TargetValue)| {
+        let mut planned = planned_target(point, value, model);
+        if let Some(ramp) = at.ramp() {
+            let joints: Vec<[f64; 6]> =
+                at.warm().iter().filter_map(|node| warm_joints(point, &node.at).ok()).collect();
+            planned.corrections =
+                ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
+        }
+        planned
+    };
+    let targets = points.iter().zip(values).map(one).collect();
+    PlannedMotion { status: Status::Compensated, form: options.form.of_known(), targets, ..no_figures() }
+}
+
+/// The moments for which corrections are made.
+pub(super) enum Moments {
+    /// One for each bucket of a schedule.
+    Buckets(Vec<WarmBucket>),
+    /// The nodes of time functions.
+    Nodes(Ramp),
+}
+
+impl Moments {
+    /// The arms.
+    pub(super) fn warm(&self) -> &[WarmBucket] {
+        match self {
+            Self::Buckets(warm) => warm,
+            Self::Nodes(ramp) => &ramp.nodes,
+        }
+    }
+
+    /// The time functions, where they are.
+    pub(super) fn ramp(&self) -> Option<&Ramp> {
+        match self {
+            Self::Buckets(_) => None,
+            Self::Nodes(ramp) => Some(ramp),
+        }
+    }
 }
 
 /// A motion of which nothing is known yet.
-fn no_figures() -> PlannedMotion {
+pub(super) fn no_figures() -> PlannedMotion {
     PlannedMotion {
         status: Status::Compensated,
+        form: Form::default(),
         targets: Vec::new(),
         max_correction_m: 0.0,
         max_correction_rad: 0.0,
@@ -92,13 +148,13 @@ fn no_figures() -> PlannedMotion {
     }
 }
 
-fn planned_target(point: &Point, target: &Target, model: &Model) -> PlannedTarget {
-    let pose = match &target.value {
-        Some(TargetValue::FromJoints(joints)) => Some(Box::new(pose_of(point, joints, model))),
-        _ => None,
+fn planned_target(point: &Point, value: &TargetValue, model: &Model) -> PlannedTarget {
+    let pose = match value {
+        TargetValue::FromJoints(joints) => Some(Box::new(pose_of(point, joints, model))),
+        TargetValue::Rob(_) | TargetValue::Joint(_) => None,
     };
     let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
-    PlannedTarget { pose, nominal_q_rad, conditions }
+    PlannedTarget { pose, nominal_q_rad, conditions, corrections: Vec::new() }
 }
 
 /// The pose that joints mean, with the configuration that it is reached in.
@@ -184,6 +240,11 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
 }
 
 impl Made {
+    /// Of a motion of which nothing more is known.
+    pub(super) fn without_figures(planned: PlannedMotion) -> Self {
+        Self { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
+    }
+
     /// How far the nominal controller is told to go from the original target.
     fn add_corrections(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) {
         let meant = point.object_from_tcp();

@@ -48,10 +48,8 @@ impl Corrector for WarmArms {
     fn corrected(&self, motion: &Motion, planned: &PlannedMotion, bucket: usize) -> Option<Vec<Corrected>> {
         let arm = self.at.get(bucket)?;
         let placement = Placement::of(motion).ok()?;
-        let targets = motion.targets.iter().zip(&planned.targets);
-        targets
-            .map(|(target, planned)| self.target(&placement, target.value.as_ref()?, planned, arm))
-            .collect()
+        let values = motion.targets.iter().flat_map(|target| target.values());
+        values.zip(&planned.targets).map(|(value, planned)| self.target(&placement, value, planned, arm)).collect()
     }
 }
 

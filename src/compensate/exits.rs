@@ -1,5 +1,4 @@
-//! What the parts of a program must know of each other: where the motions end that motions of other parts start from, and how
-//! long the routines take that they come back from.
+//! What the parts of a program must know of each other: where the motions end that motions of other parts start from.
 
 use super::nominal::Resolved;
 use crate::diagnostic::{FileId, Span, TextRange};
@@ -14,7 +13,6 @@ type Place = (FileId, u32);
 #[derive(Debug, Default)]
 pub(super) struct Exits {
     motions: BTreeMap<Place, Resolved>,
-    routines_s: BTreeMap<Place, f64>,
     /// For each part what it has last taken from here.
     taken: BTreeMap<usize, BTreeMap<Place, Option<Resolved>>>,
     /// Motions that start from each other in a circle, so that nothing can be said of their ends.
@@ -25,12 +23,6 @@ impl Exits {
     /// Where a motion of an outline ends, as its own part has found.
     pub(super) fn of_motion(&self, program: &Program, motion: &Motion) -> Option<&Resolved> {
         self.motions.get(&place(program, motion.file, motion.range)?)
-    }
-
-    /// What all motions of a routine of an outline take, seconds.
-    pub(super) fn of_routine_s(&self, program: &Program, routine: usize) -> Option<f64> {
-        let routine = program.routines.get(routine)?;
-        self.routines_s.get(&place(program, routine.file, routine.range)?).copied()
     }
 
     /// Takes note of what a part's own motions start from and, of those that other parts see, where they end.
@@ -52,15 +44,6 @@ impl Exits {
             }
         }
         self.taken.insert(part.number, taken);
-    }
-
-    /// Takes note of how long a part's own routines take, in the order of the program's routines.
-    pub(super) fn note_times(&mut self, program: &Program, routines_s: &[f64]) {
-        for (routine, &time_s) in program.routines.iter().zip(routines_s) {
-            if program.outline(routine.file).is_none() {
-                self.routines_s.insert((routine.file, routine.range.start), time_s);
-            }
-        }
     }
 
     /// Whether all that a part has taken is still so; not before it was looked at.

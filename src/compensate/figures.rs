@@ -42,7 +42,7 @@ pub(super) fn none_yet(chosen: &Chosen) -> Summary {
     Summary {
         until_min: chosen.until_min,
         other_tolerances: chosen.other_tolerances.iter().filter_map(|&(m, n)| Some((m, n?))).collect(),
-        bucket_error_m: vec![[0.0; 2]; chosen.schedule.buckets.len()],
+        bucket_error_m: vec![[0.0; 2]; chosen.schedule.buckets.len().max(1)],
         ..Summary::default()
     }
 }
@@ -56,7 +56,7 @@ pub(super) struct Tally {
 
 impl Tally {
     pub(super) fn new(chosen: &Chosen) -> Self {
-        let furthest = vec![(0.0, Vec::new()); chosen.schedule.buckets.len()];
+        let furthest = vec![(0.0, Vec::new()); chosen.schedule.buckets.len().max(1)];
         Self { summary: none_yet(chosen), furthest }
     }
 

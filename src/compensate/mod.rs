@@ -9,6 +9,7 @@ mod corrector;
 mod drift;
 mod exits;
 mod figures;
+mod live;
 mod messages;
 mod minutes;
 mod model;
@@ -18,15 +19,17 @@ mod path;
 mod placement;
 pub mod plan;
 mod planner;
+mod ramp;
 mod rigid;
+mod silence;
 mod survey;
 pub mod tabulate;
 pub mod targets;
-mod ticks;
 mod track;
 
 pub use minutes::MinuteJoints;
-pub use options::Options;
+pub use live::LiveModel;
+pub use options::{FormChoice, Options};
 pub use planner::Planner;
 
 use crate::deform::Deformation;

@@ -2,8 +2,8 @@
 
 use super::{CompensateError, Options};
 use crate::deform::identified::{Identified, When};
-use crate::deform::{Deformation, DeformedArm, Index};
-use crate::kinematics::{Chain, ClosedForm};
+use crate::deform::{Deformation, DeformedArm, GrowthLaw, Index};
+use crate::kinematics::{Chain, ClosedForm, FrameOffsets};
 use crate::robot::Robot;
 use crate::schedule::{Bucket, Moment, Schedule};
 use std::borrow::Cow;
@@ -70,9 +70,10 @@ impl<'a> Model<'a> {
 
     /// The arm at a moment.
     pub(super) fn arm(&self, moment: Moment) -> DeformedArm {
-        let (offsets, t_min) = match moment {
-            Moment::Minute(t_min) => (self.deformation.offsets_at(t_min), t_min),
-            Moment::Settled => (self.deformation.settled(), f64::INFINITY),
+        let offsets = self.offsets(moment);
+        let t_min = match moment {
+            Moment::Minute(t_min) => t_min,
+            Moment::Settled => f64::INFINITY,
         };
         match &self.identified {
             None => DeformedArm::of_table(self.robot, &offsets),
@@ -87,6 +88,25 @@ impl<'a> Model<'a> {
                 DeformedArm::of_model(&self.shared, &offsets, model, when)
             }
         }
+    }
+
+    /// The law by which all that the arm deforms grows, where there is one for all.
+    pub(super) fn growth_alone(&self) -> Option<GrowthLaw> {
+        self.deformation.growth().copied().filter(|_| self.identified.is_none())
+    }
+
+    /// What the table moves the frames by at a moment.
+    pub(super) fn offsets(&self, moment: Moment) -> FrameOffsets {
+        match moment {
+            Moment::Minute(t_min) => self.deformation.offsets_at(t_min),
+            Moment::Settled => self.deformation.settled(),
+        }
+    }
+
+    /// The arm at one moment alone, in the place of a bucket's.
+    pub(super) fn at_moment(&self, moment: Moment) -> WarmBucket {
+        let at = self.arm(moment);
+        WarmBucket { from: at.clone(), end: at.clone(), at, bends: Vec::new() }
     }
 
     /// All joints as warm as the schedule says; at its end as warm as its table's last row.

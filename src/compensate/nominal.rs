@@ -54,13 +54,15 @@ pub(super) struct Resolved {
     kept_end: Option<Box<Point>>,
     /// The sign of each joint's last motion when it ends, where a model asks for it; 0 where nothing says it.
     pub(super) direction: [i8; 6],
+    /// Its points are the elements of an array, and only run time tells which of them it goes to.
+    indexed: bool,
 }
 
 impl Resolved {
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.
     pub(super) fn exit_q_rad(&self) -> Option<[f64; 6]> {
         match &self.points {
-            Ok(points) => points.last().map(|point| point.q_rad),
+            Ok(points) => points.last().filter(|_| !self.indexed).map(|point| point.q_rad),
             Err(_) => self.kept_exit_q_rad.as_deref().copied(),
         }
     }
@@ -68,14 +70,16 @@ impl Resolved {
     /// Where it ends, where that is known exactly.
     pub(super) fn end(&self) -> Option<&Point> {
         match &self.points {
-            Ok(points) => points.last(),
+            Ok(points) => points.last().filter(|_| !self.indexed),
             Err(_) => self.kept_end.as_deref(),
         }
     }
 
     /// Leaves the motion as it is; where it ends stays known.
     pub(super) fn keep(&mut self, why: Keep) {
-        if let Ok(points) = std::mem::replace(&mut self.points, Err(why)) {
+        if let Ok(points) = std::mem::replace(&mut self.points, Err(why))
+            && !self.indexed
+        {
             self.kept_exit_q_rad = points.last().map(|point| Box::new(point.q_rad));
             self.kept_end = points.into_iter().next_back().map(Box::new);
         }
@@ -149,18 +153,20 @@ fn resolve_motion(
     seen: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Resolved {
-    let points = place_targets(motion, history, model, seen, messages);
-    let exit_q_rad = points.as_ref().ok().and_then(|points| points.last()).map(|point| point.q_rad);
+    let indexed = motion.targets.iter().any(|target| target.value.is_none() && !target.elements.is_empty());
+    let points = place_targets(motion, history.filter(|_| !indexed), model, seen, messages);
+    let end = points.as_ref().ok().and_then(|points| points.last()).filter(|_| !indexed);
+    let exit_q_rad = end.map(|point| point.q_rad);
     let (points, kept_end) = match (&motion.keep, points) {
         (Some(why), _) => (Err(Keep::clone(why)), None),
         (None, Ok(points)) => match ill_posed(motion, &points, model) {
-            Some(why) => (Err(why), points.into_iter().next_back().map(Box::new)),
+            Some(why) => (Err(why), points.into_iter().next_back().filter(|_| !indexed).map(Box::new)),
             None => (Ok(points), None),
         },
         (None, Err(why)) => (Err(why), None),
     };
     let kept_exit_q_rad = exit_q_rad.filter(|_| points.is_err()).map(Box::new);
-    Resolved { points, kept_exit_q_rad, kept_end, direction: [0; 6] }
+    Resolved { points, kept_exit_q_rad, kept_end, direction: [0; 6], indexed }
 }
 
 /// Why the arm cannot be corrected there at all.
@@ -196,10 +202,11 @@ fn place_targets(
     let placement = &*seen.insert(placement);
     let mut from = history;
     let mut points = Vec::with_capacity(motion.targets.len());
-    for target in &motion.targets {
-        let Some(value) = target.value else {
-            return Err(keep("keep::runtime-target", "its target is only known at run time"));
-        };
+    let values = motion.targets.iter().map(|target| (target.value.is_some(), target.values()));
+    if motion.targets.iter().any(|target| target.values().is_empty()) {
+        return Err(keep("keep::runtime-target", "its target is only known at run time"));
+    }
+    for (one, &value) in values.flat_map(|(one, values)| values.iter().map(move |value| (one, value))) {
         let point = match value {
             TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
                 at_joints(&joints, placement, model)?
@@ -213,7 +220,8 @@ fn place_targets(
                 point(placement, &pose.object_from_tcp, base_from_flange, q_rad)
             }
         };
-        from = Some(point.q_rad);
+        // Of an array's elements none comes from the one before.
+        from = one.then_some(point.q_rad);
         points.push(point);
     }
     Ok(points)

@@ -1,13 +1,59 @@
 //! What is asked of a compensation.
 
+use super::plan::Form;
 use crate::deform::identified::Identified;
 use crate::schedule::{Request, Until, Width};
 use crate::units::{m_from_mm, rad_from_deg};
 use std::sync::Arc;
 
+/// The forms that motions may take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FormChoice {
+    /// `schedule` alone.
+    #[default]
+    Schedule,
+    /// `ramp` alone.
+    Ramp,
+    /// `live` alone.
+    Live,
+    /// `ramp` where the target is known, `live` where it is not.
+    Auto,
+}
+
+impl FormChoice {
+    /// As it is written in options and headers.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Schedule => "schedule",
+            Self::Ramp => "ramp",
+            Self::Live => "live",
+            Self::Auto => "auto",
+        }
+    }
+
+    /// The form of motions whose targets are known.
+    #[must_use]
+    pub fn of_known(self) -> Form {
+        match self {
+            Self::Schedule => Form::Schedule,
+            Self::Ramp | Self::Auto => Form::Ramp,
+            Self::Live => Form::Live,
+        }
+    }
+
+    /// Whether motions whose targets are known at run time alone are corrected.
+    #[must_use]
+    pub fn corrects_run_time(self) -> bool {
+        matches!(self, Self::Live | Self::Auto)
+    }
+}
+
 /// The options of a compensation; [`Options::default`] is the reference paper's case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
+    /// How motions ask for their targets.
+    pub form: FormChoice,
     /// No target is further off than this anywhere in its bucket, metres.
     pub tolerance_m: f64,
     /// Where the schedule ends.
@@ -40,6 +86,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            form: FormChoice::default(),
             tolerance_m: m_from_mm(0.005),
             until: Until::Auto,
             width: Width::Tolerance,

@@ -1,19 +1,24 @@
 //! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
 
+use super::live::LiveModel;
 use crate::deform::Conditions;
 use crate::diagnostic::Diagnostic;
 use crate::program::Program;
 use crate::program::data::RobTarget;
 use crate::program::motion::{Keep, Motion, TargetValue};
-use crate::schedule::Schedule;
+use crate::schedule::{Schedule, TimeFunctions};
 use std::fmt;
 use std::sync::Arc;
 
 /// What becomes of a program's motions.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// When which bucket is in use.
+    /// When which bucket is in use; without buckets where `functions` are.
     pub schedule: Schedule,
+    /// What scales the corrections of the forms `ramp` and `live`.
+    pub functions: Option<TimeFunctions>,
+    /// What the form `live` needs, where motions may take it.
+    pub live: Option<Arc<LiveModel>>,
     /// For a deformation by temperature its range, degrees Celsius: the schedule's minutes are then degrees
     /// above the lowest.
     pub temperature_c: Option<[f64; 2]>,
@@ -21,8 +26,6 @@ pub struct Plan {
     pub motions: Vec<PlannedMotion>,
     /// Gives their corrected targets.
     pub corrector: Arc<dyn Corrector>,
-    /// Where the clock is brought up to date.
-    pub ticks: Vec<Tick>,
     /// Figures over the whole program.
     pub summary: Summary,
     /// Warnings and, where the program must be refused, errors.
@@ -34,7 +37,10 @@ pub struct Plan {
 pub struct PlannedMotion {
     /// Compensated, kept or refused.
     pub status: Status,
-    /// For each of the motion's targets; empty unless compensated or refused over a limit.
+    /// How the motion asks for its target, where it is compensated.
+    pub form: Form,
+    /// For each value of each of the motion's targets ([`Target::values`](crate::program::motion::Target::values));
+    /// empty unless compensated or refused over a limit, and where values are known at run time alone.
     pub targets: Vec<PlannedTarget>,
     /// Largest distance between original and corrected TCP over all buckets, metres.
     pub max_correction_m: f64,
@@ -68,6 +74,49 @@ pub struct PlannedTarget {
     pub nominal_q_rad: [f64; 6],
     /// Load and direction, where the deformation depends on them.
     pub conditions: Conditions,
+    /// In the form `ramp` the correction at the node of each of the [`TimeFunctions`]; else empty.
+    pub corrections: Vec<Correction>,
+}
+
+/// How a motion asks for its target.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// One of an array of targets, a bucket each: `tc31{tcK()}`.
+    #[default]
+    Schedule,
+    /// The original and its correction, scaled by functions of time: `tcAt(p10,tcP10)`.
+    Ramp,
+    /// The deformed model at run time: `tcLive(p10,tool1\WObj:=wobj1)`.
+    Live,
+}
+
+impl Form {
+    /// As it is written in options, headers and JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Schedule => "schedule",
+            Self::Ramp => "ramp",
+            Self::Live => "live",
+        }
+    }
+}
+
+/// What is added to a target at the node of a time function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Correction {
+    /// Of a robtarget, in the axes of the frame that it is given in (its work object).
+    Pose {
+        /// Shift of the TCP, metres.
+        shift_m: [f64; 3],
+        /// Vector part of the unit quaternion of the turn: sin(angle/2) times the axis.
+        turn: [f64; 3],
+    },
+    /// Of a jointtarget: what is added to the joints, radians.
+    Joints {
+        /// Six angles.
+        turn_rad: [f64; 6],
+    },
 }
 
 impl PlannedTarget {
@@ -119,6 +168,8 @@ pub struct Totals {
     pub motions: usize,
     /// Motions that are compensated.
     pub compensated: usize,
+    /// Of these the ones in each form: schedule, ramp, live.
+    pub by_form: [usize; 3],
     /// Motions that stay as they are.
     pub kept: usize,
     /// Motions because of which the program is refused.
@@ -149,11 +200,10 @@ impl Totals {
         match planned.status {
             Status::Compensated => {
                 self.compensated += 1;
-                let is_joint = |value: Option<TargetValue>| matches!(value, Some(TargetValue::Joint(_)));
-                motion
-                    .targets
-                    .iter()
-                    .for_each(|target| self.targets[usize::from(is_joint(target.value))] += 1);
+                self.by_form[planned.form as usize] += 1;
+                let is_joint = |value: &TargetValue| matches!(value, TargetValue::Joint(_));
+                let values = motion.targets.iter().flat_map(|target| target.values());
+                values.for_each(|value| self.targets[usize::from(is_joint(value))] += 1);
                 self.max_correction_m = self.max_correction_m.max(planned.max_correction_m);
                 self.max_correction_rad = self.max_correction_rad.max(planned.max_correction_rad);
             }
@@ -166,23 +216,13 @@ impl Totals {
     pub fn add(&mut self, other: &Self) {
         self.motions += other.motions;
         self.compensated += other.compensated;
+        self.by_form.iter_mut().zip(other.by_form).for_each(|(own, other)| *own += other);
         self.kept += other.kept;
         self.refused += other.refused;
         self.targets = [self.targets[0] + other.targets[0], self.targets[1] + other.targets[1]];
         self.max_correction_m = self.max_correction_m.max(other.max_correction_m);
         self.max_correction_rad = self.max_correction_rad.max(other.max_correction_rad);
     }
-}
-
-/// A place where the clock is brought up to date.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Tick {
-    /// First in a routine: index into [`Program::routines`].
-    Routine(usize),
-    /// First in a loop's body: index into [`Program::loops`].
-    Loop(usize),
-    /// Just before a motion: index into [`Program::motions`].
-    Motion(usize),
 }
 
 /// Figures over the whole program and all minutes.

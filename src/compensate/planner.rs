@@ -1,26 +1,29 @@
 //! Planning part by part: what must be known of the whole program first, then the plan of one part after the other.
 //!
 //! Where the motions end that other parts start from is found by going over the parts until nothing changes; the schedule is
-//! chosen from the targets of all parts that drift most. Nothing is held that grows with the number of motions.
+//! chosen from the targets of all parts that drift most, time functions from targets all over them. Nothing is held that
+//! grows with the number of motions.
 
 use super::conditions;
-use super::correct::{Made, compensated, correct, kept};
+use super::correct::{Made, Moments, compensated, correct, kept};
 use super::corrector::WarmArms;
 use super::exits::Exits;
 use super::figures::{self, Tally};
 use super::messages::Messages;
-use super::model::{Model, WarmBucket};
+use super::live::{self, LiveModel};
+use super::model::Model;
 use super::nominal::Resolved;
-use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary, Tick};
+use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary};
+use super::ramp::Ramp;
 use super::rigid::{Supports, worst_of_parts_m};
 use super::survey::{Exceptions, Nothing, Survey, own_points, resolved_to_follow};
-use super::{CompensateError, Options, ticks};
+use super::{CompensateError, FormChoice, Options, silence};
 use crate::deform::Deformation;
 use crate::diagnostic::Diagnostic;
-use crate::program::motion::Motion;
-use crate::program::{Part, Parts};
+use crate::program::motion::{Keep, Motion};
+use crate::program::{Part, Parts, Program};
 use crate::robot::Robot;
-use crate::schedule::{Chosen, Drift, Schedule, choose};
+use crate::schedule::{Chosen, Schedule, TimeFunctions, choose};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -33,7 +36,6 @@ const AT_ONE_GO: usize = 4096;
 struct Fate {
     /// Of motions, by their number in the part's program, that have targets to be corrected and are not compensated.
     exceptions: BTreeMap<usize, Status>,
-    ticks: Vec<Tick>,
 }
 
 /// What is known of a program as a whole, and with it the plan of each part.
@@ -43,7 +45,9 @@ pub struct Planner<'a> {
     temperature_c: Option<[f64; 2]>,
     exits: Exits,
     chosen: Chosen,
-    warm: Vec<WarmBucket>,
+    at: Moments,
+    /// What `live` needs, where motions may take that form.
+    live: Option<Arc<LiveModel>>,
     corrector: Arc<dyn Corrector>,
     /// What the motions of the only part come to, where there is one.
     only: Option<(Vec<Resolved>, Messages)>,
@@ -82,19 +86,33 @@ impl<'a> Planner<'a> {
         let model = Model::new(robot, deformation, options, temperature_c.map(|range_c| range_c[0]))?;
         let mut survey = Survey::new(&model, options, parts);
         survey.settle()?;
-        if survey.targets() == 0 {
+        if survey.is_empty() {
             return Err(survey.nothing());
         }
-        let chosen = choose(&mut survey, &options.request());
+        let ramp = match options.form {
+            FormChoice::Schedule => None,
+            FormChoice::Ramp | FormChoice::Live | FormChoice::Auto => {
+                Some(Ramp::choose(&model, survey.samples(), options)?)
+            }
+        };
+        let chosen = match &ramp {
+            Some(ramp) => Ok(Chosen::without_buckets(ramp.until_min)),
+            None => choose(&mut survey, &options.request()),
+        };
         let Survey { exits, only, failed, unfollowable, .. } = survey;
         if let Some(failed) = failed {
             return Err(CompensateError::Part(Box::new(failed)));
         }
         let chosen = chosen?;
-        let warm = model.warm(&chosen.schedule);
+        let at = match ramp {
+            Some(ramp) => Moments::Nodes(ramp),
+            None => Moments::Buckets(model.warm(&chosen.schedule)),
+        };
+        let live = at.ramp().map(|ramp| Arc::new(LiveModel::new(&model, &ramp.functions, options)));
         Ok(Self {
-            corrector: Arc::new(WarmArms::new(&model, &warm)),
-            supports: vec![Vec::new(); warm.len()],
+            corrector: Arc::new(WarmArms::new(&model, at.warm())),
+            supports: vec![Vec::new(); chosen.schedule.buckets.len().max(1)],
+            live,
             summary: figures::none_yet(&chosen),
             corrected_any: false,
             single: parts.count() == 1,
@@ -107,7 +125,7 @@ impl<'a> Planner<'a> {
             temperature_c,
             exits,
             chosen,
-            warm,
+            at,
             only,
         })
     }
@@ -167,8 +185,8 @@ impl<'a> Planner<'a> {
         let resolved = self.resolved(part, &mut Messages::default());
         let planned = |(i, (motion, resolved)): (usize, (&Motion, &Resolved))| {
             let mut planned = match &resolved.points {
-                Ok(points) => compensated(motion, points, &self.model),
-                Err(why) => kept(why.clone()).planned,
+                Ok(points) => compensated(motion, points, (&self.at, &self.model), self.options),
+                Err(why) => self.at_run_time(part.program, motion, why).planned,
             };
             if let Some(status) = fate.exceptions.get(&i) {
                 planned.status = status.clone();
@@ -176,13 +194,32 @@ impl<'a> Planner<'a> {
             planned
         };
         let motions = part.program.motions.iter().zip(&resolved).enumerate().map(planned).collect();
-        self.plan_of(motions, fate.ticks.clone(), self.summary.clone(), Vec::new())
+        let mut motions: Vec<PlannedMotion> = motions;
+        self.take_live(part.program, &resolved, &mut motions);
+        self.plan_of(motions, self.summary.clone(), Vec::new())
+    }
+
+    /// The plan of a motion that is not known well enough: what can be asked at run time is.
+    fn at_run_time(&self, program: &Program, motion: &Motion, why: &Keep) -> Made {
+        let live = self.live.as_deref().filter(|_| self.options.form.corrects_run_time());
+        match live.map(|live| live::run_time(program, motion, live)) {
+            Some(Some(Ok(planned))) => Made::without_figures(planned),
+            Some(Some(Err(why))) => kept(why),
+            Some(None) | None => kept(why.clone()),
+        }
+    }
+
+    /// In the form `live` known targets that cannot take it take `ramp`.
+    fn take_live(&self, program: &Program, resolved: &[Resolved], motions: &mut [PlannedMotion]) {
+        let Some(live) = self.live.as_deref().filter(|_| self.options.form == FormChoice::Live) else { return };
+        for ((motion, resolved), planned) in program.motions.iter().zip(resolved).zip(motions) {
+            live::settle_form(program, (motion, resolved), live, &self.model, planned);
+        }
     }
 
     fn plan_of(
         &self,
         motions: Vec<PlannedMotion>,
-        ticks: Vec<Tick>,
         summary: Summary,
         diagnostics: Vec<Diagnostic>,
     ) -> Plan {
@@ -190,8 +227,9 @@ impl<'a> Planner<'a> {
             schedule: self.chosen.schedule.clone(),
             temperature_c: self.temperature_c,
             motions,
+            functions: self.functions().cloned(),
+            live: self.live.clone(),
             corrector: Arc::clone(&self.corrector),
-            ticks,
             summary,
             diagnostics,
         }
@@ -201,6 +239,12 @@ impl<'a> Planner<'a> {
     #[must_use]
     pub fn schedule(&self) -> &Schedule {
         &self.chosen.schedule
+    }
+
+    /// What scales the corrections of the forms `ramp` and `live`.
+    #[must_use]
+    pub fn functions(&self) -> Option<&TimeFunctions> {
+        self.at.ramp().map(|ramp| &ramp.functions)
     }
 
     /// For a deformation by temperature its range, degrees Celsius.
@@ -222,15 +266,15 @@ impl<'a> Planner<'a> {
             let mut messages = Messages::default();
             (self.resolved(part, &mut messages), messages)
         });
-        let Self { model, options, warm, chosen, .. } = &*self;
+        let Self { model, options, at, chosen, .. } = &*self;
         conditions::check(program, model, &resolved, &mut messages);
         let mut tally = Tally::new(chosen);
         let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
         let mut worst_bucket = Vec::with_capacity(resolved.len());
         for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
             let one = |(motion, resolved): (&Motion, &Resolved)| match &resolved.points {
-                Ok(points) => correct(motion, points, warm, model, options),
-                Err(why) => kept(why.clone()),
+                Ok(points) => correct(motion, points, at, model, options),
+                Err(why) => self.at_run_time(program, motion, why),
             };
             let made: Vec<Made> = some.par_iter().zip(resolved).map(one).collect();
             for ((motion, resolved), made) in some.iter().zip(resolved).zip(made) {
@@ -242,6 +286,8 @@ impl<'a> Planner<'a> {
                 motions.push(made.planned.clone());
             }
         }
+        self.take_live(program, &resolved, &mut motions);
+        let warm = at.warm();
         figures::follow_paths(program, &resolved, warm, model, &worst_bucket, &mut motions);
         let compensated = own_points(program, &resolved)
             .filter(|(i, _)| motions[*i].status == Status::Compensated)
@@ -264,9 +310,7 @@ impl<'a> Planner<'a> {
         });
         messages.add_statuses(program, &motions);
         messages.add_paths(program, &motions, options);
-        let ticks =
-            ticks::ticks(program, (&resolved, &self.exits), &motions, &chosen.schedule, options.gap_min);
-        messages.add_long_gaps(program, &ticks.too_long);
+        messages.add_long_gaps(program, &silence::too_long(program, &resolved, &motions, options.gap_min));
         self.corrected_any |= corrected_any;
         self.nothing = nothing;
         if part.number == self.fates.len() {
@@ -275,11 +319,11 @@ impl<'a> Planner<'a> {
                 is_one.then(|| (i, planned.status.clone()))
             };
             let exceptions = motions.iter().enumerate().filter_map(exception).collect();
-            self.fates.push(Fate { exceptions, ticks: ticks.places.clone() });
+            self.fates.push(Fate { exceptions });
             self.summary.add(&summary);
             self.supports.iter_mut().zip(supports).for_each(|(all, own)| all.extend(own));
         }
-        self.plan_of(motions, ticks.places, summary, messages.finish())
+        self.plan_of(motions, summary, messages.finish())
     }
 
     /// Whether the schedule goes by minutes, so that joints can be given at each.

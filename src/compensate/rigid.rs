@@ -16,9 +16,11 @@ pub(super) type Supports = Vec<Vec<Vector3<f64>>>;
 pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> (f64, Supports) {
     // One bucket after the other: the displacements of a large program are many.
     let directions = directions();
-    let each = schedule.buckets.iter().map(|bucket| {
-        let ends =
-            [Moment::Minute(bucket.from_min), bucket.end()].map(|moment| drift.displacements_m(moment));
+    let buckets = schedule.buckets.iter().map(|bucket| [Moment::Minute(bucket.from_min), bucket.end()]);
+    // Without buckets the shift is scaled as the corrections are: it is worst where all has settled.
+    let settled = schedule.buckets.is_empty().then_some([Moment::Settled; 2]);
+    let each = buckets.chain(settled).map(|ends| {
+        let ends = ends.map(|moment| drift.displacements_m(moment));
         let (radius, mut support) = smallest_ball(&ends);
         support.extend(outermost(&ends, &directions));
         (radius, support)

@@ -7,7 +7,7 @@ use super::exits::Exits;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::{Point, Resolved, resolve};
-use super::{CompensateError, Options, conditions, placement, ticks};
+use super::{CompensateError, FormChoice, Options, conditions, placement};
 use crate::diagnostic::Diagnostic;
 use crate::program::motion::{Keep, Path};
 use crate::program::{Part, Parts, Program};
@@ -17,6 +17,9 @@ use std::collections::BTreeMap;
 
 /// Motions, by their number in the part's program, and why they stay as they are.
 pub(super) type Exceptions = BTreeMap<usize, Keep>;
+
+/// Of a program in several parts so many points are looked at when time functions are chosen.
+const SAMPLES: usize = 4096;
 
 /// The motions of a part's program, with what the options take out.
 fn resolved_as_asked(
@@ -70,6 +73,10 @@ pub(super) struct Survey<'s, 'a> {
     pub(super) unfollowable: BTreeMap<usize, Exceptions>,
     /// Those that drift most.
     found: BTreeMap<usize, Point>,
+    /// Points from all over each part, for the choice of time functions.
+    samples: BTreeMap<usize, Vec<Point>>,
+    /// Motions that only a function asked at run time can correct.
+    run_time: usize,
     pub(super) only: Option<(Vec<Resolved>, Messages)>,
     pub(super) failed: Option<Diagnostic>,
 }
@@ -78,8 +85,18 @@ impl<'s, 'a> Survey<'s, 'a> {
     pub(super) fn new(model: &'s Model<'a>, options: &'s Options, parts: &'s mut dyn Parts) -> Self {
         let (points, found) = (vec![0; parts.count()], BTreeMap::new());
         let unfollowable = BTreeMap::new();
-        let exits = Exits::default();
-        Self { model, options, parts, exits, points, unfollowable, found, only: None, failed: None }
+        let (exits, samples) = (Exits::default(), BTreeMap::new());
+        Self { model, options, parts, exits, points, unfollowable, found, samples, run_time: 0, only: None, failed: None }
+    }
+
+    /// Points from all over the program.
+    pub(super) fn samples(&self) -> Vec<Point> {
+        self.samples.values().flatten().cloned().collect()
+    }
+
+    /// Whether nothing can be corrected, at run time neither.
+    pub(super) fn is_empty(&self) -> bool {
+        self.targets() == 0 && !(self.options.form.corrects_run_time() && self.run_time > 0)
     }
 
     /// Finds where motions end that other parts start from.
@@ -98,8 +115,9 @@ impl<'s, 'a> Survey<'s, 'a> {
 
     /// Goes over the parts that rest on what is no longer so; whether there was any.
     fn go_over(&mut self) -> Result<bool, CompensateError> {
-        let Self { model, options, parts, exits, points, only, unfollowable: stuck, .. } = self;
+        let Self { model, options, parts, exits, points, samples, run_time, only, unfollowable: stuck, .. } = self;
         let single = parts.count() == 1;
+        let per_part = if single { usize::MAX } else { (SAMPLES / parts.count()).max(16) };
         let mut any = false;
         for part in 0..parts.count() {
             if exits.is_settled(part) {
@@ -114,11 +132,16 @@ impl<'s, 'a> Survey<'s, 'a> {
                 if let Some(points) = points.get_mut(part.number) {
                     *points = own_points(part.program, &resolved).map(|(_, points)| points.len()).sum();
                 }
+                if options.form != FormChoice::Schedule {
+                    let all: Vec<&Point> = own_points(part.program, &resolved).flat_map(|(_, points)| points).collect();
+                    let every = all.len().div_ceil(per_part).max(1);
+                    samples.insert(part.number, all.into_iter().step_by(every).cloned().collect());
+                    *run_time += part.program.motions.iter().filter(|m| m.run_time && part.program.is_own(m)).count();
+                }
                 exits.note(part, &resolved);
                 if single {
                     *only = Some((resolved, messages));
                 } else {
-                    exits.note_times(part.program, &ticks::routine_times_s(part.program, &resolved));
                     stuck.insert(part.number, exceptions);
                 }
             };

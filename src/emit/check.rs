@@ -28,9 +28,23 @@ impl Fnv {
     }
 
     fn letters<const N: usize>(&self) -> [u8; N] {
-        let folded = self.0 ^ (self.0 >> 18) ^ (self.0 >> 36);
-        std::array::from_fn(|i| LETTERS[(folded >> (6 * (N - 1 - i)) & 63) as usize])
+        of_number(self.0 ^ (self.0 >> 18) ^ (self.0 >> 36))
     }
+}
+
+/// A number as so many letters, six bits each.
+#[must_use]
+pub fn of_number<const N: usize>(number: u64) -> [u8; N] {
+    std::array::from_fn(|i| LETTERS[(number >> (6 * (N - 1 - i)) & 63) as usize])
+}
+
+/// The number that [`of_number`] wrote; `None` where it did not.
+#[must_use]
+pub fn number_of(letters: &[u8]) -> Option<u64> {
+    letters.iter().try_fold(0, |number, letter| {
+        let six = LETTERS.iter().position(|known| known == letter)?;
+        Some(number << 6 | six as u64)
+    })
 }
 
 /// Three letters for an aggregate's numbers, however they are spelled.
@@ -41,7 +55,7 @@ pub fn of_numbers(text: &[u8]) -> [u8; 3] {
     hash.letters()
 }
 
-/// Letters for an array's elements behind the first: three for all, then one for each.
+/// Letters for an array's elements: three for all, then two for each.
 pub struct Elements {
     all: Fnv,
     each: Vec<u8>,
@@ -61,7 +75,7 @@ impl Elements {
             self.all.add_single(value);
             own.add_single(value);
         }
-        self.each.extend(own.letters::<1>());
+        self.each.extend(own.letters::<2>());
     }
 
     /// The letters.
@@ -138,9 +152,9 @@ mod tests {
             elements.add(one);
             elements.letters()
         };
-        assert_eq!((all(literal), all(same).len()), (all(same), 5));
+        assert_eq!((all(literal), all(same).len()), (all(same), 7));
         assert_ne!(all(literal)[..3], all(moved)[..3]);
-        assert_eq!(all(literal)[3], all(moved)[3]);
+        assert_eq!(all(literal)[3..5], all(moved)[3..5]);
     }
 
     #[test]

@@ -1,27 +1,27 @@
-//! The clock and the index as RAPID: data and routines that a compensated program is given.
+//! The clock and what it chooses as RAPID: data and routines that a compensated program is given.
 //!
 //! The RAPID stands in `clock/*.mod`, with `@NAME@` where a number goes. `num` is single precision, so
 //! time is kept as days and seconds of a day and differences are taken days first. Minutes since a
 //! start are exact; only where the robot stood still is the state carried on, so that rounding does not
-//! add up from tick to tick.
+//! add up from motion to motion.
 
-use super::bucket::Buckets;
 use super::names::{MAX_NAME, Names};
 use super::number::write_num;
 use super::options::{Clock, EmitError, Sensor};
+use super::scale::Scaled;
 use crate::deform::GrowthLaw;
 use crate::schedule::Schedule;
 
 const DATA: &str = include_str!("clock/data.mod");
-const TICK: &str = include_str!("clock/tick.mod");
+const DATA_SCHEDULE: &str = include_str!("clock/data_schedule.mod");
+const UPDATE: &str = include_str!("clock/update.mod");
+const SCHEDULE: &str = include_str!("clock/schedule.mod");
 const STARTS: &str = include_str!("clock/starts.mod");
 const COMMON: &str = include_str!("clock/common.mod");
 const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
 const ONE_LAG: &str = include_str!("clock/one_lag.mod");
 const LAGS: &str = include_str!("clock/lags.mod");
 const ELAPSED: &str = include_str!("clock/elapsed.mod");
-const LOAD: &str = include_str!("clock/load.mod");
-const LOADING: &str = "  LOCAL VAR num tcLoaded:=-1;\n  LOCAL VAR num tcFailed:=-1;";
 const SENSOR: &str = include_str!("clock/sensor.mod");
 
 /// A reading so much beyond the table's range, as a share of it, is taken as its end; further beyond it is none.
@@ -134,109 +134,178 @@ fn read(source: &Sensor) -> Result<String, EmitError> {
     })
 }
 
-/// The core's data declarations, one a line, indented by two blanks a level.
-pub fn data(law: &Law, buckets: Option<&Buckets>, names: &Names) -> Vec<String> {
-    let loading = buckets.map_or("", |_| LOADING);
-    let shown = if matches!(law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
-    DATA.lines().chain(loading.lines()).map(|line| names.rename(&line.replace("@SHOWN@", shown))).collect()
+/// What a program asks the clock for.
+#[derive(Clone, Debug)]
+pub enum Choice<'a> {
+    /// The bucket in force.
+    Bucket(&'a Schedule),
+    /// What corrections are scaled by.
+    Scale(Scaled<'a>),
 }
 
-/// The core's routines, line by line, indented by two blanks a level, an empty line between two.
-pub fn routines(law: &Law, schedule: &Schedule, buckets: Option<&Buckets>, names: &Names) -> Vec<String> {
-    let parts = match law {
-        Law::TwoStage { .. } => [TICK, STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
-        Law::OneLag { .. } => &[TICK, STARTS, COMMON, ONE_LAG, LAGS],
-        Law::Elapsed => &[TICK, STARTS, COMMON, ELAPSED],
-        Law::Sensor { .. } => &[TICK, COMMON, SENSOR],
-    };
-    let mut numbers = numbers(law, schedule);
-    if let Some(buckets) = buckets {
-        numbers.push(("@STEM@", buckets.stem.clone()));
-        numbers.push(("@ID@", buckets.id.to_string()));
-    }
-    let mut lines = Vec::new();
-    for part in parts.iter().chain(buckets.map(|_| &LOAD)) {
-        if !lines.is_empty() {
-            lines.push(String::new());
+/// The core of a program: its clock, and what is asked of it.
+#[derive(Clone, Debug)]
+pub struct CoreText<'a> {
+    /// The clock's law.
+    pub law: &'a Law,
+    /// The law of the drift's growth, where all of it follows one.
+    pub growth: Option<GrowthLaw>,
+    /// What is asked of it.
+    pub choice: Choice<'a>,
+    /// The controller knows data of a task's own; an S4C, which has one task, does not.
+    pub task_data: bool,
+}
+
+impl CoreText<'_> {
+    /// The data declarations, one a line, indented by two blanks a level.
+    #[must_use]
+    pub fn data(&self, names: &Names) -> Vec<String> {
+        let shown = if matches!(self.law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
+        let mut lines: Vec<String> = DATA.lines().map(|line| line.replace("@SHOWN@", shown)).collect();
+        match &self.choice {
+            Choice::Bucket(_) => lines.extend(DATA_SCHEDULE.lines().map(str::to_owned)),
+            Choice::Scale(scaled) => lines.extend(scaled.data()),
         }
-        for line in part.lines() {
-            if line == "@CASES@" {
-                lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
-                continue;
+        let line = |line: String| {
+            names.rename(&if self.task_data { line } else { line.replacen("TASK PERS", "PERS", 1) })
+        };
+        lines.into_iter().map(line).collect()
+    }
+
+    /// The routines, line by line, indented by two blanks a level, an empty line between two.
+    #[must_use]
+    pub fn routines(&self, names: &Names) -> Vec<String> {
+        let shares = matches!(&self.choice, Choice::Scale(scaled) if scaled.functions.course.is_of_share());
+        let law = match self.law {
+            Law::TwoStage { .. } => [STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
+            Law::OneLag { .. } => &[STARTS, COMMON, ONE_LAG, LAGS],
+            Law::Elapsed if shares => &[STARTS, COMMON, ELAPSED, LAGS],
+            Law::Elapsed => &[STARTS, COMMON, ELAPSED],
+            Law::Sensor { .. } => &[COMMON, SENSOR],
+        };
+        let asked: Vec<String> = match &self.choice {
+            Choice::Bucket(_) => vec![SCHEDULE.to_owned()],
+            Choice::Scale(scaled) => scaled.routines(),
+        };
+        let numbers = self.numbers(shares);
+        let parts = asked.iter().map(String::as_str).chain([UPDATE]).chain(law.iter().copied());
+        let mut lines = Vec::new();
+        for part in parts {
+            if !lines.is_empty() {
+                lines.push(String::new());
             }
-            if line == "@LOAD@" {
-                lines.extend(buckets.map(|_| names.rename("    IF tcK>=0 tcK:=tcLoad(tcK);")));
-                continue;
-            }
-            let mut line = names.rename(line);
-            for (mark, text) in &numbers {
-                if line.contains('@') {
-                    line = line.replace(mark, text);
+            for line in part.lines() {
+                match (line, &self.choice) {
+                    ("@CASES@", Choice::Bucket(schedule)) => {
+                        lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
+                    }
+                    ("@GROWN@", _) if !shares => {}
+                    _ => {
+                        let mut line = line.to_owned();
+                        for (mark, text) in &numbers {
+                            if line.contains('@') {
+                                line = line.replace(mark, text);
+                            }
+                        }
+                        lines.extend(line.lines().map(|line| names.rename(line)).chain(line.is_empty().then(String::new)));
+                    }
                 }
             }
-            lines.push(line);
         }
+        lines
     }
-    lines
-}
 
-/// What stands for each `@NAME@`.
-fn numbers(law: &Law, schedule: &Schedule) -> Vec<(&'static str, String)> {
-    let count = schedule.buckets.len();
-    let last_from_min = schedule.buckets.last().map_or(0.0, |b| b.from_min);
-    let (warm, second) = match law {
-        Law::TwoStage { .. } => ("1".to_owned(), "tcValue"),
-        Law::OneLag { .. } => ("1".to_owned(), "0"),
-        Law::Elapsed | Law::Sensor { .. } => (num(last_from_min.ceil() + 1.0), "0"),
-    };
-    let sensor = matches!(law, Law::Sensor { .. });
-    let [what, index, unknown, cannot] = if sensor {
-        [
-            "the temperature",
-            "tcAbove()",
-            "No temperature yet: original targets",
-            "Temperature lost, out of range or stale: original targets",
-        ]
-    } else {
-        [
-            "the warm-up minute",
-            "tcMinute",
-            "Warm-up not known, call tcColdStart or tcWarmStart: original targets",
-            "Warm-up state or date cannot be, call tcColdStart: original targets",
-        ]
-    };
-    let mut numbers = vec![
-        ("@EVERY_S@", if schedule.parts_per_min > 1 { "1" } else { "5" }.to_owned()),
-        (
-            "@PARTS@",
-            if schedule.parts_per_min > 1 { format!("{}*", schedule.parts_per_min) } else { String::new() },
-        ),
-        ("@COUNT@", count.to_string()),
-        ("@LAST@", count.saturating_sub(1).to_string()),
-        ("@WARM@", warm),
-        ("@SECOND@", second.to_owned()),
-        ("@WHAT@", what.to_owned()),
-        ("@INDEX@", index.to_owned()),
-        ("@UNKNOWN@", unknown.to_owned()),
-        ("@CANNOT@", cannot.to_owned()),
-    ];
-    if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
-        let beyond_c = BEYOND * (high_c - low_c);
-        numbers.push(("@READ@", read.clone()));
-        numbers.push(("@LOW@", num(low_c - beyond_c)));
-        numbers.push(("@HIGH@", num(high_c + beyond_c)));
-        numbers.push(("@FROM@", num(*low_c)));
-        numbers.push(("@HOLD@", num(*hold_min)));
-        numbers.push(("@STALE@", num(*stale_min)));
+    /// What stands for each `@NAME@`.
+    fn numbers(&self, shares: bool) -> Vec<(&'static str, String)> {
+        let law = self.law;
+        let (count, parts_per_min, last_min) = match &self.choice {
+            Choice::Bucket(schedule) => {
+                let last_from_min = schedule.buckets.last().map_or(0.0, |b| b.from_min);
+                (schedule.buckets.len(), schedule.parts_per_min, last_from_min)
+            }
+            Choice::Scale(scaled) => (101, 1, scaled.settled_min(self.growth)),
+        };
+        let warm = match law {
+            Law::TwoStage { .. } => "1,1".to_owned(),
+            Law::OneLag { .. } => "1,0".to_owned(),
+            Law::Elapsed | Law::Sensor { .. } => format!("{},0", num(last_min.ceil() + 1.0)),
+        };
+        let start_at = match law {
+            Law::TwoStage { tau_min, .. } => {
+                let lag = format!("tcLags(tcRunMinutes,{})", num(*tau_min));
+                format!("tcBegin tcPart(1-Exp(-{lag})),\n        tcPart(1-(1+{lag})*Exp(-{lag}));")
+            }
+            Law::OneLag { tau_min, .. } => {
+                format!("tcBegin tcPart(1-Exp(-tcLags(tcRunMinutes,{}))),0;", num(*tau_min))
+            }
+            Law::Elapsed | Law::Sensor { .. } => "tcBegin tcRunMinutes,0;".to_owned(),
+        };
+        let grown = match (law, self.growth) {
+            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => "    tcWarm:=tcPart(1-tcE);".to_owned(),
+            (_, Some(GrowthLaw::TwoStage { tau_min })) => {
+                let lag = format!("tcLags(tcMinute,{})", num(tau_min));
+                format!("    tcWarm:=tcPart(1-(1+{lag})*Exp(-{lag}));")
+            }
+            (_, Some(GrowthLaw::Exp { tau_min })) => {
+                format!("    tcWarm:=tcPart(1-Exp(-tcLags(tcMinute,{})));", num(tau_min))
+            }
+            (_, Some(GrowthLaw::None) | None) => "    tcWarm:=1;".to_owned(),
+        };
+        let sensor = matches!(law, Law::Sensor { .. });
+        let [what, index, unknown, cannot] = if sensor {
+            [
+                "the temperature",
+                "tcAbove()",
+                "No temperature yet: original targets",
+                "Temperature lost, out of range or stale: original targets",
+            ]
+        } else {
+            [
+                "the warm-up minute",
+                "tcMinute",
+                "Warm-up not known, call tcColdStart or tcWarmStart: original targets",
+                "Warm-up state or date cannot be, call tcColdStart: original targets",
+            ]
+        };
+        let [scale, forced] = match &self.choice {
+            Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
+            _ => [
+                format!("tcScaleAt {index},1"),
+                format!("tcScaleAt {},tcMode/100", num(last_min)),
+            ],
+        };
+        let mut numbers = vec![
+            ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),
+            ("@COUNT@", count.to_string()),
+            ("@LAST@", count.saturating_sub(1).to_string()),
+            ("@WARM@", warm),
+            ("@START_AT@", start_at),
+            ("@GROWN@", grown),
+            ("@WHAT@", what.to_owned()),
+            ("@INDEX@", index.to_owned()),
+            ("@UNKNOWN@", unknown.to_owned()),
+            ("@CANNOT@", cannot.to_owned()),
+            ("@SCALE@", scale),
+            ("@FORCED@", forced),
+        ];
+        if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
+            let beyond_c = BEYOND * (high_c - low_c);
+            numbers.push(("@READ@", read.clone()));
+            numbers.push(("@LOW@", num(low_c - beyond_c)));
+            numbers.push(("@HIGH@", num(high_c + beyond_c)));
+            numbers.push(("@FROM@", num(*low_c)));
+            numbers.push(("@HOLD@", num(*hold_min)));
+            numbers.push(("@STALE@", num(*stale_min)));
+        }
+        if let Law::TwoStage { tau_min, tau_cool_min, gap_min }
+        | Law::OneLag { tau_min, tau_cool_min, gap_min } = law
+        {
+            numbers.push(("@TAU@", num(*tau_min)));
+            numbers.push(("@TAU_COOL@", num(*tau_cool_min)));
+            numbers.push(("@GAP@", num(*gap_min)));
+        }
+        numbers
     }
-    if let Law::TwoStage { tau_min, tau_cool_min, gap_min } | Law::OneLag { tau_min, tau_cool_min, gap_min } =
-        law
-    {
-        numbers.push(("@TAU@", num(*tau_min)));
-        numbers.push(("@TAU_COOL@", num(*tau_cool_min)));
-        numbers.push(("@GAP@", num(*gap_min)));
-    }
-    numbers
 }
 
 /// The CASEs of the TEST on the whole minute (or part of one), a bucket each, DEFAULT the last.
@@ -248,10 +317,10 @@ fn cases(schedule: &Schedule) -> Vec<String> {
             Some(to_min) if k + 1 < schedule.buckets.len() => {
                 let from = (bucket.from_min * parts).round() as u64;
                 let to = (to_min * parts).round() as u64;
-                let mut line = String::from("        CASE ");
+                let mut line = String::from("      CASE ");
                 for part in from..to {
                     if line.len() > CASE_LINE {
-                        lines.push(std::mem::replace(&mut line, String::from("          ")));
+                        lines.push(std::mem::replace(&mut line, String::from("        ")));
                     }
                     line.push_str(&part.to_string());
                     line.push(if part + 1 < to { ',' } else { ':' });
@@ -260,18 +329,19 @@ fn cases(schedule: &Schedule) -> Vec<String> {
             }
             _ => {
                 if k == 0 {
-                    lines.push("        CASE 0:".to_owned());
-                    lines.push("          tcK:=0;".to_owned());
+                    lines.push("      CASE 0:".to_owned());
+                    lines.push("        tcNew:=0;".to_owned());
                 }
-                lines.push("        DEFAULT:".to_owned());
+                lines.push("      DEFAULT:".to_owned());
             }
         }
-        lines.push(format!("          tcK:={k};"));
+        lines.push(format!("        tcNew:={k};"));
     }
     lines
 }
 
-fn num(value: f64) -> String {
+/// A number as RAPID text.
+pub fn num(value: f64) -> String {
     let mut out = Vec::new();
     write_num(&mut out, value);
     String::from_utf8_lossy(&out).into_owned()

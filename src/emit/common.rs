@@ -1,26 +1,22 @@
 //! What all modules of an emitted program have in common, and the module that holds clock and index where several share
 //! them.
 
-use super::bucket::Buckets;
-use super::clock::{self, Law};
+use super::clock::CoreText;
 use super::header::{self, Record};
 use super::module;
 use super::names::Names;
 use super::options::{Core, EmittedFile};
 use super::place::{self, Style};
-use crate::schedule::Schedule;
 use crate::syntax::SourceFile;
 
 /// What all modules of a program have in common.
 pub struct Common<'e> {
+    /// Names in use.
     pub names: Names,
-    pub law: &'e Law,
+    /// Where clock and functions live.
     pub core: Core,
-    pub schedule: &'e Schedule,
-    /// For a deformation by temperature its range.
-    pub temperature_c: Option<[f64; 2]>,
-    /// What the buckets' modules hold, where that is the form.
-    pub buckets: Option<Buckets<'e>>,
+    /// Their text.
+    pub text: CoreText<'e>,
     /// The comment block's lines for people.
     pub about: Vec<String>,
 }
@@ -29,13 +25,13 @@ impl Common<'_> {
     /// The core's data, one a line.
     #[must_use]
     pub fn data(&self) -> Vec<String> {
-        clock::data(self.law, self.buckets.as_ref(), &self.names)
+        self.text.data(&self.names)
     }
 
     /// The core's routines, line by line.
     #[must_use]
     pub fn routines(&self) -> Vec<String> {
-        clock::routines(self.law, self.schedule, self.buckets.as_ref(), &self.names)
+        self.text.routines(&self.names)
     }
 }
 
@@ -84,10 +80,12 @@ pub fn core_file(common: &Common, beside: &Beside) -> EmittedFile {
     bytes.extend_from_slice(style.eol);
     let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
     let lower = beside.path.to_ascii_lowercase();
-    let extension = if lower.ends_with(".modx") || lower.ends_with(".sysx") { "modx" } else { "mod" };
+    let extension = match lower.rsplit('.').next() {
+        Some("modx" | "sysx") => "modx",
+        _ => "mod",
+    };
     EmittedFile {
         source: None,
-        on_disk: false,
         path: format!("{folder}{name}.{extension}"),
         bytes,
         edits: Vec::new(),

@@ -4,23 +4,25 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use sha2::{Digest, Sha256};
-
 use super::about::about;
-use super::bucket::Buckets;
 use super::change::{Place, changes, check_plan};
-use super::chunk::{Chunk, Declared, chunks};
-use super::clock::{self, Law};
+use super::clock::{Choice, CoreText, Law};
 use super::common::{Beside, Common, core_file};
 use super::module::{self, Context};
 use super::names::Names;
-use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Sensor};
-use crate::compensate::plan::{Plan, Totals};
+use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
+use super::restore::restore;
+use super::scale::Scaled;
+use crate::compensate::plan::{Form, Plan, Totals};
 use crate::diagnostic::FileId;
 use crate::program::{Program, task_of};
-use crate::schedule::Schedule;
+use crate::schedule::{Schedule, TimeFunctions};
 use crate::syntax::tree::{DataKind, FileItem, ModuleItem, Scope};
 use crate::syntax::{Edit, apply};
+use crate::units::rad_from_deg;
+
+/// Beyond this turn a quaternion is normalised again: half its square is what single precision can tell.
+const NORMALISE_DEG: f64 = 0.05;
 
 /// What is known of a program before anything of it is emitted.
 ///
@@ -28,16 +30,11 @@ use crate::syntax::{Edit, apply};
 /// their files do. A program without outlines is one part.
 pub struct Emission<'o> {
     options: &'o EmitOptions,
-    /// Runs for the buckets' modules are looked for.
-    with_runs: bool,
     base: Option<Base>,
     /// Every changed file.
     files: BTreeMap<FileId, Beside>,
-    /// Every changed module, with its runs.
-    modules: BTreeMap<Place, Vec<Chunk>>,
-    /// Over the bytes of the changed modules' files.
-    digest: Sha256,
-    compensates: bool,
+    /// Every changed module.
+    modules: BTreeSet<Place>,
 }
 
 /// What any part tells of the whole program.
@@ -45,7 +42,7 @@ struct Base {
     law: Law,
     temperature_c: Option<[f64; 2]>,
     taken: BTreeSet<String>,
-    declared: Declared,
+    functions: Option<TimeFunctions>,
 }
 
 impl Base {
@@ -58,33 +55,36 @@ impl Base {
             law,
             temperature_c: plan.temperature_c,
             taken: Names::taken(program),
-            declared: Declared::new(program),
+            functions: plan.functions.clone(),
         })
     }
 
-    fn names(&self, schedule: &Schedule) -> Names {
+    /// The core's text, and names that collide with none in the given files.
+    fn core<'e>(&'e self, schedule: &'e Schedule, totals: &Totals, emission: &Emission<'_>) -> (CoreText<'e>, Names) {
+        let ramps = totals.by_form[Form::Ramp as usize] > 0;
+        let choice = match &self.functions {
+            None => Choice::Bucket(schedule),
+            Some(functions) => Choice::Scale(Scaled {
+                functions,
+                poses: ramps && totals.targets[0] > 0,
+                joints: ramps && totals.targets[1] > 0,
+                normalise: totals.max_correction_rad > rad_from_deg(NORMALISE_DEG),
+            }),
+        };
+        let s4c = emission.files.values().any(|file| file.path.to_ascii_lowercase().ends_with(".prg"));
+        let text = CoreText { law: &self.law, growth: emission.options.growth, choice, task_data: !s4c };
         let unnamed = Names::default();
-        let core =
-            [clock::data(&self.law, None, &unnamed), clock::routines(&self.law, schedule, None, &unnamed)];
-        let core_text = core.concat().join("\n");
-        let others = "tcCore tcLoad tcLoaded tcFailed tcFile tcWho";
-        Names::new(self.taken.clone(), [core_text.as_str(), others].into_iter())
+        let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
+        let names = Names::new(self.taken.clone(), [lines.as_str(), "tcCore"].into_iter());
+        (text, names)
     }
 }
 
 impl<'o> Emission<'o> {
-    /// Nothing is looked at yet. Without `with_runs` the form `modules` cannot be taken later.
+    /// Nothing is looked at yet.
     #[must_use]
-    pub fn new(options: &'o EmitOptions, with_runs: bool) -> Self {
-        Self {
-            options,
-            with_runs,
-            base: None,
-            files: BTreeMap::new(),
-            modules: BTreeMap::new(),
-            digest: Sha256::new(),
-            compensates: false,
-        }
+    pub fn new(options: &'o EmitOptions) -> Self {
+        Self { options, base: None, files: BTreeMap::new(), modules: BTreeSet::new() }
     }
 
     /// Takes note of what is to be changed in the next part. Of the plan's schedule nothing is taken note of.
@@ -97,27 +97,12 @@ impl<'o> Emission<'o> {
             return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line });
         }
         check_plan(program, plan)?;
-        let base = match self.base.take() {
-            Some(base) => base,
-            None => Base::of(program, plan, self.options)?,
-        };
-        let base = self.base.insert(base);
-        for (place, change) in changes(program, plan)? {
-            let (id, index) = place;
-            let file = program.file(id);
-            self.compensates |= !change.motions.is_empty();
-            self.files.entry(id).or_insert_with(|| Beside::new(file));
-            let runs = self.modules.entry(place).or_default();
-            if !self.with_runs {
-                continue;
-            }
-            self.digest.update(&file.bytes);
-            let whole = file.whole_tree();
-            let Some(FileItem::Module(module)) = whole.items.get(index) else { continue };
-            let ticks = module::tick_places(module, &change.ticks);
-            let motions = change.motions.iter().filter_map(|&m| program.motions.get(m));
-            let starts = motions.map(|motion| motion.range.start).collect();
-            *runs = chunks(&base.declared, file, module, &starts, &ticks);
+        if self.base.is_none() {
+            self.base = Some(Base::of(program, plan, self.options)?);
+        }
+        for place in changes(program, plan)?.into_keys() {
+            self.files.entry(place.0).or_insert_with(|| Beside::new(program.file(place.0)));
+            self.modules.insert(place);
         }
         Ok(())
     }
@@ -129,39 +114,26 @@ impl<'o> Emission<'o> {
     /// [`EmitError`] says why the program cannot be emitted in this form.
     pub fn ready<'e>(
         &'e self,
-        form: Form,
         schedule: &'e Schedule,
         totals: &Totals,
     ) -> Result<Option<Ready<'e>>, EmitError> {
-        if schedule.buckets.is_empty() {
+        let Some(base) = self.base.as_ref().filter(|_| !self.modules.is_empty()) else { return Ok(None) };
+        if schedule.buckets.is_empty() && base.functions.is_none() {
             return Err(EmitError::PlanMismatch("no bucket".to_owned()));
         }
-        let Some(base) = self.base.as_ref().filter(|_| self.compensates) else { return Ok(None) };
         let modules = self.modules.len();
         let core = self.options.core.unwrap_or(if modules > 1 { Core::Separate } else { Core::Embedded });
         if core == Core::Embedded && modules > 1 {
             return Err(EmitError::EmbeddedInSeveral { modules });
         }
         let tasks = tasks(&self.files);
-        if form == Form::Modules && tasks.len() > 1 {
+        if tasks.len() > 1 {
             let name = |file: &&Beside| task_of(&file.path).unwrap_or_default().to_owned();
             return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() });
         }
-        let mut common = Common {
-            names: base.names(schedule),
-            law: &base.law,
-            core,
-            schedule,
-            temperature_c: base.temperature_c,
-            buckets: None,
-            about: Vec::new(),
-        };
-        common.about = about(&common, self.options, form, totals);
-        if form == Form::Modules {
-            let digest = self.digest.clone();
-            let Common { names, about, .. } = &mut common;
-            common.buckets = Some(Buckets::new(&self.files, &self.modules, digest, names, about)?);
-        }
+        let (text, names) = base.core(schedule, totals, self);
+        let mut common = Common { names, core, text, about: Vec::new() };
+        common.about = about(&common, self.options, (schedule, base.temperature_c), totals);
         Ok(Some(Ready { emission: self, common }))
     }
 }
@@ -173,8 +145,7 @@ pub struct Ready<'e> {
 }
 
 impl Ready<'_> {
-    /// Emits a part: its changed files, and its pieces of the buckets' files. The first part that has such pieces must come
-    /// before the others, and what [`finish`](Self::finish) gives behind all.
+    /// Emits a part: its changed files, each proved to give its original back.
     ///
     /// # Errors
     /// [`EmitError`], and those of `take`.
@@ -187,7 +158,7 @@ impl Ready<'_> {
         check_plan(program, plan)?;
         let changes = changes(program, plan)?;
         let context = Context { program, plan, common: &self.common };
-        if let Some(&(id, _)) = changes.keys().find(|place| !self.emission.modules.contains_key(place)) {
+        if let Some(&(id, _)) = changes.keys().find(|place| !self.emission.modules.contains(place)) {
             let what = format!("{}: nothing was to be changed here", program.file(id).path);
             return Err(EmitError::PlanMismatch(what).into());
         }
@@ -196,24 +167,24 @@ impl Ready<'_> {
             let file = program.file(id);
             let mut edits: Vec<Edit> = Vec::new();
             let tree = file.whole_tree();
-            for (&(_, index), change) in changes.range((id, 0)..=(id, usize::MAX)) {
+            for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
                 let Some(FileItem::Module(module)) = tree.items.get(index) else { continue };
-                edits.extend(module::edits(&context, file, (index, module), change)?);
+                edits.extend(module::edits(&context, file, (index, module), motions)?);
             }
             edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
             let bytes = apply(&file.bytes, &edits)
                 .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
-            take(EmittedFile { source: Some(id), on_disk: false, path: file.path.clone(), bytes, edits })?;
-        }
-        if let Some(buckets) = &self.common.buckets {
-            for bucket in 0..self.common.schedule.buckets.len() {
-                buckets.piece(&context, &changes, bucket)?.into_iter().try_for_each(&mut *take)?;
+            let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
+            if back != Ok(true) {
+                let what = back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
+                return Err(EmitError::NotRestored { path: file.path.clone().into(), what }.into());
             }
+            take(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })?;
         }
         Ok(())
     }
 
-    /// What comes behind all parts: the module that several share, for each task, and the ends of the buckets' files.
+    /// What comes behind all parts: the module that several share.
     ///
     /// # Errors
     /// Those of `take`.
@@ -222,10 +193,6 @@ impl Ready<'_> {
             for beside in tasks(&self.emission.files).into_values() {
                 take(core_file(&self.common, beside))?;
             }
-        }
-        if let Some(buckets) = &self.common.buckets {
-            let numbers = 0..self.common.schedule.buckets.len();
-            numbers.filter_map(|bucket| buckets.end(bucket)).try_for_each(&mut *take)?;
         }
         Ok(())
     }

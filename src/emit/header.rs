@@ -10,13 +10,14 @@ use super::check;
 pub const MARK: &str = "! driftpost ";
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 8] = [b"core", b"source", b"added", b"names", b"was", b"check", b"buckets", b"code"];
+const KEYS: [&[u8]; 9] =
+    [b"core", b"source", b"added", b"renamed", b"was", b"shares", b"points", b"targets", b"code"];
 
 /// Longest line; RAPID takes 255.
 const WIDTH: usize = 160;
 
 /// What `restore` reads out of a comment block.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
     /// SHA-256 of the source file, hexadecimal.
     pub source_sha256: String,
@@ -24,24 +25,22 @@ pub struct Record {
     pub source_name: String,
     /// The program's common module, which has no source.
     pub is_core: bool,
-    /// How many arrays of targets were added.
+    /// How many arrays of targets, or corrections, were added.
     pub targets: usize,
     /// How many other data declarations.
     pub data: usize,
     /// How many routines.
     pub routines: usize,
-    /// How many calls of the tick.
-    pub ticks: usize,
-    /// Name of the index.
-    pub index: String,
-    /// Name of the tick.
-    pub tick: String,
+    /// Names of the core that are in use under another one.
+    pub renamed: BTreeMap<String, String>,
     /// What stood in the motion in place of an array, where the array does not say so itself.
     pub was: BTreeMap<String, Vec<u8>>,
-    /// Three letters for element 1 of each array, in their order.
-    pub checks: Vec<u8>,
-    /// For each array three letters for the elements behind the first, then one for each of them.
-    pub elements: Vec<u8>,
+    /// For each bucket how much of the drift it corrects, in any unit.
+    pub shares: Vec<f64>,
+    /// Letters of the originals that stay in place, each once, in the order of the motions.
+    pub points: Vec<u8>,
+    /// Letters of each array or correction, in their order.
+    pub letters: Vec<u8>,
     /// Three letters for each of the other data, then for each routine.
     pub code: Vec<u8>,
     /// As read: the lines are as they were written.
@@ -79,19 +78,21 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         tell("core", "no source");
     } else {
         tell("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
-        tell(
-            "added",
-            &format!(
-                "{} targets, {} data, {} routines, {} ticks",
-                record.targets, record.data, record.routines, record.ticks
-            ),
-        );
-        tell("names", &format!("{} {}", record.index, record.tick));
+        let Record { targets, data, routines, .. } = record;
+        tell("added", &format!("{targets} targets, {data} data, {routines} routines"));
         for (name, text) in &record.was {
             tell("was", &format!("{name} {}", escape(text)));
         }
+        if !record.shares.is_empty() {
+            let largest = record.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+            let shares: Vec<String> = record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
+            tell("shares", &shares.join(" "));
+        }
     }
-    for (key, letters) in [("check", &record.checks), ("buckets", &record.elements), ("code", &record.code)] {
+    for (name, by) in &record.renamed {
+        tell("renamed", &format!("{name} {by}"));
+    }
+    for (key, letters) in [("points", &record.points), ("targets", &record.letters), ("code", &record.code)] {
         if !letters.is_empty() {
             tell(key, &String::from_utf8_lossy(letters));
         }
@@ -166,6 +167,14 @@ pub fn begins(comment: &[u8]) -> bool {
     text.strip_prefix(b"driftpost ").is_some_and(|rest| rest.first().is_some_and(u8::is_ascii_digit))
 }
 
+impl Record {
+    /// The name in use for one of the core's.
+    #[must_use]
+    pub fn core<'a>(&'a self, name: &'a str) -> &'a str {
+        self.renamed.get(name).map_or(name, String::as_str)
+    }
+}
+
 /// Reads a block from its lines (any indentation, without line ends); gives the record and the number of
 /// lines up to and including the last, or what is wrong with it.
 ///
@@ -216,19 +225,22 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 let mut numbers =
                     utf8.split(", ").map(|part| part.split(' ').next().and_then(|n| n.parse().ok()));
                 let mut next = || numbers.next().flatten().ok_or_else(broken);
-                (record.targets, record.data) = (next()?, next()?);
-                (record.routines, record.ticks) = (next()?, next()?);
+                (record.targets, record.data, record.routines) = (next()?, next()?, next()?);
             }
-            b"names" => {
-                let (index, tick) = utf8.split_once(' ').ok_or_else(broken)?;
-                (record.index, record.tick) = (index.to_owned(), tick.to_owned());
+            b"renamed" => {
+                let (name, by) = utf8.split_once(' ').ok_or_else(broken)?;
+                record.renamed.insert(name.to_owned(), by.to_owned());
+            }
+            b"shares" => {
+                let shares = utf8.split(' ').map(|share| share.parse().map_err(|_| broken()));
+                record.shares = shares.collect::<Result<_, _>>()?;
             }
             b"was" => {
                 let (name, was) = utf8.split_once(' ').ok_or_else(broken)?;
                 record.was.insert(name.to_owned(), unescape(was.as_bytes()).ok_or_else(broken)?);
             }
-            b"check" => record.checks = text,
-            b"buckets" => record.elements = text,
+            b"points" => record.points = text,
+            b"targets" => record.letters = text,
             b"code" => record.code = text,
             _ => {}
         }
@@ -252,12 +264,11 @@ mod tests {
             targets: 46,
             data: 12,
             routines: 11,
-            ticks: 2,
-            index: "tcI_2".into(),
-            tick: "tcTick".into(),
+            renamed: [("tcK".to_owned(), "tcK_2".to_owned())].into(),
             was,
-            checks: b"ABCabc".repeat(90),
-            elements: b"-+01".repeat(90),
+            shares: vec![0.125, 1.0],
+            points: b"ABCabc".repeat(90),
+            letters: b"-+01".repeat(90),
             code: b"xyz".to_vec(),
             is_whole: true,
         };
@@ -269,7 +280,7 @@ mod tests {
             lines.iter().map(|l| [b"   ", l.as_bytes()].concat()).chain([b"PROC x()".to_vec()]).collect();
         let (read, count) = read(text.iter().map(Vec::as_slice)).unwrap();
         assert_eq!((read, count), (record, lines.len()));
-        for lost in ["ABCabcABC", "! driftpost code", "10_2", "46 targets"] {
+        for lost in ["ABCabcABC", "! driftpost code", "10_2", "46 targets", "0.125"] {
             let at = text.iter().position(|l| String::from_utf8_lossy(l).contains(lost)).unwrap();
             let others = text.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, l)| l.as_slice());
             assert!(!super::read(others).unwrap().0.is_whole, "{lost}");

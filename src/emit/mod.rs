@@ -1,45 +1,42 @@
 //! A plan in, edits over the source and bytes out; and the way back.
 //!
 //! What an emitted program keeps to: every token that is not the target of a compensated motion stays as
-//! it is. Added are one comment block after the MODULE line, data after the module's last data, routines
-//! before ENDMODULE, and calls of the tick. Corrected targets are new data; declarations of the source
-//! are never edited. Knows nothing of how the plan was found.
+//! it is. Added are one comment block after the MODULE line, data after the module's last data, and routines
+//! before ENDMODULE; no statement. The motion asks for its target: a function in its argument knows the time.
+//! Declarations of the source are never edited. Knows nothing of how the plan was found.
 
 mod about;
-mod bucket;
+mod added;
 mod change;
 mod check;
-mod chunk;
 mod clock;
 mod common;
+mod correction;
 mod emission;
 mod header;
 mod identity;
-mod memory;
 mod module;
 mod names;
 mod number;
 mod options;
 mod place;
+mod point;
 mod restore;
-mod stand_in;
+mod scale;
 mod target;
 
 pub use emission::{Emission, Ready};
 pub use identity::{Difference, differences};
-pub use memory::{Memory, megabytes};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
-pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, Sensor};
+pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use restore::{Altered, RestoreError, Restored, Touched, TouchedInto, altered_core, restore};
-
-pub use stand_in::{bucket_of, standing_in};
 
 use crate::compensate::plan::{Plan, Totals};
 use crate::program::Program;
 use crate::syntax::SourceFile;
 use crate::syntax::tree::{FileItem, ModuleItem};
 
-/// Emits `program` with the targets of `plan`: the changed files, `tcCore` where the core is separate, the buckets' files.
+/// Emits `program` with the targets of `plan`: the changed files, and `tcCore` where the core is separate.
 ///
 /// Files in which nothing is compensated are not among them; a plan that compensates nothing gives none.
 /// Same input, same bytes.
@@ -49,18 +46,14 @@ use crate::syntax::tree::{FileItem, ModuleItem};
 pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec<EmittedFile>, EmitError> {
     let mut emitted: Vec<EmittedFile> = Vec::new();
     emit_each(program, plan, options, &mut |file| {
-        match emitted.iter_mut().find(|begun| begun.on_disk && begun.path == file.path) {
-            Some(begun) => begun.bytes.extend(file.bytes),
-            None => emitted.push(file),
-        }
+        emitted.push(file);
         Ok::<(), EmitError>(())
     })?;
-    emitted.sort_by_key(|file| (file.source.is_none(), file.on_disk));
     Ok(emitted)
 }
 
 /// The same, file by file: a large program's result need not be held at once. Whatever can be refused for the
-/// program as a whole is, before `take` is called. Of what is `on_disk` `take` gets one piece after the other.
+/// program as a whole is, before `take` is called.
 ///
 /// # Errors
 /// As [`emit`], and those of `take`.
@@ -70,10 +63,10 @@ pub fn emit_each<E: From<EmitError>>(
     options: &EmitOptions,
     take: &mut dyn FnMut(EmittedFile) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut emission = Emission::new(options, options.form == Form::Modules);
+    let mut emission = Emission::new(options);
     emission.look(program, plan)?;
     let totals = Totals::of(program, plan);
-    if let Some(ready) = emission.ready(options.form, &plan.schedule, &totals)? {
+    if let Some(ready) = emission.ready(&plan.schedule, &totals)? {
         ready.emit(program, plan, take)?;
         ready.finish(take)?;
     }

@@ -10,7 +10,19 @@ use crate::syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
 
 /// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
 /// a file declares one itself it is taken.
-const PUBLIC: [&str; 6] = ["tcColdStart", "tcWarmStart", "tcMode", "tcBucket", "tcMinute", "tcDegrees"];
+const PUBLIC: [&str; 11] = [
+    "tcColdStart",
+    "tcWarmStart",
+    "tcStartAt",
+    "tcUpdate",
+    "tcTeach",
+    "tcSelfTest",
+    "tcMode",
+    "tcBucket",
+    "tcShare",
+    "tcMinute",
+    "tcDegrees",
+];
 
 /// RAPID's longest identifier.
 pub const MAX_NAME: usize = 32;
@@ -69,6 +81,12 @@ impl Names {
     #[must_use]
     pub fn core<'a>(&'a self, name: &'a str) -> &'a str {
         self.renamed.get(name).map_or(name, String::as_str)
+    }
+
+    /// Those of the core's names that are in use under another one.
+    #[must_use]
+    pub fn renamed(&self) -> &BTreeMap<String, String> {
+        &self.renamed
     }
 
     /// `text` with the core's names as they are in use.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::compensate::FormChoice;
 use crate::deform::GrowthLaw;
 use crate::diagnostic::FileId;
 use crate::syntax::{Edit, EditError};
@@ -40,16 +41,7 @@ pub enum Sensor {
     Pers(String),
 }
 
-/// How the corrected targets are held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Arrays of targets in the module itself, one index for all.
-    Schedule,
-    /// For each bucket a module on the controller's disk that holds what moves; one is loaded at a time.
-    Modules,
-}
-
-/// Where clock and index live.
+/// Where clock and functions live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
     /// In the one module that is changed.
@@ -70,11 +62,13 @@ pub struct Provenance {
 /// How to emit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmitOptions {
-    /// How the targets are held.
-    pub form: Form,
+    /// What was asked for, as the comment block names it.
+    pub form: FormChoice,
     /// The clock.
     pub clock: Clock,
-    /// Where clock and index live; `None` = in the module if only one is changed, else separate.
+    /// The law of the drift's growth, where all of it follows one.
+    pub growth: Option<GrowthLaw>,
+    /// Where clock and functions live; `None` = in the module if only one is changed, else separate.
     pub core: Option<Core>,
     /// The robot.
     pub robot: Provenance,
@@ -84,13 +78,11 @@ pub struct EmitOptions {
     pub absolute_accuracy: bool,
 }
 
-/// One file of the emitted program; of one that is `on_disk` perhaps a piece, the next of those with the same path.
+/// One file of the emitted program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EmittedFile {
     /// The file it comes from; `None` for one that is new.
     pub source: Option<FileId>,
-    /// It belongs on the controller's disk and is loaded from there by the program itself.
-    pub on_disk: bool,
     /// The source's path, or that of a new file beside it; `/` between folders.
     pub path: String,
     /// The file.
@@ -153,10 +145,10 @@ pub enum EmitError {
         /// How many.
         modules: usize,
     },
-    /// Buckets' modules of several tasks.
+    /// Motion of several tasks, which are several robots.
     #[error(
-        "modules of several tasks hold compensated motion ({}), and a bucket's module is loaded into one: give one task at a \
-         time, or take --form schedule",
+        "several tasks hold motion ({}), and each moves a robot of its own: name the robot of each with --task \
+         TASK=ROBOT[,DEFORMATION]",
         tasks.join(", ")
     )]
     SeveralTasks {
@@ -171,12 +163,14 @@ pub enum EmitError {
         /// The motion's or module's line.
         line: u32,
     },
-    /// Nothing can stand in another module.
-    #[error(
-        "no run of statements can be put into a bucket's module: the moves stand in routines with an ERROR handler, \
-         or between jumps and calls; use --form schedule"
-    )]
-    NoRun,
+    /// What was emitted does not give its original back.
+    #[error("{}: the original cannot be got back from the result, so it is not written: {what}", path.display())]
+    NotRestored {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        what: String,
+    },
     /// No name of 32 characters is free.
     #[error("{}:{line}: no free name of at most 32 characters for the target", path.display())]
     NoName {
@@ -211,7 +205,7 @@ impl EmitError {
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
             Self::SeveralTasks { .. } => "emit::several-tasks",
             Self::NoModule { .. } => "emit::no-module",
-            Self::NoRun => "emit::no-run",
+            Self::NotRestored { .. } => "emit::not-restored",
             Self::NoName { .. } => "emit::no-name",
             Self::PlanMismatch(_) => "emit::plan-mismatch",
             Self::Edit { .. } => "emit::edit",

@@ -3,7 +3,6 @@
 //! Whatever is put in can be taken out again to the byte: whole lines at the beginning of a line where
 //! that is possible, else right before a token.
 
-use super::target::MAX_LINE;
 use crate::diagnostic::TextRange;
 use crate::syntax::tree::{Module, ModuleItem, Routine, Stmt, StmtKind};
 
@@ -87,6 +86,14 @@ pub(super) fn line_start(source: &[u8], offset: usize) -> usize {
     source[..offset.min(source.len())].iter().rposition(|&b| b == b'\n' || b == b'\r').map_or(0, |at| at + 1)
 }
 
+/// How long the line is that `offset` stands on.
+pub(super) fn line_length(source: &[u8], offset: usize) -> usize {
+    let start = line_start(source, offset);
+    let rest = source.get(offset..).unwrap_or_default();
+    let end = offset + memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+    end - start
+}
+
 /// Past the line end that stands at `offset`; `offset` itself where none stands there.
 pub(super) fn past_eol(source: &[u8], offset: usize) -> usize {
     match source.get(offset..) {
@@ -147,23 +154,6 @@ pub fn routines(source: &[u8], module: &Module) -> Option<u32> {
     Some(if source[start..end].iter().all(|&b| blank(b)) { start } else { end } as u32)
 }
 
-/// A statement to be put in before the one at `offset`, in the same indentation: where, and its text.
-#[must_use]
-pub fn statement(source: &[u8], offset: u32, text: &str, eol: &[u8]) -> (u32, Vec<u8>) {
-    let offset = offset as usize;
-    let rest = source.get(offset..).unwrap_or_default();
-    let at = offset + rest.iter().position(|&b| !white(b)).unwrap_or(0);
-    let mut out = text.as_bytes().to_vec();
-    out.extend_from_slice(eol);
-    let indent = indent_at(source, at as u32);
-    let start = line_start(source, at);
-    if at - start + text.len() > MAX_LINE && start + indent.len() == at {
-        return (start as u32, out); // too far to the right for another statement
-    }
-    out.extend_from_slice(indent);
-    (at as u32, out)
-}
-
 /// Every statement of a routine, in source order, those inside others included.
 #[must_use]
 pub fn statements(routine: &Routine) -> Vec<&Stmt> {
@@ -188,13 +178,6 @@ pub fn statements(routine: &Routine) -> Vec<&Stmt> {
     }
     found.sort_unstable_by_key(|s| (s.range.start, std::cmp::Reverse(s.range.end)));
     found
-}
-
-/// The compact IFs of a routine: before a statement inside one nothing can be put in.
-#[must_use]
-pub fn compact_ifs(routine: &Routine) -> Vec<TextRange> {
-    let all = statements(routine).into_iter();
-    all.filter(|s| matches!(s.kind, StmtKind::CompactIf { .. })).map(|s| s.range).collect()
 }
 
 /// Whether `at` is the first byte of a line, so that whole lines can be put in there.
@@ -247,19 +230,5 @@ mod tests {
         assert_eq!(after_line(b"VAR num a; ! why\nPROC", 10), 17);
         assert_eq!(after_line(b"MODULE M PROC", 8), 9);
         assert_eq!(after_line(b"MODULE M", 8), 8);
-    }
-
-    #[test]
-    fn a_statement_takes_the_indentation_of_its_line() {
-        let (at, text) = statement(b"a\n\t MoveL p;", 4, "tcTick;", b"\n");
-        assert_eq!((at, text.as_slice()), (4, b"tcTick;\n\t ".as_slice()));
-        let (at, text) = statement(b"  WHILE TRUE DO MoveL p; ENDWHILE", 16, "tcTick;", b"\r\n");
-        assert_eq!((at, text.as_slice()), (16, b"tcTick;\r\n  ".as_slice()));
-        // RAPID takes lines of 255 characters.
-        for (blanks, expected) in [(248, (251, 8 + 248)), (249, (3, 8))] {
-            let source = format!("a;\n{}MoveL p;", " ".repeat(blanks));
-            let (at, text) = statement(source.as_bytes(), 3, "tcTick;", b"\n");
-            assert_eq!((at as usize, text.len()), expected, "{blanks}");
-        }
     }
 }

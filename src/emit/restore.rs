@@ -5,30 +5,31 @@
 //! the same program, not the same bytes.
 
 mod altered;
-mod taken_out;
+mod arrays;
+mod removal;
 
 pub use altered::{Altered, altered_core};
 
 use super::header;
 use super::module::hex;
 use super::names::words;
-use super::place::{self, white};
+use super::place;
 use crate::diagnostic::{LineIndex, TextRange};
-use crate::syntax::tree::{Callee, FileItem, Module, ModuleItem, Stmt, StmtKind};
-use crate::syntax::{Edit, apply, parse};
+use crate::syntax::tree::{FileItem, Module, ModuleItem};
+use crate::syntax::{apply, parse};
 use altered::altered_code;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
-use taken_out::Work;
+use removal::{Remover, removal};
 
 /// An original, got back.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Restored {
     /// The file.
     pub bytes: Vec<u8>,
     /// The name it had.
     pub source_name: String,
-    /// Targets whose original was changed in the emitted module: the file holds the new values.
+    /// Targets that were touched up in the emitted module: the file holds the originals that this means.
     pub touched: Vec<Touched>,
     /// What else was changed in the emitted module: it is in no way in the file.
     pub altered: Vec<Altered>,
@@ -36,19 +37,23 @@ pub struct Restored {
     pub exact: bool,
 }
 
-/// A target whose element 1 was changed.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A target that was touched up in the emitted module.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Touched {
-    /// Its array.
-    pub array: String,
+    /// Its array; `None` where the original itself was touched up.
+    pub array: Option<String>,
     /// What stands in the motion of the original.
     pub target: String,
-    /// The new value.
+    /// The new value of the original.
     pub value: String,
-    /// The first line of the emitted module that names it, from 1.
+    /// Where the original stands in the emitted module, or the first line that names its array, from 1.
     pub line: u32,
-    /// Where the new value went.
+    /// Where the new value stands in the result.
     pub into: TouchedInto,
+    /// How far the original has moved.
+    pub moved: f64,
+    /// In `mm`, or in `deg` for joints and for a turn alone.
+    pub unit: &'static str,
 }
 
 /// Where a touched-up value went.
@@ -71,6 +76,20 @@ pub enum RestoreError {
         "this module belongs to a compensated program and has no original: remove it when that is removed"
     )]
     IsCore,
+    /// Two touched-up elements of one target do not mean the same original.
+    #[error(
+        "line {line}: two elements of {array} were touched up and mean different originals: {first} and {second}; undo one of them"
+    )]
+    Disagree {
+        /// The array.
+        array: String,
+        /// Its first line, from 1.
+        line: u32,
+        /// What the first means.
+        first: String,
+        /// What the other means.
+        second: String,
+    },
     /// The module was edited where it must not be.
     #[error("line {line}: {what}; take the original file, or undo that edit")]
     Damaged {
@@ -88,6 +107,7 @@ impl RestoreError {
         match self {
             Self::NotEmitted => "restore::not-emitted",
             Self::IsCore => "restore::core",
+            Self::Disagree { .. } => "restore::disagree",
             Self::Damaged { .. } => "restore::damaged",
         }
     }
@@ -95,9 +115,9 @@ impl RestoreError {
 
 /// Gives the original of an emitted module.
 ///
-/// Byte for byte where nothing was changed since. Where element 1 of a target was touched up it takes
-/// that value: an inline target gets it in the motion, a named one in its declaration, an expression
-/// becomes an inline target.
+/// Byte for byte where nothing was changed since. Originals that stay in the module keep the values that they were touched
+/// up to. Where an element of an array was touched up the original is the one that it means, its own correction taken off:
+/// an inline target gets it in the motion, a named one in its declaration, an expression becomes an inline target.
 ///
 /// # Errors
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
@@ -120,7 +140,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
         }
         let last = block.get(count.saturating_sub(1)).map_or(comment.end, |r| r.end);
         edits.push(removal(place::whole_lines(bytes, TextRange::new(comment.start, last))));
-        let mut work = Work {
+        let mut remover = Remover {
             bytes,
             lines: &lines,
             module,
@@ -129,21 +149,23 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
             code: Vec::new(),
             altered: Vec::new(),
         };
-        let arrays = work.data()?;
-        work.routines()?;
-        touched.extend(work.motions(&arrays)?);
-        let code = altered_code(bytes, &lines, &work.code, &record.code, module.name);
+        let arrays = remover.data()?;
+        let routines = remover.routines()?;
+        touched.extend(remover.motions(&routines, &arrays)?);
+        let code = altered_code(bytes, &lines, &remover.code, &record.code, module.name);
         if record.is_whole {
-            altered.append(&mut work.altered);
+            altered.append(&mut remover.altered);
             altered.extend(code);
         } else {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
         added.extend(arrays.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
-        added.extend([&record.index, &record.tick].map(|name| name.as_bytes().to_ascii_lowercase()));
+        let asked = ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
+        added.extend(asked.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
     }
     let (sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
+    edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
     let mut left = None;
@@ -185,38 +207,4 @@ pub(super) fn comment_block(bytes: &[u8], start: u32) -> Vec<TextRange> {
         at = place::past_eol(bytes, eol);
     }
     lines
-}
-
-/// What stands round statements that a routine of the buckets' modules may stand in for:
-/// `IF index>1 THEN %"tc..."%; ELSE` before them, `ENDIF` behind.
-pub(super) struct Choice {
-    /// From IF to the first of the statements.
-    pub(super) before: TextRange,
-    /// From the end of the last to that of ENDIF.
-    pub(super) behind: TextRange,
-    /// The routine's name in its quotes.
-    pub(super) name: TextRange,
-}
-
-/// Whether a statement is such a choice; `index` in lower case.
-pub(super) fn choice(bytes: &[u8], stmt: &Stmt, index: &str) -> Option<Choice> {
-    let StmtKind::If { arms, otherwise: Some(own) } = &stmt.kind else { return None };
-    let [(cond, body)] = arms.as_slice() else { return None };
-    let [Stmt { kind: StmtKind::Call(call), .. }] = body.as_slice() else { return None };
-    let cond: Vec<u8> = cond.range.of(bytes).iter().copied().filter(|b| !white(*b)).collect();
-    let Callee::Late(late) = &call.callee else { return None };
-    let ours = late.range.of(bytes).get(..3).is_some_and(|begin| begin.eq_ignore_ascii_case(b"\"tc"));
-    if !ours || !cond.eq_ignore_ascii_case(format!("{index}>1").as_bytes()) {
-        return None;
-    }
-    let (first, last) = (own.first()?, own.last()?);
-    Some(Choice {
-        before: TextRange::new(stmt.range.start, first.range.start),
-        behind: TextRange::new(last.range.end, stmt.range.end),
-        name: late.range,
-    })
-}
-
-fn removal(range: TextRange) -> Edit {
-    Edit { range, text: Vec::new() }
 }

@@ -9,6 +9,8 @@ use super::place::{Style, white};
 use crate::compensate::plan::Corrected;
 use crate::program::data::{ExtJoint, RobTarget};
 use crate::program::motion::TargetValue;
+use crate::units::{deg_from_rad, mm_from_m};
+use nalgebra::Vector3;
 
 /// RAPID's longest line.
 pub const MAX_LINE: usize = 255;
@@ -66,48 +68,87 @@ fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
     out.push(b']');
 }
 
-/// One array of a module.
+/// The array of a target, or of all elements of an array that it is one of.
 pub struct TargetArray<'p> {
     /// Its name.
     pub name: String,
-    /// Text of element 1.
-    pub element1: Cow<'p, [u8]>,
-    /// The target as programmed.
-    pub original: Option<TargetValue>,
-    /// For each bucket what it becomes.
-    pub corrected: Vec<Corrected>,
+    /// Which row is in force is an index of its own: the source names an array's element.
+    pub indexed: bool,
+    /// For each row the target as programmed, the text of its element 1, and what it becomes in each bucket.
+    pub rows: Vec<Row<'p>>,
 }
 
+/// A target as programmed, the text of its element 1, and what it becomes in each bucket.
+pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, Vec<Corrected>);
+
 impl TargetArray<'_> {
-    /// Appends the declaration, one element a line; gives what the elements behind the first are recognised by.
+    /// Whether it is the array of these rows.
+    #[must_use]
+    pub fn is_of(&self, rows: &[Row<'_>]) -> bool {
+        let same = |(a, b): (&Row<'_>, &Row<'_>)| a.0 == b.0 && a.2 == b.2;
+        self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
+    }
+
+    /// Appends the declaration, one element a line; gives what its elements are recognised by.
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
     pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
-        let joint = matches!(self.original, Some(TargetValue::Joint(_)));
+        let joint = matches!(self.rows.first(), Some((TargetValue::Joint(_), ..)));
+        let buckets = self.rows.first().map_or(0, |(_, _, corrected)| corrected.len());
         let mut elements = Elements::new();
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
         out.extend_from_slice(self.name.as_bytes());
-        out.extend_from_slice(format!("{{{}}}:=[", self.corrected.len() + 1).as_bytes());
+        let rows = if self.indexed { format!("{},", self.rows.len()) } else { String::new() };
+        out.extend_from_slice(format!("{{{rows}{}}}:=[", buckets + 1).as_bytes());
         out.extend_from_slice(style.eol);
-        let mut line = out.len();
-        out.extend_from_slice(&style.indent);
-        out.extend_from_slice(&style.unit);
-        out.extend_from_slice(&self.element1);
-        for corrected in &self.corrected {
-            end_element(out, line, b",", style);
-            line = out.len();
+        for (r, (_, element1, corrected)) in self.rows.iter().enumerate() {
+            let last_row = r + 1 == self.rows.len();
+            let mut line = out.len();
             out.extend_from_slice(&style.indent);
             out.extend_from_slice(&style.unit);
+            if self.indexed {
+                out.push(b'[');
+            }
             let from = out.len();
-            write_corrected(out, corrected, joint, &self.element1)
-                .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
+            out.extend_from_slice(element1);
             elements.add(out.get(from..).unwrap_or_default());
+            for corrected in corrected {
+                end_element(out, line, b",", style);
+                line = out.len();
+                out.extend_from_slice(&style.indent);
+                out.extend_from_slice(&style.unit);
+                let from = out.len();
+                write_corrected(out, corrected, joint, element1)
+                    .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
+                elements.add(out.get(from..).unwrap_or_default());
+            }
+            let end: &[u8] = match (self.indexed, last_row) {
+                (false, _) => b"];",
+                (true, false) => b"],",
+                (true, true) => b"]];",
+            };
+            end_element(out, line, end, style);
         }
-        end_element(out, line, b"];", style);
         Ok(elements.letters())
+    }
+}
+
+/// How far a corrected target is from the original: mm of a robtarget, degrees of the joint that changes most.
+#[must_use]
+pub fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
+    match (original, corrected) {
+        (TargetValue::Rob(target), Corrected::Pose { position_m, .. }) => {
+            let to = Vector3::from(*position_m);
+            mm_from_m((to - target.object_from_tcp.translation.vector).norm())
+        }
+        (TargetValue::Joint(target), Corrected::Joints { q_rad }) => {
+            let turns = target.q_rad.iter().zip(q_rad).map(|(from, to)| (to - from.unwrap_or(*to)).abs());
+            deg_from_rad(turns.fold(0.0, f64::max))
+        }
+        _ => 0.0,
     }
 }
 
@@ -162,7 +203,7 @@ fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &Style) {
 }
 
 /// Everything of an aggregate's text from its component `from` on, closing bracket included.
-fn tail_of(text: &[u8], from: usize) -> &[u8] {
+pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
     let (mut depth, mut commas) = (0_u32, 0_usize);
     for (at, &byte) in text.iter().enumerate() {
         match byte {
@@ -247,7 +288,7 @@ mod tests {
         original: TargetValue,
         corrected: &[Corrected],
     ) -> TargetArray<'t> {
-        TargetArray { name: name.into(), element1, original: Some(original), corrected: corrected.to_vec() }
+        TargetArray { name: name.into(), indexed: false, rows: vec![(original, element1, corrected.to_vec())] }
     }
 
     fn pose(x_mm: f64) -> Corrected {

@@ -123,12 +123,12 @@ impl<'a> Walk<'_, 'a> {
                     let ctx = self.ctx();
                     let cond = self.folder.fold(cond, ctx, &Constant).map(|t| t.value);
                     let unconditional = matches!(cond, Ok(Value::Bool(true)));
-                    self.inside(stmt.range.end, unconditional, None, body);
+                    self.inside(stmt.range.end, unconditional, None);
                     self.body(body);
                 }
                 StmtKind::For { from, to, step, body, .. } => {
                     let passes = self.passes(from, to, step.as_deref());
-                    self.inside(stmt.range.end, false, passes, body);
+                    self.inside(stmt.range.end, false, passes);
                     self.body(body);
                 }
                 StmtKind::Label(name) => {
@@ -144,10 +144,8 @@ impl<'a> Walk<'_, 'a> {
         }
     }
 
-    fn inside(&mut self, end: u32, unconditional: bool, passes: Option<u64>, body: &[Stmt]) {
-        let first = body.iter().find(|s| !matches!(s.kind, StmtKind::Comment));
-        let first_statement = first.map_or(end, |s| s.range.start);
-        let made = Loop { file: self.ctx().file, routine: 0, unconditional, passes, first_statement };
+    fn inside(&mut self, end: u32, unconditional: bool, passes: Option<u64>) {
+        let made = Loop { file: self.ctx().file, routine: 0, unconditional, passes };
         self.open.push(Open { end, made, counted: None });
     }
 
@@ -166,7 +164,7 @@ impl<'a> Walk<'_, 'a> {
         let straight = |s: &Stmt| matches!(s.kind, StmtKind::Goto(_)) && jumps.contains(&s.range.start);
         let unconditional = rest.iter().any(straight);
         let end = rest.iter().map(|s| s.range.end).find(|&end| end > last).unwrap_or(last);
-        self.inside(end, unconditional, None, rest);
+        self.inside(end, unconditional, None);
     }
 
     /// How often a FOR runs, where its bounds are constant.
@@ -232,6 +230,9 @@ impl<'a> Walk<'_, 'a> {
             wait_before: Wait::None,
             wait_since_entry: None,
             keep: None,
+            run_time: false,
+            tool_range: by_role.tool.map(|expr| expr.range),
+            wobj_range: by_role.wobj.map(|expr| expr.range),
         };
         self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());
         self.drafts.motions.push(Draft { motion, ctx, form, written: args });
@@ -250,23 +251,11 @@ impl<'a> Walk<'_, 'a> {
             module: module.map_or(String::new(), |m| as_text(index.text(entry.ctx.file, m))),
             name: as_text(index.text(entry.ctx.file, entry.tree.name)),
             range: entry.tree.range,
-            first_statement: first_statement(entry.tree),
         });
         let info = self.drafts.routines.len() - 1;
         self.info = Some(info);
         info
     }
-}
-
-/// Where the first statement behind the declarations begins.
-fn first_statement(routine: &Routine) -> u32 {
-    let declared =
-        routine.body.iter().rposition(|s| matches!(s.kind, StmtKind::Data(_))).map_or(0, |p| p + 1);
-    let behind = routine.body.get(declared..).unwrap_or_default();
-    let first = behind.iter().find(|s| !matches!(s.kind, StmtKind::Comment)).map(|s| s.range.start);
-    let handler = routine.handlers.first().map(|h| h.range.start);
-    let end = routine.end.map(|e| e.start);
-    first.or(handler).or(end).unwrap_or(routine.range.end)
 }
 
 fn gotos(tree: &Routine) -> Vec<(TextRange, u32)> {

@@ -64,6 +64,13 @@ pub struct Motion {
     pub wait_since_entry: Option<Wait>,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
     pub keep: Option<Box<Keep>>,
+    /// The only reason in `keep` is that a target, the tool or the work object is known at run time alone: a function
+    /// that is asked at run time can correct it.
+    pub run_time: bool,
+    /// Where the tool argument stands.
+    pub tool_range: Option<TextRange>,
+    /// Where the value of the `\WObj` argument stands.
+    pub wobj_range: Option<TextRange>,
 }
 
 /// How long the program stands before a motion.
@@ -96,13 +103,21 @@ pub struct Target {
     pub range: TextRange,
     /// How it is written.
     pub origin: Origin,
-    /// What it is worth; `None` where [`Motion::keep`] says why that is not known.
+    /// What it is worth; `None` where [`Motion::keep`] says why that is not known, and where `elements` are.
     pub value: Option<TargetValue>,
-    /// Where it is an element of a constant array and only run time tells which: all elements, in order.
+    /// Where it is an element of a constant array of one dimension and only run time tells which: all elements, in order.
     pub elements: Vec<TargetValue>,
     /// The text of the value as the source spells it: the aggregate of an inline target, or the initial
     /// value of a named one, where that is a literal aggregate. Element 1 of a schedule copies it.
     pub literal: Option<Span>,
+}
+
+impl Target {
+    /// Everything that it may be worth: its value, or all elements of the array that it is one of.
+    #[must_use]
+    pub fn values(&self) -> &[TargetValue] {
+        self.value.as_ref().map_or(&self.elements, std::slice::from_ref)
+    }
 }
 
 /// How a target is written in its motion.
@@ -143,8 +158,6 @@ pub struct RoutineInfo {
     pub name: String,
     /// The whole routine.
     pub range: TextRange,
-    /// Where its first statement after the declarations begins: a statement can be put in there.
-    pub first_statement: u32,
 }
 
 /// A loop round motion.
@@ -158,6 +171,4 @@ pub struct Loop {
     pub unconditional: bool,
     /// How often it runs, where constants say so.
     pub passes: Option<u64>,
-    /// Where the first statement of its body begins: a statement can be put in there.
-    pub first_statement: u32,
 }

@@ -95,6 +95,18 @@ struct Finish<'f, 'a> {
 
 type Failed = Keep;
 
+/// Reasons that a function asked at run time has not: it sees the values.
+const KNOWN_AT_RUN_TIME: [&str; 8] = [
+    "keep::runtime-target",
+    "keep::parameter",
+    "keep::loop-variable",
+    "keep::function-result",
+    "keep::no-value",
+    "keep::not-declared",
+    "keep::tool-unknown",
+    "keep::wobj-unknown",
+];
+
 /// The last one where it is the same.
 fn shared<T: PartialEq>(last: &mut Option<Arc<T>>, value: T) -> Arc<T> {
     let kept = match last.take() {
@@ -110,7 +122,9 @@ impl<'a> Finish<'_, 'a> {
         let Draft { mut motion, ctx, form, .. } = draft;
         let at = Span { file: ctx.file, range: motion.range };
         let mut first: Option<Keep> = None;
+        let mut run_time = true;
         let mut fail = |keep: Keep| {
+            run_time &= KNOWN_AT_RUN_TIME.contains(&keep.code);
             first.get_or_insert(keep);
         };
         if let Some(keep) = special(form.special, form.name) {
@@ -150,9 +164,11 @@ impl<'a> Finish<'_, 'a> {
         motion.targets.reserve_exact(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            // One of an array's elements is known well enough where all of them are.
+            let indexed = args.targets.len() == 1 && !target.elements.is_empty();
             motion.targets.push(target);
             reached.extend(calc);
-            if let Some(keep) = failed {
+            if let Some(keep) = failed.filter(|_| !indexed) {
                 fail(keep);
             }
         }
@@ -206,6 +222,11 @@ impl<'a> Finish<'_, 'a> {
         if let Some(state) = state {
             self.note_kept_over(state, &args, ctx, at);
         }
+        motion.run_time = first.is_some()
+            && run_time
+            && args.tool.is_some()
+            && args.conditional.is_empty()
+            && motion.targets.len() == args.targets.len();
         motion.keep = first.map(Box::new);
         motion
     }

@@ -3,9 +3,8 @@
 use super::json::messages;
 use super::message::Told;
 use super::{Align, Table, rounded};
-use crate::emit::{Form, Memory};
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
+use crate::program::motion::{Motion, Origin, Target, TargetValue};
 use crate::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -38,8 +37,8 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
         program.motions.len(),
         program.motions.len() - kept,
-        form_name(memory(program).suits()),
-        memory(program).why()
+        form(program).0,
+        form(program).1
     )?;
     let mut table = Table::new(&[
         ("line", Align::Left),
@@ -139,27 +138,26 @@ pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
         "modules": modules,
         "entries": program.facts.entries.iter().map(|e| &e.name).collect::<Vec<_>>(),
         "motions": motions,
-        "form": form_name(memory(program).suits()),
-        "form_because": memory(program).why(),
+        "form": form(program).0,
+        "form_because": form(program).1,
         "warnings": messages(warnings),
     })
 }
 
-/// What the program would take of a controller's memory in a usual number of buckets.
-fn memory(program: &Program) -> Memory {
-    const BUCKETS: usize = 20;
-    let can = || program.motions.iter().filter(|m| m.keep.is_none());
-    let targets = |joint: bool| {
-        can().filter(|m| (m.path == Path::AbsJoint) == joint).map(|m| m.targets.len()).sum::<usize>()
-    };
-    Memory::of(program.motions.len(), can().count(), [targets(false), targets(true)], BUCKETS)
-}
-
-fn form_name(form: Form) -> &'static str {
-    match form {
-        Form::Schedule => "schedule",
-        Form::Modules => "modules",
+/// The form that suits, and why.
+fn form(program: &Program) -> (&'static str, String) {
+    /// Targets of which every bucket is still looked at in one file.
+    const FEW: usize = 2000;
+    let can = program.motions.iter().filter(|m| m.keep.is_none());
+    let targets: usize = can.map(|m| m.targets.len()).sum();
+    let run_time = program.motions.iter().filter(|m| m.run_time).count();
+    if run_time > 0 {
+        return ("auto", format!("{run_time} of the motions have targets that only the running program knows"));
     }
+    if targets > FEW {
+        return ("ramp", format!("arrays of {targets} targets are large, one correction each is not"));
+    }
+    ("schedule", format!("arrays of {targets} targets are small, and every bucket is to be seen in one file"))
 }
 
 fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {

@@ -192,8 +192,47 @@ pub fn choose(drift: &mut dyn Drift, request: &Request) -> Result<Chosen, Schedu
     Err(ScheduleError::Unverified { worst_m })
 }
 
+/// When some targets drift: minutes so close that the drift is straight between them, and when it is over.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timeline {
+    /// Minutes, ascending, from 0; at the last of them everything has settled.
+    pub at_min: Vec<f64>,
+    /// From here on what is still to come is under the tolerance.
+    pub until_min: f64,
+}
+
+impl Timeline {
+    /// Its minutes as moments.
+    pub fn moments(&self) -> impl Iterator<Item = Moment> + '_ {
+        let last = self.at_min.len().saturating_sub(1);
+        self.at_min.iter().enumerate().map(move |(k, &t)| if k == last { Moment::Settled } else { Moment::Minute(t) })
+    }
+}
+
+/// The timeline of `targets`: straight to `sag_m` between its minutes, settled to `tolerance_m` at its end.
+///
+/// # Errors
+/// [`ScheduleError::NeverSettles`].
+pub fn timeline(
+    drift: &dyn Drift,
+    targets: &[usize],
+    sag_m: f64,
+    tolerance_m: f64,
+) -> Result<Timeline, ScheduleError> {
+    if targets.is_empty() {
+        return Ok(Timeline { at_min: vec![0.0], until_min: 0.0 });
+    }
+    let horizon_min = horizon_min(drift, targets, sag_m).ok_or(ScheduleError::NeverSettles)?;
+    let curve = Curve::sample(drift, targets, horizon_min, sag_m);
+    Ok(Timeline { until_min: curve.settles_within(tolerance_m), at_min: curve.into_minutes(sag_m) })
+}
+
 impl Request {
-    fn check(&self) -> Result<(), ScheduleError> {
+    /// Whether it makes sense.
+    ///
+    /// # Errors
+    /// What does not.
+    pub fn check(&self) -> Result<(), ScheduleError> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         if !positive(self.tolerance_m) {
             return Err(ScheduleError::Tolerance { tolerance_m: self.tolerance_m });
@@ -221,6 +260,13 @@ impl Request {
 }
 
 impl Chosen {
+    /// No schedule: corrections are scaled by functions of time. What is to come from `until_min` on is under the tolerance.
+    #[must_use]
+    pub fn without_buckets(until_min: f64) -> Self {
+        let schedule = Schedule { buckets: Vec::new(), parts_per_min: 1 };
+        Self { schedule, until_min, fewest: None, worst_m: 0.0, other_tolerances: Vec::new() }
+    }
+
     fn nothing_drifts() -> Self {
         let bucket = Bucket { from_min: 0.0, to_min: None, at_min: 0.0 };
         Self {

@@ -87,6 +87,33 @@ impl Curve {
         self.refine(drift, targets, (t_mid, &mid), right, sag_m, depth - 1);
     }
 
+    /// Its minutes without those that a straight line to `sag_m` can do without.
+    pub(super) fn into_minutes(self, sag_m: f64) -> Vec<f64> {
+        let mut kept = vec![0];
+        let last = self.t_min.len() - 1;
+        let mut from = 0;
+        while from < last {
+            // The furthest node to which a straight line is good enough for all between.
+            let mut to = from + 1;
+            while to < last && self.is_straight(from, to + 1, sag_m) {
+                to += 1;
+            }
+            kept.push(to);
+            from = to;
+        }
+        kept.dedup();
+        kept.into_iter().map(|k| self.t_min[k]).collect()
+    }
+
+    fn is_straight(&self, from: usize, to: usize, sag_m: f64) -> bool {
+        (from + 1..to).all(|k| {
+            let s = (self.t_min[k] - self.t_min[from]) / (self.t_min[to] - self.t_min[from]);
+            let chord = blend(self.node(from), self.node(to), s);
+            let far = self.node(k).iter().zip(&chord).map(|(&a, &b)| norm2(minus(a, b)));
+            far.fold(0.0, f64::max).sqrt() <= sag_m
+        })
+    }
+
     /// Displacements of one node.
     fn node(&self, k: usize) -> &[[f64; 3]] {
         &self.d_m[k * self.targets..(k + 1) * self.targets]

@@ -1,4 +1,4 @@
-//! Warm-up time buckets from a tolerance.
+//! Warm-up time buckets from a tolerance, and functions of time that scale fixed corrections.
 //!
 //! A bucket is a stretch of warm-up minutes in which one set of corrected targets is in use; it is right
 //! at one minute of it, and no target may be further off than the tolerance anywhere in it.
@@ -9,9 +9,11 @@ mod choose;
 mod cover;
 mod curve;
 mod drift;
+mod functions;
 
-pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Until, Width, choose};
+pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Timeline, Until, Width, choose, timeline};
 pub use drift::{Drift, Moment};
+pub use functions::{Course, TimeFunctions};
 
 /// A bucket: the warm-up minutes from `from_min` up to, not including, `to_min`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +37,7 @@ impl Bucket {
 /// A schedule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
-    /// Buckets without gaps, from minute 0; never empty.
+    /// Buckets without gaps, from minute 0; none where corrections are scaled by functions of time.
     pub buckets: Vec<Bucket>,
     /// Edges are whole multiples of 1/`parts_per_min` minutes: 1 or 10.
     pub parts_per_min: u32,

@@ -349,7 +349,7 @@ impl Session {
                 self.program.calendar_mut().advance_min(step_min);
                 self.original.calendar_mut().advance_min(step_min);
                 now_min += step_min;
-                self.call_if_there("tcTick")?;
+                self.call_if_there("tcUpdate")?;
             }
             let truth = self.truth.arm_at(t_min);
             self.pass(t_min, &mut |_| truth.clone())?;

@@ -9,11 +9,11 @@ use crate::cli::model::{self, Named};
 use crate::cli::number::positive;
 use crate::cli::shared::RobotName;
 use crate::cli::suggest;
-use crate::compensate::Options;
+use crate::compensate::{FormChoice, Options};
 use crate::deform::Deformation;
 use crate::deform::identified::Identified;
 use crate::diagnostic::Diagnostic;
-use crate::emit::{Clock, Core, EmitOptions, Form, Sensor};
+use crate::emit::{Clock, Core, EmitOptions, Sensor};
 use crate::program::Overrides;
 use crate::robot::Robot;
 use crate::schedule::{Until, Width};
@@ -66,7 +66,7 @@ pub struct Args {
     #[arg(long, value_name = "MIN", conflicts_with = "tolerance_mm", allow_negative_numbers = true)]
     pub bucket_min: Option<f64>,
 
-    /// How the corrected targets are held.
+    /// What a motion asks instead of its target.
     #[arg(long, value_enum, default_value_t = FormName::Schedule)]
     pub form: FormName,
 
@@ -173,16 +173,28 @@ pub struct Models {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperatures(pub [f64; 6]);
 
-/// How the corrected targets are held.
+/// What a motion asks instead of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FormName {
-    /// Arrays of targets in the module itself, one index chosen by the clock.
+    /// One of an array of targets, an element for each stretch of warm-up time: every corrected target is to be seen.
     Schedule,
-    /// A module for each bucket on the controller's disk, one of which is loaded at a time: for programs that are too
-    /// large for arrays.
-    Modules,
-    /// The one that suits: arrays where they are small.
+    /// The original and one correction, scaled by the share of the drift that has come: no steps, a fraction of the text.
+    Ramp,
+    /// The deformed model itself, at run time: for targets that only the running program knows.
+    Live,
+    /// Motion by motion the plainest: ramp where the target is known, live where it is not.
     Auto,
+}
+
+impl From<FormName> for FormChoice {
+    fn from(name: FormName) -> Self {
+        match name {
+            FormName::Schedule => Self::Schedule,
+            FormName::Ramp => Self::Ramp,
+            FormName::Live => Self::Live,
+            FormName::Auto => Self::Auto,
+        }
+    }
 }
 
 /// What the bucket follows.
@@ -211,6 +223,7 @@ impl Args {
     pub fn options(&self, identified: Option<&Named<Identified>>) -> Options {
         let [max_mm, max_deg] = if identified.is_some() { [3.0, 0.5] } else { [0.5, 0.1] };
         Options {
+            form: self.form.into(),
             model: identified.map(|named| Arc::new(named.model.clone())),
             payload_kg: self.payload_kg,
             joint_temperature_c: self.temperature_c.map(|t| t.0),
@@ -257,11 +270,9 @@ impl Args {
             },
         };
         EmitOptions {
-            form: match self.form {
-                FormName::Schedule | FormName::Auto => Form::Schedule,
-                FormName::Modules => Form::Modules,
-            },
+            form: self.form.into(),
             clock,
+            growth: deformation.model.growth().copied().filter(|_| self.model.is_none()),
             core: self.core.map(|core| match core {
                 CoreName::Embedded => Core::Embedded,
                 CoreName::Separate => Core::Separate,

@@ -1,14 +1,19 @@
 //! A compensated program, and the reasons why there is none.
 
 use super::Job;
-use crate::compensate::Planner;
+use crate::compensate::{FormChoice, Planner};
 use crate::compensate::plan::{Plan, Summary, Totals};
 use crate::diagnostic::Diagnostic;
-use crate::emit::{EmitError, EmittedFile, Form, Memory, Ready, megabytes};
+use crate::emit::{EmitError, EmittedFile, Ready};
 use crate::program::motion::Keep;
 use crate::program::{InParts, Parts, Program};
 use crate::report::{self, Compensation, JointRow, MotionRows, Review, Told};
 use std::io::{self, Write};
+
+/// More text than this is said to be large, bytes.
+const LARGE_BYTES: usize = 8_000_000;
+/// What a correction and its call take, about, bytes.
+const CORRECTION_BYTES: usize = 105;
 
 /// A compensated program.
 pub struct Made<'j> {
@@ -23,8 +28,11 @@ pub struct Made<'j> {
     pub(super) totals: Totals,
     /// Those to be reviewed.
     pub(super) rows: MotionRows,
-    /// How the targets are held.
-    pub form: Form,
+    /// What was asked for.
+    pub form: FormChoice,
+    /// All that was emitted, and what it was made of.
+    pub(super) text_bytes: usize,
+    pub(super) source_bytes: usize,
     /// Clock and index are in the module itself.
     pub(super) embedded: bool,
     /// All warnings.
@@ -75,9 +83,10 @@ impl Made<'_> {
         ready: &Ready<'_>,
         take: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
     ) -> Result<(), Halt> {
-        let Self { parts, planner, embedded, .. } = self;
+        let Self { parts, planner, embedded, text_bytes, .. } = self;
         let mut hand_over = |program: &Program, file: EmittedFile| {
-            *embedded &= file.source.is_some() || file.on_disk;
+            *embedded &= file.source.is_some();
+            *text_bytes += file.bytes.len();
             take(program, file).map_err(Halt::Taking)
         };
         let mut emitted = Ok(());
@@ -140,19 +149,18 @@ impl Made<'_> {
         Ok(table.finish()?)
     }
 
-    /// The form, and what it takes of the controller's memory, in a sentence.
-    pub fn about_form(&self) -> String {
-        let memory = Memory::of_totals(&self.totals, self.planner.schedule().buckets.len());
-        let (form, other) = match self.form {
-            Form::Schedule => ("schedule", "modules"),
-            Form::Modules => ("modules", "schedule"),
-        };
-        let [own, others] = match self.form {
-            Form::Schedule => [Form::Schedule, Form::Modules],
-            Form::Modules => [Form::Modules, Form::Schedule],
-        }
-        .map(|form| megabytes(memory.peak_bytes(form)));
-        format!("form {form}: about {own} of the controller's program memory at its peak, {other} {others}")
+    /// What `auto` would write, where arrays are large.
+    pub fn about_size(&self) -> Option<String> {
+        let Self { form, text_bytes, totals, .. } = self;
+        (*form == FormChoice::Schedule && *text_bytes > LARGE_BYTES).then(|| {
+            let targets: usize = totals.targets.iter().sum();
+            let auto = self.source_bytes + targets * CORRECTION_BYTES;
+            format!(
+                "{:.1} MB of arrays: --form auto holds the same in about {:.1} MB, one correction for each of {targets} targets",
+                *text_bytes as f64 / 1e6,
+                auto as f64 / 1e6
+            )
+        })
     }
 
     /// What must be known before the module is loaded beside others, where there is something.

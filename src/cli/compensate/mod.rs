@@ -19,7 +19,7 @@ use crate::emit::EmittedFile;
 use crate::program::Program;
 use crate::report;
 use std::fs::File;
-use std::io::{BufReader, BufWriter, Seek, Write};
+use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
 
 /// RAPID that is read at one go: a larger program is read, planned and emitted in parts of about so many bytes.
@@ -79,7 +79,7 @@ fn work(
         writing.add(&destination, &given, file)
     };
     let mut made = console.while_busy("compensating", || job.make(&given, args.all, &mut take))?;
-    let whole = diff.map_or(Ok(()), |diff| write_on_disk(diff, &writing));
+    let whole = diff.map_or(Ok(()), |mut diff| diff.flush().map_err(|cause| no_output(&cause)));
     whole.map_err(|message| made.refuse(message))?;
     let dropped = cut.dropped;
 
@@ -105,7 +105,9 @@ fn work(
     if !quiet {
         show(console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;
     }
-    console.say(made.about_form());
+    if let Some(text) = made.about_size() {
+        console.say(text);
+    }
     if let Some(text) = made.about_core() {
         console.say(text);
     }
@@ -154,16 +156,6 @@ fn show(console: &mut Console, made: &Made<'_>, diff: &[u8], dropped: usize) -> 
         writeln!(console.out(), "... and {dropped} more lines; --diff FILE writes all of them")?;
     }
     console.out().flush()
-}
-
-/// The diff of the files on the controller's disk, which are whole now.
-fn write_on_disk(mut diff: BufWriter<&mut dyn Write>, writing: &Writing) -> Result<(), Diagnostic> {
-    for (path, file) in writing.on_disk() {
-        let mut file = BufReader::with_capacity(1 << 16, file?);
-        report::write_created(&mut diff, &path.display().to_string(), &mut file)
-            .map_err(|cause| no_output(&cause))?;
-    }
-    diff.flush().map_err(|cause| no_output(&cause))
 }
 
 fn diff_file(args: &Args) -> Result<Option<Pending>, Diagnostic> {

@@ -1,7 +1,7 @@
 //! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
 
 use super::made::{Halt, Made, Refusal};
-use super::{Args, FormName, Models};
+use super::{Args, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::Given;
 use crate::cli::model::{self, Named};
@@ -9,12 +9,11 @@ use crate::compensate::plan::{Plan, Totals};
 use crate::compensate::{self, CompensateError, Options, Planner};
 use crate::deform::Deformation;
 use crate::diagnostic::{Diagnostic, FileId, Severity};
-use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile, Form, Memory, Ready};
+use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile};
 use crate::program::motion::Keep;
 use crate::program::{InParts, Overrides, Part, Parts, Program};
 use crate::report::{self, MotionRows, Told};
 use crate::robot::Robot;
-use crate::schedule::Schedule;
 use std::io::{self, Write};
 
 /// What is to be done, all names resolved.
@@ -27,7 +26,6 @@ pub struct Job {
     allow_non_nominal: bool,
     /// No table and no model was given.
     default_table: bool,
-    form: FormName,
 }
 
 /// The robot that the built-in deformation table is of.
@@ -46,7 +44,6 @@ impl Job {
             overrides: args.overrides(),
             allow_non_nominal: args.allow_non_nominal,
             default_table: args.deformation.is_none() && args.model.is_none(),
-            form: args.form,
             robot,
             deformation,
         })
@@ -97,7 +94,7 @@ impl Job {
             Ok(planner) => planner,
             Err(error) => return Err(Stop::no_plan(parts, messages, error)),
         };
-        let emission = Emission::new(&self.emit, self.form != FormName::Schedule);
+        let emission = Emission::new(&self.emit);
         let mut looked = Looked::new(emission, all);
         let shown = planner.each(&mut parts, &mut |part, plan| looked.look(self, part, plan));
         shown.map_err(|message| Stop::of_file(message, given))?;
@@ -112,7 +109,9 @@ impl Job {
         let Looked { totals, rows, emission, refused, .. } = looked;
         let mut made = Made {
             job: self,
-            form: Form::Schedule,
+            form: self.options.form,
+            text_bytes: 0,
+            source_bytes: given.bytes(),
             parts,
             planner,
             summary,
@@ -124,15 +123,14 @@ impl Job {
         };
         let schedule = made.planner.schedule().clone();
         let ready = match refused {
-            None => self.ready(&emission, &schedule, &made.totals),
+            None => emission.ready(&schedule, &made.totals),
             Some(error) => Err(error),
         };
-        let (form, ready) = match ready {
+        let ready = match ready {
             Ok(ready) => ready,
             Err(_) if made.parts.count() > 1 => return Err(Stop::Before),
             Err(error) => return Err(Stop::Refused(made.refuse_with(Halt::Emit(error).into()))),
         };
-        made.form = form;
         match ready.map_or(Ok(()), |ready| made.emit(&ready, take)) {
             Ok(()) => Ok(made),
             Err(halt) => Err(Stop::Refused(made.refuse_with(halt.into()))),
@@ -142,26 +140,6 @@ impl Job {
     /// The plan of a program at once, where there is one.
     pub(super) fn plan(&self, program: &Program) -> Option<Plan> {
         compensate::plan(program, &self.robot.model, &self.deformation.model, &self.options).ok()
-    }
-
-    /// The program ready to be emitted in the form that was asked for, or in the one that suits.
-    fn ready<'e>(
-        &self,
-        emission: &'e Emission<'e>,
-        schedule: &'e Schedule,
-        totals: &Totals,
-    ) -> Result<(Form, Option<Ready<'e>>), EmitError> {
-        let form = match self.form {
-            FormName::Auto => Memory::of_totals(totals, schedule.buckets.len()).suits(),
-            FormName::Schedule => Form::Schedule,
-            FormName::Modules => Form::Modules,
-        };
-        match emission.ready(form, schedule, totals) {
-            Err(EmitError::NoRun) if self.form == FormName::Auto => {
-                Ok((Form::Schedule, emission.ready(Form::Schedule, schedule, totals)?))
-            }
-            ready => Ok((form, ready?)),
-        }
     }
 
     /// What the text of a part's own files says against compensating it, and its warnings: of the text, of its meaning, of the
@@ -316,7 +294,7 @@ fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Keep>) {
     (messages, kept)
 }
 
-/// The diff of a changed file; nothing of what comes in pieces, which is compared when it is whole.
+/// The diff of a changed file, or of a new one.
 ///
 /// # Errors
 /// Those of `out`.
@@ -333,7 +311,6 @@ pub fn write_diff(
             let source = program.file(id);
             report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)
         }
-        None if file.on_disk => Ok(()),
         None => report::write_created(out, &path, &mut io::Cursor::new(&file.bytes)),
     }
 }

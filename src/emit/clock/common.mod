@@ -1,21 +1,9 @@
   LOCAL PROC tcSay(string tcText)
-    IF NOT tcSaid TPWrite tcText;
-    tcSaid:=TRUE;
+    IF tcText<>tcSaid TPWrite tcText;
+    tcSaid:=tcText;
   ENDPROC
 
-  LOCAL PROC tcNow()
-    ! Date, time, and the date again: midnight may pass between the two
-    VAR string tcTime:="";
-    tcDate:=CDate();
-    tcTime:=CTime();
-    IF CDate()<>tcDate THEN
-      tcDate:=CDate();
-      tcTime:=CTime();
-    ENDIF
-    tcSec:=3600*tcNumber(tcTime,1,2)+60*tcNumber(tcTime,4,2)+tcNumber(tcTime,7,2);
-  ENDPROC
-
-  LOCAL FUNC num tcDayNumber()
+  LOCAL FUNC num tcDayNumber(string tcDate)
     ! Day 1 is 2000-01-01; a year is counted from March
     VAR num tcYear:=0;
     VAR num tcMonth:=0;
@@ -28,6 +16,11 @@
     ENDIF
     RETURN tcNumber(tcDate,9,2)+(153*tcMonth-457) DIV 5+365*(tcYear-2000)
         +tcYear DIV 4-tcYear DIV 100+tcYear DIV 400-425;
+  ENDFUNC
+
+  LOCAL FUNC num tcSecond(string tcTime)
+    ! Of the day
+    RETURN 3600*tcNumber(tcTime,1,2)+60*tcNumber(tcTime,4,2)+tcNumber(tcTime,7,2);
   ENDFUNC
 
   LOCAL FUNC num tcNumber(string tcText,num tcFrom,num tcLength)

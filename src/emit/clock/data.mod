@@ -1,12 +1,7 @@
-  PERS num tcMode:=-1;
-  PERS num tcBucket:=-1;
-  PERS num @SHOWN@:=0;
+  TASK PERS num tcMode:=-1;
+  TASK PERS num @SHOWN@:=0;
   LOCAL PERS num tcState{6}:=[0,0,0,0,0,0];
-  VAR num tcI:=1;
   LOCAL VAR num tcModeSeen:=-1;
   LOCAL VAR string tcDateSeen:="";
-  LOCAL VAR num tcSecSeen:=-1;
-  LOCAL VAR bool tcSaid:=FALSE;
-  LOCAL VAR string tcDate:="";
-  LOCAL VAR num tcDay:=0;
-  LOCAL VAR num tcSec:=0;
+  LOCAL VAR string tcTimeSeen:="";
+  LOCAL VAR string tcSaid:="";

@@ -1,5 +1,5 @@
-  LOCAL FUNC bool tcUpdate()
-    ! tcState: the minute at a start; 0; day and second of the start; of the last tick
+  LOCAL FUNC bool tcAdvance(num tcDay,num tcSec)
+    ! tcState: the minute at a start; 0; day and second of the start; of the last motion that asked
     VAR num tcA:=0;
     VAR num tcRun:=0;
     VAR num tcGap:=0;

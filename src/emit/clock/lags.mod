@@ -5,7 +5,7 @@
     RETURN tcSpanMin/tcTau;
   ENDFUNC
 
-  LOCAL FUNC num tcShare(num tcValue)
+  LOCAL FUNC num tcPart(num tcValue)
     IF tcValue<0 RETURN 0;
     IF tcValue>1 RETURN 1;
     RETURN tcValue;

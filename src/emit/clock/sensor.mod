@@ -1,4 +1,4 @@
-  LOCAL FUNC bool tcUpdate()
+  LOCAL FUNC bool tcAdvance(num tcDay,num tcSec)
     ! tcState: last good and last reading; day and second of the last good one; of the last change
     VAR num tcNew:=0;
     tcNew:=tcRead();

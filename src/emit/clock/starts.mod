@@ -1,6 +1,6 @@
   PROC tcColdStart()
-    ! To be called when the robot is cold
-    tcBegin 0;
+    ! To be called once, when the robot is cold
+    tcBegin 0,0;
   ENDPROC
 
   PROC tcWarmStart()
@@ -8,10 +8,21 @@
     tcBegin @WARM@;
   ENDPROC
 
-  LOCAL PROC tcBegin(num tcValue)
-    tcNow;
-    tcDay:=tcDayNumber();
-    tcState:=[tcValue,@SECOND@,tcDay,tcSec,tcDay,tcSec];
-    tcDateSeen:="";
-    tcTick;
+  PROC tcStartAt(num tcRunMinutes)
+    ! To be called when the robot was cold so many minutes of work ago
+    @START_AT@
+  ENDPROC
+
+  LOCAL PROC tcBegin(num tcFirst,num tcSecond0)
+    VAR string tcDate:="";
+    VAR string tcTime:="";
+    tcDate:=CDate();
+    tcTime:=CTime();
+    IF CDate()<>tcDate THEN
+      tcDate:=CDate();
+      tcTime:=CTime();
+    ENDIF
+    tcState:=[tcFirst,tcSecond0,tcDayNumber(tcDate),tcSecond(tcTime),tcDayNumber(tcDate),tcSecond(tcTime)];
+    tcTimeSeen:="";
+    tcUpdate;
   ENDPROC

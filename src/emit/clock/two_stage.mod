@@ -1,5 +1,5 @@
-  LOCAL FUNC bool tcUpdate()
-    ! tcState: both lags, 0 cold to 1 warm, at a start; day and second of the start; of the last tick
+  LOCAL FUNC bool tcAdvance(num tcDay,num tcSec)
+    ! tcState: both lags, 0 cold to 1 warm, at a start; day and second of the start; of the last motion that asked
     VAR num tcA:=0;
     VAR num tcB:=0;
     VAR num tcRun:=0;
@@ -13,14 +13,14 @@
     IF NOT (tcA>=0 AND tcA<=1 AND tcB>=0 AND tcB<=1 AND tcRun>=0) RETURN FALSE;
     IF tcDay<1 OR tcSec<0 OR tcState{3}<1 OR tcGap<-1500 RETURN FALSE;
     IF tcGap<0 OR tcGap>@GAP@ THEN
-      ! Stood still, or clock set back: up to the last tick it ran, then it cooled
+      ! Stood still, or clock set back: up to the last motion it worked, then it cooled
       tcS:=tcLags(tcRun,@TAU@);
       tcE:=Exp(-tcS);
-      tcB:=tcShare(1+(tcB-1+(tcA-1)*tcS)*tcE);
-      tcA:=tcShare(1+(tcA-1)*tcE);
+      tcB:=tcPart(1+(tcB-1+(tcA-1)*tcS)*tcE);
+      tcA:=tcPart(1+(tcA-1)*tcE);
       tcS:=tcLags(tcGap,@TAU_COOL@);
       tcE:=Exp(-tcS);
-      tcB:=tcShare((tcB+tcA*tcS)*tcE);
+      tcB:=tcPart((tcB+tcA*tcS)*tcE);
       tcA:=tcA*tcE;
       tcState:=[tcA,tcB,tcDay,tcSec,tcDay,tcSec];
       tcRun:=0;
@@ -29,7 +29,9 @@
       tcState:=[tcA,tcB,tcState{3},tcState{4},tcDay,tcSec];
     ENDIF
     tcS:=tcLags(tcRun,@TAU@);
-    tcMinute:=tcMinuteOf((1-tcB+(1-tcA)*tcS)*Exp(-tcS));
+    tcE:=(1-tcB+(1-tcA)*tcS)*Exp(-tcS);
+    tcMinute:=tcMinuteOf(tcE);
+@GROWN@
     RETURN TRUE;
   ENDFUNC
 

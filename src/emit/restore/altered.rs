@@ -18,37 +18,12 @@ pub enum Altered {
         /// The block's first line, from 1.
         line: u32,
     },
-    /// Data or a routine of the clock.
+    /// A correction, or data or a routine of the clock.
     #[error("{name}, which was added, is not as it was made")]
     Code {
         /// Its name.
         name: String,
         /// Its first line, from 1.
-        line: u32,
-    },
-    /// Corrected targets.
-    #[error(
-        "of {array} (target {target}) {} changed: this is not taken over, only element 1 of a target is",
-        listed(elements)
-    )]
-    Elements {
-        /// The array.
-        array: String,
-        /// What stands in the motion of the original.
-        target: String,
-        /// The elements, from 1; none where it cannot be told which.
-        elements: Vec<usize>,
-        /// The array's first line, from 1.
-        line: u32,
-    },
-    /// Calls of the tick.
-    #[error("{made} calls of the clock's tick were put in, {found} are there")]
-    Ticks {
-        /// As made.
-        made: usize,
-        /// As found.
-        found: usize,
-        /// The module's first line, from 1.
         line: u32,
     },
 }
@@ -58,10 +33,7 @@ impl Altered {
     #[must_use]
     pub fn line(&self) -> u32 {
         match self {
-            Self::Header { line }
-            | Self::Code { line, .. }
-            | Self::Elements { line, .. }
-            | Self::Ticks { line, .. } => *line,
+            Self::Header { line } | Self::Code { line, .. } => *line,
         }
     }
 
@@ -71,19 +43,6 @@ impl Altered {
         match self {
             Self::Header { .. } => "restore::header",
             Self::Code { .. } => "restore::code",
-            Self::Elements { .. } => "restore::elements",
-            Self::Ticks { .. } => "restore::ticks",
-        }
-    }
-}
-
-fn listed(elements: &[usize]) -> String {
-    match elements {
-        [] => "elements behind the first were".to_owned(),
-        [one] => format!("element {one} was"),
-        many => {
-            let numbers: Vec<String> = many.iter().map(usize::to_string).collect();
-            format!("elements {} were", numbers.join(", "))
         }
     }
 }

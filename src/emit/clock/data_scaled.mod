@@ -1,0 +1,2 @@
+  TASK PERS num tcShare:=0;
+  LOCAL VAR bool tcOn:=FALSE;

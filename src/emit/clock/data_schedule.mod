@@ -1,0 +1,2 @@
+  TASK PERS num tcBucket:=-1;
+  VAR num tcI:=1;
