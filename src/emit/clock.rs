@@ -350,7 +350,7 @@ pub fn num(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::schedule::Bucket;
+    use crate::schedule::{Bucket, Course, Moment, TimeFunctions};
 
     fn schedule(edges: &[f64], parts_per_min: u32) -> Schedule {
         let bucket =
@@ -368,7 +368,7 @@ mod tests {
         let mut numbers = Vec::new();
         let mut bucket_of = Vec::new();
         for line in lines.iter().map(|l| l.trim()) {
-            if let Some(k) = line.strip_prefix("tcK:=") {
+            if let Some(k) = line.strip_prefix("tcNew:=") {
                 bucket_of.resize(numbers.len(), k.trim_end_matches(';').parse::<usize>().unwrap());
             } else if line != "DEFAULT:" {
                 let list = line.trim_start_matches("CASE ").trim_end_matches([',', ':']);
@@ -377,7 +377,7 @@ mod tests {
         }
         assert_eq!(numbers, (0..1800).collect::<Vec<u32>>());
         assert_eq!((bucket_of[24], bucket_of[25], bucket_of[299], bucket_of[300]), (0, 1, 1, 2));
-        assert_eq!(lines[lines.len() - 2..], ["        DEFAULT:", "          tcK:=3;"]);
+        assert_eq!(lines[lines.len() - 2..], ["      DEFAULT:", "        tcNew:=3;"]);
         assert!(lines.iter().all(|l| l.len() < 140));
     }
 
@@ -385,7 +385,7 @@ mod tests {
     fn one_bucket_is_a_test_too() {
         let lines = cases(&schedule(&[0.0], 1));
         let text: Vec<&str> = lines.iter().map(|l| l.trim()).collect();
-        assert_eq!(text, ["CASE 0:", "tcK:=0;", "DEFAULT:", "tcK:=0;"]);
+        assert_eq!(text, ["CASE 0:", "tcNew:=0;", "DEFAULT:", "tcNew:=0;"]);
     }
 
     #[test]
@@ -393,22 +393,42 @@ mod tests {
         let two = Some(GrowthLaw::TwoStage { tau_min: 46.0 });
         let sensor =
             Clock::Sensor { source: Sensor::Signal("aiJoint2".into()), hold_min: 10.0, stale_min: 60.0 };
+        let schedule = schedule(&[0.0, 10.0, 60.0], 1);
+        let knots = TimeFunctions {
+            nodes: vec![Moment::Minute(30.0), Moment::Settled],
+            course: Course::Knots {
+                at_min: (0..90).map(|k| f64::from(k) * 7.5).collect(),
+                values: (0..90).map(|k| vec![f64::from(k) / 89.0, 0.123_456_78]).collect(),
+            },
+        };
+        let functions = [TimeFunctions::share(), TimeFunctions::share_squared(77.0), knots];
         for clock in [warmth(two, None), warmth(None, Some(30.0)), Clock::Elapsed, sensor] {
             let names = Names::default();
             let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
             let law = Law::of(&clock, range_c).unwrap();
-            let lines = routines(&law, &schedule(&[0.0, 10.0, 60.0], 1), Some(&Buckets::default()), &names);
-            let text = lines.join("\n");
-            assert!(!text.contains('@') && text.is_ascii(), "{text}");
-            assert!(lines.iter().all(|l| l.len() <= 200));
-            for line in lines.iter().chain(&data(&law, Some(&Buckets::default()), &names)) {
-                let words: Vec<&str> = line.split([' ', '(', '{', ':']).filter(|w| !w.is_empty()).collect();
-                if let Some(at) = words.iter().position(|w| ["PROC", "num", "string", "bool"].contains(w)) {
-                    assert!(words[at + 1].starts_with("tc"), "{line}");
+            let scaled = functions.iter().map(|functions| {
+                Choice::Scale(Scaled { functions, poses: true, joints: true, normalise: true })
+            });
+            for choice in scaled.chain([Choice::Bucket(&schedule)]) {
+                let core = CoreText { law: &law, growth: two, choice, task_data: true };
+                let (lines, data) = (core.routines(&names), core.data(&names));
+                let text = lines.join("\n");
+                assert!(!text.contains('@') && text.is_ascii(), "{text}");
+                assert!(lines.iter().chain(&data).all(|l| l.len() <= 200), "{text}");
+                for line in lines.iter().chain(&data) {
+                    let words: Vec<&str> =
+                        line.split([' ', '(', '{', ':', ',', ')']).filter(|w| !w.is_empty()).collect();
+                    for at in 0..words.len().saturating_sub(1) {
+                        if ["PROC", "num", "string", "bool", "pose", "robtarget"].contains(&words[at]) {
+                            assert!(words[at + 1].starts_with("tc"), "{line}");
+                        }
+                    }
                 }
-            }
-            for string in text.split('"').skip(1).step_by(2) {
-                assert!(string.len() <= 80, "{string}");
+                for string in text.split('"').skip(1).step_by(2) {
+                    assert!(string.len() <= 80, "{string}");
+                }
+                let s4c = CoreText { task_data: false, ..core }.data(&names).join("\n");
+                assert!(data.join("\n").contains("TASK PERS") && !s4c.contains("TASK"));
             }
         }
     }

@@ -147,8 +147,8 @@ pub enum EmitError {
     },
     /// Motion of several tasks, which are several robots.
     #[error(
-        "several tasks hold motion ({}), and each moves a robot of its own: name the robot of each with --task \
-         TASK=ROBOT[,DEFORMATION]",
+        "several tasks hold motion ({}), and each moves a robot of its own: compensate one task's folder at a time, each \
+         with its own --robot and --deformation",
         tasks.join(", ")
     )]
     SeveralTasks {

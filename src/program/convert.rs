@@ -3,6 +3,7 @@
 use super::data::{
     ConfData, ExtJoint, JointTarget, LoadData, RobTarget, SpeedData, ToolData, WobjData, ZoneData,
 };
+use super::motion::TargetValue;
 use super::names::as_text;
 use super::value::Value;
 use crate::units::{m_from_mm, rad_from_deg};
@@ -26,6 +27,30 @@ pub(super) fn jointtarget(value: &Value) -> Result<JointTarget, NotThat> {
     let [robax, ext] = parts(value, "jointtarget")?;
     let degrees = numbers::<6>(robax, "robjoint")?;
     Ok(JointTarget { q_rad: degrees.map(|d| used(d).map(rad_from_deg)), ext: extjoint(ext)? })
+}
+
+/// A target with a correction of this program's making: a shift and the vector part of a small turn, `[1, v]`, in the axes of
+/// the frame that it is given in, or six joint angles. `None` where they do not belong together.
+pub(super) fn corrected(original: &TargetValue, correction: &Value) -> Option<TargetValue> {
+    match original {
+        TargetValue::Rob(target) => {
+            let [shift, turn] = parts(correction, "pose").ok()?;
+            let shift = numbers::<3>(shift, "pos").ok()?.map(m_from_mm);
+            let [w, x, y, z] = numbers::<4>(turn, "orient").ok()?;
+            let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+            let at = &target.object_from_tcp;
+            let place = Translation3::from(at.translation.vector + nalgebra::Vector3::from(shift));
+            let object_from_tcp = Isometry3::from_parts(place, turn * at.rotation);
+            Some(TargetValue::Rob(RobTarget { object_from_tcp, ..*target }))
+        }
+        TargetValue::Joint(target) => {
+            let by = numbers::<6>(correction, "robjoint").ok()?.map(rad_from_deg);
+            let mut q_rad = target.q_rad;
+            q_rad.iter_mut().zip(by).for_each(|(q_rad, by)| *q_rad = q_rad.map(|q_rad| q_rad + by));
+            Some(TargetValue::Joint(JointTarget { q_rad, ext: target.ext }))
+        }
+        TargetValue::FromJoints(_) => None,
+    }
 }
 
 /// A value as `tooldata`.

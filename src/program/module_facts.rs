@@ -129,19 +129,19 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
     let mut last_data_end = None;
     let mut first_routine = None;
     let mut mark = None;
-    let (mut index, mut tick) = (None, None);
+    let (mut state, mut update) = (None, None);
     for item in &module.items {
         match item {
             ModuleItem::Data(data) => {
                 last_data_end = Some(data.range.end);
-                if lower_case(file.text(data.name)) == "tci" {
-                    index = index.or(Some(data.range));
+                if lower_case(file.text(data.name)) == "tcstate" {
+                    state = state.or(Some(data.range));
                 }
             }
             ModuleItem::Routine(routine) => {
                 first_routine = first_routine.or(Some(routine.range.start));
-                if lower_case(file.text(routine.name)) == "tctick" {
-                    tick = tick.or(Some(routine.head));
+                if lower_case(file.text(routine.name)) == "tcupdate" {
+                    update = update.or(Some(routine.head));
                 }
             }
             ModuleItem::Comment(range) => {
@@ -161,7 +161,7 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
         first_routine,
         end: module.end.map(|e| e.start),
         // The names alone may be the user's own: both together are not by chance.
-        compensated: mark.or(index.filter(|_| tick.is_some())),
+        compensated: mark.or(state.filter(|_| update.is_some())),
     }
 }
 

@@ -18,9 +18,9 @@ use super::state::{State, View, states_at_motions};
 use super::value::{DataName, Value, Why};
 use super::writes::Writes;
 use super::{Overrides, Program};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Span, TextRange};
 use crate::syntax::SourceFile;
-use crate::syntax::tree::{Expr, ExprKind, UnaryOp};
+use crate::syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -281,8 +281,13 @@ impl<'a> Finish<'_, 'a> {
         }
     }
 
-    /// All elements of the constant array that `NAME{index}` names; none where it is something else.
+    /// All elements of the constant array that `NAME{index}` names; of a target that is handed to a function that scales its
+    /// correction (`tcAt`, as this program emits it) the original and what it is when all has settled; none where it is
+    /// something else.
     fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
+        if let ExprKind::Call { name, args } = &expr.kind {
+            return self.scaled(*name, args, ctx, joints_wanted).unwrap_or_default();
+        }
         let ExprKind::Index { base, indices } = &expr.kind else { return Vec::new() };
         let ([_], ExprKind::Name) = (indices.as_slice(), &base.kind) else { return Vec::new() };
         let Ok(Value::Parts(parts)) = self.folder.fold(base, ctx, &Constant).map(|typed| typed.value) else {
@@ -293,6 +298,38 @@ impl<'a> Finish<'_, 'a> {
             false => convert::robtarget(part).map(TargetValue::Rob).ok(),
         };
         parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// The original of a target with a correction, and the settled target: the sum of all corrections where there are several
+    /// is none that the arm needs, so that only the original is told.
+    fn scaled(
+        &mut self,
+        name: TextRange,
+        args: &'a [Arg],
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> Option<Vec<TargetValue>> {
+        let name = lower_case(self.folder.index.text(ctx.file, name));
+        if !name.starts_with("tcat") {
+            return None;
+        }
+        let mut positional = args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Positional(expr) => Some(expr),
+            _ => None,
+        });
+        let original = self.folder.fold(positional.next()?, ctx, &Constant).ok()?.value;
+        let original = match (&original, joints_wanted) {
+            (Value::Reached(reached), false) => {
+                convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+            }
+            (_, true) => convert::jointtarget(&original).map(TargetValue::Joint),
+            (_, false) => convert::robtarget(&original).map(TargetValue::Rob),
+        };
+        let original = original.ok()?;
+        let (correction, more) = (positional.next()?, positional.next());
+        let correction = self.folder.fold(correction, ctx, &Constant).ok()?.value;
+        let settled = convert::corrected(&original, &correction).filter(|_| more.is_none());
+        Some(std::iter::once(original).chain(settled).collect())
     }
 
     fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {

@@ -144,7 +144,7 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compensate::plan::{Corrected, Corrector, Summary};
+    use crate::compensate::plan::{Corrected, Corrector, Form, Summary};
     use crate::diagnostic::{FileId, TextRange};
     use crate::program::Overrides;
     use crate::schedule::Schedule;
@@ -184,6 +184,7 @@ mod tests {
         let program = Program::read(files.to_vec(), &Overrides::default());
         let planned = |motion: &Motion| PlannedMotion {
             status: Status::Compensated,
+            form: Form::Schedule,
             targets: Vec::new(),
             max_correction_m: m_from_mm(f64::from(correction_mm(motion.line))),
             max_correction_rad: 0.0,
@@ -194,8 +195,9 @@ mod tests {
             schedule: Schedule { buckets: Vec::new(), parts_per_min: 1 },
             temperature_c: None,
             motions: program.motions.iter().map(planned).collect(),
+            functions: None,
+            live: None,
             corrector: Arc::new(Nothing),
-            ticks: Vec::new(),
             summary: Summary::default(),
             diagnostics: Vec::new(),
         };

@@ -7,12 +7,12 @@ mod real;
 mod tokens;
 mod toy;
 
-use driftpost::compensate::plan::{Plan, Tick};
+use driftpost::compensate::FormChoice;
+use driftpost::compensate::plan::Plan;
 use driftpost::deform::GrowthLaw;
 use driftpost::diagnostic::FileId;
 use driftpost::emit::{
-    Clock, Core, EmitError, EmitOptions, EmittedFile, Form, Provenance, RestoreError, TouchedInto, emit,
-    restore,
+    Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, RestoreError, TouchedInto, emit, restore,
 };
 use driftpost::program::Program;
 use driftpost::program::motion::Motion;
@@ -23,7 +23,8 @@ const NAMED: &[u8] = include_bytes!("../../fixtures/emit/named.mod");
 
 fn options() -> EmitOptions {
     EmitOptions {
-        form: Form::Schedule,
+        form: FormChoice::Schedule,
+        growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }),
         clock: Clock::Warmth {
             growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }),
             tau_cool_min: None,
@@ -214,13 +215,13 @@ fn data_stand_after_data_and_routines_before_the_end() {
     let text = String::from_utf8(lone(NAMED)).unwrap();
     let at = |what: &str| text.find(what).unwrap_or_else(|| panic!("{what} is not in\n{text}"));
     assert!(text.contains("MODULE Welding ! station 3\n  ! driftpost 0"));
-    assert!(text.contains("tc57\";\n  PERS num tcMode:=-1;"));
+    assert!(text.contains("tc57\";\n  TASK PERS num tcMode:=-1;"));
     assert!(at("LOCAL CONST robtarget tcp20{4}") < at("  ! The main routine\n  PROC main()"));
-    assert!(at("ENDPROC\n\n\n  PROC tcTick()") > at("PROC weld()"));
+    assert!(at("ENDPROC\n\n\n  FUNC num tcK()") > at("PROC weld()"));
     assert!(text.ends_with("ENDFUNC\nENDMODULE\n"));
-    assert!(text.contains("    tcTick;\n    MoveAbsJ tcjHome{tcI}\\NoEOffs,v500,z10,tGun;"));
-    assert!(text.contains("    WHILE TRUE DO\n      tcTick;\n      n:=n+1;"));
-    assert!(text.contains("IF n>3 MoveL tcp20{tcI},v100,z5,tGun\\WObj:=wobj0;"));
+    assert!(text.contains("    MoveAbsJ tcjHome{tcK()}\\NoEOffs,v500,z10,tGun;"));
+    assert!(text.contains("    WHILE TRUE DO\n      n:=n+1;"));
+    assert!(text.contains("IF n>3 MoveL tcp20{tcK()},v100,z5,tGun\\WObj:=wobj0;"));
     assert!(
         text.contains(
             "LOCAL CONST jointtarget tcjHome{4}:=[\n    [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],"
@@ -231,19 +232,19 @@ fn data_stand_after_data_and_routines_before_the_end() {
 #[test]
 fn names_are_shared_where_the_values_are() {
     let text = String::from_utf8(lone(NAMED)).unwrap();
-    let weld = &text[text.find("PROC weld()").unwrap()..text.find("PROC tcTick()").unwrap()];
+    let weld = &text[text.find("PROC weld()").unwrap()..text.find("FUNC num tcK()").unwrap()];
     let named: Vec<&str> = weld
         .split("tc")
         .skip(1)
         .map(|part| part.split('{').next().unwrap())
-        .filter(|name| !name.starts_with("Tick") && !name.starts_with('I'))
+        .filter(|name| !name.starts_with('K') && !name.starts_with('I'))
         .collect();
     // p10 with the gun; P10, spelled otherwise; p10 with the probe; p10 with the gun again; a name too long
     // for two letters more has its line's number, and so has the arc's inline end point
     assert_eq!(named, ["p10_2", "P10_3", "p10_4", "p10_2", "41", "p20", "42", "p20"]);
     // in main: the routine's own p10 came first, and the word tc57 in a string is left alone
-    assert!(text.contains("MoveL tcp10{tcI},v100,fine,tGun; ! the routine's own p10"));
-    assert!(text.contains("MoveL tc32{tcI},v100,z5,tGun; MoveJ tc32_2{tcI},v100,z5,tGun;"));
+    assert!(text.contains("MoveL tcp10{tcK()},v100,fine,tGun; ! the routine's own p10"));
+    assert!(text.contains("MoveL tc32{tcK()},v100,z5,tGun; MoveJ tc32_2{tcK()},v100,z5,tGun;"));
 }
 
 #[test]
@@ -265,7 +266,7 @@ fn several_modules_share_one_core() {
     let global = |bytes: &[u8]| {
         let text = String::from_utf8_lossy(bytes).into_owned();
         text.lines()
-            .any(|l| ["PROC tc", "PERS num tc", "VAR num tcI"].iter().any(|g| l.trim().starts_with(g)))
+            .any(|l| ["PROC tc", "TASK PERS num tc", "VAR num tcI"].iter().any(|g| l.trim().starts_with(g)))
     };
     assert_eq!(out.iter().map(|f| global(&f.bytes)).collect::<Vec<_>>(), [false, false, true]);
     assert_eq!(restore(&out[0].bytes).unwrap().bytes, NAMED);
@@ -277,20 +278,20 @@ fn several_modules_share_one_core() {
 
 #[test]
 fn names_of_the_source_are_left_to_it() {
-    let source = b"MODULE M\n  VAR num tcI:=5;\n  VAR num TCTICK;\n  VAR num tc5;\n  PROC tcColdStart() MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1,fine,t;\n  tcWarmStart;\n ENDPROC\nENDMODULE\n";
+    let source = b"MODULE M\n  VAR num tcI:=5;\n  VAR num TCK;\n  VAR num tc5;\n  PROC tcColdStart() MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1,fine,t;\n  tcWarmStart;\n ENDPROC\nENDMODULE\n";
     let bytes = lone(source);
     let text = String::from_utf8_lossy(&bytes).into_owned();
     for expected in [
-        "tc5_2{tcI_2}",
+        "tc5_2{tcK_2()}",
         "VAR num tcI_2:=1;",
-        "tcTick_2;",
-        "PROC tcTick_2()",
+        "FUNC num tcK_2()",
+        "RETURN tcI_2;",
         "PROC tcColdStart_2()",
         "PROC tcWarmStart()",
     ] {
         assert!(text.contains(expected), "{expected} is not in\n{text}");
     }
-    assert!(!text.replace("tcI_2", "").contains("tcI:=tcK"));
+    assert!(!text.replace("tcI_2", "").contains("tcI:=tcNew"));
     let restored = restore(&bytes).unwrap();
     assert!(restored.exact && restored.bytes == source);
 }
@@ -320,18 +321,13 @@ fn touched_up_targets_keep_their_new_value() {
     // named in one routine's own declaration; inline; expression; shared and touched in one of its arrays only
     let bytes = edited(&bytes, "robtarget tcp10{4}:=[", "[399,", "[398.5,");
     let bytes = edited(&bytes, "robtarget tc32{4}:=[", "[401.000,", "[401.25,");
-    let bytes = edited(
-        &bytes,
-        "robtarget tc31{4}:=[",
-        "[[",
-        "[[7,8,9],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],\n[[",
-    );
+    let bytes = edited(&bytes, "robtarget tc31{4}:=[", "[[0,0,0]", "[[7,8,9]");
     let bytes = edited(&bytes, "robtarget tcp10_4{4}:=[", "[400,", "[400.75,");
     let restored = restore(&bytes).unwrap();
     assert!(!restored.exact);
     let text = String::from_utf8(restored.bytes).unwrap();
     let into: Vec<(&str, TouchedInto)> =
-        restored.touched.iter().map(|t| (t.array.as_str(), t.into)).collect();
+        restored.touched.iter().map(|t| (t.array.as_deref().unwrap(), t.into)).collect();
     assert_eq!(
         into,
         [
@@ -350,6 +346,40 @@ fn touched_up_targets_keep_their_new_value() {
             "[[400.75,0,350],[0.7071,0,0.7071,0],[0,0,0,1],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,z5,tProbe",
         );
     assert_eq!(text, expected);
+}
+
+#[test]
+fn a_touched_up_element_means_the_original_without_its_own_correction() {
+    let program = toy::program(&[("cell/named.mod", NAMED)]);
+    let plan = toy::plan(&program, 3, &[], |_| 0.0);
+    let bytes = emit(&program, &plan, &options()).unwrap().remove(0).bytes;
+    // The second bucket moves by 0.02 mm: 350.02 touched up to 351.52 means 351.5, at 401.25.
+    let element = |bytes: &[u8], from: &str, to: &str| edited(bytes, "robtarget tc32{4}:=[", from, to);
+    let one = element(&bytes, "[401,0,350.02]", "[401.25,0,351.52]");
+    let restored = restore(&one).unwrap();
+    let touched = &restored.touched[0];
+    let rest = "[0.70710677,0,0.70710677,0],[0,0,0,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+    assert_eq!(touched.value, format!("[[401.25,0,351.5],{rest}"), "{touched:?}");
+    assert_eq!((touched.line, touched.unit, restored.touched.len()), (line_of(&one, "MoveL tc32{"), "mm", 1));
+    assert!((touched.moved - 0.25_f64.hypot(1.5)).abs() < 1e-3, "{touched:?}");
+    let text = String::from_utf8(restored.bytes).unwrap();
+    assert!(text.contains(&format!("MoveL [[401.25,0,351.5],{rest},v100,z5,tGun; MoveJ")), "{text}");
+    // A second element that means the same is no contradiction, one that means another is.
+    let same = element(&one, "[401,0,350.03]", "[401.25,0,351.53]");
+    assert_eq!(restore(&same).unwrap().touched[0].value, touched.value);
+    let other = element(&one, "[401,0,350.03]", "[401.25,0,351.93]");
+    match restore(&other) {
+        Err(RestoreError::Disagree { first, second, .. }) => {
+            assert!(first.contains("351.5]") && second.contains("351.9]"), "{first} {second}");
+        }
+        what => panic!("{what:?}"),
+    }
+}
+
+/// The line that `what` stands on, from 1.
+fn line_of(text: &[u8], what: &str) -> u32 {
+    let text = String::from_utf8_lossy(text).into_owned();
+    text[..text.find(what).unwrap()].matches('\n').count() as u32 + 1
 }
 
 #[test]
@@ -372,9 +402,9 @@ fn what_is_not_ours_or_was_edited_beyond_is_said() {
     assert_eq!(restore(NAMED), Err(RestoreError::NotEmitted));
     assert_eq!(restore(b"\xFF\x00("), Err(RestoreError::NotEmitted));
     let bytes = lone(NAMED);
-    let used = edited(&bytes, "PROC weld()", "MoveL tcp10_2{tcI}", "MoveL Offs(tcp10_2{tcI},0,0,1)");
+    let used = edited(&bytes, "PROC weld()", "MoveL tcp10_2{tcK()}", "MoveL Offs(tcp10_2{tcK()},0,0,1)");
     let after = edited(&bytes, "  ! The main routine", "\n", "\n  VAR num mine;\n");
-    let among = edited(&bytes, "LOCAL VAR num tcSec:=0;", "\n", "\n  VAR num mine;\n");
+    let among = edited(&bytes, "LOCAL VAR string tcSaid:=\"\";", "\n", "\n  VAR num mine;\n");
     let routine = edited(&bytes, "  PROC tcColdStart()", "ENDPROC", "ENDPROC\n  PROC mine() ENDPROC");
     let no_end = edited(&bytes, "MODULE Welding", "! driftpost end", "! end");
     for (what, text) in
@@ -389,25 +419,6 @@ fn what_is_not_ours_or_was_edited_beyond_is_said() {
     let line = edited(&bytes, "PROC weld()", "\n", "\n    TPWrite \"hello\";\n");
     let restored = restore(&line).unwrap();
     assert!(!restored.exact && restored.bytes.windows(5).any(|w| w == b"hello"));
-}
-
-#[test]
-fn a_tick_never_goes_into_a_compact_if() {
-    let program = toy::program(&[("a.mod", NAMED)]);
-    let mut plan = toy::plan(&program, 2, &[], |_| 0.0);
-    let in_if = program
-        .motions
-        .iter()
-        .position(|m| program.file(m.file).text(m.range).starts_with(b"MoveL p20,v100,z5,tGun\\"));
-    let alone =
-        program.motions.iter().position(|m| program.file(m.file).text(m.range).starts_with(b"MoveAbsJ"));
-    plan.ticks = [in_if, alone, alone].map(|i| Tick::Motion(i.unwrap())).to_vec();
-    let out = emit(&program, &plan, &options()).unwrap().remove(0);
-    let text = String::from_utf8(out.bytes.clone()).unwrap();
-    assert!(text.contains("      tcTick;\n      IF n>3 MoveL tcp20{tcI}"));
-    assert!(text.contains("    tcTick;\n    MoveAbsJ tcjHome{tcI}"));
-    assert_eq!(text.matches("tcTick;").count(), 3, "two ticks, and the one in tcBegin");
-    assert_eq!(restore(&out.bytes).unwrap().bytes, NAMED);
 }
 
 #[test]

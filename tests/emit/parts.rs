@@ -3,7 +3,7 @@
 use crate::{NAMED, by_tool, options, toy};
 use driftpost::compensate::plan::{Plan, Totals};
 use driftpost::diagnostic::{FileId, TextRange};
-use driftpost::emit::{Core, Emission, EmitError, EmitOptions, EmittedFile, Form, emit};
+use driftpost::emit::{Core, Emission, EmitError, EmitOptions, EmittedFile, emit};
 use driftpost::program::Program;
 use driftpost::syntax::SourceFile;
 
@@ -58,14 +58,14 @@ fn parts(files: &[SourceFile]) -> Vec<(Program, Plan)> {
 
 /// What is emitted, piece by piece.
 fn pieces(options: &EmitOptions, parts: &[(Program, Plan)]) -> Result<Vec<EmittedFile>, EmitError> {
-    let mut emission = Emission::new(options, true);
+    let mut emission = Emission::new(options);
     let mut totals = Totals::default();
     for (program, plan) in parts {
         emission.look(program, plan)?;
         totals.add(&Totals::of(program, plan));
     }
     let mut taken = Vec::new();
-    let Some(ready) = emission.ready(options.form, &parts[0].1.schedule, &totals)? else { return Ok(taken) };
+    let Some(ready) = emission.ready(&parts[0].1.schedule, &totals)? else { return Ok(taken) };
     let mut take = |file| {
         taken.push(file);
         Ok::<(), EmitError>(())
@@ -88,34 +88,22 @@ fn two_parts_give_the_same_bytes_as_one() {
         file(0, "x/named.mod", NAMED),
         file(1, "x/page.mod", &page("Page", "\n")),
         file(2, "x/second.mod", &page("Second", "\r\n")),
-        file(3, "x/idle.mod", b"MODULE Idle\n  VAR num tcWho:=1;\nENDMODULE\n"),
+        file(3, "x/idle.mod", b"MODULE Idle\n  VAR num tcSay:=1;\nENDMODULE\n"),
     ];
     let (program, plan) = planned(files.to_vec());
     let parts = parts(&files);
     let page = |own: usize| parts[own].0.files[1].bytes.len();
     assert!(page(0) < page(1) && page(1) == files[1].bytes.len());
-    for form in [Form::Schedule, Form::Modules] {
-        let options = EmitOptions { form, ..options() };
-        let whole = emit(&program, &plan, &options).unwrap();
-        let pieces = pieces(&options, &parts).unwrap();
-        let disk = if form == Form::Modules { BUCKETS } else { 0 };
-        // named.mod, page.mod, second.mod, tcCore.mod
-        assert_eq!(whole.len(), 4 + disk);
-        // three files give their pieces, and the end is one, too
-        assert_eq!(pieces.len(), 4 + disk * 4);
-        for file in &whole {
-            let of_parts = String::from_utf8(whole_of(&pieces, file)).unwrap();
-            assert_eq!(of_parts, String::from_utf8_lossy(&file.bytes), "{}", file.path);
-            let first = pieces.iter().find(|piece| piece.path == file.path).unwrap();
-            assert_eq!((first.source, first.on_disk, &first.edits), (file.source, file.on_disk, &file.edits));
-        }
-        for bucket in whole.iter().filter(|file| file.on_disk) {
-            let text = String::from_utf8_lossy(&bucket.bytes).into_owned();
-            assert!(text.starts_with("MODULE tcnamed_b") && text.ends_with("  ENDPROC\nENDMODULE\n"));
-            for run in ["PROC tcPagemain_1(", "PROC tcPagemain_2(", "PROC tcSecondmain_2("] {
-                assert_eq!(text.matches(run).count(), 1, "{run}");
-            }
-        }
+    let options = options();
+    let whole = emit(&program, &plan, &options).unwrap();
+    let pieces = pieces(&options, &parts).unwrap();
+    // named.mod, page.mod, second.mod, tcCore.mod
+    assert_eq!((whole.len(), pieces.len()), (4, 4));
+    for file in &whole {
+        let of_parts = String::from_utf8(whole_of(&pieces, file)).unwrap();
+        assert_eq!(of_parts, String::from_utf8_lossy(&file.bytes), "{}", file.path);
+        let first = pieces.iter().find(|piece| piece.path == file.path).unwrap();
+        assert_eq!((first.source, &first.edits), (file.source, &file.edits));
     }
 }
 
@@ -127,18 +115,8 @@ fn what_concerns_all_parts_is_refused_when_all_are_known() {
     assert!(pieces(&embedded, &parts(&files[..1])).is_ok());
     let tasks = ["TASK1/page.mod", "TASK2/second.mod"];
     let files: Vec<_> = (0..).zip(tasks).map(|(id, path)| file(id, path, &page("Page", "\n"))).collect();
-    let modules = EmitOptions { form: Form::Modules, ..options() };
     let several = EmitError::SeveralTasks { tasks: vec!["TASK1".to_owned(), "TASK2".to_owned()] };
-    assert_eq!(pieces(&modules, &parts(&files)), Err(several));
-    // the same look serves for another form
-    let lonely = file(0, "x/named.mod", NAMED);
-    let (program, plan) = planned(vec![lonely]);
-    let few = toy::plan(&program, BUCKETS, &(4..program.motions.len()).collect::<Vec<_>>(), |_| 0.0);
-    let mut emission = Emission::new(&modules, true);
-    emission.look(&program, &few).unwrap();
-    let totals = Totals::of(&program, &few);
-    assert_eq!(emission.ready(Form::Modules, &plan.schedule, &totals).err(), Some(EmitError::NoRun));
-    assert!(emission.ready(Form::Schedule, &plan.schedule, &totals).unwrap().is_some());
+    assert_eq!(pieces(&options(), &parts(&files)), Err(several));
 }
 
 #[test]
@@ -146,9 +124,9 @@ fn a_part_that_was_not_looked_at_is_not_emitted() {
     let files = [file(0, "x/page.mod", &page("Page", "\n")), file(1, "x/second.mod", &page("Second", "\n"))];
     let parts = parts(&files);
     let options = options();
-    let mut emission = Emission::new(&options, false);
+    let mut emission = Emission::new(&options);
     emission.look(&parts[0].0, &parts[0].1).unwrap();
-    let ready = emission.ready(Form::Schedule, &parts[0].1.schedule, &Totals::default()).unwrap().unwrap();
+    let ready = emission.ready(&parts[0].1.schedule, &Totals::default()).unwrap().unwrap();
     let emitted = ready.emit(&parts[1].0, &parts[1].1, &mut |_| Ok::<(), EmitError>(()));
     assert_eq!(emitted.unwrap_err().code(), "emit::plan-mismatch");
 }

@@ -3,7 +3,7 @@
 
 use driftpost::diagnostic::TextRange;
 use driftpost::syntax::parse;
-use driftpost::syntax::tree::{ArgKind, Callee, ExprKind, FileItem, ModuleItem, Routine, Stmt, StmtKind};
+use driftpost::syntax::tree::{ArgKind, ExprKind, FileItem, ModuleItem, Routine, Stmt, StmtKind};
 
 /// Words, numbers, strings, comments and single other bytes; white space parts them.
 pub fn tokens(text: &[u8]) -> Vec<Vec<u8>> {
@@ -54,7 +54,7 @@ pub fn replaced(text: &[u8], ranges: &[TextRange], by: &[u8]) -> Vec<u8> {
 }
 
 /// An emitted module's text without the comment block, the data and routines whose names begin with `tc`
-/// and the ticks, and with `TARGET` for `tcNAME{tcI}`. The source must have no such names itself.
+/// and with `TARGET` for `tcNAME{tcK()}` and `tcAt(...)`. The source must have no such names itself.
 pub fn without_ours(emitted: &[u8]) -> Vec<u8> {
     let (tree, _) = parse(emitted);
     let ours = |r: TextRange| r.of(emitted).to_ascii_lowercase().starts_with(b"tc");
@@ -73,7 +73,7 @@ pub fn without_ours(emitted: &[u8]) -> Vec<u8> {
                 }
                 ModuleItem::Data(d) if ours(d.name) => gone.push(d.range),
                 ModuleItem::Routine(r) if ours(r.name) => gone.push(r.range),
-                ModuleItem::Routine(r) => in_routine(emitted, r, &mut gone, &mut targets),
+                ModuleItem::Routine(r) => in_routine(emitted, r, &mut targets),
                 _ => {}
             }
         }
@@ -96,19 +96,19 @@ pub fn without_ours(emitted: &[u8]) -> Vec<u8> {
     out
 }
 
-fn in_routine(text: &[u8], routine: &Routine, gone: &mut Vec<TextRange>, targets: &mut Vec<TextRange>) {
+fn in_routine(text: &[u8], routine: &Routine, targets: &mut Vec<TextRange>) {
     let mut open: Vec<&Stmt> = routine.body.iter().collect();
     while let Some(stmt) = open.pop() {
         match &stmt.kind {
             StmtKind::Call(call) => {
-                if matches!(call.callee, Callee::Name(n) if n.of(text) == b"tcTick") {
-                    gone.push(stmt.range);
-                }
                 for arg in &call.args {
-                    if let ArgKind::Positional(e) = &arg.kind
-                        && let ExprKind::Index { base, .. } = &e.kind
-                        && base.range.of(text).starts_with(b"tc")
-                    {
+                    let ArgKind::Positional(e) = &arg.kind else { continue };
+                    let asked = match &e.kind {
+                        ExprKind::Index { base, .. } => base.range,
+                        ExprKind::Call { name, .. } => *name,
+                        _ => continue,
+                    };
+                    if asked.of(text).starts_with(b"tc") {
                         targets.push(e.range);
                     }
                 }

@@ -2,7 +2,7 @@
 //! that what is emitted is tested apart from how targets are understood and corrected.
 
 use driftpost::compensate::plan::{
-    Corrected, Corrector, Plan, PlannedMotion, PlannedTarget, Status, Summary, Tick,
+    Corrected, Corrector, Form, Plan, PlannedMotion, PlannedTarget, Status, Summary,
 };
 use driftpost::deform::Conditions;
 use driftpost::diagnostic::FileId;
@@ -55,15 +55,11 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn read(&mut self) {
         let text = |r| String::from_utf8_lossy(self.file.text(r)).into_owned();
-        let first =
-            self.routine.body.iter().find(|s| !matches!(s.kind, StmtKind::Data(_) | StmtKind::Comment));
-        let first = first.map_or(self.routine.range.end, |s| s.range.start);
         self.program.routines.push(RoutineInfo {
             file: self.file.id,
             module: text(self.module.name),
             name: text(self.routine.name),
             range: self.routine.range,
-            first_statement: first,
         });
         let before = self.program.motions.len();
         self.body(&self.routine.body);
@@ -88,7 +84,6 @@ impl Reader<'_> {
                         routine: self.program.routines.len() - 1,
                         unconditional: cond.kind == ExprKind::Bool(true),
                         passes: None,
-                        first_statement: body.first().map_or(stmt.range.end, |s| s.range.start),
                     });
                     self.body(body);
                     self.loops.pop();
@@ -135,6 +130,9 @@ impl Reader<'_> {
             wait_before: Wait::None,
             wait_since_entry: None,
             keep: None,
+            run_time: false,
+            tool_range: None,
+            wobj_range: None,
         });
     }
 
@@ -219,11 +217,10 @@ fn value(n: &[f64], joint: bool) -> TargetValue {
 /// A plan of `buckets` buckets 10 minutes wide: bucket k moves each target by k + 1 hundredths of a mm or
 /// degree, and where `tool` says so by as much more.
 pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Motion) -> f64) -> Plan {
-    let mut ticks: Vec<Tick> = (0..program.routines.len()).map(Tick::Routine).collect();
-    ticks.extend((0..program.loops.len()).filter(|&l| program.loops[l].unconditional).map(Tick::Loop));
     let motions = program.motions.iter().enumerate().map(|(i, motion)| {
         let mut planned = PlannedMotion {
             status: Status::Compensated,
+            form: Form::Schedule,
             targets: Vec::new(),
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
@@ -239,7 +236,12 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             planned.status = Status::Kept(Box::new(keep));
         } else {
             let target =
-                PlannedTarget { pose: None, nominal_q_rad: [0.0; 6], conditions: Conditions::default() };
+                PlannedTarget {
+                    pose: None,
+                    nominal_q_rad: [0.0; 6],
+                    conditions: Conditions::default(),
+                    corrections: Vec::new(),
+                };
             planned.targets = vec![target; motion.targets.len()];
         }
         planned
@@ -252,7 +254,8 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
         }),
         schedule: schedule(buckets),
         temperature_c: None,
-        ticks,
+        functions: None,
+        live: None,
         summary: Summary::default(),
         diagnostics: Vec::new(),
     }

@@ -1,120 +1,119 @@
-//! The form `modules` executed: one module in memory at a time, and the originals whenever loading goes wrong.
+//! The form `ramp` executed: one correction a target, scaled by the share of the drift, at any minute and in any hour.
 
-use crate::made::{Files, fixture, fixtures, made_as, read, session, warmth};
-use driftpost::deform::Deformation;
-use driftpost::emit::{Form, restore};
-use driftpost::simulate::{Report, Scenario, Session};
+use crate::made::{Files, fixture, made_as, session, warmth};
+use driftpost::compensate::FormChoice;
+use driftpost::deform::{Deformation, GrowthLaw};
+use driftpost::emit::{Clock, restore};
+use driftpost::simulate::Report;
+use driftpost::units::{deg_from_rad, mm_from_m};
 
-const STEPS: &[&str] = &["call tcColdStart", "run 60", "pass"];
-
-fn cube() -> (Files, Files) {
-    let original = fixture("robodk/irc5/Cube45.mod");
-    (made_as(Form::Modules, &original, &Deformation::paper(), &warmth()).unwrap().0, original)
+fn ramp(name: &str, deformation: &Deformation, clock: &Clock) -> (Files, Files) {
+    let original = fixture(name);
+    (made_as(FormChoice::Ramp, &original, deformation, clock).unwrap().0, original)
 }
 
-fn play(mut s: Session, steps: &[&str]) -> Report {
-    let steps = steps.iter().map(|s| (*s).to_owned()).collect();
-    Scenario { steps, ..Scenario::default() }.play(&mut s).unwrap();
+fn at_minutes(files: &(Files, Files), deformation: &Deformation, minutes: &[f64]) -> Report {
+    let mut s = session(&files.0, &files.1, deformation, false);
+    s.at_minutes(minutes).unwrap();
     s.into_report()
 }
 
-fn played(files: &(Files, Files), steps: &[&str]) -> Report {
-    play(session(&files.0, &files.1, &Deformation::paper(), false), steps)
+fn quarter_minutes(to_min: u32) -> Vec<f64> {
+    (0..=4 * to_min).map(|k| f64::from(k) * 0.25).collect()
 }
 
-fn shown(report: &Report) -> Vec<&str> {
-    report.messages.iter().filter(|m| m.source == "TPWrite").map(|m| m.text.as_str()).collect()
-}
-
-#[test]
-fn hours_in_a_cell_with_one_module_at_a_time() {
-    let files = cube();
-    let steps = [
-        "call tcColdStart",
-        "run 90",
-        "stand 45",
-        "run 20",
-        "pp_to_main",
-        "run 20",
-        "power_off 600",
-        "run 30",
-    ];
-    let report = played(&files, &steps);
-    assert!(report.is_within(6.4e-6), "{:?}", report.worst);
-    assert!(shown(&report).is_empty(), "{:?}", report.messages);
-    assert!(report.passes.iter().all(|p| p.index.unwrap() > 1.0));
+/// Worst distance, mm, and angle, degrees, of the moves that are corrected.
+fn worst(report: &Report) -> (f64, f64) {
+    let passes = || report.passes.iter().map(|p| &p.corrected);
+    let most = |of: &dyn Fn(&driftpost::simulate::session::Spread) -> f64| passes().map(of).fold(0.0, f64::max);
+    (mm_from_m(most(&|s| s.max_m)), deg_from_rad(most(&|s| s.max_rad)))
 }
 
 #[test]
-fn whatever_goes_wrong_with_loading_the_originals_run() {
-    let (program, original) = cube();
-    let buckets = program.iter().filter(|(path, _)| path.starts_with("HOME/")).count();
-    assert!(buckets > 10);
-    let broken = |change: &dyn Fn(&mut Vec<u8>)| {
-        let mut files = program.clone();
-        files.iter_mut().filter(|(path, _)| path.starts_with("HOME/")).for_each(|(_, bytes)| change(bytes));
-        files
-    };
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    let missing: Files = program.iter().filter(|(path, _)| !path.starts_with("HOME/")).cloned().collect();
-    let cases: [(&str, Files, &str); 4] = [
-        ("no file", missing, "does not load"),
-        // A module that declares what the program has already.
-        (
-            "a name twice",
-            broken(&|b| *b = text(b).replace("PROC tcWho(", "PROC tcTick(").into_bytes()),
-            "does not load",
-        ),
-        (
-            "of another program",
-            broken(&|b| *b = text(b).replace("tcMade:=", "tcMade:=1+").into_bytes()),
-            "of another program",
-        ),
-        (
-            "without its proof",
-            broken(&|b| *b = text(b).replace("PROC tcWho(", "PROC tcWhose(").into_bytes()),
-            "does not load",
-        ),
-    ];
-    for (name, files, message) in cases {
-        let report = played(&(files, original.clone()), STEPS);
-        for pass in &report.passes {
-            assert_eq!((&pass.failure, &pass.mismatch, pass.unreached), (&None, &None, 0), "{name}");
-            assert!(pass.after == pass.before && pass.index == Some(1.0), "{name}");
-        }
-        assert_eq!(shown(&report).len(), 1, "{name}: {:?}", report.messages);
-        assert!(shown(&report)[0].contains(message), "{name}: {:?}", report.messages);
+fn cube45_stands_on_its_targets_at_every_quarter_minute() {
+    let paper = Deformation::paper();
+    for clock in [warmth(), Clock::Elapsed] {
+        let files = ramp("robodk/irc5/Cube45.mod", &paper, &clock);
+        let report = at_minutes(&files, &paper, &quarter_minutes(600));
+        assert!(report.passes.iter().all(|p| p.n == 46 && p.failure.is_none()));
+        let (mm, deg) = worst(&report);
+        assert!(mm <= 2e-4 && deg <= 5e-5, "{clock:?}: {mm} mm, {deg} deg");
+        // The reference paper's table, nothing compensated: 0.193 mm in the end.
+        let before = mm_from_m(report.passes.last().unwrap().before.max_m);
+        assert!((before - 0.193).abs() < 5e-4, "{before}");
     }
 }
 
 #[test]
-fn one_missing_bucket_is_the_originals_until_the_next() {
-    let (mut program, original) = cube();
-    program.retain(|(path, _)| !path.ends_with("_b1.mod"));
-    let report = played(&(program, original), STEPS);
-    let on_originals: Vec<f64> =
-        report.passes.iter().filter(|p| p.index == Some(1.0)).map(|p| p.t_min).collect();
-    let (first, last) = (on_originals[0], on_originals[on_originals.len() - 1]);
-    assert!(
-        report.passes.iter().filter(|p| p.t_min < first || p.t_min > last).all(|p| p.after.max_m <= 6.4e-6)
-    );
-    assert!(last - first < 15.0 && report.passes.last().unwrap().t_min > last + 20.0);
-    assert_eq!(shown(&report).len(), 1);
+fn from_one_second_to_the_next_the_target_moves_by_what_the_arm_drifts() {
+    let paper = Deformation::paper();
+    let files = ramp("robodk/irc5/Cube45.mod", &paper, &warmth());
+    let mut s = session(&files.0, &files.1, &paper, false);
+    // Around the fastest growth, at one time constant, a second apart.
+    let minutes: Vec<f64> = (0..120).map(|k| 45.0 + f64::from(k) / 60.0).collect();
+    s.at_minutes(&minutes).unwrap();
+    let steps: Vec<f64> = s.report().passes.windows(2).map(|p| (p[1].before.max_m - p[0].before.max_m).abs()).collect();
+    assert!(steps.iter().all(|step| mm_from_m(*step) <= 2e-4), "{steps:?}");
+    assert!(s.report().passes.iter().all(|p| mm_from_m(p.after.max_m) <= 2e-4));
 }
 
 #[test]
-fn originals_come_back_and_every_bucket_holds_the_whole_routine() {
-    for name in ["robodk/irc5/Cube45.mod", "robodk/irc5/RichProg.mod", "simulate/cell.mod"] {
-        let original = read(&[fixtures().join(name)]);
-        let (program, _) = made_as(Form::Modules, &original, &Deformation::paper(), &warmth()).unwrap();
+fn three_times_the_table_is_met_by_a_second_correction() {
+    let paper = Deformation::paper();
+    let three = driftpost::kinematics::FrameOffsets(paper.settled().0.map(|row| row.map(|x| 3.0 * x)));
+    let three = Deformation::from_static(three, GrowthLaw::TwoStage { tau_min: 46.0 });
+    let original = fixture("robodk/irc5/Cube45.mod");
+    let options = driftpost::compensate::Options {
+        form: FormChoice::Ramp,
+        max_correction_m: 2e-3,
+        ..Default::default()
+    };
+    let program = driftpost::program::Program::read(
+        vec![driftpost::syntax::SourceFile::read(driftpost::diagnostic::FileId(0), "c.mod", original[0].1.clone())],
+        &driftpost::program::Overrides::default(),
+    );
+    let robot = driftpost::robot::Robot::built_in("irb140").unwrap();
+    let plan = driftpost::compensate::plan(&program, &robot, &three, &options).unwrap();
+    assert!(plan.summary.worst_after_m <= 0.6e-6, "{:?}", plan.summary);
+}
+
+#[test]
+fn a_scheduled_table_of_two_laws_takes_as_many_functions() {
+    // Joint 2's frame rises with one lag of 20 minutes, joint 5's turns with one of 90.
+    let lag = |t: f64, tau: f64| 1.0 - (-t / tau).exp();
+    let mut text = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
+    for k in 0..=60 {
+        let t = 10.0 * f64::from(k);
+        text += &format!("{t},2,0,0,{},0,0,0\n{t},5,0,0,0,{},0,{}\n", 0.1 * lag(t, 20.0), 0.02 * lag(t, 90.0), 0.01 * lag(t, 90.0));
+    }
+    let table = Deformation::from_csv(text.as_bytes(), None).unwrap();
+    let clock = Clock::Warmth { growth: None, tau_cool_min: Some(40.0), gap_min: 5.0 };
+    let files = ramp("robodk/irc5/Cube45.mod", &table, &clock);
+    let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
+    assert!(text.contains("FUNC robtarget tcAt(robtarget tcP,pose tcC1,pose tcC2)"), "{text}");
+    let report = at_minutes(&files, &table, &quarter_minutes(620));
+    let (mm, deg) = worst(&report);
+    assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
+    let before = report.passes.iter().map(|p| mm_from_m(p.before.max_m)).fold(0.0, f64::max);
+    assert!(before > 0.1, "{before}");
+}
+
+#[test]
+fn originals_come_back_to_the_byte_and_touched_up_ones_as_they_are() {
+    for name in ["robodk/irc5/Cube45.mod", "robodk/irc5/RichProg.mod", "robodk/s4c/RichProg.prg", "simulate/cell.mod"] {
+        let (program, original) = ramp(name, &Deformation::paper(), &warmth());
         let restored = restore(&program[0].1).unwrap();
         assert!(restored.exact && restored.bytes == original[0].1, "{name}");
-        for (path, bytes) in &program[1..] {
-            assert!(path.starts_with("HOME/tc"), "{path}");
-            assert!(bytes.split(|b| *b == b'\n').all(|line| line.len() <= 255), "{path}");
-        }
+        let task_data = program[0].1.windows(9).any(|w| w == b"TASK PERS");
+        assert_eq!(task_data, !name.ends_with(".prg"), "{name}");
     }
-    let (program, _) = cube();
-    let text = String::from_utf8(program[5].1.clone()).unwrap();
-    assert_eq!(text.matches("MoveL ").count() + text.matches("MoveAbsJ ").count(), 46);
+    let (program, original) = ramp("robodk/irc5/Cube45.mod", &Deformation::paper(), &warmth());
+    let text = String::from_utf8(program[0].1.clone()).unwrap();
+    let touched = text.replacen("[[400.000, 150.000, 250.000]", "[[400.300, 150.400, 250.000]", 1);
+    let restored = restore(touched.as_bytes()).unwrap();
+    let [one] = restored.touched.as_slice() else { panic!("{:?}", restored.touched) };
+    assert!((one.moved - 0.5).abs() < 2e-3 && one.unit == "mm", "{one:?}");
+    assert_eq!(one.line as usize, 1 + touched[..touched.find("[[400.300").unwrap()].matches('\n').count());
+    let expected = String::from_utf8_lossy(&original[0].1).replacen("[[400.000, 150.000,", "[[400.300, 150.400,", 1);
+    assert_eq!(String::from_utf8_lossy(&restored.bytes), expected);
 }

@@ -1,10 +1,10 @@
 //! Emitted programs for the tests: read, planned and emitted as the command line does.
 
 use driftpost::compensate::plan::Status;
-use driftpost::compensate::{self, Options};
+use driftpost::compensate::{self, FormChoice, Options};
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::diagnostic::FileId;
-use driftpost::emit::{Clock, EmitError, EmitOptions, Form, Provenance, emit};
+use driftpost::emit::{Clock, EmitOptions, Provenance, emit};
 use driftpost::program::{Overrides, Program};
 use driftpost::robot::Robot;
 use driftpost::simulate::session::{self, File};
@@ -41,12 +41,12 @@ pub fn compensated(source: &Files, deformation: &Deformation, clock: &Clock) -> 
 
 /// The program compensated, and how many of its motions are kept; `None` where all are.
 pub fn made(source: &Files, deformation: &Deformation, clock: &Clock) -> Option<(Files, usize)> {
-    made_as(Form::Schedule, source, deformation, clock)
+    made_as(FormChoice::Schedule, source, deformation, clock)
 }
 
-/// The same in a form; files of a folder `HOME` are those on the controller's disk.
+/// The same in a form.
 pub fn made_as(
-    form: Form,
+    form: FormChoice,
     source: &Files,
     deformation: &Deformation,
     clock: &Clock,
@@ -57,21 +57,18 @@ pub fn made_as(
         .map(|(i, (path, bytes))| SourceFile::read(FileId(i as u32), path.clone(), bytes.clone()));
     let program = Program::read(files.collect(), &Overrides::default());
     let robot = Robot::built_in("irb140").unwrap();
-    let plan = compensate::plan(&program, &robot, deformation, &Options::default()).ok()?;
+    let plan = compensate::plan(&program, &robot, deformation, &Options { form, ..Options::default() }).ok()?;
     let options = EmitOptions {
         form,
         clock: clock.clone(),
+        growth: deformation.growth().copied(),
         core: None,
         robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
         deformation: Provenance { name: "Table 2".into(), sha256: "22".repeat(32) },
         absolute_accuracy: false,
     };
     let mut out = source.clone();
-    let emitted = match emit(&program, &plan, &options) {
-        Err(EmitError::NoRun) => return None,
-        emitted => emitted.unwrap(),
-    };
-    for emitted in emitted {
+    for emitted in emit(&program, &plan, &options).unwrap() {
         match emitted.source {
             Some(id) => out[id.0 as usize].1 = emitted.bytes,
             None => out.push((emitted.path, emitted.bytes)),
@@ -89,11 +86,5 @@ pub fn borrowed(files: &Files) -> Vec<File<'_>> {
 pub fn session(program: &Files, original: &Files, deformation: &Deformation, paths: bool) -> Session {
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
     let options = session::Options { paths, ..session::Options::default() };
-    let (disk, loaded): (Files, Files) =
-        program.iter().cloned().partition(|(path, _)| path.starts_with("HOME/"));
-    let mut session = Session::new(&borrowed(&loaded), Some(&borrowed(original)), truth, options).unwrap();
-    for (path, bytes) in &disk {
-        session.program.put_file(path, bytes);
-    }
-    session
+    Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()
 }

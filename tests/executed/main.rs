@@ -8,7 +8,6 @@ mod made;
 mod mutations;
 mod scenarios;
 mod sensor;
-mod ticks;
 
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::simulate::session::{File, Options};

@@ -64,13 +64,13 @@ fn one_changed_character_is_caught() {
     let case = text.rfind("CASE ").unwrap();
     let edge = format!("{}9{}", &text[..case + 5], &text[case + 6..]);
     // One index: an element for all buckets; one tool: a tenth of a millimetre.
-    let index = changed(&text, "MoveL", "{tcI}", "{5}");
+    let index = changed(&text, "MoveL", "{tcK()}", "{5}");
     let tool = changed(&text, "rdkTool.tframe", "0.000, 0.000, 0.000", "0.000, 0.100, 0.000");
     let mut mutants = vec![("digit", digit), ("edge", edge), ("index", index), ("tool", tool)];
     // One sign in the arithmetic of dates.
     for (anchor, from, to) in [
-        ("PROC tcNow", "60*tcNumber(tcTime,4,2)+", "60*tcNumber(tcTime,4,2)-"),
-        ("PROC tcNow", "+60*", "-60*"),
+        ("FUNC num tcSecond", "60*tcNumber(tcTime,4,2)+", "60*tcNumber(tcTime,4,2)-"),
+        ("FUNC num tcSecond", "+60*", "-60*"),
         ("FUNC num tcDayNumber", "153*tcMonth-457", "153*tcMonth+457"),
         ("FUNC num tcDayNumber", "+365*", "-365*"),
         ("FUNC num tcDayNumber", "tcMonth:=tcMonth+12", "tcMonth:=tcMonth-12"),

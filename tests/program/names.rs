@@ -133,9 +133,9 @@ fn facts_about_modules() {
     // The names alone may be the user's own; with both it is one of ours whose header is gone.
     for (text, expected) in [
         ("VAR num n;\nPROC main()\nENDPROC", false),
-        ("VAR num tcI;\nPROC main()\nENDPROC", false),
-        ("PROC main()\nENDPROC\nPROC tcTick()\nENDPROC", false),
-        ("VAR num TCI;\nPROC main()\nENDPROC\nPROC TcTick()\nENDPROC", true),
+        ("VAR num tcState;\nPROC main()\nENDPROC", false),
+        ("PROC main()\nENDPROC\nPROC tcUpdate()\nENDPROC", false),
+        ("VAR num TCSTATE;\nPROC main()\nENDPROC\nPROC TcUpdate()\nENDPROC", true),
     ] {
         assert_eq!(super::module(text).facts.modules[0].compensated.is_some(), expected, "{text}");
     }

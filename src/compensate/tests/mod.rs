@@ -3,7 +3,6 @@
 mod branches;
 mod cube;
 mod parts;
-mod ticks;
 
 use super::*;
 use crate::diagnostic::{FileId, Severity, TextRange};
@@ -75,6 +74,9 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         wait_before: Wait::None,
         wait_since_entry: None,
         keep: None,
+        run_time: false,
+        tool_range: None,
+        wobj_range: None,
     }
 }
 
@@ -85,7 +87,6 @@ fn program(motions: Vec<Motion>) -> Program {
         module: "MOD".to_owned(),
         name: "main".to_owned(),
         range: TextRange::new(0, 0),
-        first_statement: 0,
     };
     let mut program = Program { routines: vec![routine], motions, ..Program::default() };
     for (i, motion) in program.motions.iter_mut().enumerate() {

@@ -27,18 +27,7 @@ struct Both {
 /// A motion's plan, and where it stands.
 fn told(program: &Program, plan: &Plan) -> Vec<String> {
     let own = program.motions.iter().zip(&plan.motions).filter(|(motion, _)| program.is_own(motion));
-    let mut told: Vec<String> =
-        own.map(|(motion, planned)| format!("{:?}:{} {planned:?}", motion.file, motion.line)).collect();
-    told.extend(plan.ticks.iter().map(|tick| match tick {
-        plan::Tick::Routine(r) => format!("tick in {}", program.routines[*r].name),
-        plan::Tick::Loop(l) => {
-            format!("tick in loop of {:?} at {}", program.loops[*l].file, program.loops[*l].first_statement)
-        }
-        plan::Tick::Motion(m) => {
-            format!("tick at {:?}:{}", program.motions[*m].file, program.motions[*m].line)
-        }
-    }));
-    told
+    own.map(|(motion, planned)| format!("{:?}:{} {planned:?}", motion.file, motion.line)).collect()
 }
 
 fn said(diagnostics: &[Diagnostic]) -> Vec<String> {
