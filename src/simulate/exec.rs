@@ -20,7 +20,10 @@ impl Controller {
         let base = self.frames.len();
         let slots = self.stack.len();
         let scope = self.scope;
-        let result = self.enter(routine, Vec::new(), false).and_then(|()| self.run(base));
+        self.is_metered = self.is_function(routine);
+        let result =
+            self.measured(routine, |c| c.enter(routine, Vec::new(), false).and_then(|()| c.run(base)));
+        self.is_metered = false;
         let outcome = match result {
             Ok(()) => Outcome::Finished,
             Err(Fault::Ended(outcome)) => outcome,
@@ -56,6 +59,7 @@ impl Controller {
             };
             frame.current = frame.pc;
             frame.pc += 1;
+            self.effort.statements += u64::from(step.counts);
             match self.operation(&step.op) {
                 Ok(()) => {}
                 Err(Fault::Raised { number, text, at }) => {
@@ -229,6 +233,7 @@ impl Controller {
             current: 0,
             failed: None,
             trap,
+            effort: self.effort,
             passes: std::collections::BTreeMap::new(),
         });
         self.scope = (module, base);
@@ -263,6 +268,9 @@ impl Controller {
     fn leave(&mut self) {
         if let Some(frame) = self.frames.pop() {
             self.stack.truncate(frame.base);
+            if frame.trap {
+                self.effort = frame.effort;
+            }
         }
         self.scope = self.frames.last().map_or((usize::MAX, 0), |f| (f.module, f.base));
     }
@@ -364,16 +372,11 @@ impl Controller {
         slots: Vec<super::controller::Slot>,
     ) -> Result<Value, Fault> {
         let base = self.frames.len();
-        let functions = self
-            .frames
-            .iter()
-            .filter(|f| matches!(self.memory.routines.get(f.routine).map(|r| &r.kind), Some(Kind::Func(_))))
-            .count();
+        let functions = self.frames.iter().filter(|f| self.is_function(f.routine)).count();
         if functions >= DEEPEST_FUNCTIONS {
             return fatal("functions call one another too deep");
         }
-        self.enter(routine, slots, false)?;
-        self.run(base)?;
+        self.measured(routine, |c| c.enter(routine, slots, false).and_then(|()| c.run(base)))?;
         match self.returned.take() {
             Some(value) => Ok(value),
             None => fatal("a function without value"),
