@@ -24,6 +24,17 @@ impl Controller {
         let result =
             self.measured(routine, |c| c.enter(routine, Vec::new(), false).and_then(|()| c.run(base)));
         self.is_metered = false;
+        self.ended(result, (base, slots), scope)
+    }
+
+    /// How a run from the outside ended; routines above `bottom` (frames, slots) are left, unless it can go on.
+    pub(super) fn ended(
+        &mut self,
+        result: Result<(), Fault>,
+        bottom: (usize, usize),
+        scope: (usize, usize),
+    ) -> Outcome {
+        self.nesting = 0;
         let outcome = match result {
             Ok(()) => Outcome::Finished,
             Err(Fault::Ended(outcome)) => outcome,
@@ -34,10 +45,11 @@ impl Controller {
                 at: at.unwrap_or_else(|| self.here()),
             },
         };
-        self.frames.truncate(base);
-        self.stack.truncate(slots);
-        self.scope = scope;
-        self.nesting = 0;
+        if outcome != Outcome::Stopped {
+            self.frames.truncate(bottom.0);
+            self.stack.truncate(bottom.1);
+            self.scope = scope;
+        }
         outcome
     }
 
@@ -46,6 +58,10 @@ impl Controller {
         while self.frames.len() > base {
             if self.steps_left == 0 {
                 return Err(Fault::Ended(Outcome::OutOfSteps));
+            }
+            if base == 0 && self.moves_to_stop == Some(0) {
+                self.moves_to_stop = None;
+                return Err(Fault::Ended(Outcome::Stopped));
             }
             self.steps_left -= 1;
             let step_s = self.calendar.step_s;

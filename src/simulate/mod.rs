@@ -24,8 +24,10 @@ mod place;
 mod predefined;
 pub mod scenario;
 pub mod session;
+mod stepping;
 mod truth;
 mod value;
+mod warming;
 
 pub use builtin::text::{parse as parse_value, written as value_text};
 pub use calendar::Calendar;
@@ -37,5 +39,7 @@ pub use outcome::{Message, Outcome, Place, SimulateError};
 pub use path::{PathKind, Way};
 pub use scenario::Scenario;
 pub use session::{Report, Session};
+pub use stepping::BackStep;
 pub use truth::TrueRobot;
 pub use value::{RecordType, Type, Value};
+pub use warming::{GAP_MIN, Warming};
