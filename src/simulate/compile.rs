@@ -97,7 +97,12 @@ impl<'f> Compiler<'f> {
         let at = self.steps.len();
         let counts = !matches!(
             op,
-            Op::Jump(_) | Op::LoopBack(_) | Op::ForInit { .. } | Op::ForStep { .. } | Op::JumpIfIn(..) | Op::End
+            Op::Jump(_)
+                | Op::LoopBack(_)
+                | Op::ForInit { .. }
+                | Op::ForStep { .. }
+                | Op::JumpIfIn(..)
+                | Op::End
         );
         self.steps.push(Step { op, range, next: at + 1, counts });
         at

@@ -16,7 +16,7 @@ impl Controller {
         if let Some(main) = self.memory.routine_anywhere("main").and_then(|r| self.memory.routines.get(r)) {
             return Ok(main.name.to_string());
         }
-        let emitted = self.has_routine("tcTick");
+        let emitted = self.has_routine("tcTick") || self.has_data("tcMode");
         let mut called: BTreeSet<String> = BTreeSet::new();
         let mut candidates = Vec::new();
         for routine in &self.memory.routines {

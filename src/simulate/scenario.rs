@@ -7,7 +7,7 @@
 use super::controller::Backup;
 use super::outcome::SimulateError;
 use super::session::Session;
-use super::warming::{GAP_MIN, WarmthHistory, Warming};
+use super::warming::{GAP_MIN, Warming, WarmthHistory};
 use crate::deform::{Index, Warmth};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};

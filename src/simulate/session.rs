@@ -399,7 +399,9 @@ impl Session {
                 self.program.calendar_mut().advance_min(step_min);
                 self.original.calendar_mut().advance_min(step_min);
                 now_min += step_min;
-                self.call_if_there("tcTick")?;
+                if !self.call_if_there("tcTick")? {
+                    self.call_if_there("tcK")?;
+                }
             }
             let truth = self.truth.arm_at(t_min);
             let ran = self.run()?;

@@ -31,7 +31,10 @@ fn a_tick_before_a_compact_if_runs_whether_the_move_does_or_not() {
     let mut s = session(&program, &original, &paper, false);
     // Eighty minutes pass inside of the program: without its tick the last moves would be as at minute 0,
     // 0.1 mm off.
-    Scenario::from_toml("steps = [\"call tcColdStart\", \"pass\"]").unwrap().play(&mut s).unwrap();
+    Scenario::from_toml("warming = \"running\"\nsteps = [\"call tcColdStart\", \"pass\"]")
+        .unwrap()
+        .play(&mut s)
+        .unwrap();
     let report = s.into_report();
     assert!(report.is_within(5.5e-6), "{:?}", report.worst);
     let pass = &report.passes[0];
