@@ -22,6 +22,7 @@ mod outcome;
 mod path;
 mod place;
 mod predefined;
+mod report;
 pub mod scenario;
 pub mod session;
 mod stepping;

@@ -5,7 +5,7 @@ use crate::deform::Payload;
 use crate::simulate::call::Args;
 use crate::simulate::controller::Controller;
 use crate::simulate::frame::{self, Setup};
-use crate::simulate::ir::{Expr, ExprKind};
+use crate::simulate::ir::{Arg, Expr, ExprKind};
 use crate::simulate::motion::{Move, Solved};
 use crate::simulate::outcome::{Fault, fatal};
 use crate::simulate::path::PathKind;
@@ -164,9 +164,14 @@ impl Controller {
         Ok(procedure.string().map(str::to_owned))
     }
 
-    /// A target as it stands in the program: its name, or nothing where it is an aggregate.
+    /// A target as it stands in the program: its name, that of the first argument of a function, or nothing where it
+    /// is an aggregate.
     fn spelt(&self, expr: &Expr) -> String {
         match &expr.kind {
+            ExprKind::Call(call) => match call.args.first() {
+                Some(Arg::Positional(first)) => self.spelt(first),
+                _ => String::new(),
+            },
             ExprKind::Name(_, spelt) => spelt.to_string(),
             ExprKind::Index(base, _) | ExprKind::Field(base, _) => self.spelt(base),
             _ => String::new(),
