@@ -11,7 +11,10 @@ use crate::deform::DeformedArm;
 use crate::kinematics::{Chain, ClosedForm};
 use std::collections::BTreeSet;
 
-pub use super::report::{Pass, Report, Spread, Switch, Worst};
+pub use super::findings::{Pass, Report, Spread, Switch, Worst};
+
+/// Routines of an emitted program that bring its clock up to date: the first that is there is called.
+const CLOCKS: [&str; 2] = ["tcTick", "tcK"];
 
 /// A file of a program: its path and bytes.
 pub type File<'f> = (&'f str, &'f [u8]);
@@ -275,7 +278,8 @@ impl Session {
         &self.report
     }
 
-    /// Judge the program at warm-up minutes: cold start called, and running since. Date and time stand
+    /// Judge the program at warm-up minutes: cold start called, and its clock (`tcTick`, else `tcK`) asked once a
+    /// minute since. Date and time stand
     /// still during each pass, so that every move meets the robot at just that minute. Where the robot
     /// deforms by temperature the minutes are degrees, and the thermometer shows them.
     ///
@@ -295,8 +299,10 @@ impl Session {
                 self.program.calendar_mut().advance_min(step_min);
                 self.original.calendar_mut().advance_min(step_min);
                 now_min += step_min;
-                if !self.call_if_there("tcTick")? {
-                    self.call_if_there("tcK")?;
+                for name in CLOCKS {
+                    if self.call_if_there(name)? {
+                        break;
+                    }
                 }
             }
             let truth = self.truth.arm_at(t_min);

@@ -91,6 +91,13 @@ fn a_pause_inside_of_a_pass_is_what_its_length_says() {
     assert!((working - 124.9).abs() < 0.2, "{working}");
     let stood = minute_after(&[(120.0, true), (45.0, false)]);
     assert!((after("45") - stood).abs() < 0.2, "{} {stood}", after("45"));
+    // Ten hours of waiting in the first pass: what comes behind them meets a cold robot, or a warm one.
+    let drift_m = |warming: Warming| {
+        let options = Options { warming: Some(warming), ..Options::default() };
+        played(WAITS, options, "", &["set minutes 600", "pass"]).passes[0].before.max_m
+    };
+    let (moving, running) = (drift_m(Warming::Moving), drift_m(Warming::Running));
+    assert!(moving < 1e-6 && running > 5e-5, "{moving} {running}");
     // In two halves, at the end of a pass and beside a stop: one pause.
     let split = WAITS.replace("    MoveL p{2},v100,fine,tool0;\n", "");
     let steps = ["run 120", "set minutes 3", "pass", "stand 3", "set minutes 0", "pass"];
