@@ -76,6 +76,65 @@ fn a_scenario_is_played() {
     driftpost(&args).assert().code(2);
 }
 
+/// A cell that works while a signal is on and asks for it while it is not.
+const POLLS: &str = "MODULE Cell
+  CONST jointtarget home:=[[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget there:=[[10,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  FUNC jointtarget asked(jointtarget j)
+    RETURN j;
+  ENDFUNC
+  PROC main()
+    WHILE TRUE DO
+      IF DInput(di1)=1 THEN
+        MoveAbsJ home,v500,fine,tool0;
+        WaitTime 30;
+        MoveAbsJ asked(there),v500,fine,tool0;
+      ELSE
+        WaitTime 1;
+      ENDIF
+    ENDWHILE
+  ENDPROC
+ENDMODULE
+";
+
+#[test]
+fn what_warms_the_robot_is_an_option_and_a_field_of_the_scenario() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let cell = written("cell.mod", POLLS);
+    let night =
+        "steps = [\"signal di1 1\", \"run 90\", \"signal di1 0\", \"run 60\", \"signal di1 1\", \"pass\"]";
+    let [plain, running] = ["", "warming = \"running\"\n"]
+        .map(|head| written(&format!("night{}.toml", head.len()), &format!("{head}{night}")));
+    let last = |options: &[&str]| {
+        let args = [&["simulate", &cell, "--original", &cell, "--tolerance-mm", "1", "--json", "-"], options];
+        let run = driftpost(&args.concat()).assert().success();
+        let json: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+        let functions = json["functions"].as_array().unwrap().clone();
+        assert_eq!((functions.len(), &functions[0]["name"]), (1, &Value::from("asked")));
+        assert_eq!(functions[0]["statements"], serde_json::json!([1, 1]));
+        let minutes = json["minutes"].as_array().unwrap();
+        // Passes that only ask the signal are not listed.
+        assert!(minutes.len() < 200 && minutes.iter().all(|m| m["n"] == 2), "{}", minutes.len());
+        minutes.last().unwrap()["t_min"].as_f64().unwrap()
+    };
+    let warm = last(&["--scenario", &running]);
+    assert!((warm - 150.0).abs() < 2.0, "{warm}");
+    let cooled = last(&["--scenario", &plain]);
+    // x1 = 0.859 and x2 = 0.582 after 90 minutes, x2 = 0.462 an hour later: as after 72 minutes.
+    assert!((cooled - 72.0).abs() < 2.0, "{cooled}");
+    assert_eq!(last(&["--scenario", &plain, "--warming", "running"]), warm);
+    assert_eq!(last(&["--scenario", &running, "--warming", "moving"]), cooled);
+    assert!((last(&["--scenario", &plain, "--gap-min", "90"]) - warm).abs() < 1e-6);
+    for wrong in [&["--warming", "resting"][..], &["--gap-min", "0"], &["--gap-min", "nan"]] {
+        driftpost(&[&["simulate", &cell, "--scenario", &plain], wrong].concat()).assert().code(2);
+    }
+}
+
 #[test]
 fn what_cannot_be_run_is_refused() {
     for args in [

@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::program::task_of;
 use crate::robot::Robot;
 use crate::simulate::session::{File, Options, Pass, Spread, Worst};
-use crate::simulate::{Message, Report, Scenario, Session, SimulateError, TrueRobot};
+use crate::simulate::{EffortRange, Message, Report, Scenario, Session, SimulateError, TrueRobot, Warming};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m};
 use anyhow::Context;
 use serde_json::{Value, json};
@@ -25,7 +25,7 @@ pub struct Args {
     #[arg(value_name = "PROGRAM", required = true)]
     pub program: Vec<PathBuf>,
 
-    /// What was meant: the program before it was compensated [default: element 1 of the program's own targets].
+    /// What was meant: the program before it was compensated [default: what the program itself does with tcMode -2].
     #[arg(long, value_name = "ORIGINAL", num_args = 1..)]
     pub original: Vec<PathBuf>,
 
@@ -44,6 +44,14 @@ pub struct Args {
     /// What happens to the cell over hours (TOML): steps = ["call tcColdStart", "run 60", "stand 45", ...].
     #[arg(long, value_name = "FILE")]
     pub scenario: Option<PathBuf>,
+
+    /// What warms the true robot in a scenario: its motions, or the program that runs [default: as the scenario says, else moving].
+    #[arg(long, value_enum, value_name = "WHAT", requires = "scenario")]
+    pub warming: Option<WarmingArg>,
+
+    /// The longest pause between two motions that still counts as work, minutes [default: as the scenario says, else 5].
+    #[arg(long, value_name = "MIN", requires = "scenario", allow_hyphen_values = true)]
+    pub gap_min: Option<f64>,
 
     /// Passes of the outermost endless loop.
     #[arg(long, value_name = "N", default_value_t = 1)]
@@ -86,12 +94,30 @@ pub struct Args {
     pub json: Option<PathBuf>,
 }
 
+/// What warms the true robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum WarmingArg {
+    /// Its motions: a pause between two that is longer than --gap-min is standing.
+    Moving,
+    /// The program that runs, whether it moves the robot or not.
+    Running,
+}
+
+impl From<WarmingArg> for Warming {
+    fn from(warming: WarmingArg) -> Self {
+        match warming {
+            WarmingArg::Moving => Self::Moving,
+            WarmingArg::Running => Self::Running,
+        }
+    }
+}
+
 /// Runs `simulate`.
 ///
 /// # Errors
 /// A file that cannot be read or written, a module that does not load, or a scenario that cannot be played.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    positive(&[("--tolerance-mm", Some(args.tolerance_mm))])?;
+    positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
     let robot = args.robot.load()?;
     let truth = truth(args, robot)?;
     let program = Given::read(&args.program)?;
@@ -114,6 +140,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         passes: args.passes,
         paths: true,
         thermometer: args.thermometer.clone(),
+        warming: args.warming.map(Into::into),
+        gap_min: args.gap_min,
     };
     let program_names = names(&program);
     let original_names = original.as_ref().map(names);
@@ -198,6 +226,16 @@ fn message(m: &Message) -> Value {
     json!({ "source": m.source, "text": m.text, "file": m.at.file, "line": m.at.line })
 }
 
+/// What a function takes that motions call: each count as `[least, most]`.
+fn effort(name: &str, e: &EffortRange) -> Value {
+    json!({
+        "name": name, "calls": e.calls,
+        "statements": [e.fewest.statements, e.most.statements],
+        "arithmetic": [e.fewest.arithmetic, e.most.arithmetic],
+        "trigonometric": [e.fewest.trigonometric, e.most.trigonometric],
+    })
+}
+
 fn report_json(report: &Report) -> Value {
     let pass = |p: &Pass| {
         json!({
@@ -216,6 +254,7 @@ fn report_json(report: &Report) -> Value {
             .map(|((file, line), m)| json!({ "file": file, "line": line, "mm": mm_from_m(*m) })).collect::<Vec<_>>(),
         "unknown_instructions": report.unknown_instructions,
         "messages": report.messages.iter().map(message).collect::<Vec<_>>(),
+        "functions": report.efforts.iter().map(|(name, e)| effort(name, e)).collect::<Vec<_>>(),
     })
 }
 

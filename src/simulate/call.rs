@@ -98,7 +98,7 @@ impl Controller {
     }
 
     /// The slots of a routine's parameters for a call.
-    fn bind(&mut self, routine: usize, call: &Call) -> Result<Vec<Slot>, Fault> {
+    pub(super) fn bind(&mut self, routine: usize, call: &Call) -> Result<Vec<Slot>, Fault> {
         let code = self.code(routine)?;
         let module = self.memory.routines.get(routine).map_or(usize::MAX, |r| r.module);
         let args = self.args(call);

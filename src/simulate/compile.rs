@@ -44,16 +44,21 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
     c.block(&routine.body);
     c.push(Op::End, TextRange::empty(routine.range.end));
     let mut handlers = Vec::new();
+    let mut backward = None;
     for handler in &routine.handlers {
-        let tree::HandlerKind::Error(numbers) = &handler.kind else { continue };
-        let numbers = numbers.iter().map(|n| c.expr(n)).collect();
         let at = c.steps.len();
+        match &handler.kind {
+            tree::HandlerKind::Error(numbers) => {
+                handlers.push((numbers.iter().map(|n| c.expr(n)).collect(), at));
+            }
+            tree::HandlerKind::Backward => backward = Some(at),
+            tree::HandlerKind::Undo => continue,
+        }
         c.block(&handler.body);
         c.push(Op::End, TextRange::empty(handler.range.end));
-        handlers.push((numbers, at));
     }
     c.resolve_gotos();
-    Code { params, decls: c.decls, slots: c.slots, steps: c.steps, handlers }
+    Code { params, decls: c.decls, slots: c.slots, steps: c.steps, handlers, backward }
 }
 
 struct Compiler<'f> {
@@ -90,7 +95,16 @@ impl<'f> Compiler<'f> {
 
     fn push(&mut self, op: Op, range: TextRange) -> usize {
         let at = self.steps.len();
-        self.steps.push(Step { op, range, next: at + 1 });
+        let counts = !matches!(
+            op,
+            Op::Jump(_)
+                | Op::LoopBack(_)
+                | Op::ForInit { .. }
+                | Op::ForStep { .. }
+                | Op::JumpIfIn(..)
+                | Op::End
+        );
+        self.steps.push(Step { op, range, next: at + 1, counts });
         at
     }
 
@@ -198,6 +212,9 @@ impl<'f> Compiler<'f> {
             }
             S::Goto(name) => {
                 let at = self.push(Op::Jump(usize::MAX), range);
+                if let Some(step) = self.steps.get_mut(at) {
+                    step.counts = true;
+                }
                 self.gotos.push((at, name_of(self.file, *name), self.depth == 1));
             }
             S::Return(value) => {

@@ -1,6 +1,7 @@
 //! The controller: program memory, call stack, clock, signals and arm, and what an operator can do to it.
 
 use super::calendar::Calendar;
+use super::effort::{Effort, EffortRange};
 use super::ir::{Code, Name};
 use super::memory::{Memory, State};
 use super::motion::Arm;
@@ -44,6 +45,8 @@ pub(super) struct Frame {
     /// In its ERROR handler: the operation that failed.
     pub failed: Option<usize>,
     pub trap: bool,
+    /// What had been executed when it was entered: what a trap does is not part of what it interrupts.
+    pub effort: Effort,
     /// Passes of each endless loop, by the operation that jumps back.
     pub passes: BTreeMap<usize, u64>,
 }
@@ -90,6 +93,14 @@ pub struct Controller {
     pub(super) unknown: BTreeSet<String>,
     pub(super) steps_left: u64,
     pub(super) passes: u64,
+    /// All that was executed so far; what a function takes is a difference of it.
+    pub(super) effort: Effort,
+    /// What functions in arguments of motions took, by routine.
+    pub(super) efforts: BTreeMap<usize, EffortRange>,
+    /// Arguments of a motion are being evaluated.
+    pub(super) is_metered: bool,
+    /// Stop after so many more moves.
+    pub(super) moves_to_stop: Option<u64>,
     files: u32,
     /// Steps one call may take before it counts as endless.
     pub step_limit: u64,
@@ -130,6 +141,10 @@ impl Controller {
             unknown: BTreeSet::new(),
             steps_left: 0,
             passes: 1,
+            effort: Effort::default(),
+            efforts: BTreeMap::new(),
+            is_metered: false,
+            moves_to_stop: None,
             files: 0,
             step_limit: 50_000_000,
         }

@@ -185,6 +185,7 @@ impl Controller {
 
     fn unary(&mut self, op: UnaryOp, operand: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
         let value = self.eval(operand, want)?;
+        self.effort.arithmetic += u64::from(op == UnaryOp::Neg);
         match (op, value) {
             (UnaryOp::Not, Value::Bool(b)) => Ok(Value::Bool(!b)),
             (UnaryOp::Neg, Value::Num(x)) => Ok(Value::Num(-x)),
@@ -211,6 +212,7 @@ impl Controller {
             _ => {
                 let hint = want.filter(|t| matches!(t, Type::Num | Type::Dnum));
                 let (l, r) = (self.eval(l, hint)?, self.eval(r, hint)?);
+                self.effort.arithmetic += u64::from(!matches!(l, Value::Str(_)));
                 arithmetic(op, l, r, hint)
             }
         }

@@ -15,34 +15,15 @@ const DEEPEST_FUNCTIONS: usize = 40;
 const INNER_PASSES: u64 = 10_000;
 
 impl Controller {
-    /// Run a routine from the outside.
-    pub(super) fn run_routine(&mut self, routine: usize) -> Outcome {
-        let base = self.frames.len();
-        let slots = self.stack.len();
-        let scope = self.scope;
-        let result = self.enter(routine, Vec::new(), false).and_then(|()| self.run(base));
-        let outcome = match result {
-            Ok(()) => Outcome::Finished,
-            Err(Fault::Ended(outcome)) => outcome,
-            Err(Fault::Fatal(message)) => Outcome::Failed { error: None, message, at: self.here() },
-            Err(Fault::Raised { number, text, at }) => Outcome::Failed {
-                error: predefined::error_name(number),
-                message: text,
-                at: at.unwrap_or_else(|| self.here()),
-            },
-        };
-        self.frames.truncate(base);
-        self.stack.truncate(slots);
-        self.scope = scope;
-        self.nesting = 0;
-        outcome
-    }
-
     /// Execute until only `base` routines are left in execution.
     pub(super) fn run(&mut self, base: usize) -> Result<(), Fault> {
         while self.frames.len() > base {
             if self.steps_left == 0 {
                 return Err(Fault::Ended(Outcome::OutOfSteps));
+            }
+            if base == 0 && self.moves_to_stop == Some(0) {
+                self.moves_to_stop = None;
+                return Err(Fault::Ended(Outcome::Stopped));
             }
             self.steps_left -= 1;
             let step_s = self.calendar.step_s;
@@ -56,6 +37,7 @@ impl Controller {
             };
             frame.current = frame.pc;
             frame.pc += 1;
+            self.effort.statements += u64::from(step.counts);
             match self.operation(&step.op) {
                 Ok(()) => {}
                 Err(Fault::Raised { number, text, at }) => {
@@ -229,6 +211,7 @@ impl Controller {
             current: 0,
             failed: None,
             trap,
+            effort: self.effort,
             passes: std::collections::BTreeMap::new(),
         });
         self.scope = (module, base);
@@ -263,6 +246,9 @@ impl Controller {
     fn leave(&mut self) {
         if let Some(frame) = self.frames.pop() {
             self.stack.truncate(frame.base);
+            if frame.trap {
+                self.effort = frame.effort;
+            }
         }
         self.scope = self.frames.last().map_or((usize::MAX, 0), |f| (f.module, f.base));
     }
@@ -364,16 +350,11 @@ impl Controller {
         slots: Vec<super::controller::Slot>,
     ) -> Result<Value, Fault> {
         let base = self.frames.len();
-        let functions = self
-            .frames
-            .iter()
-            .filter(|f| matches!(self.memory.routines.get(f.routine).map(|r| &r.kind), Some(Kind::Func(_))))
-            .count();
+        let functions = self.frames.iter().filter(|f| self.is_function(f.routine)).count();
         if functions >= DEEPEST_FUNCTIONS {
             return fatal("functions call one another too deep");
         }
-        self.enter(routine, slots, false)?;
-        self.run(base)?;
+        self.measured(routine, |c| c.enter(routine, slots, false).and_then(|()| c.run(base)))?;
         match self.returned.take() {
             Some(value) => Ok(value),
             None => fatal("a function without value"),

@@ -112,6 +112,8 @@ pub(super) struct Step {
     pub range: TextRange,
     /// Where TRYNEXT goes on after an error in this operation.
     pub next: usize,
+    /// Counts as an executed statement; the jumps between statements do not.
+    pub counts: bool,
 }
 
 /// A parameter.
@@ -143,4 +145,6 @@ pub(super) struct Code {
     pub steps: Vec<Step>,
     /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
     pub handlers: Vec<(Vec<Expr>, usize)>,
+    /// Where the BACKWARD section begins.
+    pub backward: Option<usize>,
 }

@@ -42,6 +42,8 @@ pub struct Move {
     pub via_q_rad: Option<[f64; 6]>,
     /// Joints at its end, radians; `None` where the controller could not go there.
     pub q_rad: Option<[f64; 6]>,
+    /// The steady clock at its beginning, seconds.
+    pub began_s: f64,
     /// The steady clock at its end, seconds.
     pub steady_s: f64,
     /// Sign of each joint's last motion up to its end; 0 = not known.

@@ -70,6 +70,8 @@ pub enum Outcome {
     Passes,
     /// `EXIT`
     Exited,
+    /// Stopped in the middle, where it can go on.
+    Stopped,
     /// More steps than allowed: the program does not end.
     OutOfSteps,
     /// An error that no handler took, or text no controller would run.
@@ -87,7 +89,7 @@ impl Outcome {
     /// Ended as programs should.
     #[must_use]
     pub fn is_good(&self) -> bool {
-        matches!(self, Self::Finished | Self::Passes | Self::Exited)
+        matches!(self, Self::Finished | Self::Passes | Self::Exited | Self::Stopped)
     }
 }
 

@@ -256,8 +256,11 @@ impl Controller {
     /// Do something with names looked up in a module instead of the running routine.
     pub(super) fn in_module<T>(&mut self, module: usize, f: impl FnOnce(&mut Self) -> T) -> T {
         let scope = std::mem::replace(&mut self.scope, (module, self.stack.len()));
+        let (effort, is_metered) = (self.effort, std::mem::replace(&mut self.is_metered, false));
         let out = f(self);
         self.scope = scope;
+        // A controller has the values of module data since it loaded them: they cost nothing when asked for.
+        (self.effort, self.is_metered) = (effort, is_metered);
         out
     }
 

@@ -1,14 +1,14 @@
 //! Scenarios: what happens to a cell over hours, as a list of steps.
 //!
 //! `steps = ["call tcColdStart", "run 60", "stand 45", "run 30"]`, with `start`, `tau_cool_min`,
-//! `cooling` and `step_ms` beside it. The true robot warms while it runs and cools while it stands, whatever
+//! `cooling` and `step_ms` beside it. The true robot warms while it works and cools while it stands, whatever
 //! the program's clock says.
 
 use super::controller::Backup;
 use super::outcome::SimulateError;
 use super::session::Session;
-use crate::deform::Index;
-use crate::deform::Warmth;
+use super::warming::{GAP_MIN, Warming, WarmthHistory};
+use crate::deform::{Index, Warmth};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -28,6 +28,10 @@ pub struct Scenario {
     pub cooling: Option<f64>,
     /// What every operation of the program takes, ms.
     pub step_ms: Option<f64>,
+    /// What warms the true robot: `moving` or `running`.
+    pub warming: Option<Warming>,
+    /// The longest pause between motions that counts as work, minutes.
+    pub gap_min: Option<f64>,
     /// The true robot is fully warm at the beginning.
     #[serde(default)]
     pub warm: bool,
@@ -129,15 +133,23 @@ impl Scenario {
         session.program.calendar_mut().step_s = step_s;
         let natural = session.truth.growth().and_then(|g| g.tau_min());
         let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
+        let gap_min = session.options().gap_min.or(self.gap_min).unwrap_or(GAP_MIN);
+        if !(gap_min.is_finite() && gap_min >= 0.0) {
+            let why = format!("gap_min = {gap_min}: a number of minutes, 0 or more, is asked for");
+            return Err(SimulateError::Scenario(why));
+        }
+        let mut warmth = session.truth.cold(tau_cool_min);
+        if self.warm {
+            warmth.settle();
+        }
+        let warming = session.options().warming.or(self.warming).unwrap_or_default();
+        let now_s = session.program.calendar().steady_s();
         let mut player = Player {
-            warmth: session.truth.cold(tau_cool_min),
+            history: WarmthHistory::new(warmth, warming, gap_min, now_s),
             backup: session.program.backup(),
             session,
             temperature_c: ROOM_C,
         };
-        if self.warm {
-            player.warmth.settle();
-        }
         for step in self.parsed()? {
             player.step(&step)?;
         }
@@ -147,7 +159,7 @@ impl Scenario {
 
 struct Player<'s> {
     session: &'s mut Session,
-    warmth: Warmth,
+    history: WarmthHistory,
     backup: Backup,
     temperature_c: f64,
 }
@@ -156,12 +168,12 @@ impl Player<'_> {
     fn step(&mut self, step: &Step) -> Result<(), SimulateError> {
         match step {
             Step::Run(minutes) => {
-                let end_s = self.session.program.calendar().steady_s() + minutes * 60.0;
-                while self.session.program.calendar().steady_s() < end_s - 1e-6 {
-                    self.pass()?;
+                let end_s = self.now_s() + minutes * 60.0;
+                while self.now_s() < end_s - 1e-6 {
+                    self.pass(false)?;
                 }
             }
-            Step::Pass => self.pass()?,
+            Step::Pass => self.pass(true)?,
             Step::Stand(minutes) => self.stand(*minutes),
             Step::PowerOff(minutes) => {
                 self.stand(*minutes);
@@ -203,10 +215,16 @@ impl Player<'_> {
         Ok(())
     }
 
+    /// The program's steady clock, seconds.
+    fn now_s(&self) -> f64 {
+        self.session.program.calendar().steady_s()
+    }
+
     fn stand(&mut self, minutes: f64) {
+        self.history.rest_until(self.now_s(), false);
         self.session.program.calendar_mut().advance_min(minutes);
         self.session.original.calendar_mut().advance_min(minutes);
-        self.warmth.advance(minutes, false);
+        self.history.rest_until(self.now_s(), true);
     }
 
     fn pp_to_main(&mut self) {
@@ -214,28 +232,45 @@ impl Player<'_> {
         self.session.original.pp_to_main();
     }
 
-    /// One pass; the robot warms as the pass goes on.
-    fn pass(&mut self) -> Result<(), SimulateError> {
-        let begin = (self.session.program.calendar().steady_s(), self.warmth);
-        let at = |steady_s: f64| {
-            let mut warmth = begin.1;
-            warmth.advance((steady_s - begin.0) / 60.0, true);
-            warmth
-        };
-        let truth = self.session.truth.clone();
-        if truth.deformation().index() == Index::Temperature {
-            let truth = truth.arm_at(self.temperature_c);
-            self.session.pass(self.temperature_c, &mut |_| truth.clone())?;
-        } else {
-            let t_min = begin.1.minute().unwrap_or(f64::INFINITY);
-            self.session.pass(t_min, &mut |steady_s| truth.arm(&at(steady_s)))?;
-        }
+    /// One pass; the robot warms as its motions go on. One without motion has nothing to judge and is listed
+    /// only where it was asked for: a program that asks a signal for hours passes tens of thousands of times.
+    fn pass(&mut self, listed: bool) -> Result<(), SimulateError> {
+        let begin_s = self.now_s();
+        let ran = self.session.run()?;
         // A pass without moves and waits still takes its second.
-        if self.session.program.calendar().steady_s() - begin.0 < 1.0 {
+        if self.now_s() - begin_s < 1.0 {
             self.session.program.calendar_mut().advance_s(1.0);
             self.session.original.calendar_mut().advance_s(1.0);
         }
-        self.warmth = at(self.session.program.calendar().steady_s());
+        self.history.rest_until(begin_s, false);
+        if !listed && !self.session.has_news(&ran) {
+            self.session.pass_over(ran);
+            self.history.rest_until(self.now_s(), false);
+            return Ok(());
+        }
+        let first = ran.done.iter().find(|m| m.q_rad.is_some());
+        let pause_end_s = first.map_or(begin_s, |m| m.began_s);
+        let begin = self.history.warmth_if_resting_until(pause_end_s);
+        let warmths: Vec<Warmth> = ran
+            .done
+            .iter()
+            .map(|m| {
+                if m.q_rad.is_some() {
+                    self.history.move_until(m.began_s, m.steady_s);
+                }
+                self.history.warmth()
+            })
+            .collect();
+        self.history.rest_until(self.now_s(), false);
+        let truth = self.session.truth.clone();
+        if truth.deformation().index() == Index::Temperature {
+            let truth = truth.arm_at(self.temperature_c);
+            self.session.judge(ran, self.temperature_c, &mut |_| truth.clone());
+        } else {
+            let t_min = begin.minute().unwrap_or(f64::INFINITY);
+            let arm_at = &mut |i: usize| truth.arm(warmths.get(i).unwrap_or(&begin));
+            self.session.judge(ran, t_min, arm_at);
+        }
         Ok(())
     }
 }

@@ -1,14 +1,17 @@
 //! A program and its original run side by side on one true robot.
 
-use super::compare::{Judge, Mismatch, Miss};
+use super::compare::Judge;
 use super::controller::Controller;
 use super::motion::Move;
-use super::outcome::{Message, Outcome, SimulateError};
+use super::outcome::{Outcome, SimulateError};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
+use super::warming::Warming;
 use crate::deform::DeformedArm;
 use crate::kinematics::{Chain, ClosedForm};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
+
+pub use super::findings::{Pass, Report, Spread, Switch, Worst};
 
 /// A file of a program: its path and bytes.
 pub type File<'f> = (&'f str, &'f [u8]);
@@ -24,115 +27,30 @@ pub struct Options {
     pub paths: bool,
     /// The analog input or persistent that shows the robot's temperature, where it deforms by that.
     pub thermometer: Option<String>,
+    /// What warms the true robot in a scenario; `None` = as the scenario says, else its motions.
+    pub warming: Option<Warming>,
+    /// The longest pause between motions that counts as work, minutes; `None` = as the scenario says, else
+    /// [`GAP_MIN`](super::GAP_MIN).
+    pub gap_min: Option<f64>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { entry: None, passes: 1, paths: true, thermometer: None }
+        Self { entry: None, passes: 1, paths: true, thermometer: None, warming: None, gap_min: None }
     }
 }
 
-/// Errors of one group of moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
-    /// Largest distance, metres.
-    pub max_m: f64,
-    /// Root mean square, metres.
-    pub rms_m: f64,
-    /// Largest angle, radians.
-    pub max_rad: f64,
-}
-
-impl Spread {
-    /// One more; the mean is taken at the end.
-    fn add(&mut self, miss: &Miss) {
-        self.max_m = self.max_m.max(miss.position_m);
-        self.max_rad = self.max_rad.max(miss.angle_rad);
-        self.rms_m += miss.position_m * miss.position_m;
-    }
-}
-
-/// One pass of the program.
-#[derive(Clone, Debug)]
-pub struct Pass {
-    /// Warm-up minute of the true robot (in the middle of the pass, where it runs on).
-    pub t_min: f64,
-    /// Minutes since the beginning by the steady clock.
-    pub at_min: f64,
-    /// Moves judged.
-    pub n: usize,
-    /// The original's targets on the true robot.
-    pub before: Spread,
+/// One pass of program and original, executed and not yet judged.
+#[derive(Debug)]
+pub struct Ran {
+    /// The original's moves.
+    pub meant: Vec<Move>,
     /// The program's.
-    pub after: Spread,
-    /// The program's, of those moves alone that go elsewhere than the original's.
-    pub corrected: Spread,
-    /// Largest distance from the meant way, metres; `None` where ways were not followed.
-    pub path_after_m: Option<f64>,
-    /// The index in use after the pass (`tcI`), where the program has one.
-    pub index: Option<f64>,
-    /// The program's own warm-up minute (`tcMinute`), where it has one.
-    pub program_min: Option<f64>,
-    /// The worst move.
-    pub worst: Option<Worst>,
+    pub done: Vec<Move>,
+    /// Minutes since the beginning by the program's steady clock, at its end.
+    pub at_min: f64,
     /// How it ended, where that was not well.
     pub failure: Option<String>,
-    /// Moves that the original makes and the program does not.
-    pub unreached: usize,
-    /// The moves are not the same.
-    pub mismatch: Option<Mismatch>,
-}
-
-/// A move that was further off than others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Worst {
-    /// When, warm-up minutes.
-    pub t_min: f64,
-    /// File.
-    pub file: String,
-    /// Line.
-    pub line: u32,
-    /// The target's name, empty for one written in place.
-    pub target: String,
-    /// Distance, metres.
-    pub miss_m: f64,
-}
-
-/// A change of bucket: how far the targets jumped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Switch {
-    /// Warm-up minute.
-    pub t_min: f64,
-    /// Largest distance, metres.
-    pub jump_m: f64,
-}
-
-/// What a simulation found.
-#[derive(Clone, Debug, Default)]
-pub struct Report {
-    /// Pass by pass.
-    pub passes: Vec<Pass>,
-    /// The worst of all.
-    pub worst: Option<Worst>,
-    /// Changes of bucket.
-    pub switches: Vec<Switch>,
-    /// Moves that never went elsewhere than the original's while others did, by file and line, with the
-    /// largest distance from what was meant, metres: moves that were kept.
-    pub unchanged: BTreeMap<(String, u32), f64>,
-    /// What the controller does not know.
-    pub unknown_instructions: Vec<String>,
-    /// What the controller showed.
-    pub messages: Vec<Message>,
-}
-
-impl Report {
-    /// Whether every pass ended well, made the original's moves and stayed within the tolerance.
-    #[must_use]
-    pub fn is_within(&self, tolerance_m: f64) -> bool {
-        self.passes.iter().all(|p| {
-            p.failure.is_none() && p.mismatch.is_none() && p.unreached == 0 && p.after.max_m <= tolerance_m
-        })
-    }
 }
 
 /// A program beside its original.
@@ -154,8 +72,8 @@ pub struct Session {
 }
 
 impl Session {
-    /// Load a program and its original. Without original, what an emitted program's index 1 names is
-    /// taken as what was meant.
+    /// Load a program and its original. Without original, what an emitted program does in the mode of the
+    /// originals (`tcMode` -2, else `tcI` 1) is taken as what was meant.
     ///
     /// # Errors
     /// Where a module does not load, no entry is found, or the arm is of another structure.
@@ -175,8 +93,11 @@ impl Session {
         };
         let c = load(program)?;
         let mut o = load(original.unwrap_or(program))?;
-        if original.is_none() && o.has_data("tcI") {
-            o.pin("tcI", Value::Num(1.0))?;
+        let originals = [("tcMode", -2.0), ("tcI", 1.0)];
+        if original.is_none()
+            && let Some((name, value)) = originals.into_iter().find(|(name, _)| o.has_data(name))
+        {
+            o.pin(name, Value::Num(value))?;
         }
         let entry = match &options.entry {
             Some(entry) => entry.clone(),
@@ -199,23 +120,41 @@ impl Session {
         })
     }
 
-    /// Run both once and judge every move; `arm_at` gives the true arm at a steady time in seconds.
+    /// Run both once.
     ///
     /// # Errors
     /// [`SimulateError::NoRoutine`]
-    pub fn pass(
-        &mut self,
-        t_min: f64,
-        arm_at: &mut dyn FnMut(f64) -> DeformedArm,
-    ) -> Result<&Pass, SimulateError> {
-        let meant_outcome = self.original.call(&self.entry, self.options.passes)?;
-        let outcome = self.program.call(&self.entry, self.options.passes)?;
-        let meant = self.original.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
-        let done = self.program.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+    pub fn run(&mut self) -> Result<Ran, SimulateError> {
+        let meant = self.original.call(&self.entry, self.options.passes)?;
+        let done = self.program.call(&self.entry, self.options.passes)?;
+        let moves = |c: &mut Controller| c.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+        Ok(Ran {
+            at_min: self.program.calendar().steady_s() / 60.0,
+            failure: failure(&done).or_else(|| failure(&meant)),
+            meant: moves(&mut self.original),
+            done: moves(&mut self.program),
+        })
+    }
+
+    /// Whether a pass has something to judge: moves, or a failure that is not the last pass's own.
+    #[must_use]
+    pub fn has_news(&self, ran: &Ran) -> bool {
+        let last = self.report.passes.last().filter(|p| p.n == 0).and_then(|p| p.failure.as_ref());
+        !ran.meant.is_empty() || !ran.done.is_empty() || ran.failure.as_ref() != last && ran.failure.is_some()
+    }
+
+    /// Leave a pass out of the report; what it showed stays.
+    pub fn pass_over(&mut self, _idle: Ran) {
+        self.keep_messages();
+    }
+
+    /// Judge every move of a pass; `arm_at` gives the true arm at the program's move of an index.
+    pub fn judge(&mut self, ran: Ran, t_min: f64, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
+        let Ran { meant, done, at_min, failure } = ran;
         let judge = Judge { closed: &self.closed, nominal: &self.nominal };
         let mut pass = Pass {
             t_min,
-            at_min: self.program.calendar().steady_s() / 60.0,
+            at_min,
             n: 0,
             before: Spread::default(),
             after: Spread::default(),
@@ -224,16 +163,16 @@ impl Session {
             index: self.program.number("tcI").ok(),
             program_min: self.program.number("tcMinute").ok(),
             worst: None,
-            failure: failure(&outcome).or_else(|| failure(&meant_outcome)),
+            failure,
             unreached: 0,
             mismatch: Judge::same_moves(&meant, &done).err(),
         };
         let mut now: Option<(f64, DeformedArm)> = None;
         let mut same = Vec::new();
-        for (a, b) in meant.iter().zip(&done) {
+        for (i, (a, b)) in meant.iter().zip(&done).enumerate() {
             let truth = match &now {
                 Some((at, truth)) if *at == b.steady_s => truth.clone(),
-                _ => arm_at(b.steady_s),
+                _ => arm_at(i),
             };
             now = Some((b.steady_s, truth.clone()));
             let (Some(before), Some(after)) = (judge.miss(&truth, a, a), judge.miss(&truth, a, b)) else {
@@ -275,15 +214,15 @@ impl Session {
             spread.rms_m = (spread.rms_m / (n.max(1) as f64)).sqrt();
         }
         self.note_switch(&pass, done, arm_at);
-        self.finish(pass)
+        self.finish(pass);
     }
 
-    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, arm_at: &mut dyn FnMut(f64) -> DeformedArm) {
+    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
         let judge = Judge { closed: &self.closed, nominal: &self.nominal };
         if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
             && index != *last
         {
-            let truth = done.last().map(|m| arm_at(m.steady_s));
+            let truth = done.len().checked_sub(1).map(arm_at);
             let jump = truth.map_or(0.0, |truth| {
                 moves.iter().zip(&done).filter_map(|(a, b)| judge.jump_m(&truth, a, b)).fold(0.0, f64::max)
             });
@@ -294,23 +233,29 @@ impl Session {
         }
     }
 
-    fn finish(&mut self, pass: Pass) -> Result<&Pass, SimulateError> {
+    fn finish(&mut self, pass: Pass) {
         if let Some(worst) = &pass.worst
             && self.report.worst.as_ref().is_none_or(|w| worst.miss_m > w.miss_m)
         {
             self.report.worst = Some(worst.clone());
         }
+        self.keep_messages();
+        self.report.passes.push(pass);
+    }
+
+    fn keep_messages(&mut self) {
         for message in self.program.take_messages() {
             if self.report.messages.len() < 1_000 {
                 self.report.messages.push(message);
             }
         }
         self.original.take_messages();
-        self.report.passes.push(pass);
-        match self.report.passes.last() {
-            Some(pass) => Ok(pass),
-            None => Err(SimulateError::Scenario("no pass".into())),
-        }
+    }
+
+    /// How the session runs.
+    #[must_use]
+    pub fn options(&self) -> &Options {
+        &self.options
     }
 
     /// What was found so far.
@@ -320,6 +265,7 @@ impl Session {
         self.report.unchanged.retain(|place, _| !changed.contains(place));
         self.report.unknown_instructions = self.program.unknown_instructions();
         self.report.messages.extend(self.program.take_messages());
+        self.report.efforts = self.program.take_efforts();
         self.report
     }
 
@@ -329,7 +275,8 @@ impl Session {
         &self.report
     }
 
-    /// Judge the program at warm-up minutes: cold start called, and running since. Date and time stand
+    /// Judge the program at warm-up minutes: cold start called, and its clock (`tcTick`, else `tcK`) asked once a
+    /// minute since. Date and time stand
     /// still during each pass, so that every move meets the robot at just that minute. Where the robot
     /// deforms by temperature the minutes are degrees, and the thermometer shows them.
     ///
@@ -352,7 +299,8 @@ impl Session {
                 self.call_if_there("tcUpdate")?;
             }
             let truth = self.truth.arm_at(t_min);
-            self.pass(t_min, &mut |_| truth.clone())?;
+            let ran = self.run()?;
+            self.judge(ran, t_min, &mut |_| truth.clone());
         }
         Ok(())
     }
@@ -414,7 +362,7 @@ fn set_text(c: &mut Controller, name: &str, text: &str) -> Result<(), SimulateEr
 /// Why a run did not end as it should.
 fn failure(outcome: &Outcome) -> Option<String> {
     match outcome {
-        Outcome::Finished | Outcome::Passes | Outcome::Exited => None,
+        Outcome::Finished | Outcome::Passes | Outcome::Exited | Outcome::Stopped => None,
         Outcome::OutOfSteps => Some("the program does not come to an end".into()),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
     }

@@ -21,6 +21,7 @@ const NO_EFFECT: &[&str] = &[
     "softdeact",
     "stopmove",
     "startmove",
+    "stopmovereset",
     "waitrob",
     "resetretrycount",
     "errlog",

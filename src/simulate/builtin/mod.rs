@@ -49,17 +49,21 @@ impl Controller {
         want: Option<&Type>,
     ) -> Result<Value, Fault> {
         let args = self.args(call);
-        let themes: [Theme<Value>; 7] = [
-            Self::math_function,
-            Self::data_function,
-            Self::clock_function,
-            Self::text_function,
-            Self::geometry_function,
-            Self::signal_function,
-            Self::module_function,
+        // With each theme, whether its functions calculate.
+        let themes: [(Theme<Value>, bool); 7] = [
+            (Self::math_function, true),
+            (Self::data_function, false),
+            (Self::clock_function, false),
+            (Self::text_function, false),
+            (Self::geometry_function, true),
+            (Self::signal_function, false),
+            (Self::module_function, false),
         ];
-        for theme in themes {
+        for (theme, calculates) in themes {
             if let Some(value) = theme(self, name, &args)? {
+                if calculates {
+                    self.effort.count_function(name);
+                }
                 return Ok(value);
             }
         }

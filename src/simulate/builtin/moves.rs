@@ -5,7 +5,7 @@ use crate::deform::Payload;
 use crate::simulate::call::Args;
 use crate::simulate::controller::Controller;
 use crate::simulate::frame::{self, Setup};
-use crate::simulate::ir::{Expr, ExprKind};
+use crate::simulate::ir::{Arg, Expr, ExprKind};
 use crate::simulate::motion::{Move, Solved};
 use crate::simulate::outcome::{Fault, fatal};
 use crate::simulate::path::PathKind;
@@ -17,7 +17,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 const STEPS_OF_A_MOVE: u64 = 50;
 
 /// Where the arguments of a move stand.
-struct Form {
+pub(in crate::simulate) struct Form {
     path: PathKind,
     /// First target; an arc's circle point, its end point follows.
     target: usize,
@@ -27,8 +27,21 @@ struct Form {
     procedure: Option<usize>,
 }
 
+impl Form {
+    /// The move to where this one ends, on the way back from `later`: straight where that one came straight or on
+    /// an arc.
+    pub(in crate::simulate) fn back_from(self, later: &Self) -> Self {
+        let path = match (self.path, later.path) {
+            (PathKind::AbsJoint, _) => PathKind::AbsJoint,
+            (_, PathKind::Linear | PathKind::Circular) => PathKind::Linear,
+            (_, PathKind::Joint | PathKind::AbsJoint) => PathKind::Joint,
+        };
+        Self { path, target: self.speed - 1, procedure: None, ..self }
+    }
+}
+
 /// The form of a move instruction by its name in lower case.
-fn form(name: &str) -> Option<Form> {
+pub(in crate::simulate) fn form(name: &str) -> Option<Form> {
     use PathKind::{AbsJoint, Circular, Joint, Linear};
     let (path, target, tool) = match name {
         "movel" | "moveldo" | "movelao" | "movelgo" | "movelsync" => (Linear, 0, 3),
@@ -55,7 +68,10 @@ const JOINT_SPEED_DEG_S: f64 = 200.0;
 impl Controller {
     pub(in crate::simulate) fn move_instruction(&mut self, name: &str, args: &Args<'_>) -> Known<()> {
         if let Some(form) = form(name) {
-            return self.execute_move(name, &form, args).map(Some);
+            if let Some(procedure) = self.metered(|c| c.execute_move(name, &form, args))? {
+                self.call_by_name(&procedure)?;
+            }
+            return Ok(Some(()));
         }
         match name {
             "confl" | "confj" => {
@@ -81,7 +97,13 @@ impl Controller {
         Ok(Some(()))
     }
 
-    fn execute_move(&mut self, name: &str, form: &Form, args: &Args<'_>) -> Result<(), Fault> {
+    /// Make a move; what comes back is the procedure to be called at its end.
+    pub(in crate::simulate) fn execute_move(
+        &mut self,
+        name: &str,
+        form: &Form,
+        args: &Args<'_>,
+    ) -> Result<Option<String>, Fault> {
         let ty = match form.path {
             PathKind::AbsJoint => self.types.jointtarget.clone(),
             _ => self.types.robtarget.clone(),
@@ -93,6 +115,7 @@ impl Controller {
         let (tool, wobj) = self.tool_and_object(args.at(form.tool)?, args.named("wobj"))?;
         let setup = setup(&tool, &wobj, self.gripped)?;
         let start = self.arm.as_ref().and_then(|arm| arm.q_rad());
+        let began_s = self.calendar.steady_s();
         let solved = match &mut self.arm {
             Some(arm) => match arm.solve_again(form.path, &targets, &setup)? {
                 Ok(solved) => Some(solved),
@@ -125,6 +148,7 @@ impl Controller {
             start_q_rad: start,
             via_q_rad: solved.as_ref().and_then(|s| s.via_q_rad),
             q_rad: solved.as_ref().map(|s| s.q_rad),
+            began_s,
             steady_s: self.calendar.steady_s(),
             direction: [0; 6],
         };
@@ -132,16 +156,22 @@ impl Controller {
             arm.record(done, tool, wobj);
             self.steps_left = self.steps_left.saturating_sub(STEPS_OF_A_MOVE);
         }
-        if let Some(procedure) = form.procedure {
-            let procedure = self.eval_as(args.at(procedure)?, &Type::Str)?;
-            self.call_by_name(procedure.string().unwrap_or_default())?;
+        if let Some(moves) = &mut self.moves_to_stop {
+            *moves = moves.saturating_sub(1);
         }
-        Ok(())
+        let Some(procedure) = form.procedure else { return Ok(None) };
+        let procedure = self.eval_as(args.at(procedure)?, &Type::Str)?;
+        Ok(procedure.string().map(str::to_owned))
     }
 
-    /// A target as it stands in the program: its name, or nothing where it is an aggregate.
+    /// A target as it stands in the program: its name, that of the first argument of a function, or nothing where it
+    /// is an aggregate.
     fn spelt(&self, expr: &Expr) -> String {
         match &expr.kind {
+            ExprKind::Call(call) => match call.args.first() {
+                Some(Arg::Positional(first)) => self.spelt(first),
+                _ => String::new(),
+            },
             ExprKind::Name(_, spelt) => spelt.to_string(),
             ExprKind::Index(base, _) | ExprKind::Field(base, _) => self.spelt(base),
             _ => String::new(),
