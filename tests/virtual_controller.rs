@@ -255,7 +255,7 @@ fn strings_and_conversions() {
     ok{1}:=StrToVal(s{1},n{1});
     ok{2}:=StrToVal("[1,2.5,-3]",at);
     ok{3}:=StrToVal("1x",n{2});
-    n{3}:=StrLen("abc")+StrFind("robot 7",1,STR_DIGIT)*10+StrMatch("tcTick",1,"Tick")*100;
+    n{3}:=StrLen("abc")+StrFind("robot 7",1,STR_DIGIT)*10+StrMatch("myTick",1,"Tick")*100;
     s{2}:=NumToStr(0.38521,3)+"/"+ValToStr(at);
     s{3}:=StrMap("abc","ab","AB");
     s{4}:="a ""quoted"" word";

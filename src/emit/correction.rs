@@ -119,7 +119,7 @@ mod tests {
         let letters = data.write(&mut out, &style());
         assert_eq!(
             String::from_utf8(out).unwrap(),
-            "  LOCAL CONST pose tcP10:=[[0.1,-0.025,0],[1,1.25E-5,0,-0.001]];\n"
+            "  LOCAL CONST pose tcP10:=[[0.1,-0.025,0],[1,1.25E-5,0,-1E-3]];\n"
         );
         assert_eq!(letters, check::of_numbers(b"[[0.1,-0.025,0],[1,0.0000125,0,-0.001]]"));
     }

@@ -206,6 +206,6 @@ mod tests {
         let mut names = names(&[]);
         names.renamed.insert("tcI".into(), "tcI_2".into());
         assert_eq!(names.rename("tcI:=tcInner+tcI; ! tcI"), "tcI_2:=tcInner+tcI_2; ! tcI_2");
-        assert_eq!((names.core("tcI"), names.core("tcTick")), ("tcI_2", "tcTick"));
+        assert_eq!((names.core("tcI"), names.core("tcK")), ("tcI_2", "tcK"));
     }
 }

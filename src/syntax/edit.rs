@@ -60,9 +60,9 @@ mod tests {
     fn edits_are_made_in_source_order_and_the_rest_stays() {
         let out = apply(
             b"MoveL p10,v100;",
-            &[edit(10, 14, "v50"), edit(6, 9, "tcp10{tcI}"), edit(0, 0, "tcTick; ")],
+            &[edit(10, 14, "v50"), edit(6, 9, "tcp10{tcK()}"), edit(0, 0, "start; ")],
         );
-        assert_eq!(out.unwrap(), b"tcTick; MoveL tcp10{tcI},v50;");
+        assert_eq!(out.unwrap(), b"start; MoveL tcp10{tcK()},v50;");
         assert_eq!(apply(b"abc", &[]).unwrap(), b"abc");
     }
 

@@ -8,7 +8,7 @@ use super::*;
 use crate::diagnostic::{FileId, Severity, TextRange};
 use crate::program::Parts;
 use crate::program::data::{ConfData, JointTarget, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
-use crate::program::motion::{Loop, Motion, Origin, Path, RoutineInfo, Target, TargetValue, Wait};
+use crate::program::motion::{Motion, Origin, Path, RoutineInfo, Target, TargetValue, Wait};
 use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use plan::{Status, Summary};
