@@ -15,6 +15,7 @@ mod common;
 mod emission;
 mod header;
 mod identity;
+pub mod live;
 mod memory;
 mod module;
 mod names;
