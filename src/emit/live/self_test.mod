@@ -3,7 +3,6 @@
     VAR num tcJoint:=0;
     VAR num tcWay:=0;
     VAR robtarget tcAt;
-    VAR clock tcTimer;
 @TESTS@
     TPWrite "tcSelfTest: joints differ by deg "\Num:=tcJoint;
     TPWrite "tcSelfTest: there and back differs by mm "\Num:=tcWay;
@@ -12,6 +11,7 @@
     ELSE
       TPWrite "tcSelfTest: the kinematics are those assumed";
     ENDIF
+    IF NOT tcOn TPWrite "tcSelfTest: original targets are in use now";
     ClkReset tcTimer;
     ClkStart tcTimer;
     FOR tcN FROM 1 TO 1000 DO

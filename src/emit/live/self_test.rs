@@ -32,6 +32,9 @@ fn tested(tests: &[TestTarget]) -> &[TestTarget] {
 /// The targets and their joints.
 pub(super) fn data(tests: &[TestTarget]) -> Vec<String> {
     let mut lines = Vec::new();
+    if !tests.is_empty() {
+        lines.push("  LOCAL VAR clock tcTimer;".to_owned());
+    }
     for (k, test) in tested(tests).iter().enumerate() {
         let mut joints = Vec::new();
         write_robjoint(&mut joints, test.q_rad.map(Some));

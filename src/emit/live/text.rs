@@ -66,11 +66,6 @@ impl Triple {
         self.written[k].then_some(self.names[k].as_str())
     }
 
-    /// A component's name.
-    pub fn name(&self, k: usize) -> &str {
-        &self.names[k]
-    }
-
     /// Whether all are known to be zero.
     pub fn is_zero(&self) -> bool {
         self.written == [false; 3]
