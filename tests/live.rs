@@ -177,10 +177,10 @@ fn the_twin_in_double_precision_is_the_same_correction() {
     cell.set("tcF1", 0.5);
     cell.call("run");
     let tool = cell.tool;
-    let closed = ClosedForm::new(&robot).unwrap();
-    for (asked, answer) in cell.asked().iter().zip(cell.answers()) {
+    let joints = cell.joints("j");
+    for ((asked, answer), joints) in cell.asked().iter().zip(cell.answers()).zip(joints) {
         let (asked, answer) = (cell::pose(asked), cell::pose(&answer));
-        let q_rad = closed.nearest(&(asked * tool.inverse()), &[0.0; 6]).unwrap().q_rad;
+        let q_rad = cell::q_rad(&joints);
         let twin = asked * model.correction(&q_rad, &tool, &[0.5], &Default::default()).to_isometry();
         let off = Off::between(&twin, &answer);
         assert!(off.mm < 0.0001 && off.deg < 0.00003, "{off:?}");
@@ -257,7 +257,7 @@ fn what_cannot_be_corrected_is_the_original_and_one_message() {
 #[test]
 fn a_correction_over_the_cap_is_the_original() {
     let robot = Robot::built_in("irb140").unwrap();
-    for (times, shown) in [(1.0, 0), (10.0, 1)] {
+    for (times, shown) in [(1.0, 0), (40.0, 1)] {
         let model = LiveModel::new(&robot, &table(&paper(times)), None, cap()).unwrap();
         let mut cell = Cell::cube(&model, "irb140");
         cell.set("tcF1", 1.0);
@@ -281,6 +281,20 @@ fn the_second_point_of_an_arc_sees_the_same_moment() {
     cell.call("same");
     assert_eq!(cell.controller.number("tcUpdates").unwrap(), 1.0);
     assert_eq!(cell.target("is"), once);
+}
+
+#[test]
+fn the_controllers_own_tool_and_object_may_be_named() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let model = LiveModel::new(&robot, &table(&paper(1.0)), None, cap()).unwrap();
+    let mut cell = Cell::cube(&model, "irb140");
+    cell.set("tcF1", 1.0);
+    cell.call("plain");
+    let as_declared = cell.target("is");
+    for routine in ["ownTool", "ownToolAndObject"] {
+        cell.call(routine);
+        assert_eq!(cell.target("is"), as_declared, "{routine}");
+    }
 }
 
 #[test]

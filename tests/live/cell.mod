@@ -8,7 +8,7 @@
   CONST robtarget good:=[[400,150,250],[0.70710678,0,0.70710678,0.00000001],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST jointtarget unused:=[[10,9E9,20,0,30,0],[1,2,9E9,9E9,9E9,9E9]];
   CONST jointtarget straight:=[[10,20,20,9E9,30,0],[1,2,9E9,9E9,9E9,9E9]];
-  CONST jointtarget singular:=[[10,20,20,15,0.001,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget singular:=[[10,20,20,105,0.001,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   VAR jointtarget unusedIs;
   VAR jointtarget straightIs;
   VAR jointtarget singularIs;
@@ -30,6 +30,14 @@
     EOffsOff;
     given:=good;
     is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC ownTool()
+    is:=tcLive(good,tool0);
+  ENDPROC
+
+  PROC ownToolAndObject()
+    is:=tcLive(good,tool0\WObj:=wobj0);
   ENDPROC
 
   PROC same()

@@ -71,6 +71,12 @@ impl Triple {
         self.written == [false; 3]
     }
 
+    /// A component of the vector product with a constant.
+    pub fn cross(&self, by: &[f64; 3], k: usize) -> Vec<Summand> {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        [self.times(i, by[j]), self.times(j, -by[i])].into_iter().flatten().collect()
+    }
+
     /// A component times a constant, as a summand.
     pub fn times(&self, k: usize, by: f64) -> Option<Summand> {
         self.get(k).map(|name| (by, name.to_owned()))
@@ -112,15 +118,6 @@ impl Body {
     /// Adds summands to a component.
     pub fn increase(&mut self, to: &mut Triple, k: usize, summands: &[Summand]) {
         to.written[k] = self.add(&to.names[k].clone(), to.written[k], summands);
-    }
-
-    /// `to := to + a x b` with b constant.
-    pub fn add_cross(&mut self, to: &mut Triple, a: &Triple, b: &[f64; 3]) {
-        for k in 0..3 {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            let summands: Vec<Summand> = [a.times(i, b[j]), a.times(j, -b[i])].into_iter().flatten().collect();
-            self.increase(to, k, &summands);
-        }
     }
 
     /// `of := rotation * of`, rows first.

@@ -77,10 +77,13 @@ fn frames(model: &LiveModel, body: &mut Body, loads: bool) {
                 None => "! Flange".to_owned(),
             });
         }
-        body.add_cross(&mut shift, &turn, &[step.place_m.x, step.place_m.y, step.place_m.z].map(mm_from_m));
-        for k in 0..3 {
-            body.increase(&mut shift, k, &shifts[k]);
-            body.increase(&mut turn, k, &turns[k]);
+        let lever = [step.place_m.x, step.place_m.y, step.place_m.z].map(mm_from_m);
+        for (k, own) in shifts.into_iter().enumerate() {
+            let summands: Vec<Summand> = turn.cross(&lever, k).into_iter().chain(own).collect();
+            body.increase(&mut shift, k, &summands);
+        }
+        for (k, own) in turns.iter().enumerate() {
+            body.increase(&mut turn, k, own);
         }
         let back = rows(&step.rotation.transpose());
         body.rotate(&mut shift, &back);
