@@ -9,6 +9,8 @@
   CONST jointtarget unused:=[[10,9E9,20,0,30,0],[1,2,9E9,9E9,9E9,9E9]];
   CONST jointtarget straight:=[[10,20,20,9E9,30,0],[1,2,9E9,9E9,9E9,9E9]];
   CONST jointtarget singular:=[[10,20,20,105,0.001,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget flipped:=[[10,20,20,105,0.2,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR jointtarget flippedIs;
   VAR jointtarget unusedIs;
   VAR jointtarget straightIs;
   VAR jointtarget singularIs;
@@ -98,5 +100,9 @@
 
   PROC singularJ()
     singularIs:=tcLiveJ(singular,tT);
+  ENDPROC
+
+  PROC flippedJ()
+    flippedIs:=tcLiveJ(flipped,tT);
   ENDPROC
 

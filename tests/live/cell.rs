@@ -8,7 +8,6 @@ use driftpost::simulate::{Controller, Value};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 const CUBE: &str = include_str!("../../fixtures/robodk/irc5/Cube45.mod");
-const UNUSED: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 /// tool0 and wobj0, as PERS of the module.
 pub const TOOL0: &str = "[TRUE,[[0,0,0],[1,0,0,0]],[2,[0,0,15],[1,0,0,0],0,0,0.005]]";
 
