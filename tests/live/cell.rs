@@ -110,10 +110,22 @@ pub fn at(robot: &Robot, count: usize, tool: &str, wobj: Option<&str>, seed: u32
         let c = closed.configuration(&q_rad);
         let text = format!(
             "[[{},{},{}],[{},{},{},{}],[{},{},{},{}],[10,9E9,9E9,9E9,9E9,-20]]",
-            t.x as f32, t.y as f32, t.z as f32, r.w as f32, r.i as f32, r.j as f32, r.k as f32, c.cf1, c.cf4, c.cf6, c.cfx
+            t.x as f32,
+            t.y as f32,
+            t.z as f32,
+            r.w as f32,
+            r.i as f32,
+            r.j as f32,
+            r.k as f32,
+            c.cf1,
+            c.cf4,
+            c.cf6,
+            c.cfx
         );
         let exact = |text: &str| !text.contains('e');
-        if exact(&text) && closed.solutions(&base_from_flange).iter().filter(|s| closed.agrees(&c, &s.q_rad)).count() == 1 {
+        if exact(&text)
+            && closed.solutions(&base_from_flange).iter().filter(|s| closed.agrees(&c, &s.q_rad)).count() == 1
+        {
             targets.push(text);
         }
     }
@@ -159,7 +171,8 @@ impl Cell {
         let joints = targets.iter().map(|text| {
             let n = numbers(text);
             let flange = object * pose(&n) * tool_frame.inverse();
-            let found = closed.solutions(&flange).into_iter().find(|s| closed.agrees(&configuration(&n), &s.q_rad));
+            let found =
+                closed.solutions(&flange).into_iter().find(|s| closed.agrees(&configuration(&n), &s.q_rad));
             let q = found.unwrap().q_rad.map(|q| (q.to_degrees() as f32).to_string());
             format!("[[{}],[10,9E9,9E9,9E9,9E9,-20]]", q.join(","))
         });
@@ -260,7 +273,8 @@ pub fn operations(text: &str, routines: &[&str]) -> (usize, usize) {
         if !inside || line.starts_with("VAR ") || line == "ENDFUNC" {
             continue;
         }
-        let code: String = line.split('"').step_by(2).collect::<String>().replace(":=", " ").replace("<>", "#");
+        let code: String =
+            line.split('"').step_by(2).collect::<String>().replace(":=", " ").replace("<>", "#");
         let trig = code.matches("Sin(").count() + code.matches("Cos(").count();
         trigonometric += trig;
         let calls = code.matches("PoseMult(").count()
@@ -271,4 +285,3 @@ pub fn operations(text: &str, routines: &[&str]) -> (usize, usize) {
     }
     (operations, trigonometric)
 }
-

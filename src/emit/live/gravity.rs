@@ -37,7 +37,9 @@ impl Compliance {
     }
 
     fn scale(&self) -> f64 {
-        if self.whole != 0.0 { return self.whole; }
+        if self.whole != 0.0 {
+            return self.whole;
+        }
         self.link.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a })
     }
 }
@@ -105,7 +107,10 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
     // The load of the tool: its centre is given in the flange's frame.
     let places = mm(&flange.place_m);
     body.line("tcL:=0;");
-    body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:={payload}*tcTool.tload.mass;", payload = num(payload)));
+    body.line(format!(
+        "IF tcTool.tload.mass>{NO_LOAD_KG} tcL:={payload}*tcTool.tload.mass;",
+        payload = num(payload)
+    ));
     let rotation = flange.rotation;
     for k in 0..3 {
         let cog = (0..3).map(|j| (rotation[(k, j)], format!("tcL*tcTool.tload.cog.{}", ["x", "y", "z"][j])));
@@ -126,8 +131,10 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
         if let Some((_, scale)) = group.joints.iter().find(|(j, _)| *j == i) {
             let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
             let by = -sign * scale * GRAVITY_M_S2 * 1e-3;
-            let inner = [moment.get(b).map(|m| (1.0, format!("{m}*tcW{}", i + 1))),
-                moment.get(c).map(|m| (-1.0, format!("{m}*tcV{}", i + 1)))];
+            let inner = [
+                moment.get(b).map(|m| (1.0, format!("{m}*tcW{}", i + 1))),
+                moment.get(c).map(|m| (-1.0, format!("{m}*tcV{}", i + 1))),
+            ];
             let inner: Vec<Summand> = inner.into_iter().flatten().collect();
             let inner = sum(&inner);
             let inner = if inner.is_empty() { "0" } else { &inner };
@@ -141,7 +148,11 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
         body.rotate(&mut moment, &rows(&step.rotation));
         let place = mm(&step.place_m);
         for k in 0..3 {
-            body.increase(&mut moment, k, &[(mass_kg * place[k], String::new()), (place[k], "tcL".to_owned())]);
+            body.increase(
+                &mut moment,
+                k,
+                &[(mass_kg * place[k], String::new()), (place[k], "tcL".to_owned())],
+            );
         }
     }
 }

@@ -57,10 +57,8 @@ impl LiveModel {
     /// A template with its numbers; lines that are not for this model are left out.
     fn filled(&self, template: &str) -> Vec<String> {
         let none: Vec<String> = (1..=self.functions()).map(|r| format!("tcF{r}=0")).collect();
-        let numbers = [
-            ("@NONE@", none.join(" AND ")),
-            ("@CAP_JOINT@", num(deg_from_rad(self.cap.joint_rad))),
-        ];
+        let numbers =
+            [("@NONE@", none.join(" AND ")), ("@CAP_JOINT@", num(deg_from_rad(self.cap.joint_rad)))];
         let mut lines = Vec::new();
         for line in template.lines() {
             let (line, wanted) = match line.split_once('#') {
@@ -68,7 +66,9 @@ impl LiveModel {
                 None => (line, true),
             };
             if wanted {
-                lines.push(numbers.iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, text)));
+                lines.push(
+                    numbers.iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, text)),
+                );
             }
         }
         lines

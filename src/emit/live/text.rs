@@ -42,7 +42,7 @@ pub(super) fn sum(summands: &[Summand]) -> String {
 /// Summands in one statement, so that no line grows long.
 const IN_A_LINE: usize = 4;
 
-/// Statements of a routine's body, and which numbers are known to be zero.
+/// Statements of a routine's body.
 #[derive(Debug, Default)]
 pub(super) struct Body {
     lines: Vec<String>,
@@ -128,12 +128,14 @@ impl Body {
         });
         let was = of.clone();
         let same = |k: usize| rows[k].len() == 1 && num(rows[k][0].0) == "1" && rows[k][0].1 == was.names[k];
-        let changed: Vec<usize> = (0..3).filter(|&k| !same(k) && (was.written[k] || !rows[k].is_empty())).collect();
+        let changed: Vec<usize> =
+            (0..3).filter(|&k| !same(k) && (was.written[k] || !rows[k].is_empty())).collect();
         // A new value may stand in place of the old one at once where no other row still needs it.
         let mut late = Vec::new();
         for (at, &k) in changed.iter().enumerate() {
             of.written[k] = !rows[k].is_empty();
-            let needed = changed[at + 1..].iter().any(|&i| rows[i].iter().any(|(_, name)| *name == was.names[k]));
+            let needed =
+                changed[at + 1..].iter().any(|&i| rows[i].iter().any(|(_, name)| *name == was.names[k]));
             if !of.written[k] {
                 continue;
             }
@@ -153,14 +155,18 @@ impl Body {
     /// `of := Rot(axis, angle) * of` about x, y or z; `sin` and `cos` are names, `sign` is the sign of the angle.
     pub fn turn(&mut self, of: &mut Triple, axis: usize, sign: f64, [sin, cos]: [&str; 2]) {
         let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-        let product = |factor: &str, k: usize, by: f64| of.get(k).map(|name| (by, format!("{factor}*{name}")));
-        let new_b: Vec<Summand> = [product(cos, b, 1.0), product(sin, c, -sign)].into_iter().flatten().collect();
-        let new_c: Vec<Summand> = [product(cos, c, 1.0), product(sin, b, sign)].into_iter().flatten().collect();
+        let product =
+            |factor: &str, k: usize, by: f64| of.get(k).map(|name| (by, format!("{factor}*{name}")));
+        let new_b: Vec<Summand> =
+            [product(cos, b, 1.0), product(sin, c, -sign)].into_iter().flatten().collect();
+        let new_c: Vec<Summand> =
+            [product(cos, c, 1.0), product(sin, b, sign)].into_iter().flatten().collect();
         if new_b.is_empty() {
             return;
         }
         // Where one of the two is zero, the other's old value gives both.
-        let (first, second, news) = if of.written[b] && !of.written[c] { (c, b, [new_c, new_b]) } else { (b, c, [new_b, new_c]) };
+        let (first, second, news) =
+            if of.written[b] && !of.written[c] { (c, b, [new_c, new_b]) } else { (b, c, [new_b, new_c]) };
         let (one, two) = (of.names[first].clone(), of.names[second].clone());
         if of.written[first] {
             self.set("tcA", &news[0]);
@@ -172,5 +178,41 @@ impl Body {
         }
         of.written[first] = true;
         of.written[second] = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(body: Body) -> Vec<String> {
+        body.into_lines().iter().map(|line| line.trim().to_owned()).collect()
+    }
+
+    #[test]
+    fn sums_leave_out_what_is_nothing_or_one() {
+        let x = |by: f64| (by, "tcX".to_owned());
+        assert_eq!(sum(&[x(1.0), (0.0, "tcY".to_owned()), (-1.0, "tcZ".to_owned())]), "tcX-tcZ");
+        assert_eq!(sum(&[x(-0.5), (2.0, String::new())]), "-0.5*tcX+2");
+        assert_eq!(sum(&[x(1e-12)]), "");
+    }
+
+    #[test]
+    fn a_turn_writes_nothing_of_what_is_zero() {
+        let (mut body, mut of) = (Body::default(), Triple::zero("tcU"));
+        body.increase(&mut of, 2, &[(1.0, String::new())]);
+        body.turn(&mut of, 2, 1.0, ["tcS", "tcC"]);
+        body.turn(&mut of, 1, -1.0, ["tcS", "tcC"]);
+        assert_eq!(lines(body), ["tcUz:=1;", "tcUx:=-tcS*tcUz;", "tcUz:=tcC*tcUz;"]);
+    }
+
+    #[test]
+    fn a_quarter_turn_is_an_exchange_that_loses_nothing() {
+        let (mut body, mut of) = (Body::default(), Triple::zero("tcD"));
+        body.increase(&mut of, 0, &[(3.0, String::new())]);
+        body.increase(&mut of, 2, &[(5.0, String::new())]);
+        body.rotate(&mut of, &[[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
+        assert_eq!(lines(body), ["tcDx:=3;", "tcDz:=5;", "tcA:=-tcDz;", "tcDz:=tcDx;", "tcDx:=tcA;"]);
+        assert_eq!(of.get(1), None);
     }
 }

@@ -55,8 +55,8 @@ impl LiveModel {
             shift_m = back * shift_m;
             turn_rad = back * turn_rad;
             if let Some((axis, sign)) = step.axis {
-                turn_rad[axis] +=
-                    sign * (self.turns[i].iter().map(|t| t.at(i, q_rad, functions)).sum::<f64>() + torques[i]);
+                turn_rad[axis] += sign
+                    * (self.turns[i].iter().map(|t| t.at(i, q_rad, functions)).sum::<f64>() + torques[i]);
             }
         }
         shift_m += turn_rad.cross(&flange_from_tcp.translation.vector);

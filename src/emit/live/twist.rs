@@ -38,7 +38,9 @@ pub(super) fn routine(model: &LiveModel) -> Vec<String> {
         ("@CAP_MM@", num(cap_mm)),
         ("@CAP_DEG@", num(cap_deg)),
     ];
-    let after = AFTER.lines().map(|line| numbers.iter().fold(line.to_owned(), |l, (mark, text)| l.replace(mark, text)));
+    let after = AFTER
+        .lines()
+        .map(|line| numbers.iter().fold(line.to_owned(), |l, (mark, text)| l.replace(mark, text)));
     let work: Vec<String> = body.into_lines().into_iter().chain(after).collect();
     let mut lines: Vec<String> = BEFORE.lines().map(str::to_owned).collect();
     lines.extend(own_numbers(&work).into_iter().map(|name| format!("    VAR num {name}:=0;")));
@@ -49,9 +51,9 @@ pub(super) fn routine(model: &LiveModel) -> Vec<String> {
 /// The names of the numbers that the statements use.
 fn own_numbers(work: &[String]) -> BTreeSet<String> {
     let code = work.iter().filter(|line| !line.trim_start().starts_with('!'));
-    let words = code.flat_map(|line| line.split('"').step_by(2)).flat_map(|code| {
-        code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-    });
+    let words = code
+        .flat_map(|line| line.split('"').step_by(2))
+        .flat_map(|code| code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
     words
         .filter(|word| word.starts_with("tc") && !OTHERS.contains(word) && *word != "tcSay")
         .filter(|word| !word.strip_prefix("tcF").is_some_and(|n| n.parse::<u32>().is_ok()))
