@@ -123,8 +123,8 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
         let step = &model.steps[i];
         let weight = links[i].0 * group.shares[i];
         let com = mm(&links[i].1);
-        for k in 0..3 {
-            body.increase(&mut moment, k, &[(weight * com[k], String::new())]);
+        for (k, com_mm) in com.into_iter().enumerate() {
+            body.increase(&mut moment, k, &[(weight * com_mm, String::new())]);
         }
         mass_kg += weight;
         let Some((axis, sign)) = step.axis else { continue };

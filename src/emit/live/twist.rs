@@ -56,7 +56,7 @@ fn own_numbers(work: &[String]) -> BTreeSet<String> {
         .flat_map(|code| code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
     words
         .filter(|word| word.starts_with("tc") && !OTHERS.contains(word) && *word != "tcSay")
-        .filter(|word| !word.strip_prefix("tcF").is_some_and(|n| n.parse::<u32>().is_ok()))
+        .filter(|word| word.strip_prefix("tcF").is_none_or(|n| n.parse::<u32>().is_err()))
         .map(str::to_owned)
         .collect()
 }
