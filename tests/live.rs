@@ -385,7 +385,7 @@ fn the_self_test_tells_the_robot_from_another() {
 fn the_text_is_ascii_short_and_names_begin_with_tc() {
     let robot = turned(&Robot::built_in("irb140").unwrap());
     let functions: Vec<Function> =
-        (0..12).map(|_| Function { offsets: all_offsets(), shape: None }).collect();
+        (0..30).map(|_| Function { offsets: all_offsets(), shape: None }).collect();
     let model = LiveModel::new(&robot, &functions, None, cap()).unwrap();
     let tests = [TestTarget {
         robtarget: cell::cube_targets()[0].clone(),

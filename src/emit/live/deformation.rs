@@ -1,8 +1,7 @@
 //! What is put into RAPID: offsets of the frames by functions of time, turns of the joints.
 
 use super::frames::{Step, steps};
-use super::gravity::Compliance;
-use super::turns::Turn;
+use super::turns::{Compliance, Turn};
 use crate::deform::identified::{Identified, Kind, Shape, Term};
 use crate::kinematics::{Chain, FrameOffsets};
 use crate::robot::Robot;

@@ -7,42 +7,11 @@ use super::deformation::LiveModel;
 use super::frames::rows;
 use super::text::{Body, Summand, Triple, num, sum};
 use crate::deform::gravity::GRAVITY_M_S2;
-use crate::units::mm_from_m;
+use crate::units::{m_from_mm, mm_from_m};
 use nalgebra::Vector3;
 
 /// Tool loads from here on count, kg: a tool of a gram, as tool0, is none.
 const NO_LOAD_KG: f64 = 0.001_001;
-
-/// Radians per N.m.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Compliance {
-    /// On the whole torque.
-    pub whole: f64,
-    /// More on each link's part.
-    pub link: [f64; 6],
-}
-
-impl Compliance {
-    /// Another on top.
-    pub fn add(&mut self, whole: f64, link: [f64; 6]) {
-        self.whole += whole;
-        for (to, by) in self.link.iter_mut().zip(link) {
-            *to += by;
-        }
-    }
-
-    /// Shares of the links in it, as multiples of `scale`.
-    fn shares(&self, scale: f64) -> [f64; 7] {
-        std::array::from_fn(|k| self.link.get(k).map_or(self.whole, |c| self.whole + c) / scale)
-    }
-
-    fn scale(&self) -> f64 {
-        if self.whole != 0.0 {
-            return self.whole;
-        }
-        self.link.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a })
-    }
-}
 
 /// Joints whose links have the same shares: one sum serves them all.
 struct Group {
@@ -103,14 +72,10 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
     let flange = &model.steps[6];
     let first = group.joints.iter().map(|(j, _)| *j).min().unwrap_or(0);
     let mut moment = Triple::zero("tcM");
-    let [_, _, _, _, _, _, payload] = group.shares;
     // The load of the tool: its centre is given in the flange's frame.
     let places = mm(&flange.place_m);
     body.line("tcL:=0;");
-    body.line(format!(
-        "IF tcTool.tload.mass>{NO_LOAD_KG} tcL:={payload}*tcTool.tload.mass;",
-        payload = num(payload)
-    ));
+    body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:={}*tcTool.tload.mass;", num(group.shares[6])));
     let rotation = flange.rotation;
     for k in 0..3 {
         let cog = (0..3).map(|j| (rotation[(k, j)], format!("tcL*tcTool.tload.cog.{}", ["x", "y", "z"][j])));
@@ -130,7 +95,7 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
         let Some((axis, sign)) = step.axis else { continue };
         if let Some((_, scale)) = group.joints.iter().find(|(j, _)| *j == i) {
             let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-            let by = -sign * scale * GRAVITY_M_S2 * 1e-3;
+            let by = -sign * m_from_mm(scale * GRAVITY_M_S2);
             let inner = [
                 moment.get(b).map(|m| (1.0, format!("{m}*tcW{}", i + 1))),
                 moment.get(c).map(|m| (-1.0, format!("{m}*tcV{}", i + 1))),
@@ -147,12 +112,9 @@ fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
         body.turn(&mut moment, axis, sign, [&sine(i), &cosine(i)]);
         body.rotate(&mut moment, &rows(&step.rotation));
         let place = mm(&step.place_m);
-        for k in 0..3 {
-            body.increase(
-                &mut moment,
-                k,
-                &[(mass_kg * place[k], String::new()), (place[k], "tcL".to_owned())],
-            );
+        for (k, place_mm) in place.into_iter().enumerate() {
+            let summands = [(mass_kg * place_mm, String::new()), (place_mm, "tcL".to_owned())];
+            body.increase(&mut moment, k, &summands);
         }
     }
 }

@@ -22,9 +22,11 @@ pub use deformation::{Cap, Function, LiveModel};
 pub use self_test::TestTarget;
 pub use twin::Correction;
 
-use super::number::write_num;
 use crate::units::deg_from_rad;
 use text::num;
+
+/// Conditions in a line.
+const IN_A_LINE: usize = 8;
 
 const CALLS: &str = include_str!("calls.mod");
 const TEACH: &str = include_str!("teach.mod");
@@ -57,8 +59,9 @@ impl LiveModel {
     /// A template with its numbers; lines that are not for this model are left out.
     fn filled(&self, template: &str) -> Vec<String> {
         let none: Vec<String> = (1..=self.functions()).map(|r| format!("tcF{r}=0")).collect();
+        let none: Vec<String> = none.chunks(IN_A_LINE).map(|some| some.join(" AND ")).collect();
         let numbers =
-            [("@NONE@", none.join(" AND ")), ("@CAP_JOINT@", num(deg_from_rad(self.cap.joint_rad)))];
+            [("@NONE@", none.join("\n      AND ")), ("@CAP_JOINT@", num(deg_from_rad(self.cap.joint_rad)))];
         let mut lines = Vec::new();
         for line in template.lines() {
             let (line, wanted) = match line.split_once('#') {
@@ -66,9 +69,9 @@ impl LiveModel {
                 None => (line, true),
             };
             if wanted {
-                lines.push(
-                    numbers.iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, text)),
-                );
+                let line =
+                    numbers.iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, text));
+                lines.extend(line.split('\n').map(str::to_owned));
             }
         }
         lines

@@ -1,6 +1,6 @@
 //! Straight-line RAPID: sums of products without what is zero or one.
 
-use super::write_num;
+use crate::emit::number::write_num;
 
 /// A number as RAPID text.
 pub(super) fn num(value: f64) -> String {

@@ -1,4 +1,4 @@
-//! Turns of a joint by its own angle, another's or time; identified effects.
+//! Turns of a joint by its own angle, another's, time or load: identified effects.
 
 use super::text::Summand;
 use crate::units::rad_from_deg;
@@ -61,5 +61,37 @@ impl Turn {
                 vec![(sign * sin_rad, format!("Sin{of}")), (sign * cos_rad, format!("Cos{of}"))]
             }
         }
+    }
+}
+
+/// Radians per N.m.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Compliance {
+    /// On the whole torque.
+    pub whole: f64,
+    /// More on each link's part.
+    pub link: [f64; 6],
+}
+
+impl Compliance {
+    /// Another on top.
+    pub fn add(&mut self, whole: f64, link: [f64; 6]) {
+        self.whole += whole;
+        for (to, by) in self.link.iter_mut().zip(link) {
+            *to += by;
+        }
+    }
+
+    /// Shares of the links in it, as multiples of `scale`.
+    pub fn shares(&self, scale: f64) -> [f64; 7] {
+        std::array::from_fn(|k| self.link.get(k).map_or(self.whole, |c| self.whole + c) / scale)
+    }
+
+    /// What its shares are multiples of: 0 where nothing gives.
+    pub fn scale(&self) -> f64 {
+        if self.whole != 0.0 {
+            return self.whole;
+        }
+        self.link.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a })
     }
 }
