@@ -15,7 +15,7 @@ use driftpost::deform::{Deformation, DeformedArm};
 use driftpost::emit::live::{Function, LiveModel, TestTarget};
 use driftpost::kinematics::{ClosedForm, FrameOffsets};
 use driftpost::robot::Robot;
-use driftpost::simulate::Value;
+use driftpost::simulate::{Outcome, Value};
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 
 /// Tool and work object away from the axes.
@@ -272,6 +272,17 @@ fn what_cannot_be_corrected_is_the_original_and_one_message() {
         cell.call("plain");
         assert_ne!(cell.target("is"), cell.target("given"), "{routine}");
     }
+}
+
+#[test]
+fn any_other_error_is_the_programs_to_handle() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let model = LiveModel::new(&robot, &table(&paper(1.0)), None, cap()).unwrap();
+    let mut cell = Cell::cube(&model, "irb140");
+    cell.set("tcF1", 1.0);
+    let outcome = cell.controller.call("notNormalised", 1).unwrap();
+    assert!(matches!(outcome, Outcome::Failed { error: Some("err_orient_value"), .. }), "{outcome:?}");
+    assert!(cell.controller.take_messages().is_empty());
 }
 
 #[test]

@@ -93,6 +93,12 @@
     is:=tcLive(given,tT\WObj:=wMoved);
   ENDPROC
 
+  PROC notNormalised()
+    given:=good;
+    given.rot:=[1,1,0,0];
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
   PROC oneJ()
     unusedIs:=tcLiveJ(unused,tT);
     straightIs:=tcLiveJ(straight,tT);

@@ -137,3 +137,21 @@ fn what_rapid_cannot_hold_is_named() {
         assert_eq!(made.err().unwrap_or_default(), names);
     }
 }
+
+#[test]
+fn gravity_and_gears_take_some_hundred_operations() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[1e-4, 1e-4]) };
+    let softness: Vec<Term> =
+        (0..6).map(|j| term(Kind::JointCompliance, Some(j), &[3e-6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])).collect();
+    for (terms, most, twice) in [(softness, 500, false), (vec![gear], 250, true)] {
+        let model = Identified { terms, ..Identified::default() };
+        let live = LiveModel::new(&robot, &table(&paper(1.0)), Some(&model), cap()).unwrap();
+        assert_eq!(live.evaluates_twice(), twice);
+        let text = live.routines(&[]).join("\n");
+        let (operations, trigonometric) =
+            crate::cell::operations(&text, &["tcLive", "tcLiveSame", "tcFits", "tcCorrect"]);
+        println!("{operations} operations, {trigonometric} sines and cosines");
+        assert!(operations <= most, "{operations}");
+    }
+}

@@ -90,6 +90,13 @@ impl LiveModel {
         self.growing.len()
     }
 
+    /// Whether RAPID evaluates the twist a second time, at the joints of the corrected target: where gear lines or gains
+    /// change fast with the joints.
+    #[must_use]
+    pub fn evaluates_twice(&self) -> bool {
+        self.twice
+    }
+
     /// Whether anything is there whatever the functions of time are.
     pub(super) fn has_constant(&self) -> bool {
         self.always != FrameOffsets::default()
