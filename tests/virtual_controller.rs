@@ -421,3 +421,81 @@ fn what_is_not_known_is_listed_and_passed_over() {
     assert_eq!((c.number("n").unwrap(), c.signal("dogrip")), (5.0, Some(1.0)));
     assert_eq!(c.take_messages().iter().find(|m| m.source == "TPWrite").unwrap().text, "n 5");
 }
+
+#[test]
+fn displacements_show_in_the_system_data_and_move_what_is_asked() {
+    let text = r"MODULE M
+  CONST robtarget p:=[[500,10,700],[0.70710678,0,0.70710678,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR progdisp d;
+  VAR robtarget here;
+  PROC stand()
+    MoveAbsJ [[0,0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;
+  ENDPROC
+  PROC on()
+    stand;
+    PDispOn p,tool0;
+    EOffsSet [1,2,3,4,5,6];
+    show;
+  ENDPROC
+  PROC given()
+    PDispOn\Rot\ExeP:=[[500,10,710],[0.5,0.5,0.5,0.5],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],p,tool0\WObj:=wobj0;
+    show;
+  ENDPROC
+  PROC off()
+    PDispOff;
+    EOffsOff;
+    show;
+  ENDPROC
+  PROC show()
+    d:=C_PROGDISP;
+    d.eoffs.eax_f:=C_PROGDISP.eoffs.eax_f+C_PROGDISP.pdisp.trans.x;
+    here:=CRobT(\Tool:=tool0);
+  ENDPROC
+ENDMODULE";
+    let robot = driftpost::robot::Robot::built_in("irb140").unwrap();
+    let mut c = Controller::with_robot(&robot).unwrap();
+    c.load("m.mod", text.as_bytes()).unwrap();
+    let near = |is: &[f64], expected: &[f64]| {
+        assert!(is.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-4), "{is:?}, not {expected:?}");
+    };
+    // The flange of the arm at rest stands at 515, 0, 712.
+    ran(&mut c, "on");
+    near(&numbers(&mut c, "d"), &[15.0, -10.0, 12.0, 1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 21.0]);
+    near(&numbers(&mut c, "here")[..3], &[500.0, 10.0, 700.0]);
+    // A turn of the target's y axis by 90 degrees to a turn by 120 about the diagonal: 90 degrees about the base's x.
+    ran(&mut c, "given");
+    let half = 0.5_f64.sqrt();
+    near(&numbers(&mut c, "d")[3..7], &[half, half, 0.0, 0.0]);
+    // That turn takes the point 500, 10, 700 to 500, -700, 10.
+    near(&numbers(&mut c, "d")[..3], &[0.0, 710.0, 700.0]);
+    ran(&mut c, "off");
+    let none = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert_eq!(numbers(&mut c, "d"), none);
+    ran(&mut c, "on");
+    c.pp_to_main();
+    ran(&mut c, "show");
+    assert_eq!(numbers(&mut c, "d"), none);
+}
+
+#[test]
+fn the_controllers_own_tool_is_handed_on_as_pers() {
+    let mut c = controller(
+        r"MODULE M
+  VAR num mass;
+  VAR bool held;
+  PROC main()
+    mass:=massOf(tool0\WObj:=wobj0);
+  ENDPROC
+  FUNC num massOf(PERS tooldata tool\PERS wobjdata WObj)
+    RETURN further(tool\WObj?WObj);
+  ENDFUNC
+  FUNC num further(PERS tooldata tool\PERS wobjdata WObj)
+    held:=Present(WObj) AND tool.robhold AND NOT WObj.robhold;
+    RETURN tool.tload.mass;
+  ENDFUNC
+ENDMODULE",
+    );
+    ran(&mut c, "main");
+    assert_eq!(c.number("mass").unwrap(), f64::from(0.001_f32));
+    assert_eq!(c.value("held").unwrap(), Value::Bool(true));
+}

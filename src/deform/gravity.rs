@@ -83,7 +83,7 @@ fn reach_m(robot: &Robot) -> f64 {
 }
 
 /// The robot's links, or a guess from its size.
-fn links(robot: &Robot) -> [Link; 6] {
+pub(crate) fn links(robot: &Robot) -> [Link; 6] {
     robot.links.unwrap_or_else(|| {
         let total_kg = GUESS_KG * reach_m(robot).powi(3);
         std::array::from_fn(|i| {

@@ -15,6 +15,7 @@ mod correction;
 mod emission;
 mod header;
 mod identity;
+pub mod live;
 mod module;
 mod names;
 mod number;

@@ -4,7 +4,8 @@ use super::controller::{Bound, Controller, Interrupt, Slot};
 use super::ir::{Arg, Call, Expr, ExprKind, Name, Param};
 use super::memory::Kind;
 use super::outcome::{Fault, fatal, raise};
-use super::place::Access;
+use super::place::{Access, Place};
+use super::predefined;
 use super::value::{Type, Value};
 use crate::syntax::tree::ParamMode;
 
@@ -138,7 +139,7 @@ impl Controller {
         if param.mode == ParamMode::In {
             return self.eval_as(expr, ty).map(Bound::Own);
         }
-        let Some((place, given)) = self.place(expr)? else {
+        let Some((place, given)) = self.place_or_own(expr)? else {
             return fatal(format!("the argument for {} must be data", param.name));
         };
         if given != *ty {
@@ -150,6 +151,21 @@ impl Controller {
             | (ParamMode::InOut, Access::Variable | Access::Persistent) => Ok(Bound::Ref(place)),
             (mode, _) => fatal(format!("the argument for {} ({mode:?}) is of another kind", param.name)),
         }
+    }
+
+    /// A place, or the controller's own tool0, wobj0 and load0, which are PERS that no module declares.
+    fn place_or_own(&mut self, expr: &Expr) -> Result<Option<(Place, Type)>, Fault> {
+        let place = self.place(expr)?;
+        let (None, ExprKind::Name(name, _)) = (&place, &expr.kind) else { return Ok(place) };
+        let ty = match &**name {
+            "tool0" => &self.types.tooldata,
+            "wobj0" => &self.types.wobjdata,
+            "load0" => &self.types.loaddata,
+            _ => return Ok(None),
+        };
+        let ty = ty.clone();
+        let Some(value) = predefined::constant(&self.types, name) else { return Ok(None) };
+        Ok(Some((Place::data(self.memory.own_datum(name, ty.clone(), value)), ty)))
     }
 
     /// Signals, devices and data of unknown types are handed on by what they are.

@@ -95,7 +95,7 @@ impl Controller {
         if let Some(datum) = self.memory.datum(self.scope.0, name) {
             return Some(datum);
         }
-        let predefined = matches!(name, "errno" | "intno") || self.signals.contains_key(name);
+        let predefined = matches!(name, "errno" | "intno" | "c_progdisp") || self.signals.contains_key(name);
         if predefined || predefined::constant(&self.types, name).is_some() {
             return None;
         }
@@ -114,6 +114,7 @@ impl Controller {
         match &**name {
             "errno" => return Ok(Value::Num(self.errno)),
             "intno" => return Ok(Value::Num(self.intno)),
+            "c_progdisp" => return Ok(self.progdisp()),
             _ => {}
         }
         if let Some(value) = predefined::constant(&self.types, name) {

@@ -92,6 +92,8 @@ pub(super) struct Memory {
     pub modules: Vec<Module>,
     pub data: Vec<Datum>,
     pub routines: Vec<Routine>,
+    /// tool0, wobj0 and load0, once they were handed over as PERS.
+    own_data: BTreeMap<Name, usize>,
     global_data: BTreeMap<Name, usize>,
     global_routines: BTreeMap<Name, usize>,
     global_types: BTreeMap<Name, Type>,
@@ -103,10 +105,26 @@ impl Memory {
             modules: Vec::new(),
             data: Vec::new(),
             routines: Vec::new(),
+            own_data: BTreeMap::new(),
             global_data: BTreeMap::new(),
             global_routines: BTreeMap::new(),
             global_types: predefined::types(),
         }
+    }
+
+    /// The controller's own PERS of this name, with its value, as data that can be handed over.
+    pub fn own_datum(&mut self, name: &Name, ty: Type, value: Value) -> usize {
+        *self.own_data.entry(name.clone()).or_insert_with(|| {
+            self.data.push(Datum {
+                module: usize::MAX,
+                name: name.clone(),
+                kind: DataKind::Pers,
+                ty,
+                at: (0, 0),
+                state: State::Known(value),
+            });
+            self.data.len() - 1
+        })
     }
 
     /// Put the modules of a file into memory.

@@ -68,6 +68,8 @@ pub struct Arm {
     pub(super) conf_l: bool,
     pub(super) conf_j: bool,
     pub(super) displacement: Isometry3<f64>,
+    /// Offsets of the external axes, mm or degrees: shown, but no axis of this arm.
+    pub(super) axis_offsets: [f64; 6],
     last: Option<(Setup, Value, Value)>,
     moves: Vec<Move>,
     direction: [i8; 6],
@@ -99,6 +101,7 @@ impl Arm {
             conf_l: true,
             conf_j: true,
             displacement: Isometry3::identity(),
+            axis_offsets: [0.0; 6],
             last: None,
             moves: Vec::new(),
             direction: [0; 6],
@@ -111,6 +114,7 @@ impl Arm {
         self.conf_l = true;
         self.conf_j = true;
         self.displacement = Isometry3::identity();
+        self.axis_offsets = [0.0; 6];
     }
 
     /// The joints it stands at, radians, once it has moved.
@@ -162,6 +166,11 @@ impl Arm {
 
     fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
         self.chain.forward(q_rad)
+    }
+
+    /// Where the TCP stands in the object, whatever displacement is on; metres.
+    pub(super) fn stands(&self, setup: &Setup) -> Isometry3<f64> {
+        setup.object_from_tcp(&self.forward(&self.q_rad.unwrap_or_default()))
     }
 
     /// CalcRobT: the numbers of a jointtarget as robtarget.

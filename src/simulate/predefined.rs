@@ -120,6 +120,8 @@ pub(super) struct Types {
     pub speeddata: Type,
     pub zonedata: Type,
     pub pose: Type,
+    pub extjoint: Type,
+    pub progdisp: Type,
     pub pos: Type,
     pub orient: Type,
 }
@@ -137,6 +139,8 @@ impl Types {
             speeddata: get("speeddata"),
             zonedata: get("zonedata"),
             pose: get("pose"),
+            extjoint: get("extjoint"),
+            progdisp: get("progdisp"),
             pos: get("pos"),
             orient: get("orient"),
         }

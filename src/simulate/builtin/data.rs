@@ -29,8 +29,6 @@ const NO_EFFECT: &[&str] = &[
     "clearpath",
     "storepath",
     "restopath",
-    "pdispoff",
-    "eoffsoff",
     "tunereset",
     "actunit",
     "deactunit",

@@ -11,7 +11,7 @@ use crate::simulate::outcome::{Fault, fatal};
 use crate::simulate::path::PathKind;
 use crate::simulate::value::{Type, Value};
 use crate::units::{m_from_mm, rad_from_deg};
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 
 /// What a move counts towards the steps of one call: its record stays in memory, so that a million of them is the end.
 const STEPS_OF_A_MOVE: u64 = 50;
@@ -87,14 +87,57 @@ impl Controller {
                     arm.displacement = pose;
                 }
             }
+            "pdispon" => self.displace_from(args)?,
             "pdispoff" => {
                 if let Some(arm) = &mut self.arm {
                     arm.displacement = Isometry3::identity();
                 }
             }
+            "eoffsset" => {
+                let ty = self.types.extjoint.clone();
+                let offsets = self.eval_as(args.at(0)?, &ty)?.numbers();
+                self.offset_axes(&offsets);
+            }
+            "eoffsoff" => self.offset_axes(&[]),
             _ => return Ok(None),
         }
         Ok(Some(()))
+    }
+
+    /// PDispOn: the displacement that takes the target given to where the arm stands, or to `\ExeP`; with `\Rot` its
+    /// orientation too.
+    fn displace_from(&mut self, args: &Args<'_>) -> Result<(), Fault> {
+        let ty = self.types.robtarget.clone();
+        let target = frame::isometry_of(&self.eval_as(args.at(0)?, &ty)?.numbers())?;
+        let setup = self.setup_of(args.at(1)?, args.named("wobj"))?;
+        let given = match args.named("exep") {
+            Some(e) => Some(frame::isometry_of(&self.eval_as(e, &ty)?.numbers())?),
+            None => None,
+        };
+        if let Some(arm) = &mut self.arm {
+            let stands = given.unwrap_or_else(|| arm.stands(&setup));
+            arm.displacement = if args.has("rot") {
+                stands * target.inverse()
+            } else {
+                Translation3::from(stands.translation.vector - target.translation.vector).into()
+            };
+        }
+        Ok(())
+    }
+
+    fn offset_axes(&mut self, offsets: &[f64]) {
+        if let Some(arm) = &mut self.arm {
+            arm.axis_offsets = std::array::from_fn(|i| offsets.get(i).copied().unwrap_or(0.0));
+        }
+    }
+
+    /// C_PROGDISP: what PDispSet, PDispOn and EOffsSet have left.
+    pub(in crate::simulate) fn progdisp(&self) -> Value {
+        let arm = self.arm.as_ref();
+        let displacement = arm.map_or_else(Isometry3::identity, |arm| arm.displacement);
+        let mut numbers = frame::pose_numbers(&displacement).to_vec();
+        numbers.extend(arm.map_or([0.0; 6], |arm| arm.axis_offsets));
+        frame::value(&self.types.progdisp, &numbers)
     }
 
     /// Make a move; what comes back is the procedure to be called at its end.
