@@ -97,6 +97,7 @@ fn controller_with(clock: Clock, schedule: &Schedule) -> Controller {
         robot: Provenance::default(),
         deformation: Provenance::default(),
         absolute_accuracy: false,
+        self_test: false,
     };
     let file = emit(&program, &plan, &options).unwrap().remove(0);
     let mut controller = Controller::new();

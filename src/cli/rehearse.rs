@@ -188,6 +188,7 @@ fn compensated(
         robot: Provenance::default(),
         deformation: Provenance::default(),
         absolute_accuracy: false,
+        self_test: false,
     };
     let emitted =
         emit(&program, &plan, &how).map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;

@@ -15,7 +15,7 @@ use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use nalgebra::Vector3;
 
 /// A joint that would change by more is near a singularity, degrees.
-const JOINT_CHANGE_DEG: f64 = 1.0;
+pub(super) const JOINT_CHANGE_DEG: f64 = 1.0;
 
 /// A motion's plan and what the summary needs of it.
 pub(super) struct Made {

@@ -1,7 +1,7 @@
 //! Targets that are known at run time alone: what the deformed model at run time is made of, and which motions can ask it.
 
 use super::Options;
-use super::correct::no_figures;
+use super::correct::{JOINT_CHANGE_DEG, no_figures};
 use super::model::Model;
 use super::nominal::Resolved;
 use super::placement::keep;
@@ -12,11 +12,12 @@ use crate::program::Program;
 use crate::program::motion::{Keep, Motion, Path, TargetValue};
 use crate::robot::Robot;
 use crate::schedule::TimeFunctions;
+use crate::units::rad_from_deg;
 use std::sync::Arc;
 
 /// What a program needs to hold the deformed model.
 #[derive(Clone, Debug)]
-pub struct LiveModel {
+pub struct LiveBasis {
     /// The constructive model.
     pub robot: Robot,
     /// For each time function what its node moves the frames by.
@@ -27,9 +28,11 @@ pub struct LiveModel {
     pub max_correction_m: f64,
     /// A correction that turns the TCP by more is not made, radians.
     pub max_correction_rad: f64,
+    /// A joint of a joint target that would change by more is near a singularity, radians.
+    pub max_joint_change_rad: f64,
 }
 
-impl LiveModel {
+impl LiveBasis {
     pub(super) fn new(model: &Model, functions: &TimeFunctions, options: &Options) -> Self {
         Self {
             robot: model.robot().clone(),
@@ -37,13 +40,17 @@ impl LiveModel {
             identified: model.identified.clone(),
             max_correction_m: options.max_correction_m,
             max_correction_rad: options.max_correction_rad,
+            max_joint_change_rad: rad_from_deg(JOINT_CHANGE_DEG),
         }
     }
 
     /// Why RAPID cannot hold it.
     fn lacks(&self) -> Option<Keep> {
-        let why = "the identified model cannot be held by RAPID yet";
-        self.identified.is_some().then(|| keep("keep::live-model", why))
+        let names = self.identified.as_ref().map(|model| model.beyond_run_time()).unwrap_or_default();
+        (!names.is_empty()).then(|| {
+            let names = names.join(", ");
+            keep("keep::live-model", format!("a program that asks at run time cannot hold of the model: {names}"))
+        })
     }
 }
 
@@ -51,7 +58,7 @@ impl LiveModel {
 pub(super) fn run_time(
     program: &Program,
     motion: &Motion,
-    live: &LiveModel,
+    live: &LiveBasis,
 ) -> Option<Result<PlannedMotion, Keep>> {
     if !motion.run_time {
         return None;
@@ -77,7 +84,7 @@ pub(super) fn run_time(
 pub(super) fn settle_form(
     program: &Program,
     (motion, resolved): (&Motion, &Resolved),
-    live: &LiveModel,
+    live: &LiveBasis,
     model: &Model,
     planned: &mut PlannedMotion,
 ) {

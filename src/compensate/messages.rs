@@ -107,10 +107,11 @@ impl Messages {
     pub(super) fn add_long_gaps(&mut self, program: &Program, too_long: &[usize]) {
         for motion in too_long.iter().filter_map(|&i| program.motions.get(i)) {
             let message = format!(
-                "line {}: from here on the arm may move for longer than the gap that the clock takes for a pause",
+                "line {}: from here on the arm may move for longer without asking than the gap that the clock takes for a \
+                 pause",
                 motion.line
             );
-            let help = "it would then take the arm for cooling: give a longer --gap-min, or correct this routine too";
+            let help = "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
             self.add(
                 Some(motion.routine),
                 Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),

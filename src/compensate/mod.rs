@@ -28,7 +28,7 @@ pub mod targets;
 mod track;
 
 pub use minutes::MinuteJoints;
-pub use live::LiveModel;
+pub use live::LiveBasis;
 pub use options::{FormChoice, Options};
 pub use planner::Planner;
 

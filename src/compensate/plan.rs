@@ -1,6 +1,6 @@
 //! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
 
-use super::live::LiveModel;
+use super::live::LiveBasis;
 use crate::deform::Conditions;
 use crate::diagnostic::Diagnostic;
 use crate::program::Program;
@@ -18,7 +18,7 @@ pub struct Plan {
     /// What scales the corrections of the forms `ramp` and `live`.
     pub functions: Option<TimeFunctions>,
     /// What the form `live` needs, where motions may take it.
-    pub live: Option<Arc<LiveModel>>,
+    pub live: Option<Arc<LiveBasis>>,
     /// For a deformation by temperature its range, degrees Celsius: the schedule's minutes are then degrees
     /// above the lowest.
     pub temperature_c: Option<[f64; 2]>,

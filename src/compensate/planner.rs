@@ -10,7 +10,7 @@ use super::corrector::WarmArms;
 use super::exits::Exits;
 use super::figures::{self, Tally};
 use super::messages::Messages;
-use super::live::{self, LiveModel};
+use super::live::{self, LiveBasis};
 use super::model::Model;
 use super::nominal::Resolved;
 use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary};
@@ -47,7 +47,7 @@ pub struct Planner<'a> {
     chosen: Chosen,
     at: Moments,
     /// What `live` needs, where motions may take that form.
-    live: Option<Arc<LiveModel>>,
+    live: Option<Arc<LiveBasis>>,
     corrector: Arc<dyn Corrector>,
     /// What the motions of the only part come to, where there is one.
     only: Option<(Vec<Resolved>, Messages)>,
@@ -108,7 +108,7 @@ impl<'a> Planner<'a> {
             Some(ramp) => Moments::Nodes(ramp),
             None => Moments::Buckets(model.warm(&chosen.schedule)),
         };
-        let live = at.ramp().map(|ramp| Arc::new(LiveModel::new(&model, &ramp.functions, options)));
+        let live = at.ramp().map(|ramp| Arc::new(LiveBasis::new(&model, &ramp.functions, options)));
         Ok(Self {
             corrector: Arc::new(WarmArms::new(&model, at.warm())),
             supports: vec![Vec::new(); chosen.schedule.buckets.len().max(1)],

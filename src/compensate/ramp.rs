@@ -8,6 +8,7 @@ use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::Placement;
 use super::plan::Correction;
+use super::survey::Sample;
 use super::{CompensateError, Options};
 use crate::deform::{Conditions, DeformedArm, GrowthLaw};
 use crate::kinematics::solve;
@@ -47,7 +48,7 @@ struct Check {
 
 impl Ramp {
     /// The fewest functions that hold a tenth of the tolerance at `samples`.
-    pub(super) fn choose(model: &Model, mut samples: Vec<Point>, options: &Options) -> Result<Self, CompensateError> {
+    pub(super) fn choose(model: &Model, mut samples: Vec<Sample>, options: &Options) -> Result<Self, CompensateError> {
         options.request().check()?;
         if samples.is_empty() || options.form.corrects_run_time() {
             samples.extend(anywhere(model));
@@ -126,20 +127,28 @@ impl Ramp {
         worst
     }
 
-    /// The worst of all points, corrected, metres.
-    fn worst_m(&self, model: &Model, points: &[Point]) -> f64 {
-        let one = |point: &Point| {
+    /// The worst of all points, metres; a turn counts as the shift that it is at
+    /// [`LEVER_M`].
+    fn worst_m(&self, model: &Model, points: &[Sample]) -> f64 {
+        let one = |Sample { point, joint }: &Sample| {
             let joints: Option<Vec<[f64; 6]>> =
                 self.nodes.iter().map(|node| warm_joints(point, &node.at).ok()).collect();
-            let corrections = self.corrections(point, false, &joints?, model);
-            Some(self.errors_m(point, &corrections, model)[1])
+            let joints = joints?;
+            let corrections = self.corrections(point, *joint, &joints, model);
+            let misses = self.checks.iter().map(|check| {
+                let q_rad = commanded_q_rad(point, &corrections, &check.values, model)?;
+                let there = check.arm.under(&point.conditions).forward(&q_rad);
+                let turned_rad = there.rotation.angle_to(&point.base_from_flange.rotation);
+                Some(point.miss_m(&check.arm, &q_rad).norm().max(LEVER_M * turned_rad))
+            });
+            misses.map(|miss_m| miss_m.unwrap_or(f64::INFINITY)).reduce(f64::max)
         };
         points.par_iter().filter_map(one).reduce(|| 0.0, f64::max)
     }
 }
 
 /// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.
-fn anywhere(model: &Model) -> Vec<Point> {
+fn anywhere(model: &Model) -> Vec<Sample> {
     let tool = Isometry3::translation(0.0, 0.0, 0.1);
     let placement = Arc::new(Placement::ToolOnFlange {
         base_from_object: Isometry3::identity(),
@@ -156,7 +165,9 @@ fn anywhere(model: &Model) -> Vec<Point> {
         let base_from_flange = model.nominal.forward(&q_rad);
         let (carried_m, meant_m) = placement.points(&placement.object_from_tcp(&base_from_flange));
         let conditions = Conditions::default();
-        Point { placement: Arc::clone(&placement), base_from_flange, carried_m, meant_m, q_rad, conditions }
+        let placement = Arc::clone(&placement);
+        let point = Point { placement, base_from_flange, carried_m, meant_m, q_rad, conditions };
+        Sample { point, joint: false }
     };
     poses_deg.into_iter().map(point).collect()
 }
@@ -207,11 +218,11 @@ fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> 
 
 /// Functions for a table with laws of its own: from the corrections of some targets at the moments of the timeline, and
 /// from the table itself, so that targets elsewhere are met as well.
-fn of_courses(model: &Model, samples: &[Point], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
+fn of_courses(model: &Model, samples: &[Sample], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
     let every = samples.len().div_ceil(FOUND_FROM).max(1);
     let moments: Vec<Moment> = found.moments().collect();
     let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
-    let rows_of = |point: &Point| -> Option<Vec<[f64; 6]>> {
+    let rows_of = |Sample { point, .. }: &Sample| -> Option<Vec<[f64; 6]>> {
         let course = |arm: &DeformedArm| {
             let q_rad = warm_joints(point, arm).ok()?;
             let told = model.nominal.forward(&q_rad);
@@ -242,12 +253,12 @@ fn of_courses(model: &Model, samples: &[Point], found: &Timeline, tolerance_m: f
 /// Some points of a program as a schedule sees them.
 struct Samples<'a> {
     model: &'a Model<'a>,
-    points: &'a [Point],
+    points: &'a [Sample],
 }
 
 impl Samples<'_> {
     fn chosen(&self, targets: &[usize]) -> super::drift::Points<'_> {
-        let points = targets.iter().filter_map(|&target| self.points.get(target)).collect();
+        let points = targets.iter().filter_map(|&target| Some(&self.points.get(target)?.point)).collect();
         super::drift::Points { model: self.model, points }
     }
 }
@@ -262,7 +273,7 @@ impl Drift for Samples<'_> {
     }
 
     fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
-        let points = super::drift::Points { model: self.model, points: self.points.iter().collect() };
+        let points = super::drift::Points { model: self.model, points: self.points.iter().map(|sample| &sample.point).collect() };
         points.furthest_m2(pairs).into_iter().map(|(i, far_m2)| (i, far_m2.sqrt())).collect()
     }
 

@@ -21,6 +21,14 @@ pub(super) type Exceptions = BTreeMap<usize, Keep>;
 /// Of a program in several parts so many points are looked at when time functions are chosen.
 const SAMPLES: usize = 4096;
 
+/// A point by which time functions are chosen.
+#[derive(Clone, Debug)]
+pub(super) struct Sample {
+    pub(super) point: Point,
+    /// It is corrected by joints.
+    pub(super) joint: bool,
+}
+
 /// The motions of a part's program, with what the options take out.
 fn resolved_as_asked(
     program: &Program,
@@ -74,7 +82,7 @@ pub(super) struct Survey<'s, 'a> {
     /// Those that drift most.
     found: BTreeMap<usize, Point>,
     /// Points from all over each part, for the choice of time functions.
-    samples: BTreeMap<usize, Vec<Point>>,
+    samples: BTreeMap<usize, Vec<Sample>>,
     /// Motions that only a function asked at run time can correct.
     run_time: usize,
     pub(super) only: Option<(Vec<Resolved>, Messages)>,
@@ -90,7 +98,7 @@ impl<'s, 'a> Survey<'s, 'a> {
     }
 
     /// Points from all over the program.
-    pub(super) fn samples(&self) -> Vec<Point> {
+    pub(super) fn samples(&self) -> Vec<Sample> {
         self.samples.values().flatten().cloned().collect()
     }
 
@@ -133,9 +141,14 @@ impl<'s, 'a> Survey<'s, 'a> {
                     *points = own_points(part.program, &resolved).map(|(_, points)| points.len()).sum();
                 }
                 if options.form != FormChoice::Schedule {
-                    let all: Vec<&Point> = own_points(part.program, &resolved).flat_map(|(_, points)| points).collect();
+                    let joint = |i: usize| part.program.motions.get(i).is_some_and(|m| m.path == Path::AbsJoint);
+                    let all: Vec<(&Point, bool)> = own_points(part.program, &resolved)
+                        .flat_map(|(i, points)| points.iter().map(move |point| (point, joint(i))))
+                        .collect();
                     let every = all.len().div_ceil(per_part).max(1);
-                    samples.insert(part.number, all.into_iter().step_by(every).cloned().collect());
+                    let some = all.into_iter().step_by(every);
+                    let some = some.map(|(point, joint)| Sample { point: point.clone(), joint });
+                    samples.insert(part.number, some.collect());
                     *run_time += part.program.motions.iter().filter(|m| m.run_time && part.program.is_own(m)).count();
                 }
                 exits.note(part, &resolved);

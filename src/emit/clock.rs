@@ -407,7 +407,7 @@ mod tests {
             let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
             let law = Law::of(&clock, range_c).unwrap();
             let scaled = functions.iter().map(|functions| {
-                Choice::Scale(Scaled { functions, poses: true, joints: true, normalise: true })
+                Choice::Scale(Scaled { functions, poses: true, joints: true, normalise: true, live: None })
             });
             for choice in scaled.chain([Choice::Bucket(&schedule)]) {
                 let core = CoreText { law: &law, growth: two, choice, task_data: true };

@@ -3,24 +3,30 @@
 //! What is kept between the parts is of files, modules and runs, never of motions: it does not grow with them.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::about::about;
 use super::change::{Place, changes, check_plan};
 use super::clock::{Choice, CoreText, Law};
 use super::common::{Beside, Common, core_file};
+use super::live::{Cap, Function, LiveModel, TestTarget};
 use super::module::{self, Context};
 use super::names::Names;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
 use super::restore::restore;
 use super::scale::Scaled;
+use crate::compensate::LiveBasis;
 use crate::compensate::plan::{Form, Plan, Totals};
 use crate::diagnostic::FileId;
+use crate::kinematics::FrameOffsets;
 use crate::program::{Program, task_of};
 use crate::schedule::{Schedule, TimeFunctions};
 use crate::syntax::tree::{DataKind, FileItem, ModuleItem, Scope};
 use crate::syntax::{Edit, apply};
 use crate::units::rad_from_deg;
 
+/// The self-test asks for so many targets.
+const SELF_TESTS: usize = 5;
 /// Beyond this turn a quaternion is normalised again: half its square is what single precision can tell.
 const NORMALISE_DEG: f64 = 0.05;
 
@@ -35,6 +41,8 @@ pub struct Emission<'o> {
     files: BTreeMap<FileId, Beside>,
     /// Every changed module.
     modules: BTreeSet<Place>,
+    /// Targets that the self-test asks for, where that is wanted.
+    tests: Vec<TestTarget>,
 }
 
 /// What any part tells of the whole program.
@@ -43,6 +51,7 @@ struct Base {
     temperature_c: Option<[f64; 2]>,
     taken: BTreeSet<String>,
     functions: Option<TimeFunctions>,
+    live: Option<Arc<LiveBasis>>,
 }
 
 impl Base {
@@ -56,11 +65,28 @@ impl Base {
             temperature_c: plan.temperature_c,
             taken: Names::taken(program),
             functions: plan.functions.clone(),
+            live: plan.live.clone(),
         })
     }
 
     /// The core's text, and names that collide with none in the given files.
-    fn core<'e>(&'e self, schedule: &'e Schedule, totals: &Totals, emission: &Emission<'_>) -> (CoreText<'e>, Names) {
+    ///
+    /// # Errors
+    /// [`EmitError::PlanMismatch`] where a motion asks for a model that RAPID cannot hold.
+    fn core<'e>(
+        &'e self,
+        schedule: &'e Schedule,
+        totals: &Totals,
+        emission: &Emission<'_>,
+    ) -> Result<(CoreText<'e>, Names), EmitError> {
+        let s4c = emission.files.values().any(|file| file.path.to_ascii_lowercase().ends_with(".prg"));
+        let asked = totals.by_form[Form::Live as usize] > 0;
+        let teach = !s4c && emission.options.form.corrects_run_time();
+        let live = match self.live.as_deref().filter(|_| asked || teach).map(live_model) {
+            Some(Ok(live)) => Some((live, emission.tests.clone())),
+            Some(Err(names)) if asked => return Err(EmitError::PlanMismatch(names.join(", "))),
+            Some(Err(_)) | None => None,
+        };
         let ramps = totals.by_form[Form::Ramp as usize] > 0;
         let choice = match &self.functions {
             None => Choice::Bucket(schedule),
@@ -69,22 +95,34 @@ impl Base {
                 poses: ramps && totals.targets[0] > 0,
                 joints: ramps && totals.targets[1] > 0,
                 normalise: totals.max_correction_rad > rad_from_deg(NORMALISE_DEG),
+                live,
             }),
         };
-        let s4c = emission.files.values().any(|file| file.path.to_ascii_lowercase().ends_with(".prg"));
         let text = CoreText { law: &self.law, growth: emission.options.growth, choice, task_data: !s4c };
         let unnamed = Names::default();
         let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
         let names = Names::new(self.taken.clone(), [lines.as_str(), "tcCore"].into_iter());
-        (text, names)
+        Ok((text, names))
     }
+}
+
+/// The deformed model that motions ask at run time.
+fn live_model(basis: &LiveBasis) -> Result<LiveModel, Vec<String>> {
+    let function = |offsets: &FrameOffsets| Function { offsets: *offsets, shape: None };
+    let functions: Vec<Function> = basis.offsets.iter().map(function).collect();
+    let cap = Cap {
+        shift_m: basis.max_correction_m,
+        turn_rad: basis.max_correction_rad,
+        joint_rad: basis.max_joint_change_rad,
+    };
+    LiveModel::new(&basis.robot, &functions, basis.identified.as_deref(), cap)
 }
 
 impl<'o> Emission<'o> {
     /// Nothing is looked at yet.
     #[must_use]
     pub fn new(options: &'o EmitOptions) -> Self {
-        Self { options, base: None, files: BTreeMap::new(), modules: BTreeSet::new() }
+        Self { options, base: None, files: BTreeMap::new(), modules: BTreeSet::new(), tests: Vec::new() }
     }
 
     /// Takes note of what is to be changed in the next part. Of the plan's schedule nothing is taken note of.
@@ -99,6 +137,10 @@ impl<'o> Emission<'o> {
         check_plan(program, plan)?;
         if self.base.is_none() {
             self.base = Some(Base::of(program, plan, self.options)?);
+        }
+        if self.options.self_test {
+            let wanted = SELF_TESTS.saturating_sub(self.tests.len());
+            self.tests.extend(super::live::test_targets(program, plan).take(wanted));
         }
         for place in changes(program, plan)?.into_keys() {
             self.files.entry(place.0).or_insert_with(|| Beside::new(program.file(place.0)));
@@ -131,7 +173,7 @@ impl<'o> Emission<'o> {
             let name = |file: &&Beside| task_of(&file.path).unwrap_or_default().to_owned();
             return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() });
         }
-        let (text, names) = base.core(schedule, totals, self);
+        let (text, names) = base.core(schedule, totals, self)?;
         let mut common = Common { names, core, text, about: Vec::new() };
         common.about = about(&common, self.options, (schedule, base.temperature_c), totals);
         Ok(Some(Ready { emission: self, common }))

@@ -232,8 +232,8 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 record.renamed.insert(name.to_owned(), by.to_owned());
             }
             b"shares" => {
-                let shares = utf8.split(' ').map(|share| share.parse().map_err(|_| broken()));
-                record.shares = shares.collect::<Result<_, _>>()?;
+                // Where lines are lost others may have been added to this one: then nothing is told of shares.
+                record.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
             }
             b"was" => {
                 let (name, was) = utf8.split_once(' ').ok_or_else(broken)?;

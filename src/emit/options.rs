@@ -76,6 +76,8 @@ pub struct EmitOptions {
     pub deformation: Provenance,
     /// The user says that the controller's Absolute Accuracy is on.
     pub absolute_accuracy: bool,
+    /// A routine is added that compares the controller's kinematics with those that the corrections were made for.
+    pub self_test: bool,
 }
 
 /// One file of the emitted program.

@@ -2,6 +2,7 @@
 //! with as much of its correction.
 
 use super::clock::num;
+use super::live::{LiveModel, TestTarget};
 use crate::deform::GrowthLaw;
 use crate::schedule::{Course, TimeFunctions};
 
@@ -29,6 +30,8 @@ pub struct Scaled<'a> {
     pub joints: bool,
     /// Some correction turns so far that the quaternion has to be normalised again.
     pub normalise: bool,
+    /// The deformed model, where motions ask it, and targets to test it by.
+    pub live: Option<(LiveModel, Vec<TestTarget>)>,
 }
 
 impl Course {
@@ -45,6 +48,9 @@ impl Scaled<'_> {
     pub fn data(&self) -> Vec<String> {
         let mut lines: Vec<String> = DATA.lines().map(str::to_owned).collect();
         lines.extend((1..=self.functions.count()).map(|r| format!("  LOCAL VAR num tcF{r}:=0;")));
+        if let Some((live, tests)) = &self.live {
+            lines.extend(live.data(tests));
+        }
         match &self.functions.course {
             Course::Share | Course::ShareSquared => lines.push("  LOCAL VAR num tcWarm:=0;".to_owned()),
             Course::Knots { at_min, values } => {
@@ -121,6 +127,9 @@ impl Scaled<'_> {
                 .replace("@SHIFT@", &shift(&corrections))
                 .replace("@TURN@", &turn(&corrections, self.normalise));
             parts.insert(0, text);
+        }
+        if let Some((live, tests)) = &self.live {
+            parts.insert(0, live.routines(tests).join("\n"));
         }
         parts
     }

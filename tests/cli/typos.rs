@@ -32,10 +32,10 @@ fn a_misspelt_command_or_value_is_answered_with_the_right_one() {
     assert!(output.status.code() == Some(2) && err(&output).contains("elapsed, "), "{}", err(&output));
 }
 
-/// A form of the contract that this version does not have is refused, not ignored.
+/// A form that is no more is refused, not ignored.
 #[test]
-fn what_is_not_there_yet_is_refused() {
-    let output = driftpost(&["compensate", CUBE, "--form", "live"]);
+fn a_form_that_does_not_exist_is_refused() {
+    let output = driftpost(&["compensate", CUBE, "--form", "modules"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("'live'"), "{}", err(&output));
+    assert!(err(&output).contains("'modules'"), "{}", err(&output));
 }

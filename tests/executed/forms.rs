@@ -24,6 +24,7 @@ fn quarter_minutes(to_min: u32) -> Vec<f64> {
 
 /// Worst distance, mm, and angle, degrees, of the moves that are corrected.
 fn worst(report: &Report) -> (f64, f64) {
+    assert!(report.passes.iter().skip(1).all(|p| p.corrected.max_m > 0.0), "something is corrected in each pass");
     let passes = || report.passes.iter().map(|p| &p.corrected);
     let most = |of: &dyn Fn(&driftpost::simulate::session::Spread) -> f64| passes().map(of).fold(0.0, f64::max);
     (mm_from_m(most(&|s| s.max_m)), deg_from_rad(most(&|s| s.max_rad)))

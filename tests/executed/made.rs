@@ -66,6 +66,7 @@ pub fn made_as(
         robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
         deformation: Provenance { name: "Table 2".into(), sha256: "22".repeat(32) },
         absolute_accuracy: false,
+        self_test: false,
     };
     let mut out = source.clone();
     for emitted in emit(&program, &plan, &options).unwrap() {

@@ -129,6 +129,11 @@ pub struct Args {
     #[arg(long)]
     pub absolute_accuracy: bool,
 
+    /// With --form live or auto: add tcSelfTest, which compares the controller's kinematics with those that the corrections
+    /// were made for and times the calls, before anything moves.
+    #[arg(long)]
+    pub self_test: bool,
+
     /// Refuse the program where a motion would be kept.
     #[arg(long)]
     pub strict: bool,
@@ -280,6 +285,7 @@ impl Args {
             robot: robot.source.clone(),
             deformation: deformation.source.clone(),
             absolute_accuracy: self.absolute_accuracy,
+            self_test: self.self_test,
         }
     }
 

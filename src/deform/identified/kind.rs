@@ -160,6 +160,14 @@ pub(super) const ALL: [Kind; 20] = [
 ];
 
 impl Kind {
+    /// Whether a program that asks at run time can hold it.
+    #[must_use]
+    pub fn is_known_at_run_time(self) -> bool {
+        let beyond =
+            [Self::Backlash, Self::LinkBending, Self::BaseTilt, Self::PayloadMass, Self::GearSpectrum];
+        !beyond.contains(&self)
+    }
+
     /// The effect's name in every file.
     #[must_use]
     pub fn name(self) -> &'static str {

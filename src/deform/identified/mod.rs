@@ -97,6 +97,26 @@ impl Identified {
         (model, said)
     }
 
+    /// What of the model a program that asks at run time cannot hold, each once: it does not know from which side a joint came,
+    /// has no bending of links and no growth beside the table's.
+    #[must_use]
+    pub fn beyond_run_time(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for term in &self.terms {
+            let name = term.kind.name();
+            let why = match (term.shape, term.kind) {
+                (Shape::Temperature { .. }, _) => format!("{name} by temperature"),
+                (Shape::Always, kind) if kind.is_known_at_run_time() => continue,
+                (Shape::Always, _) => name.to_owned(),
+                _ => format!("{name} with a growth of its own"),
+            };
+            if !names.contains(&why) {
+                names.push(why);
+            }
+        }
+        names
+    }
+
     /// Whether any term depends on the time.
     #[must_use]
     pub fn moves_with_time(&self) -> bool {

@@ -18,5 +18,6 @@
       tcState:=[tcA,0,tcState{3},tcState{4},tcDay,tcSec];
     ENDIF
     tcMinute:=tcA+tcRun;
+@GROWN@
     RETURN TRUE;
   ENDFUNC

@@ -6,22 +6,22 @@
 
   FUNC robtarget tcLiveSame(robtarget tcP,PERS tooldata tcTool\PERS wobjdata WObj)
     ! The same at the moment of the last update: second point of an arc
-    VAR robtarget tcAt;
+    VAR robtarget tcGoal;
     VAR jointtarget tcJ;
     IF NOT tcFits(tcTool\WObj?WObj) RETURN tcP;
-    tcAt:=tcP;
+    tcGoal:=tcP;
 twice#    FOR tcN FROM 1 TO 2 DO
 twice#      ! The second time at the joints of the corrected target
-twice#      tcJ:=CalcJointT(tcAt,tcTool\WObj?WObj);
-twice#      tcAt:=tcP;
-twice#      IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
+twice#      tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
+twice#      tcGoal:=tcP;
+twice#      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
 twice#    ENDFOR
 once#    tcJ:=CalcJointT(tcP,tcTool\WObj?WObj);
-once#    IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
-    RETURN tcAt;
+once#    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
+    RETURN tcGoal;
   ERROR
     IF ERRNO=ERR_ROBLIMIT OR ERRNO=ERR_OUTSIDE_REACH THEN
-      tcSay "No joints for a target as it is configured: original target";
+      tcWarn "No joints for a target as it is configured: original target";
       RETURN tcP;
     ENDIF
     RAISE;
@@ -30,7 +30,7 @@ once#    IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
   FUNC jointtarget tcLiveJ(jointtarget tcP,PERS tooldata tcTool\PERS wobjdata WObj)
     ! The joints at which the arm, as warm as it is now, stands where the cold one does at tcP
     VAR robtarget tcWas;
-    VAR robtarget tcAt;
+    VAR robtarget tcGoal;
     VAR jointtarget tcJ;
     tcUpdate;
     IF Abs(tcP.robax.rax_1)>8.9E9 OR Abs(tcP.robax.rax_2)>8.9E9 OR Abs(tcP.robax.rax_3)>8.9E9 RETURN tcP;
@@ -39,24 +39,24 @@ once#    IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
     tcWas:=CalcRobT(tcP,tcTool\WObj?WObj);
     tcJ:=tcP;
 twice#    FOR tcN FROM 1 TO 2 DO
-twice#      tcAt:=tcWas;
-twice#      IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
-twice#      tcJ:=CalcJointT(tcAt,tcTool\WObj?WObj);
+twice#      tcGoal:=tcWas;
+twice#      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
+twice#      tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
 twice#    ENDFOR
-once#    tcAt:=tcWas;
-once#    IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,-1) RETURN tcP;
-once#    tcJ:=CalcJointT(tcAt,tcTool\WObj?WObj);
+once#    tcGoal:=tcWas;
+once#    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
+once#    tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
     IF tcFar(tcJ.robax.rax_1,tcP.robax.rax_1) OR tcFar(tcJ.robax.rax_2,tcP.robax.rax_2)
       OR tcFar(tcJ.robax.rax_3,tcP.robax.rax_3) OR tcFar(tcJ.robax.rax_4,tcP.robax.rax_4)
       OR tcFar(tcJ.robax.rax_5,tcP.robax.rax_5) OR tcFar(tcJ.robax.rax_6,tcP.robax.rax_6) THEN
-      tcSay "A joint would turn too far, near a singularity: original target";
+      tcWarn "A joint would turn too far, near a singularity: original target";
       RETURN tcP;
     ENDIF
     tcP.robax:=tcJ.robax;
     RETURN tcP;
   ERROR
     IF ERRNO=ERR_ROBLIMIT OR ERRNO=ERR_OUTSIDE_REACH THEN
-      tcSay "No joints for a corrected joint target: original target";
+      tcWarn "No joints for a corrected joint target: original target";
       RETURN tcP;
     ENDIF
     RAISE;
@@ -71,12 +71,12 @@ once#    tcJ:=CalcJointT(tcAt,tcTool\WObj?WObj);
     IF NOT tcOn RETURN FALSE;
 fades#    IF @NONE@ RETURN FALSE;
     IF NOT tcTool.robhold THEN
-      tcSay "A stationary tool: original target";
+      tcWarn "A stationary tool: original target";
       RETURN FALSE;
     ENDIF
     IF Present(WObj) THEN
       IF WObj.robhold OR NOT WObj.ufprog THEN
-        tcSay "A work object that moves: original target";
+        tcWarn "A work object that moves: original target";
         RETURN FALSE;
       ENDIF
     ENDIF
@@ -84,8 +84,14 @@ fades#    IF @NONE@ RETURN FALSE;
       OR C_PROGDISP.pdisp.rot.q2<>0 OR C_PROGDISP.pdisp.rot.q3<>0 OR C_PROGDISP.pdisp.rot.q4<>0
       OR C_PROGDISP.eoffs.eax_a<>0 OR C_PROGDISP.eoffs.eax_b<>0 OR C_PROGDISP.eoffs.eax_c<>0
       OR C_PROGDISP.eoffs.eax_d<>0 OR C_PROGDISP.eoffs.eax_e<>0 OR C_PROGDISP.eoffs.eax_f<>0 THEN
-      tcSay "A program displacement or axis offset is on: original target";
+      tcWarn "A program displacement or axis offset is on: original target";
       RETURN FALSE;
     ENDIF
     RETURN TRUE;
   ENDFUNC
+
+  LOCAL PROC tcWarn(string tcText)
+    ! Once after each start of the program
+    IF tcText<>tcWarned TPWrite tcText;
+    tcWarned:=tcText;
+  ENDPROC

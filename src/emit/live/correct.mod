@@ -16,7 +16,7 @@
     tcA:=tcBy.trans.x*tcBy.trans.x+tcBy.trans.y*tcBy.trans.y+tcBy.trans.z*tcBy.trans.z;
     tcB:=tcTurn.trans.x*tcTurn.trans.x+tcTurn.trans.y*tcTurn.trans.y+tcTurn.trans.z*tcTurn.trans.z;
     IF tcA>@CAP_MM2@ OR tcB>@CAP_RAD2@ THEN
-      tcSay "A correction of more than @CAP_MM@ mm or @CAP_DEG@ deg: original target";
+      tcWarn "A correction of more than @CAP_MM@ mm or @CAP_DEG@ deg: original target";
       RETURN FALSE;
     ENDIF
     ! As a quaternion of length 1; half the turn is its vector
@@ -24,10 +24,10 @@
     tcBy.rot.q3:=tcTurn.trans.y/2;
     tcBy.rot.q4:=tcTurn.trans.z/2;
     tcBy.rot.q1:=Sqrt(1-tcB/4);
-    tcTo.trans:=tcAt.trans;
-    tcTo.rot:=tcAt.rot;
+    tcTo.trans:=tcGoal.trans;
+    tcTo.rot:=tcGoal.rot;
     tcTo:=PoseMult(tcTo,tcBy);
-    tcAt.trans:=tcTo.trans;
-    tcAt.rot:=tcTo.rot;
+    tcGoal.trans:=tcTo.trans;
+    tcGoal.rot:=tcTo.rot;
     RETURN TRUE;
   ENDFUNC

@@ -174,6 +174,7 @@ impl LiveModel {
             }
             Kind::InstrumentScale => {}
             Kind::Backlash | Kind::LinkBending | Kind::BaseTilt | Kind::PayloadMass | Kind::GearSpectrum => {
+                debug_assert!(!term.kind.is_known_at_run_time());
                 return Err(name());
             }
         }

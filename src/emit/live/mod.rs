@@ -5,8 +5,8 @@
 //! link adds turn times lever. So every number on the way is as small as the deformation, and single precision is enough:
 //! what is left is of second order, drift times drift, and the rounding of the target itself.
 //!
-//! The text relies on `tcUpdate` (which brings `tcOn` and the functions of time `tcF1`, `tcF2` ... up to date) and on
-//! `tcSay` (which shows a line once); both are the clock's. The RAPID that does not depend on the robot stands in
+//! The text relies on the clock's `tcUpdate`, which brings `tcOn` and the functions of time `tcF1`, `tcF2` ... up to date.
+//! What it cannot correct it says once (`tcWarn`). The RAPID that does not depend on the robot stands in
 //! `live/*.mod`, with `@NAME@` where a number goes.
 
 mod deformation;
@@ -19,7 +19,7 @@ mod twin;
 mod twist;
 
 pub use deformation::{Cap, Function, LiveModel};
-pub use self_test::TestTarget;
+pub use self_test::{TestTarget, test_targets};
 pub use twin::Correction;
 
 use crate::units::deg_from_rad;
@@ -32,16 +32,18 @@ const CALLS: &str = include_str!("calls.mod");
 const TEACH: &str = include_str!("teach.mod");
 
 impl LiveModel {
-    /// The data that the routines need, one declaration a line: those of the self-test. The offsets stand in the routines.
+    /// The data that the routines need, one declaration a line. The offsets stand in the routines.
     #[must_use]
     pub fn data(&self, tests: &[TestTarget]) -> Vec<String> {
-        self_test::data(tests)
+        let mut lines = vec!["  LOCAL VAR string tcWarned:=\"\";".to_owned()];
+        lines.extend(self_test::data(tests));
+        lines
     }
 
     /// The routines, line by line, indented by two blanks a level, an empty line between two: `tcLive`, `tcLiveSame`, `tcLiveJ`,
     /// `tcTeach`, what they share and, where there are targets to test, `tcSelfTest`.
     ///
-    /// Calls `tcUpdate;` and `tcSay "text";`, reads `tcOn` and `tcF1` to `tcFR`.
+    /// Calls `tcUpdate;`, reads `tcOn` and `tcF1` to `tcFR`.
     #[must_use]
     pub fn routines(&self, tests: &[TestTarget]) -> Vec<String> {
         let mut lines = self.filled(CALLS);

@@ -1,12 +1,12 @@
   PROC tcTeach(INOUT robtarget tcP,PERS tooldata tcTool\PERS wobjdata WObj)
     ! Where the arm stands now, as the target that tcLive brings it back to, cold or warm
-    VAR robtarget tcAt;
+    VAR robtarget tcGoal;
     VAR jointtarget tcJ;
     tcUpdate;
-    tcAt:=CRobT(\Tool:=tcTool\WObj?WObj);
+    tcGoal:=CRobT(\Tool:=tcTool\WObj?WObj);
     IF tcFits(tcTool\WObj?WObj) THEN
       tcJ:=CJointT();
-      IF NOT tcCorrect(tcAt,tcJ.robax,tcTool,1) TPWrite "It is stored as it stands";
+      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,1) TPWrite "It is stored as it stands";
     ENDIF
-    tcP:=tcAt;
+    tcP:=tcGoal;
   ENDPROC

@@ -7,7 +7,7 @@ use super::text::{Body, Summand, Triple, num};
 use crate::units::{deg_from_rad, mm_from_m};
 use std::collections::BTreeSet;
 
-const BEFORE: &str = "  LOCAL FUNC bool tcCorrect(INOUT robtarget tcAt,robjoint tcQ,PERS tooldata tcTool,num tcSign)
+const BEFORE: &str = "  LOCAL FUNC bool tcCorrect(INOUT robtarget tcGoal,robjoint tcQ,PERS tooldata tcTool,num tcSign)
     ! Moves a target by tcSign times what the deformed arm is off at these joints; FALSE over the cap.
     ! tcDx, tcDy, tcDz are its shift in mm, tcRx, tcRy, tcRz its turn in radians, in the axes of one frame after the other
     VAR pose tcTo:=[[0,0,0],[1,0,0,0]];
@@ -15,7 +15,7 @@ const BEFORE: &str = "  LOCAL FUNC bool tcCorrect(INOUT robtarget tcAt,robjoint 
     VAR pose tcTurn:=[[0,0,0],[1,0,0,0]];";
 const AFTER: &str = include_str!("correct.mod");
 /// Names in it that are not the routine's own numbers.
-const OTHERS: [&str; 7] = ["tcAt", "tcQ", "tcTool", "tcSign", "tcTo", "tcBy", "tcTurn"];
+const OTHERS: [&str; 7] = ["tcGoal", "tcQ", "tcTool", "tcSign", "tcTo", "tcBy", "tcTurn"];
 
 /// The routine.
 pub(super) fn routine(model: &LiveModel) -> Vec<String> {
@@ -55,7 +55,7 @@ fn own_numbers(work: &[String]) -> BTreeSet<String> {
         .flat_map(|line| line.split('"').step_by(2))
         .flat_map(|code| code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
     words
-        .filter(|word| word.starts_with("tc") && !OTHERS.contains(word) && *word != "tcSay")
+        .filter(|word| word.starts_with("tc") && !OTHERS.contains(word) && *word != "tcWarn")
         .filter(|word| word.strip_prefix("tcF").is_none_or(|n| n.parse::<u32>().is_err()))
         .map(str::to_owned)
         .collect()
