@@ -12,8 +12,11 @@ use std::f64::consts::FRAC_PI_2;
 const FASTEST_M_S: f64 = 1.0;
 const FASTEST_RAD_S: f64 = 3.0;
 /// Where the speed is not known, m/s and rad/s.
-const UNKNOWN_M_S: f64 = 0.01;
-const UNKNOWN_RAD_S: f64 = 0.1;
+const UNKNOWN_M_S: f64 = 0.1;
+const UNKNOWN_RAD_S: f64 = 0.5;
+/// Where the way is not known, metres and radians: one as long as many are.
+const UNKNOWN_WAY_M: f64 = 0.3;
+const UNKNOWN_WAY_RAD: f64 = 0.5;
 /// For getting up to speed and down again, as a factor, and per move in seconds (passing, stopping).
 const SLOWER: f64 = 1.5;
 const PASSING_S: f64 = 0.02;
@@ -62,8 +65,7 @@ pub(super) fn too_long(
             let passes: f64 = passes
                 .map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64))
                 .product();
-            // What is known: of a way that is not, nothing is said.
-            let own_s = time_s(resolved, motion, i).map_or(0.0, |time_s| time_s * passes);
+            let own_s = time_s(resolved, motion, i) * passes;
             if since_s <= gap_s && since_s + own_s > gap_s && program.is_own(motion) {
                 found.push(begun);
             }
@@ -78,15 +80,15 @@ pub(super) fn too_long(
 /// Motions that are looked back over at one go.
 const LONGEST_WAY: usize = 10_000;
 
-/// How long a motion takes, seconds, estimated upward; `None` where its way is not known.
-fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> Option<f64> {
-    let points = |i: usize| resolved.get(i).and_then(|resolved| resolved.points.as_ref().ok());
-    let from = motion.previous.and_then(|p| resolved.get(p)).and_then(Resolved::end)?;
-    let to = match points(i) {
-        Some(points) => points.as_slice(),
-        None => std::slice::from_ref(resolved.get(i)?.end()?),
-    };
-    let (way_m, turn_rad) = way(from, to);
+/// How long a motion takes, seconds.
+fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> f64 {
+    let from = motion.previous.and_then(|p| resolved.get(p)).and_then(Resolved::end);
+    let to = resolved.get(i).and_then(|resolved| match &resolved.points {
+        Ok(points) => Some(points.as_slice()),
+        Err(_) => resolved.end().map(std::slice::from_ref),
+    });
+    let (way_m, turn_rad) =
+        from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
     let (v, w) = match motion.speed {
         Some(speed) => {
             (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
@@ -96,7 +98,7 @@ fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> Option<f64> {
     let stops =
         motion.zone.is_none_or(|zone| zone.finep) || matches!(motion.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };
-    Some(SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s)
+    SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s
 }
 
 /// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.

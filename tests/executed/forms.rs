@@ -4,7 +4,8 @@ use crate::made::{Files, fixture, made_as, session, warmth};
 use driftpost::compensate::FormChoice;
 use driftpost::deform::{Deformation, GrowthLaw};
 use driftpost::emit::{Clock, restore};
-use driftpost::simulate::Report;
+use driftpost::robot::Robot;
+use driftpost::simulate::{Controller, Report};
 use driftpost::units::{deg_from_rad, mm_from_m};
 
 fn ramp(name: &str, deformation: &Deformation, clock: &Clock) -> (Files, Files) {
@@ -47,15 +48,59 @@ fn cube45_stands_on_its_targets_at_every_quarter_minute() {
 
 #[test]
 fn from_one_second_to_the_next_the_target_moves_by_what_the_arm_drifts() {
-    let paper = Deformation::paper();
-    let files = ramp("robodk/irc5/Cube45.mod", &paper, &warmth());
-    let mut s = session(&files.0, &files.1, &paper, false);
-    // Around the fastest growth, at one time constant, a second apart.
-    let minutes: Vec<f64> = (0..120).map(|k| 45.0 + f64::from(k) / 60.0).collect();
-    s.at_minutes(&minutes).unwrap();
-    let steps: Vec<f64> = s.report().passes.windows(2).map(|p| (p[1].before.max_m - p[0].before.max_m).abs()).collect();
-    assert!(steps.iter().all(|step| mm_from_m(*step) <= 2e-4), "{steps:?}");
-    assert!(s.report().passes.iter().all(|p| mm_from_m(p.after.max_m) <= 2e-4));
+    let (program, _) = ramp("robodk/irc5/Cube45.mod", &Deformation::paper(), &warmth());
+    let asks = "MODULE Asks\n  VAR robtarget tgt;\n  PROC ask()\n    tgt:=tcAt([[1,2,3],[1,0,0,0],[0,0,0,0],\
+                [9E9,9E9,9E9,9E9,9E9,9E9]],[[0.193,0,0],[1,0,0,0]]);\n  ENDPROC\nENDMODULE\n";
+    let mut c = Controller::new();
+    c.load(&program[0].0, &program[0].1).unwrap();
+    c.load("asks.mod", asks.as_bytes()).unwrap();
+    c.call("tcColdStart", 1).unwrap();
+    let mut last = 1.0;
+    let mut most = 0.0_f64;
+    for _ in 0..4 * 3600 {
+        c.calendar_mut().advance_s(1.0);
+        assert!(c.call("ask", 1).unwrap().is_good());
+        let now = c.value("tgt").unwrap().numbers()[0];
+        most = most.max((now - last).abs());
+        last = now;
+    }
+    // The law's steepest is 0.193 mm / 46 min / e a minute, 0.0000257 mm a second.
+    assert!(most <= 2e-4 && most > 2e-5, "{most}");
+    // Four hours are 0.9669 of the drift: 1 - (1 + 240/46) e^(-240/46).
+    let s = 240.0_f64 / 46.0;
+    let share = 1.0 - (1.0 + s) * (-s).exp();
+    assert!((last - 1.0 - 0.193 * share).abs() < 2e-6, "{last}");
+}
+
+#[test]
+fn asking_again_costs_little_and_an_update_not_much() {
+    for form in [FormChoice::Schedule, FormChoice::Ramp, FormChoice::Live] {
+        for clock in [warmth(), Clock::Elapsed] {
+            let original = fixture("robodk/irc5/Cube45.mod");
+            let (program, _) = made_as(form, &original, &Deformation::paper(), &clock).unwrap();
+            let mut c = Controller::with_robot(&Robot::built_in("irb140").unwrap()).unwrap();
+            c.load(&program[0].0, &program[0].1).unwrap();
+            c.call("tcColdStart", 1).unwrap();
+            // After a night, so that what cooled is worked out as well.
+            c.calendar_mut().advance_min(900.0);
+            c.call("Cube45", 1).unwrap();
+            c.calendar_mut().advance_min(30.0);
+            c.take_efforts();
+            c.call("Cube45", 1).unwrap();
+            for (name, efforts) in c.take_efforts() {
+                let update = efforts.most.statements - efforts.fewest.statements;
+                assert!(update <= 200, "{form:?} {name}: {efforts:?}");
+                match name.as_str() {
+                    // The update apart: eight statements to know that nothing is to be done and to give the target.
+                    "tcK" | "tcAt" => assert!(efforts.fewest.statements <= 8, "{form:?} {name}: {efforts:?}"),
+                    "tcLive" => {
+                        assert!(efforts.most.arithmetic <= 700 && efforts.most.trigonometric <= 12, "{efforts:?}");
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
 }
 
 #[test]
@@ -73,7 +118,7 @@ fn three_times_the_table_is_met_by_a_second_correction() {
         vec![driftpost::syntax::SourceFile::read(driftpost::diagnostic::FileId(0), "c.mod", original[0].1.clone())],
         &driftpost::program::Overrides::default(),
     );
-    let robot = driftpost::robot::Robot::built_in("irb140").unwrap();
+    let robot = Robot::built_in("irb140").unwrap();
     let plan = driftpost::compensate::plan(&program, &robot, &three, &options).unwrap();
     assert!(plan.summary.worst_after_m <= 0.6e-6, "{:?}", plan.summary);
 }

@@ -51,13 +51,24 @@ pub fn made_as(
     deformation: &Deformation,
     clock: &Clock,
 ) -> Option<(Files, usize)> {
+    made_within(form, source, deformation, clock, Options::default().max_correction_m)
+}
+
+/// The same with another limit of a correction, metres.
+pub fn made_within(
+    form: FormChoice,
+    source: &Files,
+    deformation: &Deformation,
+    clock: &Clock,
+    max_correction_m: f64,
+) -> Option<(Files, usize)> {
     let files = source
         .iter()
         .enumerate()
         .map(|(i, (path, bytes))| SourceFile::read(FileId(i as u32), path.clone(), bytes.clone()));
     let program = Program::read(files.collect(), &Overrides::default());
     let robot = Robot::built_in("irb140").unwrap();
-    let plan = compensate::plan(&program, &robot, deformation, &Options { form, ..Options::default() }).ok()?;
+    let plan = compensate::plan(&program, &robot, deformation, &Options { form, max_correction_m, ..Options::default() }).ok()?;
     let options = EmitOptions {
         form,
         clock: clock.clone(),

@@ -4,6 +4,7 @@
 
 mod every_program;
 mod forms;
+mod live;
 mod made;
 mod mutations;
 mod scenarios;

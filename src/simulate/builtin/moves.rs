@@ -199,12 +199,25 @@ impl Controller {
             arm.record(done, tool, wobj);
             self.steps_left = self.steps_left.saturating_sub(STEPS_OF_A_MOVE);
         }
+        if name.starts_with("search") {
+            self.store_found(args)?;
+        }
         if let Some(moves) = &mut self.moves_to_stop {
             *moves = moves.saturating_sub(1);
         }
         let Some(procedure) = form.procedure else { return Ok(None) };
         let procedure = self.eval_as(args.at(procedure)?, &Type::Str)?;
         Ok(procedure.string().map(str::to_owned))
+    }
+
+    /// Where a search stops: nothing is found here before its end.
+    fn store_found(&mut self, args: &Args<'_>) -> Result<(), Fault> {
+        let Some(arm) = &self.arm else { return Ok(()) };
+        let found = arm.robtarget_of(&arm.present_joints(), &arm.last_setup(), &self.types.robtarget)?;
+        match self.place(args.at(1)?)? {
+            Some((place, _)) => self.write(&place, found),
+            None => fatal("a search wants a variable for the point that it finds"),
+        }
     }
 
     /// A target as it stands in the program: its name, that of the first argument of a function, or nothing where it
