@@ -92,7 +92,10 @@ impl Judge<'_> {
     pub fn miss(&self, truth: &DeformedArm, meant: &Move, done: &Move) -> Option<Miss> {
         let end = self.point(truth, meant, &meant.q_rad?, done, &done.q_rad?);
         Some(match (meant.via_q_rad, done.via_q_rad) {
-            (Some(a), Some(b)) => end.worse(self.point(truth, meant, &a, done, &b)),
+            // The tool turns evenly from start to end: how it is turned at the circle point nobody asks for.
+            (Some(a), Some(b)) => {
+                end.worse(Miss { angle_rad: 0.0, ..self.point(truth, meant, &a, done, &b) })
+            }
             _ => end,
         })
     }
