@@ -117,7 +117,10 @@ fn planned_row(program: &Program, index: usize, motion: &Motion, planned: &Plann
         Status::Refused(why) => ("refused", Some(&**why)),
     };
     let correction = [mm(planned.max_correction_m), rounded(deg_from_rad(planned.max_correction_rad))];
-    motion_row(program, index, motion, (status, why), correction, planned.mid_path_m.map(mm))
+    let form = (planned.status == Status::Compensated).then(|| planned.form.name());
+    let mut row = motion_row(program, index, motion, (status, why), correction, planned.mid_path_m.map(mm));
+    row["form"] = json!(form);
+    row
 }
 
 /// A row of `motions`; `correction` in mm and deg.
@@ -137,6 +140,7 @@ fn motion_row(
         "kind": motion.kind,
         "target": target_name(motion),
         "status": status,
+        "form": null,
         "reason": why.map(|w| &w.reason),
         "code": why.map(|w| w.code),
         "max_correction_mm": correction_mm,

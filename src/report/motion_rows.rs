@@ -3,7 +3,7 @@
 //! Of a large program few are shown, and no more are held than may be.
 
 use super::{Align, Table};
-use crate::compensate::plan::{Plan, PlannedMotion, Status};
+use crate::compensate::plan::{Form, Plan, PlannedMotion, Status};
 use crate::program::Program;
 use crate::program::motion::{Motion, Origin};
 use crate::units::{deg_from_rad, mm_from_m};
@@ -122,6 +122,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
         worst(0),
         worst(1),
         match &planned.status {
+            Status::Compensated if planned.form == Form::Live => "live".to_owned(),
             Status::Compensated => String::new(),
             Status::Kept(why) => format!("kept: {}", why.code),
             Status::Refused(why) => format!("refused: {}", why.code),
@@ -144,7 +145,7 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compensate::plan::{Corrected, Corrector, Form, Summary};
+    use crate::compensate::plan::{Corrected, Corrector, Summary};
     use crate::diagnostic::{FileId, TextRange};
     use crate::program::Overrides;
     use crate::schedule::Schedule;

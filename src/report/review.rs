@@ -3,15 +3,17 @@
 use super::motion_rows::{MotionRows, mm};
 use super::{Align, Table, rounded};
 use crate::compensate::plan::{Summary, Totals};
-use crate::schedule::Schedule;
+use crate::schedule::{Course, Schedule, TimeFunctions};
 use crate::units::mm_from_m;
 use std::io::{self, Write};
 
 /// What is reviewed.
 #[derive(Clone, Copy, Debug)]
 pub struct Review<'a> {
-    /// When which bucket is in use.
+    /// When which bucket is in use; without buckets where `functions` are.
     pub schedule: &'a Schedule,
+    /// What scales the corrections of the forms `ramp` and `live`.
+    pub functions: Option<&'a TimeFunctions>,
     /// For a deformation by temperature its range, degrees Celsius, as in [`Plan`](crate::compensate::plan::Plan).
     pub temperature_c: Option<[f64; 2]>,
     /// Figures over the whole program.
@@ -45,20 +47,34 @@ fn write_provenance(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> 
 
 fn write_summary(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     let (s, totals) = (review.summary, review.totals);
+    let held = match review.functions {
+        None => format!("{} buckets", review.schedule.buckets.len()),
+        Some(_) => {
+            let [_, ramp, live] = totals.by_form;
+            format!("{ramp} by their scaled correction, {live} by the model at run time")
+        }
+    };
     writeln!(
         out,
-        "{} motions: {} compensated, {} kept, {} refused; {} buckets",
-        totals.motions,
-        totals.compensated,
-        totals.kept,
-        totals.refused,
-        review.schedule.buckets.len()
+        "{} motions: {} compensated, {} kept, {} refused; {held}",
+        totals.motions, totals.compensated, totals.kept, totals.refused,
     )?;
-    writeln!(out, "worst TCP error of the compensated motions over all minutes:")?;
+    let known = if totals.by_form[2] > 0 { " whose targets are known" } else { "" };
+    writeln!(out, "worst TCP error of the compensated motions{known} over all minutes:")?;
     writeln!(out, "  {:>9} mm before", mm(s.worst_before_m))?;
-    writeln!(out, "  {:>9} mm after", mm(s.worst_after_m))?;
-    writeln!(out, "  {:>9} mm with one work-object shift per bucket instead", mm(s.rigid_shift_worst_m))?;
-    writeln!(out, "largest step of the TCP from one bucket to the next: {} mm", mm(s.worst_switch_jump_m))?;
+    match review.functions {
+        None => {
+            writeln!(out, "  {:>9} mm after", mm(s.worst_after_m))?;
+            writeln!(out, "  {:>9} mm with one work-object shift per bucket instead", mm(s.rigid_shift_worst_m))?;
+            writeln!(out, "largest step of the TCP from one bucket to the next: {} mm", mm(s.worst_switch_jump_m))?;
+        }
+        Some(functions) => {
+            let after_mm = mm_from_m(s.worst_after_m);
+            writeln!(out, "  {after_mm:>9.6} mm after, without the controller's rounding")?;
+            writeln!(out, "  {:>9} mm with one scaled work-object shift instead", mm(s.rigid_shift_worst_m))?;
+            writeln!(out, "corrections are scaled by {}", scale(functions))?;
+        }
+    }
     let others: Vec<String> = s
         .other_tolerances
         .iter()
@@ -70,7 +86,22 @@ fn write_summary(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     writeln!(out)
 }
 
+/// What corrections are scaled by.
+fn scale(functions: &TimeFunctions) -> String {
+    match (&functions.course, functions.count()) {
+        (Course::Share, _) => "the share of the drift that has come".to_owned(),
+        (Course::ShareSquared, _) => "the share of the drift that has come and its square".to_owned(),
+        (Course::Knots { at_min, .. }, 1) => format!("one function of time, straight between {} knots", at_min.len()),
+        (Course::Knots { at_min, .. }, n) => {
+            format!("{n} functions of time, straight between {} knots", at_min.len())
+        }
+    }
+}
+
 fn write_buckets(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
+    if review.schedule.buckets.is_empty() {
+        return Ok(());
+    }
     let by_temperature = review.temperature_c.is_some();
     let zero = review.temperature_c.map_or(0.0, |[low_c, _]| low_c);
     let mut table = Table::new(&[

@@ -178,6 +178,7 @@ impl Made<'_> {
     pub fn write_review(&self, out: &mut dyn Write) -> io::Result<()> {
         let review = Review {
             schedule: self.planner.schedule(),
+            functions: self.planner.functions(),
             temperature_c: self.planner.temperature_c(),
             summary: &self.summary,
             totals: &self.totals,
