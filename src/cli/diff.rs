@@ -58,7 +58,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     else {
         return Ok(Outcome::Refused);
     };
-    let comparison = compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+    let comparison =
+        compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
     let elsewhere = differences(&before, &after);
     let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
     let pretty = || -> anyhow::Result<Vec<u8>> {

@@ -49,7 +49,10 @@ impl Corrector for WarmArms {
         let arm = self.at.get(bucket)?;
         let placement = Placement::of(motion).ok()?;
         let values = motion.targets.iter().flat_map(|target| target.values());
-        values.zip(&planned.targets).map(|(value, planned)| self.target(&placement, value, planned, arm)).collect()
+        values
+            .zip(&planned.targets)
+            .map(|(value, planned)| self.target(&placement, value, planned, arm))
+            .collect()
     }
 }
 

@@ -49,7 +49,10 @@ impl LiveBasis {
         let names = self.identified.as_ref().map(|model| model.beyond_run_time()).unwrap_or_default();
         (!names.is_empty()).then(|| {
             let names = names.join(", ");
-            keep("keep::live-model", format!("a program that asks at run time cannot hold of the model: {names}"))
+            keep(
+                "keep::live-model",
+                format!("a program that asks at run time cannot hold of the model: {names}"),
+            )
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Messages, each said once per routine however often it applies.
 
 use super::Options;
-use super::plan::{PlannedMotion, Status, Summary};
+use super::plan::{Form, PlannedMotion, Status, Summary};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::program::Program;
 use crate::program::motion::{Keep, Motion, Origin, Path};
@@ -103,7 +103,24 @@ impl Messages {
         self.add(None, Diagnostic::warning("schedule::over-tolerance", message).help(help));
     }
 
-    /// Motions between which no tick can stand for longer than the clock's gap.
+    /// Points that searches have found and that are corrected as other targets are.
+    pub(super) fn add_search_results(&mut self, program: &Program, planned: &[PlannedMotion]) {
+        let live =
+            |planned: &PlannedMotion| planned.status == Status::Compensated && planned.form == Form::Live;
+        for (motion, _) in program.motions.iter().zip(planned).filter(|(m, p)| m.from_search && live(p)) {
+            let message = format!(
+                "line {}: this target is what a search has found, and is corrected as a point of the cold model is",
+                motion.line
+            );
+            let help = "the warm arm found it with its drift: leave the motion as it is where it must meet what was found";
+            self.add(
+                Some(motion.routine),
+                Diagnostic::warning("live::search-result", message).at(place(motion)).help(help),
+            );
+        }
+    }
+
+    /// Ways on which the arm moves for longer than the clock's gap without asking.
     pub(super) fn add_long_gaps(&mut self, program: &Program, too_long: &[usize]) {
         for motion in too_long.iter().filter_map(|&i| program.motions.get(i)) {
             let message = format!(
@@ -111,7 +128,8 @@ impl Messages {
                  pause",
                 motion.line
             );
-            let help = "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
+            let help =
+                "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
             self.add(
                 Some(motion.routine),
                 Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),

@@ -27,8 +27,8 @@ pub mod tabulate;
 pub mod targets;
 mod track;
 
-pub use minutes::MinuteJoints;
 pub use live::LiveBasis;
+pub use minutes::MinuteJoints;
 pub use options::{FormChoice, Options};
 pub use planner::Planner;
 

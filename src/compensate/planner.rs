@@ -9,8 +9,8 @@ use super::correct::{Made, Moments, compensated, correct, kept};
 use super::corrector::WarmArms;
 use super::exits::Exits;
 use super::figures::{self, Tally};
-use super::messages::Messages;
 use super::live::{self, LiveBasis};
+use super::messages::Messages;
 use super::model::Model;
 use super::nominal::Resolved;
 use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary};
@@ -211,18 +211,15 @@ impl<'a> Planner<'a> {
 
     /// In the form `live` known targets that cannot take it take `ramp`.
     fn take_live(&self, program: &Program, resolved: &[Resolved], motions: &mut [PlannedMotion]) {
-        let Some(live) = self.live.as_deref().filter(|_| self.options.form == FormChoice::Live) else { return };
+        let Some(live) = self.live.as_deref().filter(|_| self.options.form == FormChoice::Live) else {
+            return;
+        };
         for ((motion, resolved), planned) in program.motions.iter().zip(resolved).zip(motions) {
             live::settle_form(program, (motion, resolved), live, &self.model, planned);
         }
     }
 
-    fn plan_of(
-        &self,
-        motions: Vec<PlannedMotion>,
-        summary: Summary,
-        diagnostics: Vec<Diagnostic>,
-    ) -> Plan {
+    fn plan_of(&self, motions: Vec<PlannedMotion>, summary: Summary, diagnostics: Vec<Diagnostic>) -> Plan {
         Plan {
             schedule: self.chosen.schedule.clone(),
             temperature_c: self.temperature_c,
@@ -310,6 +307,7 @@ impl<'a> Planner<'a> {
         });
         messages.add_statuses(program, &motions);
         messages.add_paths(program, &motions, options);
+        messages.add_search_results(program, &motions);
         messages.add_long_gaps(program, &silence::too_long(program, &resolved, &motions, options.gap_min));
         self.corrected_any |= corrected_any;
         self.nothing = nothing;

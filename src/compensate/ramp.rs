@@ -12,11 +12,9 @@ use super::survey::Sample;
 use super::{CompensateError, Options};
 use crate::deform::{Conditions, DeformedArm, GrowthLaw};
 use crate::kinematics::solve;
-use crate::schedule::{
-    Drift, Moment, TimeFunctions, Timeline, Until, timeline,
-};
-use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
 use crate::units::rad_from_deg;
+use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -48,7 +46,11 @@ struct Check {
 
 impl Ramp {
     /// The fewest functions that hold a tenth of the tolerance at `samples`.
-    pub(super) fn choose(model: &Model, mut samples: Vec<Sample>, options: &Options) -> Result<Self, CompensateError> {
+    pub(super) fn choose(
+        model: &Model,
+        mut samples: Vec<Sample>,
+        options: &Options,
+    ) -> Result<Self, CompensateError> {
         options.request().check()?;
         if samples.is_empty() || options.form.corrects_run_time() {
             samples.extend(anywhere(model));
@@ -89,19 +91,28 @@ impl Ramp {
                 all.into_iter().step_by(every).map(Moment::Minute).chain([Moment::Settled]).collect()
             }
         };
-        let check = |moment: Moment| Check { values: values(model, &functions, moment), arm: model.arm(moment) };
+        let check =
+            |moment: Moment| Check { values: values(model, &functions, moment), arm: model.arm(moment) };
         let checks = moments.into_iter().map(check).collect();
         Self { functions, nodes, until_min, checks }
     }
 
     /// The corrections of a point whose joints at the nodes are these.
-    pub(super) fn corrections(&self, point: &Point, joint: bool, nodes_q_rad: &[[f64; 6]], model: &Model) -> Vec<Correction> {
+    pub(super) fn corrections(
+        &self,
+        point: &Point,
+        joint: bool,
+        nodes_q_rad: &[[f64; 6]],
+        model: &Model,
+    ) -> Vec<Correction> {
         let meant = point.object_from_tcp();
         nodes_q_rad
             .iter()
             .map(|q_rad| {
                 if joint {
-                    return Correction::Joints { turn_rad: std::array::from_fn(|i| q_rad[i] - point.q_rad[i]) };
+                    return Correction::Joints {
+                        turn_rad: std::array::from_fn(|i| q_rad[i] - point.q_rad[i]),
+                    };
                 }
                 let told = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
                 let turn = told.rotation * meant.rotation.inverse();
@@ -150,10 +161,8 @@ impl Ramp {
 /// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.
 fn anywhere(model: &Model) -> Vec<Sample> {
     let tool = Isometry3::translation(0.0, 0.0, 0.1);
-    let placement = Arc::new(Placement::ToolOnFlange {
-        base_from_object: Isometry3::identity(),
-        flange_from_tcp: tool,
-    });
+    let placement =
+        Arc::new(Placement::ToolOnFlange { base_from_object: Isometry3::identity(), flange_from_tcp: tool });
     let poses_deg = [
         [0.0, 0.0, 0.0, 0.0, 30.0, 0.0],
         [60.0, 30.0, -30.0, 40.0, 60.0, 90.0],
@@ -198,10 +207,8 @@ fn commanded_q_rad(
         return Some(q_rad);
     }
     let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
-    let told = Isometry3::from_parts(
-        Translation3::from(meant.translation.vector + shift_m),
-        turn * meant.rotation,
-    );
+    let told =
+        Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
     let base_from_flange = point.placement.base_from_flange(&told);
     solve(&model.nominal, &base_from_flange, &point.q_rad).ok().map(|solved| solved.q_rad)
 }
@@ -233,8 +240,7 @@ fn of_courses(model: &Model, samples: &[Sample], found: &Timeline, tolerance_m: 
         };
         arms.iter().map(course).collect()
     };
-    let courses: Vec<Vec<[f64; 6]>> =
-        samples.par_iter().step_by(every).filter_map(rows_of).collect();
+    let courses: Vec<Vec<[f64; 6]>> = samples.par_iter().step_by(every).filter_map(rows_of).collect();
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for course in &courses {
         rows.extend((0..6).map(|k| course.iter().map(|at| at[k]).collect::<Vec<f64>>()));
@@ -273,7 +279,10 @@ impl Drift for Samples<'_> {
     }
 
     fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
-        let points = super::drift::Points { model: self.model, points: self.points.iter().map(|sample| &sample.point).collect() };
+        let points = super::drift::Points {
+            model: self.model,
+            points: self.points.iter().map(|sample| &sample.point).collect(),
+        };
         points.furthest_m2(pairs).into_iter().map(|(i, far_m2)| (i, far_m2.sqrt())).collect()
     }
 

@@ -62,9 +62,8 @@ pub(super) fn too_long(
             let before = motion.previous.filter(|&p| p < silent.len() && !asks(p)).and_then(|p| silent[p]);
             let (since_s, begun) = before.unwrap_or((0.0, i));
             let passes = motion.loops.iter().filter(|&&l| !loop_asks[l]);
-            let passes: f64 = passes
-                .map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64))
-                .product();
+            let passes: f64 =
+                passes.map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64)).product();
             let own_s = time_s(resolved, motion, i) * passes;
             if since_s <= gap_s && since_s + own_s > gap_s && program.is_own(motion) {
                 found.push(begun);
@@ -87,8 +86,7 @@ fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> f64 {
         Ok(points) => Some(points.as_slice()),
         Err(_) => resolved.end().map(std::slice::from_ref),
     });
-    let (way_m, turn_rad) =
-        from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
+    let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
     let (v, w) = match motion.speed {
         Some(speed) => {
             (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))

@@ -94,7 +94,19 @@ impl<'s, 'a> Survey<'s, 'a> {
         let (points, found) = (vec![0; parts.count()], BTreeMap::new());
         let unfollowable = BTreeMap::new();
         let (exits, samples) = (Exits::default(), BTreeMap::new());
-        Self { model, options, parts, exits, points, unfollowable, found, samples, run_time: 0, only: None, failed: None }
+        Self {
+            model,
+            options,
+            parts,
+            exits,
+            points,
+            unfollowable,
+            found,
+            samples,
+            run_time: 0,
+            only: None,
+            failed: None,
+        }
     }
 
     /// Points from all over the program.
@@ -123,7 +135,9 @@ impl<'s, 'a> Survey<'s, 'a> {
 
     /// Goes over the parts that rest on what is no longer so; whether there was any.
     fn go_over(&mut self) -> Result<bool, CompensateError> {
-        let Self { model, options, parts, exits, points, samples, run_time, only, unfollowable: stuck, .. } = self;
+        let Self {
+            model, options, parts, exits, points, samples, run_time, only, unfollowable: stuck, ..
+        } = self;
         let single = parts.count() == 1;
         let per_part = if single { usize::MAX } else { (SAMPLES / parts.count()).max(16) };
         let mut any = false;
@@ -141,7 +155,8 @@ impl<'s, 'a> Survey<'s, 'a> {
                     *points = own_points(part.program, &resolved).map(|(_, points)| points.len()).sum();
                 }
                 if options.form != FormChoice::Schedule {
-                    let joint = |i: usize| part.program.motions.get(i).is_some_and(|m| m.path == Path::AbsJoint);
+                    let joint =
+                        |i: usize| part.program.motions.get(i).is_some_and(|m| m.path == Path::AbsJoint);
                     let all: Vec<(&Point, bool)> = own_points(part.program, &resolved)
                         .flat_map(|(i, points)| points.iter().map(move |point| (point, joint(i))))
                         .collect();
@@ -149,7 +164,8 @@ impl<'s, 'a> Survey<'s, 'a> {
                     let some = all.into_iter().step_by(every);
                     let some = some.map(|(point, joint)| Sample { point: point.clone(), joint });
                     samples.insert(part.number, some.collect());
-                    *run_time += part.program.motions.iter().filter(|m| m.run_time && part.program.is_own(m)).count();
+                    *run_time +=
+                        part.program.motions.iter().filter(|m| m.run_time && part.program.is_own(m)).count();
                 }
                 exits.note(part, &resolved);
                 if single {

@@ -144,7 +144,9 @@ impl<'p> Added<'p> {
                     let tells_itself = match &target.origin {
                         Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
                         Origin::Inline => rows.first().is_some_and(|(_, e, _)| *e == Cow::Borrowed(argument)),
-                        Origin::Expression => index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base),
+                        Origin::Expression => {
+                            index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base)
+                        }
                     };
                     if !tells_itself {
                         self.was.insert(name.clone(), base.to_vec());
@@ -170,7 +172,8 @@ impl<'p> Added<'p> {
 
     /// How much of the largest correction each bucket holds: of the target that is corrected most.
     fn add_shares(&mut self, original: &TargetValue, corrected: &[Corrected]) {
-        let sizes: Vec<f64> = corrected.iter().map(|corrected| super::target::distance(original, corrected)).collect();
+        let sizes: Vec<f64> =
+            corrected.iter().map(|corrected| super::target::distance(original, corrected)).collect();
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         if largest > 0.0 && (self.shares.is_empty() || largest > self.largest()) {
             self.shares = sizes;

@@ -207,7 +207,11 @@ impl CoreText<'_> {
                                 line = line.replace(mark, text);
                             }
                         }
-                        lines.extend(line.lines().map(|line| names.rename(line)).chain(line.is_empty().then(String::new)));
+                        lines.extend(
+                            line.lines()
+                                .map(|line| names.rename(line))
+                                .chain(line.is_empty().then(String::new)),
+                        );
                     }
                 }
             }
@@ -269,10 +273,7 @@ impl CoreText<'_> {
         };
         let [scale, forced] = match &self.choice {
             Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
-            _ => [
-                format!("tcScaleAt {index},1"),
-                format!("tcScaleAt {},tcMode/100", num(last_min)),
-            ],
+            _ => [format!("tcScaleAt {index},1"), format!("tcScaleAt {},tcMode/100", num(last_min))],
         };
         let mut numbers = vec![
             ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),

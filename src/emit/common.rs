@@ -84,10 +84,5 @@ pub fn core_file(common: &Common, beside: &Beside) -> EmittedFile {
         Some("modx" | "sysx") => "modx",
         _ => "mod",
     };
-    EmittedFile {
-        source: None,
-        path: format!("{folder}{name}.{extension}"),
-        bytes,
-        edits: Vec::new(),
-    }
+    EmittedFile { source: None, path: format!("{folder}{name}.{extension}"), bytes, edits: Vec::new() }
 }

@@ -218,7 +218,8 @@ impl Ready<'_> {
                 .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
             let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
             if back != Ok(true) {
-                let what = back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
+                let what =
+                    back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
                 return Err(EmitError::NotRestored { path: file.path.clone().into(), what }.into());
             }
             take(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })?;

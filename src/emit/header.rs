@@ -85,7 +85,8 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         }
         if !record.shares.is_empty() {
             let largest = record.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-            let shares: Vec<String> = record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
+            let shares: Vec<String> =
+                record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
             tell("shares", &shares.join(" "));
         }
     }

@@ -18,9 +18,9 @@ use crate::diagnostic::{LineIndex, TextRange};
 use crate::syntax::tree::{FileItem, Module, ModuleItem};
 use crate::syntax::{apply, parse};
 use altered::altered_code;
+use removal::{Remover, removal};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
-use removal::{Remover, removal};
 
 /// An original, got back.
 #[derive(Clone, Debug, PartialEq)]

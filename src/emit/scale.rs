@@ -60,7 +60,8 @@ impl Scaled<'_> {
                     .iter()
                     .zip(values)
                     .map(|(at_min, values)| {
-                        let row: Vec<String> = std::iter::once(at_min).chain(values).map(|v| num(*v)).collect();
+                        let row: Vec<String> =
+                            std::iter::once(at_min).chain(values).map(|v| num(*v)).collect();
                         format!("[{}]", row.join(","))
                     })
                     .collect();
@@ -94,7 +95,8 @@ impl Scaled<'_> {
                     .collect();
                 // The drift's share is shown by the function that has its node at the end, or by the first.
                 let settled = values.last().map_or(1, |last| {
-                    1 + (0..last.len()).fold(0, |best, r| if last[r].abs() > last[best].abs() { r } else { best })
+                    1 + (0..last.len())
+                        .fold(0, |best, r| if last[r].abs() > last[best].abs() { r } else { best })
                 });
                 KNOTS
                     .replace("@KNOTS@", &at_min.len().to_string())

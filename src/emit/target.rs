@@ -288,7 +288,11 @@ mod tests {
         original: TargetValue,
         corrected: &[Corrected],
     ) -> TargetArray<'t> {
-        TargetArray { name: name.into(), indexed: false, rows: vec![(original, element1, corrected.to_vec())] }
+        TargetArray {
+            name: name.into(),
+            indexed: false,
+            rows: vec![(original, element1, corrected.to_vec())],
+        }
     }
 
     fn pose(x_mm: f64) -> Corrected {

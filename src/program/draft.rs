@@ -231,6 +231,7 @@ impl<'a> Walk<'_, 'a> {
             wait_since_entry: None,
             keep: None,
             run_time: false,
+            from_search: false,
             tool_range: by_role.tool.map(|expr| expr.range),
             wobj_range: by_role.wobj.map(|expr| expr.range),
         };

@@ -63,7 +63,7 @@ impl FollowedData {
 }
 
 /// Which datum's value goes into which, by assignment, declaration or as an argument: `(to, from)`.
-fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
+pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
     let mut out = BTreeSet::new();
     for routine in &index.routines {
         let ctx = routine.ctx;

@@ -26,6 +26,7 @@ mod names;
 mod order;
 mod outline;
 mod overrides;
+mod own_position;
 mod parts;
 mod predefined;
 mod read;

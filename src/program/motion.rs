@@ -67,6 +67,8 @@ pub struct Motion {
     /// The only reason in `keep` is that a target, the tool or the work object is known at run time alone: a function
     /// that is asked at run time can correct it.
     pub run_time: bool,
+    /// Its target comes from what a search has found.
+    pub from_search: bool,
     /// Where the tool argument stands.
     pub tool_range: Option<TextRange>,
     /// Where the value of the `\WObj` argument stands.

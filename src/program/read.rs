@@ -13,6 +13,7 @@ use super::module_facts::facts;
 use super::motion::{Keep, Motion, Origin, Path, RoutineInfo, Target, TargetValue};
 use super::names::{as_text, lower_case};
 use super::order::order;
+use super::own_position::OwnPositions;
 use super::predefined::guessed;
 use super::state::{State, View, states_at_motions};
 use super::value::{DataName, Value, Why};
@@ -50,6 +51,8 @@ impl Program {
         let mut finish = Finish {
             folder,
             followed: &followed,
+            own_positions: OwnPositions::new(&index),
+            found_positions: OwnPositions::of_searches(&index),
             last_tool: None,
             last_wobj: None,
             kept_over: BTreeMap::new(),
@@ -84,6 +87,8 @@ impl Program {
 struct Finish<'f, 'a> {
     folder: Folder<'a>,
     followed: &'f FollowedData,
+    own_positions: OwnPositions,
+    found_positions: OwnPositions,
     /// The last tool and work object: most motions share them.
     last_tool: Option<Arc<ToolData>>,
     last_wobj: Option<Arc<WobjData>>,
@@ -161,6 +166,12 @@ impl<'a> Finish<'_, 'a> {
         };
         let joints_wanted = motion.path == Path::AbsJoint;
         let mut reached = Vec::new();
+        if args.targets.iter().any(|expr| self.own_positions.is_read(self.folder.index, ctx, expr)) {
+            let text = "its target is read from where the robot stands, so that it holds the drift already";
+            fail(keep("keep::own-position", text.into()));
+        }
+        motion.from_search =
+            args.targets.iter().any(|expr| self.found_positions.is_read(self.folder.index, ctx, expr));
         motion.targets.reserve_exact(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);

@@ -152,7 +152,10 @@ fn form(program: &Program) -> (&'static str, String) {
     let targets: usize = can.map(|m| m.targets.len()).sum();
     let run_time = program.motions.iter().filter(|m| m.run_time).count();
     if run_time > 0 {
-        return ("auto", format!("{run_time} of the motions have targets that only the running program knows"));
+        return (
+            "auto",
+            format!("{run_time} of the motions have targets that only the running program knows"),
+        );
     }
     if targets > FEW {
         return ("ramp", format!("arrays of {targets} targets are large, one correction each is not"));

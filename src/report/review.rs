@@ -65,8 +65,16 @@ fn write_summary(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     match review.functions {
         None => {
             writeln!(out, "  {:>9} mm after", mm(s.worst_after_m))?;
-            writeln!(out, "  {:>9} mm with one work-object shift per bucket instead", mm(s.rigid_shift_worst_m))?;
-            writeln!(out, "largest step of the TCP from one bucket to the next: {} mm", mm(s.worst_switch_jump_m))?;
+            writeln!(
+                out,
+                "  {:>9} mm with one work-object shift per bucket instead",
+                mm(s.rigid_shift_worst_m)
+            )?;
+            writeln!(
+                out,
+                "largest step of the TCP from one bucket to the next: {} mm",
+                mm(s.worst_switch_jump_m)
+            )?;
         }
         Some(functions) => {
             let after_mm = mm_from_m(s.worst_after_m);
@@ -91,7 +99,9 @@ fn scale(functions: &TimeFunctions) -> String {
     match (&functions.course, functions.count()) {
         (Course::Share, _) => "the share of the drift that has come".to_owned(),
         (Course::ShareSquared, _) => "the share of the drift that has come and its square".to_owned(),
-        (Course::Knots { at_min, .. }, 1) => format!("one function of time, straight between {} knots", at_min.len()),
+        (Course::Knots { at_min, .. }, 1) => {
+            format!("one function of time, straight between {} knots", at_min.len())
+        }
         (Course::Knots { at_min, .. }, n) => {
             format!("{n} functions of time, straight between {} knots", at_min.len())
         }

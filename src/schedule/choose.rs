@@ -205,7 +205,10 @@ impl Timeline {
     /// Its minutes as moments.
     pub fn moments(&self) -> impl Iterator<Item = Moment> + '_ {
         let last = self.at_min.len().saturating_sub(1);
-        self.at_min.iter().enumerate().map(move |(k, &t)| if k == last { Moment::Settled } else { Moment::Minute(t) })
+        self.at_min
+            .iter()
+            .enumerate()
+            .map(move |(k, &t)| if k == last { Moment::Settled } else { Moment::Minute(t) })
     }
 }
 

@@ -257,5 +257,9 @@ fn slow_work_is_not_taken_for_a_pause() {
     let bench = Bench::default();
     let original = bench.file("p.mod", SLOW.replace('@', kept));
     let output = driftpost(&["compensate", &original, "--diff", "none"]);
-    assert!(err(&output).contains("clock::long-motion") && err(&output).contains("tcUpdate"), "{}", err(&output));
+    assert!(
+        err(&output).contains("clock::long-motion") && err(&output).contains("tcUpdate"),
+        "{}",
+        err(&output)
+    );
 }

@@ -108,7 +108,9 @@ fn a_ramp_is_told_by_its_settled_correction() {
     }
     let text = std::fs::read_to_string(&to).unwrap();
     let correction = text.lines().find(|l| l.contains("pose tc40:=")).unwrap();
-    for (from, by) in [("tc40),rdkSpeed,z1", "tc40),rdkSpeed,z5"), (correction, &correction.replacen("[[0.", "[[0.9", 1))] {
+    for (from, by) in
+        [("tc40),rdkSpeed,z1", "tc40),rdkSpeed,z5"), (correction, &correction.replacen("[[0.", "[[0.9", 1))]
+    {
         let edited = text.replacen(from, by, 1);
         assert_ne!(edited, text);
         assert_eq!(figures(&bench.file("edited.mod", edited)).0, Value::Bool(false), "{by}");
@@ -245,7 +247,11 @@ fn what_restore_does_not_take_over_is_said() {
     let file = bench.file("both.mod", format!("{}{}\n", &text[..array], lines.join("\n")));
     let output = driftpost(&["restore", &file, "-o", &bench.path("none.mod").display().to_string()]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("restore::disagree") && err(&output).contains("250.25"), "{}", err(&output));
+    assert!(
+        err(&output).contains("restore::disagree") && err(&output).contains("250.25"),
+        "{}",
+        err(&output)
+    );
     assert!(!bench.path("none.mod").exists());
 
     // A comment line damaged or lost is no touched-up point.

@@ -131,6 +131,7 @@ impl Reader<'_> {
             wait_since_entry: None,
             keep: None,
             run_time: false,
+            from_search: false,
             tool_range: None,
             wobj_range: None,
         });
@@ -235,13 +236,12 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             };
             planned.status = Status::Kept(Box::new(keep));
         } else {
-            let target =
-                PlannedTarget {
-                    pose: None,
-                    nominal_q_rad: [0.0; 6],
-                    conditions: Conditions::default(),
-                    corrections: Vec::new(),
-                };
+            let target = PlannedTarget {
+                pose: None,
+                nominal_q_rad: [0.0; 6],
+                conditions: Conditions::default(),
+                corrections: Vec::new(),
+            };
             planned.targets = vec![target; motion.targets.len()];
         }
         planned

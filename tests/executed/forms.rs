@@ -25,9 +25,13 @@ fn quarter_minutes(to_min: u32) -> Vec<f64> {
 
 /// Worst distance, mm, and angle, degrees, of the moves that are corrected.
 fn worst(report: &Report) -> (f64, f64) {
-    assert!(report.passes.iter().skip(1).all(|p| p.corrected.max_m > 0.0), "something is corrected in each pass");
+    assert!(
+        report.passes.iter().skip(1).all(|p| p.corrected.max_m > 0.0),
+        "something is corrected in each pass"
+    );
     let passes = || report.passes.iter().map(|p| &p.corrected);
-    let most = |of: &dyn Fn(&driftpost::simulate::session::Spread) -> f64| passes().map(of).fold(0.0, f64::max);
+    let most =
+        |of: &dyn Fn(&driftpost::simulate::session::Spread) -> f64| passes().map(of).fold(0.0, f64::max);
     (mm_from_m(most(&|s| s.max_m)), deg_from_rad(most(&|s| s.max_rad)))
 }
 
@@ -94,7 +98,10 @@ fn asking_again_costs_little_and_an_update_not_much() {
                     // The update apart: eight statements to know that nothing is to be done and to give the target.
                     "tcK" | "tcAt" => assert!(efforts.fewest.statements <= 8, "{form:?} {name}: {efforts:?}"),
                     "tcLive" => {
-                        assert!(efforts.most.arithmetic <= 700 && efforts.most.trigonometric <= 12, "{efforts:?}");
+                        assert!(
+                            efforts.most.arithmetic <= 700 && efforts.most.trigonometric <= 12,
+                            "{efforts:?}"
+                        );
                     }
                     _ => {}
                 }
@@ -115,7 +122,11 @@ fn three_times_the_table_is_met_by_a_second_correction() {
         ..Default::default()
     };
     let program = driftpost::program::Program::read(
-        vec![driftpost::syntax::SourceFile::read(driftpost::diagnostic::FileId(0), "c.mod", original[0].1.clone())],
+        vec![driftpost::syntax::SourceFile::read(
+            driftpost::diagnostic::FileId(0),
+            "c.mod",
+            original[0].1.clone(),
+        )],
         &driftpost::program::Overrides::default(),
     );
     let robot = Robot::built_in("irb140").unwrap();
@@ -130,7 +141,12 @@ fn a_scheduled_table_of_two_laws_takes_as_many_functions() {
     let mut text = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
     for k in 0..=60 {
         let t = 10.0 * f64::from(k);
-        text += &format!("{t},2,0,0,{},0,0,0\n{t},5,0,0,0,{},0,{}\n", 0.1 * lag(t, 20.0), 0.02 * lag(t, 90.0), 0.01 * lag(t, 90.0));
+        text += &format!(
+            "{t},2,0,0,{},0,0,0\n{t},5,0,0,0,{},0,{}\n",
+            0.1 * lag(t, 20.0),
+            0.02 * lag(t, 90.0),
+            0.01 * lag(t, 90.0)
+        );
     }
     let table = Deformation::from_csv(text.as_bytes(), None).unwrap();
     let clock = Clock::Warmth { growth: None, tau_cool_min: Some(40.0), gap_min: 5.0 };
@@ -146,7 +162,9 @@ fn a_scheduled_table_of_two_laws_takes_as_many_functions() {
 
 #[test]
 fn originals_come_back_to_the_byte_and_touched_up_ones_as_they_are() {
-    for name in ["robodk/irc5/Cube45.mod", "robodk/irc5/RichProg.mod", "robodk/s4c/RichProg.prg", "simulate/cell.mod"] {
+    for name in
+        ["robodk/irc5/Cube45.mod", "robodk/irc5/RichProg.mod", "robodk/s4c/RichProg.prg", "simulate/cell.mod"]
+    {
         let (program, original) = ramp(name, &Deformation::paper(), &warmth());
         let restored = restore(&program[0].1).unwrap();
         assert!(restored.exact && restored.bytes == original[0].1, "{name}");
@@ -160,6 +178,7 @@ fn originals_come_back_to_the_byte_and_touched_up_ones_as_they_are() {
     let [one] = restored.touched.as_slice() else { panic!("{:?}", restored.touched) };
     assert!((one.moved - 0.5).abs() < 2e-3 && one.unit == "mm", "{one:?}");
     assert_eq!(one.line as usize, 1 + touched[..touched.find("[[400.300").unwrap()].matches('\n').count());
-    let expected = String::from_utf8_lossy(&original[0].1).replacen("[[400.000, 150.000,", "[[400.300, 150.400,", 1);
+    let expected =
+        String::from_utf8_lossy(&original[0].1).replacen("[[400.000, 150.000,", "[[400.300, 150.400,", 1);
     assert_eq!(String::from_utf8_lossy(&restored.bytes), expected);
 }

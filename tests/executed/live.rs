@@ -24,7 +24,10 @@ fn worst(name: &str, report: &Report) -> (f64, f64) {
         mm = mm.max(mm_from_m(p.corrected.max_m));
         deg = deg.max(deg_from_rad(p.corrected.max_rad));
     }
-    assert!(report.unknown_instructions.iter().all(|known| !known.to_lowercase().starts_with("tc")), "{name}");
+    assert!(
+        report.unknown_instructions.iter().all(|known| !known.to_lowercase().starts_with("tc")),
+        "{name}"
+    );
     (mm, deg)
 }
 
@@ -51,7 +54,8 @@ fn targets_that_only_the_running_program_knows_are_met() {
         ] {
             assert!(text.contains(asked), "{form:?}: {asked}");
         }
-        let row = if form == FormChoice::Auto { "MoveL tcAt(pRow{k},tcPRow{k})," } else { "MoveL tcLive(pRow{k}," };
+        let row =
+            if form == FormChoice::Auto { "MoveL tcAt(pRow{k},tcPRow{k})," } else { "MoveL tcLive(pRow{k}," };
         assert!(text.contains(row), "{form:?}: {row}");
         let restored = restore(&program[0].1).unwrap();
         assert!(restored.exact && restored.bytes == original[0].1, "{form:?}");
@@ -81,14 +85,20 @@ fn known_targets_are_met_by_the_model_too() {
     let paper = Deformation::paper();
     let three = driftpost::kinematics::FrameOffsets(paper.settled().0.map(|row| row.map(|x| 3.0 * x)));
     let three = Deformation::from_static(three, GrowthLaw::TwoStage { tau_min: 46.0 });
-    for name in ["robodk/irc5/Cube45.mod", "robodk/irc5/Cube45_noconf.mod", "robodk/irc5/RichProg.mod", "simulate/cell.mod"] {
+    for name in [
+        "robodk/irc5/Cube45.mod",
+        "robodk/irc5/Cube45_noconf.mod",
+        "robodk/irc5/RichProg.mod",
+        "simulate/cell.mod",
+    ] {
         let original = fixture(name);
         let (_, _, report) = executed(FormChoice::Live, &original, &paper);
         let (mm, deg) = worst(name, &report);
         assert!(mm <= 5e-4 && deg <= 1e-4, "{name}: {mm} mm, {deg} deg");
     }
     let original = fixture("robodk/irc5/Cube45.mod");
-    let (program, kept) = crate::made::made_within(FormChoice::Live, &original, &three, &warmth(), 2e-3).unwrap();
+    let (program, kept) =
+        crate::made::made_within(FormChoice::Live, &original, &three, &warmth(), 2e-3).unwrap();
     assert_eq!(kept, 0);
     let mut s = session(&program, &original, &three, false);
     s.at_minutes(&MINUTES).unwrap();
@@ -102,5 +112,7 @@ fn an_old_controller_is_not_asked_for_what_it_lacks() {
     original[0].0 = "RUNTIME.PRG".to_owned();
     let (program, kept, _) = executed(FormChoice::Auto, &original, &Deformation::paper());
     let text = String::from_utf8_lossy(&program[0].1).into_owned();
-    assert!(kept > 5 && !text.contains("CalcJointT") && !text.contains("tcLive") && !text.contains("TASK PERS"));
+    assert!(
+        kept > 5 && !text.contains("CalcJointT") && !text.contains("tcLive") && !text.contains("TASK PERS")
+    );
 }

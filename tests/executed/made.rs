@@ -68,7 +68,13 @@ pub fn made_within(
         .map(|(i, (path, bytes))| SourceFile::read(FileId(i as u32), path.clone(), bytes.clone()));
     let program = Program::read(files.collect(), &Overrides::default());
     let robot = Robot::built_in("irb140").unwrap();
-    let plan = compensate::plan(&program, &robot, deformation, &Options { form, max_correction_m, ..Options::default() }).ok()?;
+    let plan = compensate::plan(
+        &program,
+        &robot,
+        deformation,
+        &Options { form, max_correction_m, ..Options::default() },
+    )
+    .ok()?;
     let options = EmitOptions {
         form,
         clock: clock.clone(),
@@ -96,7 +102,22 @@ pub fn borrowed(files: &Files) -> Vec<File<'_>> {
 
 /// Program and original on the robot that deforms as `deformation` says.
 pub fn session(program: &Files, original: &Files, deformation: &Deformation, paths: bool) -> Session {
-    let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
     let options = session::Options { paths, ..session::Options::default() };
+    session_with(program, original, deformation, options)
+}
+
+/// The same from another routine than main.
+pub fn session_at(program: &Files, original: &Files, deformation: &Deformation, entry: &str) -> Session {
+    let options = session::Options { entry: Some(entry.to_owned()), ..session::Options::default() };
+    session_with(program, original, deformation, options)
+}
+
+fn session_with(
+    program: &Files,
+    original: &Files,
+    deformation: &Deformation,
+    options: session::Options,
+) -> Session {
+    let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
     Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test stops where something is missing")]
 
+mod cell;
 mod every_program;
 mod forms;
 mod live;

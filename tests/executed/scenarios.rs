@@ -55,7 +55,11 @@ fn what_both_clocks_must_come_through() {
             ("cold start", "", &[cold, "run 40"]),
             ("program pointer to main in the middle", "", &[cold, "run 30", "pp_to_main", "run 10"]),
             ("restart with the state kept", "", &[cold, "run 60", "power_off", "run 20"]),
-            ("month end between two motions", "start = \"2026-11-30 23:59:40\"\nstep_ms = 7", &[cold, "run 3"]),
+            (
+                "month end between two motions",
+                "start = \"2026-11-30 23:59:40\"\nstep_ms = 7",
+                &[cold, "run 3"],
+            ),
             ("midnight", "start = \"2026-06-15 23:50:00\"", &[cold, "run 20"]),
             ("midnight inside an update", "start = \"2026-06-15 23:59:40\"\nstep_ms = 7", &[cold, "run 3"]),
             ("month end", "start = \"2027-02-28 23:50:00\"", &[cold, "run 20"]),
@@ -79,8 +83,7 @@ fn the_warmth_clock_cools_with_the_robot_and_the_elapsed_one_does_not() {
     let as_ramp = cube_as_ramp(&warmth());
     let lunch = ["call tcColdStart", "run 120", "stand 45", "run 30"];
     let night = ["call tcColdStart", "run 90", "power_off 840", "run 30"];
-    for (files, steps) in
-        [(&by_warmth, &lunch), (&by_warmth, &night), (&as_ramp, &lunch), (&as_ramp, &night)]
+    for (files, steps) in [(&by_warmth, &lunch), (&by_warmth, &night), (&as_ramp, &lunch), (&as_ramp, &night)]
     {
         let report = played(files, "", steps);
         assert!(report.is_within(RUNNING_M), "{steps:?}: {:?}", report.worst);

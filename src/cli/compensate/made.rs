@@ -1,8 +1,8 @@
 //! A compensated program, and the reasons why there is none.
 
 use super::Job;
-use crate::compensate::{FormChoice, Planner};
 use crate::compensate::plan::{Plan, Summary, Totals};
+use crate::compensate::{FormChoice, Planner};
 use crate::diagnostic::Diagnostic;
 use crate::emit::{EmitError, EmittedFile, Ready};
 use crate::program::motion::Keep;

@@ -75,6 +75,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         wait_since_entry: None,
         keep: None,
         run_time: false,
+        from_search: false,
         tool_range: None,
         wobj_range: None,
     }

@@ -25,7 +25,8 @@ pub struct TestTarget {
 /// Targets of a program whose joints are known, each with the names of its tool and work object.
 pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<Item = TestTarget> + 'p {
     let motions = program.motions.iter().zip(&plan.motions);
-    let known = motions.filter(|(motion, planned)| planned.status == Status::Compensated && program.is_own(motion));
+    let known =
+        motions.filter(|(motion, planned)| planned.status == Status::Compensated && program.is_own(motion));
     known.filter_map(|(motion, planned)| {
         let (target, planned) = (motion.targets.last()?, planned.targets.last()?);
         let Some(TargetValue::Rob(_)) = target.value else { return None };
@@ -34,7 +35,8 @@ pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<I
         let own = program.file(motion.file);
         let name = |range: TextRange| String::from_utf8(own.text(range).to_vec()).ok();
         let (tool, wobj) = (name(motion.tool_range?)?, motion.wobj_range.and_then(name));
-        let robtarget = String::from_utf8(text.to_vec()).ok().filter(|_| is_plain(text) && text.len() < 160)?;
+        let robtarget =
+            String::from_utf8(text.to_vec()).ok().filter(|_| is_plain(text) && text.len() < 160)?;
         Some(TestTarget { robtarget, tool, wobj, q_rad: planned.nominal_q_rad })
     })
 }

@@ -69,8 +69,8 @@ impl<'w> Remover<'w> {
         let mut arrays = BTreeMap::new();
         let mut letters = self.record.letters.as_slice();
         for data in ours.iter().skip(self.record.data) {
-            let is_target =
-                [b"robtarget".as_slice(), b"jointtarget"].contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
+            let is_target = [b"robtarget".as_slice(), b"jointtarget"]
+                .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
             let init = data.init.as_ref();
             if is_target && !data.dims.is_empty() {
                 let rows = self.rows(data)?;
@@ -117,9 +117,10 @@ impl<'w> Remover<'w> {
         };
         match &expr.kind {
             ExprKind::Aggregate(parts) => parts.iter().map(|part| (part.range, inner(part))).collect(),
-            ExprKind::Numbers => {
-                parts_of_numbers(self.bytes, expr.range).iter().map(|part| (part.range, inner(part))).collect()
-            }
+            ExprKind::Numbers => parts_of_numbers(self.bytes, expr.range)
+                .iter()
+                .map(|part| (part.range, inner(part)))
+                .collect(),
             _ => Vec::new(),
         }
     }
@@ -186,7 +187,11 @@ impl<'w> Remover<'w> {
                                     target: self.text(inner),
                                     value: self.text(original.value),
                                     line: self.lines.line(original.value.start),
-                                    into: if original.declared { TouchedInto::Declaration } else { TouchedInto::Motion },
+                                    into: if original.declared {
+                                        TouchedInto::Declaration
+                                    } else {
+                                        TouchedInto::Motion
+                                    },
                                     moved,
                                     unit,
                                 });
@@ -214,7 +219,9 @@ impl<'w> Remover<'w> {
             let trusted = self.record.is_whole;
             let rows = array.meant(&self.record.shares, trusted).map_err(|what| match what {
                 Some((first, second)) => RestoreError::Disagree { array: name.clone(), line, first, second },
-                None => RestoreError::Damaged { line, what: format!("what was changed of {name} cannot be told") },
+                None => {
+                    RestoreError::Damaged { line, what: format!("what was changed of {name} cannot be told") }
+                }
             })?;
             meant.insert(name, rows);
         }
@@ -287,11 +294,14 @@ impl<'w> Remover<'w> {
             ModuleItem::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(&array.was) => Some(data),
             _ => None,
         });
-        let elements = named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default();
+        let elements =
+            named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default();
         for (row, new) in rows.iter().enumerate() {
             let Some(new) = new else { continue };
             let Some((range, _)) = elements.get(row) else {
-                return Err(self.damaged(array.range, "an element was touched up whose array is not declared here"));
+                return Err(
+                    self.damaged(array.range, "an element was touched up whose array is not declared here")
+                );
             };
             self.edits.push(Edit { range: *range, text: new.text.clone() });
         }
