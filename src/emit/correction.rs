@@ -8,9 +8,9 @@ use crate::compensate::plan::Correction;
 use crate::units::{deg_from_rad, mm_from_m};
 
 /// Shifts are written to this, mm, joints to this, degrees, and parts of a quaternion to this.
-const SHIFT_DECIMALS: i32 = 6;
-const JOINT_DECIMALS: i32 = 7;
-const TURN_DECIMALS: i32 = 9;
+const SHIFT_DECIMALS: i32 = 5;
+const JOINT_DECIMALS: i32 = 6;
+const TURN_DECIMALS: i32 = 8;
 
 /// The correction of a target, or of all elements of an array, at the node of one function of time.
 #[derive(Clone, Debug)]
@@ -131,7 +131,7 @@ mod tests {
         let mut out = Vec::new();
         let letters = data.write(&mut out, &style());
         let text = String::from_utf8(out).unwrap();
-        assert!(text.starts_with("  LOCAL CONST robjoint tcHome{9}:=[\n    [0.5729578,"), "{text}");
+        assert!(text.starts_with("  LOCAL CONST robjoint tcHome{9}:=[\n    [0.572958,"), "{text}");
         assert!(text.ends_with("]];\n") && text.lines().all(|line| line.len() <= MAX_LINE));
         let value = text.split_once(":=").unwrap().1.trim_end().trim_end_matches(';');
         assert_eq!(letters, check::of_numbers(value.as_bytes()));

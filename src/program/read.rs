@@ -166,21 +166,25 @@ impl<'a> Finish<'_, 'a> {
         };
         let joints_wanted = motion.path == Path::AbsJoint;
         let mut reached = Vec::new();
-        if args.targets.iter().any(|expr| self.own_positions.is_read(self.folder.index, ctx, expr)) {
-            let text = "its target is read from where the robot stands, so that it holds the drift already";
-            fail(keep("keep::own-position", text.into()));
-        }
         motion.from_search =
             args.targets.iter().any(|expr| self.found_positions.is_read(self.folder.index, ctx, expr));
         motion.targets.reserve_exact(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            let own_position = self.own_positions.is_read(self.folder.index, ctx, expr);
             // One of an array's elements is known well enough where all of them are.
             let indexed = args.targets.len() == 1 && !target.elements.is_empty();
             motion.targets.push(target);
             reached.extend(calc);
-            if let Some(keep) = failed.filter(|_| !indexed) {
-                fail(keep);
+            match failed {
+                _ if own_position => {
+                    let reason = "its target is read from where the robot stands, so that it holds the drift already";
+                    let because = failed.and_then(|keep| keep.because);
+                    fail(Keep { code: "keep::own-position", reason: reason.into(), because });
+                }
+                Some(keep) if indexed && KNOWN_AT_RUN_TIME.contains(&keep.code) => {}
+                Some(keep) => fail(keep),
+                None => {}
             }
         }
         if let Some(state) = state {

@@ -104,7 +104,8 @@ impl MotionRows {
 
 fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String; COLUMNS.len()] {
     let worst = |side: usize| planned.error_m.map_or_else(String::new, |error_m| mm(error_m[side]));
-    let figures = planned.status == Status::Compensated || !planned.targets.is_empty();
+    let is_known = planned.form != Form::Live || !planned.targets.is_empty();
+    let figures = planned.status == Status::Compensated && is_known || !planned.targets.is_empty();
     let figure = |text: String| if figures { text } else { String::new() };
     let line = if program.files.len() > 1 {
         format!("{}:{}", program.file(motion.file).path, motion.line)

@@ -13,9 +13,9 @@ const FORMS: [FormChoice; 4] = [FormChoice::Schedule, FormChoice::Ramp, FormChoi
 const CELL: &str = "MODULE Cell
   PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
   CONST jointtarget jHome:=[[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget pAbove:=[[450,40,260],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget pPart:=[[450,40,220],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget pService:=[[400,120,300],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pAbove:=[[450,40,260],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pPart:=[[450,40,220],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pService:=[[400,120,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   VAR robtarget pBack;
   VAR intnum iService;
   VAR num nServed:=0;
@@ -42,7 +42,7 @@ const CELL: &str = "MODULE Cell
 
   PROC rServed()
     CONNECT iService WITH tService;
-    ITimer 1.5,iService;
+    ITimer \\Single,3,iService;
     rPart;
     rPart;
     IDelete iService;

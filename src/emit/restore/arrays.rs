@@ -5,6 +5,7 @@ use crate::emit::check::Elements;
 use crate::emit::number::{write_num, write_orient};
 use crate::emit::target::{is_plain, singles};
 use crate::syntax::tree::DataDecl;
+use crate::units::deg_from_rad;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
@@ -67,7 +68,7 @@ impl Place {
     /// mm, or degrees of the joint that differs most; and the angle, degrees.
     fn distance(&self, other: &Self) -> (f64, f64) {
         match (self, other) {
-            (Self::Pose(a, q), Self::Pose(b, p)) => ((a - b).norm(), q.angle_to(p).to_degrees()),
+            (Self::Pose(a, q), Self::Pose(b, p)) => ((a - b).norm(), deg_from_rad(q.angle_to(p))),
             (Self::Joints(a), Self::Joints(b)) => {
                 (a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), 0.0)
             }
