@@ -3,7 +3,7 @@
 use super::Options;
 use super::correct::{JOINT_CHANGE_DEG, no_figures};
 use super::model::Model;
-use super::nominal::Resolved;
+use super::nominal::Point;
 use super::placement::keep;
 use super::plan::{Form, PlannedMotion, Status};
 use crate::deform::identified::Identified;
@@ -82,16 +82,14 @@ pub(super) fn run_time(
     })
 }
 
-/// In the form `live`: a known target whose written configuration is not the one that is reached takes `ramp`, and so does
-/// one for which the controller or the model lacks something.
-pub(super) fn settle_form(
+/// The form of a known motion where `live` is asked for: one whose written configuration is not the one that is reached takes
+/// `ramp`, and so does one for which the controller or the model lacks something.
+pub(super) fn form_of_known(
     program: &Program,
-    (motion, resolved): (&Motion, &Resolved),
+    (motion, points): (&Motion, &[Point]),
     live: &LiveBasis,
     model: &Model,
-    planned: &mut PlannedMotion,
-) {
-    let Ok(points) = &resolved.points else { return };
+) -> Form {
     let values = motion.targets.iter().flat_map(|target| target.values());
     let agrees = points.iter().zip(values).all(|(point, value)| match value {
         TargetValue::Rob(target) => {
@@ -103,7 +101,7 @@ pub(super) fn settle_form(
     });
     let held_by_robot = motion.tool.as_ref().is_none_or(|tool| tool.robhold);
     let fits = agrees && held_by_robot && of_controller(program, motion).is_none() && live.lacks().is_none();
-    planned.form = if fits { Form::Live } else { Form::Ramp };
+    if fits { Form::Live } else { Form::Ramp }
 }
 
 /// What the controller that the program is for lacks.

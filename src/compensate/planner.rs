@@ -12,8 +12,8 @@ use super::figures::{self, Tally};
 use super::live::{self, LiveBasis};
 use super::messages::Messages;
 use super::model::Model;
-use super::nominal::Resolved;
-use super::plan::{Corrector, Plan, PlannedMotion, Status, Summary};
+use super::nominal::{Point, Resolved};
+use super::plan::{Corrector, Form, Plan, PlannedMotion, Status, Summary};
 use super::ramp::Ramp;
 use super::rigid::{Supports, worst_of_parts_m};
 use super::survey::{Exceptions, Nothing, Survey, own_points, resolved_to_follow};
@@ -195,7 +195,10 @@ impl<'a> Planner<'a> {
         };
         let motions = part.program.motions.iter().zip(&resolved).enumerate().map(planned).collect();
         let mut motions: Vec<PlannedMotion> = motions;
-        self.take_live(part.program, &resolved, &mut motions);
+        for (i, planned) in motions.iter_mut().enumerate() {
+            let (motion, resolved) = (&part.program.motions[i], &resolved[i]);
+            planned.form = self.settled_form(part.program, motion, resolved, planned.form);
+        }
         self.plan_of(motions, self.summary.clone(), Vec::new())
     }
 
@@ -210,13 +213,26 @@ impl<'a> Planner<'a> {
     }
 
     /// In the form `live` known targets that cannot take it take `ramp`.
-    fn take_live(&self, program: &Program, resolved: &[Resolved], motions: &mut [PlannedMotion]) {
-        let Some(live) = self.live.as_deref().filter(|_| self.options.form == FormChoice::Live) else {
-            return;
-        };
-        for ((motion, resolved), planned) in program.motions.iter().zip(resolved).zip(motions) {
-            live::settle_form(program, (motion, resolved), live, &self.model, planned);
+    fn settled_form(&self, program: &Program, motion: &Motion, resolved: &Resolved, form: Form) -> Form {
+        let live = self.live.as_deref().filter(|_| self.options.form == FormChoice::Live);
+        match (live, &resolved.points) {
+            (Some(live), Ok(points)) => live::form_of_known(program, (motion, points), live, &self.model),
+            _ => form,
         }
+    }
+
+    /// A known motion's correction in its form.
+    fn correct(&self, program: &Program, motion: &Motion, resolved: &Resolved, points: &[Point]) -> Made {
+        let mut made = correct(motion, points, &self.at, &self.model, self.options);
+        made.planned.form = self.settled_form(program, motion, resolved, made.planned.form);
+        if let Some(ramp) = self.at.ramp().filter(|_| made.planned.form == Form::Live) {
+            let worst = points.iter().map(|point| ramp.errors_of_model_m(point, &self.model));
+            let worst = worst
+                .fold([0.0; 2], |most: [f64; 2], [before, after]| [most[0].max(before), most[1].max(after)]);
+            made.planned.error_m = made.planned.error_m.map(|_| worst);
+            made.error_m.iter_mut().for_each(|error_m| *error_m = worst);
+        }
+        made
     }
 
     fn plan_of(&self, motions: Vec<PlannedMotion>, summary: Summary, diagnostics: Vec<Diagnostic>) -> Plan {
@@ -270,7 +286,7 @@ impl<'a> Planner<'a> {
         let mut worst_bucket = Vec::with_capacity(resolved.len());
         for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
             let one = |(motion, resolved): (&Motion, &Resolved)| match &resolved.points {
-                Ok(points) => correct(motion, points, at, model, options),
+                Ok(points) => self.correct(program, motion, resolved, points),
                 Err(why) => self.at_run_time(program, motion, why),
             };
             let made: Vec<Made> = some.par_iter().zip(resolved).map(one).collect();
@@ -283,7 +299,6 @@ impl<'a> Planner<'a> {
                 motions.push(made.planned.clone());
             }
         }
-        self.take_live(program, &resolved, &mut motions);
         let warm = at.warm();
         figures::follow_paths(program, &resolved, warm, model, &worst_bucket, &mut motions);
         let compensated = own_points(program, &resolved)

@@ -138,6 +138,22 @@ impl Ramp {
         worst
     }
 
+    /// The same where the model is asked at run time: it takes the arm as deformed at the nominal joints, which are a little
+    /// beside those that are reached.
+    pub(super) fn errors_of_model_m(&self, point: &Point, model: &Model) -> [f64; 2] {
+        let nominal = model.nominal.forward(&point.q_rad);
+        let mut worst = [0.0_f64; 2];
+        for check in &self.checks {
+            let before = point.miss_m(&check.arm, &point.q_rad).norm();
+            let deformed = check.arm.under(&point.conditions).forward(&point.q_rad);
+            let told = nominal * deformed.inverse() * nominal;
+            let after = solve(&model.nominal, &told, &point.q_rad)
+                .map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
+            worst = [worst[0].max(before), worst[1].max(after)];
+        }
+        worst
+    }
+
     /// The worst of all points, metres; a turn counts as the shift that it is at
     /// [`LEVER_M`].
     fn worst_m(&self, model: &Model, points: &[Sample]) -> f64 {

@@ -140,7 +140,7 @@ pub enum Choice<'a> {
     /// The bucket in force.
     Bucket(&'a Schedule),
     /// What corrections are scaled by.
-    Scale(Scaled<'a>),
+    Scale(Box<Scaled<'a>>),
 }
 
 /// The core of a program: its clock, and what is asked of it.
@@ -408,7 +408,14 @@ mod tests {
             let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
             let law = Law::of(&clock, range_c).unwrap();
             let scaled = functions.iter().map(|functions| {
-                Choice::Scale(Scaled { functions, poses: true, joints: true, normalise: true, live: None })
+                let live = None;
+                Choice::Scale(Box::new(Scaled {
+                    functions,
+                    poses: true,
+                    joints: true,
+                    normalise: true,
+                    live,
+                }))
             });
             for choice in scaled.chain([Choice::Bucket(&schedule)]) {
                 let core = CoreText { law: &law, growth: two, choice, task_data: true };

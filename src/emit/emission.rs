@@ -90,13 +90,13 @@ impl Base {
         let ramps = totals.by_form[Form::Ramp as usize] > 0;
         let choice = match &self.functions {
             None => Choice::Bucket(schedule),
-            Some(functions) => Choice::Scale(Scaled {
+            Some(functions) => Choice::Scale(Box::new(Scaled {
                 functions,
                 poses: ramps && totals.targets[0] > 0,
                 joints: ramps && totals.targets[1] > 0,
                 normalise: totals.max_correction_rad > rad_from_deg(NORMALISE_DEG),
                 live,
-            }),
+            })),
         };
         let text = CoreText { law: &self.law, growth: emission.options.growth, choice, task_data: !s4c };
         let unnamed = Names::default();

@@ -178,7 +178,8 @@ impl<'a> Finish<'_, 'a> {
             reached.extend(calc);
             match failed {
                 _ if own_position => {
-                    let reason = "its target is read from where the robot stands, so that it holds the drift already";
+                    let reason =
+                        "its target is read from where the robot stands, so that it holds the drift already";
                     let because = failed.and_then(|keep| keep.because);
                     fail(Keep { code: "keep::own-position", reason: reason.into(), because });
                 }

@@ -82,7 +82,7 @@ impl TimeFunctions {
     /// (Chaturantabut and Sorensen, 2010, discrete empirical interpolation).
     #[must_use]
     pub fn of_courses(courses: &DMatrix<f64>, at_min: &[f64], tolerance: f64) -> Self {
-        let most = courses.ncols().min(courses.nrows()).min(MOST_FUNCTIONS).max(1);
+        let most = courses.ncols().min(courses.nrows()).clamp(1, MOST_FUNCTIONS);
         let svd = courses.clone().svd(false, true);
         let right = svd.v_t.unwrap_or_else(|| DMatrix::zeros(0, courses.ncols()));
         let mut best = Self::constant_zero(at_min);

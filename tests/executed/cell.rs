@@ -145,7 +145,8 @@ fn a_trap_goes_away_and_comes_back_to_where_the_arm_stood() {
         let report = played(&files, Some("rServed"), &steps);
         for p in &report.passes {
             assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{form:?}");
-            assert!(p.n > 14, "the trap moves, too: {}", p.n);
+            // Five moves a part, and the two of the trap.
+            assert_eq!(p.n, 2 * 5 + 2, "{form:?}");
             assert!(
                 mm_from_m(p.corrected.max_m) <= within_mm(form),
                 "{form:?} at {}: {:?}",

@@ -46,7 +46,11 @@ fn reached(
     let paper = Deformation::paper();
     let (program, kept) = made_as(form, original, &paper, clock)?;
     // This one uses its tool before it sets it (`state::pers-kept`): what is told of it holds in the first pass alone.
-    let each = if name.ends_with("s4c/RichProg.prg") { 1 } else { minutes.len() };
+    let each = if name.ends_with("s4c/RichProg.prg") || name.ends_with("golden/s4c_rich") {
+        1
+    } else {
+        minutes.len()
+    };
     let mut report = driftpost::simulate::Report::default();
     for minutes in minutes.chunks(each) {
         let mut s = session(&program, original, &paper, false);
