@@ -4,7 +4,7 @@ use super::files;
 use crate::diagnostic::{Diagnostic, FileId};
 use crate::program::modules_of_pgf;
 use crate::syntax::SourceFile;
-use crate::syntax::tree::{FileItem, ModuleItem};
+use crate::syntax::tree::FileItem;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
 use std::fs;
@@ -281,11 +281,7 @@ pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
                     .at(file.span(module.head))
                     .help("export or copy the file again"));
             }
-            let open = module.items.iter().find_map(|item| match item {
-                ModuleItem::Routine(routine) if routine.end.is_none() => Some(routine),
-                _ => None,
-            });
-            if let Some(routine) = open {
+            if let Some(routine) = module.routines().find(|routine| routine.end.is_none()) {
                 let name = String::from_utf8_lossy(file.text(routine.name)).into_owned();
                 let text =
                     format!("{}: routine {name} has no END word: where it ends cannot be said", file.path);

@@ -104,14 +104,7 @@ pub fn of_motions(program: &Program, (id, index): (FileId, usize), motions: &[us
     let tree = file.whole_tree();
     let Some(FileItem::Module(module)) = tree.items.get(index) else { return Vec::new() };
     let declarations = Declarations::new(&file.bytes, module);
-    let routines: Vec<&Routine> = module
-        .items
-        .iter()
-        .filter_map(|item| match item {
-            ModuleItem::Routine(routine) => Some(routine),
-            _ => None,
-        })
-        .collect();
+    let routines: Vec<&Routine> = module.routines().collect();
     let mut points = Points::default();
     let motions = motions.iter().filter_map(|&number| program.motions.get(number));
     for motion in motions {

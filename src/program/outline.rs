@@ -11,7 +11,7 @@ use super::names::lower_case;
 use crate::diagnostic::TextRange;
 use crate::syntax::SourceFile;
 use crate::syntax::tree::{
-    ArgKind, CallStmt, Callee, Expr, ExprKind, FileItem, ModuleItem, Routine, Stmt, StmtKind, UnaryOp,
+    ArgKind, CallStmt, Callee, Expr, ExprKind, FileItem, Routine, Stmt, StmtKind, UnaryOp,
 };
 use std::collections::BTreeSet;
 
@@ -31,14 +31,11 @@ pub(super) fn shadows_a_move(file: &SourceFile) -> bool {
 }
 
 fn routines(file: &SourceFile) -> impl Iterator<Item = &Routine> {
-    let items = file.tree.items.iter().filter_map(|item| match item {
-        FileItem::Module(module) => Some(&module.items),
+    let modules = file.tree.items.iter().filter_map(|item| match item {
+        FileItem::Module(module) => Some(module),
         FileItem::Comment(_) | FileItem::Opaque(_) => None,
     });
-    items.flatten().filter_map(|item| match item {
-        ModuleItem::Routine(routine) => Some(routine),
-        _ => None,
-    })
+    modules.flat_map(|module| module.routines())
 }
 
 struct Work<'a> {

@@ -43,6 +43,16 @@ pub struct Module {
     pub end: Option<TextRange>,
 }
 
+impl Module {
+    /// Its routines, in order.
+    pub fn routines(&self) -> impl Iterator<Item = &Routine> {
+        self.items.iter().filter_map(|item| match item {
+            ModuleItem::Routine(routine) => Some(routine),
+            _ => None,
+        })
+    }
+}
+
 /// What a module holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ModuleItem {

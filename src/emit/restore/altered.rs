@@ -67,10 +67,7 @@ pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
                 ModuleItem::Data(data) => Some((data.name, data.range)),
                 _ => None,
             });
-            let routines = module.items.iter().filter_map(|item| match item {
-                ModuleItem::Routine(routine) => Some((routine.name, routine.range)),
-                _ => None,
-            });
+            let routines = module.routines().map(|routine| (routine.name, routine.range));
             let code: Vec<_> = data.chain(routines).collect();
             altered.extend(altered_code(bytes, &lines, &code, &record.code, module.name));
         }

@@ -128,14 +128,7 @@ impl<'w> Remover<'w> {
     /// Takes out the routines; gives the module's own ones.
     pub(super) fn routines(&mut self) -> Result<Vec<&'w Routine>, RestoreError> {
         let module: &'w Module = self.module;
-        let mut all: Vec<&Routine> = module
-            .items
-            .iter()
-            .filter_map(|item| match item {
-                ModuleItem::Routine(routine) => Some(routine),
-                _ => None,
-            })
-            .collect();
+        let mut all: Vec<&Routine> = module.routines().collect();
         let Some(from) = all.len().checked_sub(self.record.routines) else {
             return Err(self.damaged(self.module.head, "routines that were added are missing"));
         };
