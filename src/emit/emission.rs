@@ -5,6 +5,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::about::about;
 use super::change::{Place, changes, check_plan};
 use super::clock::{Choice, CoreText, Law};
@@ -204,25 +206,13 @@ impl Ready<'_> {
             let what = format!("{}: nothing was to be changed here", program.file(id).path);
             return Err(EmitError::PlanMismatch(what).into());
         }
-        let changed: BTreeSet<FileId> = changes.keys().map(|(id, _)| *id).collect();
-        for id in changed {
-            let file = program.file(id);
-            let mut edits: Vec<Edit> = Vec::new();
-            let tree = file.whole_tree();
-            for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
-                let Some(FileItem::Module(module)) = tree.items.get(index) else { continue };
-                edits.extend(module::edits(&context, file, (index, module), motions)?);
-            }
-            edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
-            let bytes = apply(&file.bytes, &edits)
-                .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
-            let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
-            if back != Ok(true) {
-                let what =
-                    back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
-                return Err(EmitError::NotRestored { path: file.path.clone().into(), what }.into());
-            }
-            take(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })?;
+        let mut changed: Vec<FileId> = changes.keys().map(|(id, _)| *id).collect();
+        changed.dedup();
+        // As many at a time as are worked on, so that memory does not grow with their number.
+        for some in changed.chunks(rayon::current_num_threads()) {
+            let emitted: Vec<_> =
+                some.par_iter().map(|&id| emitted_file(&context, id, &changes)).collect::<Result<_, _>>()?;
+            emitted.into_iter().try_for_each(&mut *take)?;
         }
         Ok(())
     }
@@ -239,6 +229,30 @@ impl Ready<'_> {
         }
         Ok(())
     }
+}
+
+/// A changed file, proved to give its original back.
+fn emitted_file(
+    context: &Context<'_>,
+    id: FileId,
+    changes: &BTreeMap<Place, Vec<usize>>,
+) -> Result<EmittedFile, EmitError> {
+    let file = context.program.file(id);
+    let mut edits: Vec<Edit> = Vec::new();
+    let tree = file.whole_tree();
+    for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
+        let Some(FileItem::Module(module)) = tree.items.get(index) else { continue };
+        edits.extend(module::edits(context, file, (index, module), motions)?);
+    }
+    edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
+    let bytes = apply(&file.bytes, &edits)
+        .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
+    let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
+    if back != Ok(true) {
+        let what = back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
+        return Err(EmitError::NotRestored { path: file.path.clone().into(), what });
+    }
+    Ok(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })
 }
 
 /// The first changed file of each of the controller's tasks, by the task's folder: a task sees nothing of another's
