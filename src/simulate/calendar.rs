@@ -5,7 +5,9 @@
 pub struct Calendar {
     /// Seconds since the controller's first start: never set back.
     steady_s: f64,
-    /// Date and time shown, in seconds since 1970-01-01 00:00:00, where `steady_s` is 0.
+    /// What of it date and time have gone on by.
+    shown_s: f64,
+    /// Date and time shown, in seconds since 1970-01-01 00:00:00, where `shown_s` is 0.
     zero_s: f64,
     /// What every operation takes, so that midnight can fall between two of them.
     pub step_s: f64,
@@ -17,7 +19,7 @@ impl Default for Calendar {
     /// 2026-06-15 (a Monday) 08:00:00; operations take no time.
     fn default() -> Self {
         let zero_s = days_from_civil(2026, 6, 15) as f64 * 86_400.0 + 8.0 * 3600.0;
-        Self { steady_s: 0.0, zero_s, step_s: 0.0, held: false }
+        Self { steady_s: 0.0, shown_s: 0.0, zero_s, step_s: 0.0, held: false }
     }
 }
 
@@ -49,7 +51,7 @@ impl Calendar {
     pub fn set(&mut self, date: (i64, u32, u32), time: (u32, u32, f64)) {
         let days = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) as f64;
         let seconds = f64::from(time.0) * 3600.0 + f64::from(time.1) * 60.0 + time.2;
-        self.zero_s = days * 86_400.0 + seconds - self.steady_s;
+        self.zero_s = days * 86_400.0 + seconds - self.shown_s;
     }
 
     /// Move date and time by minutes (back where negative); the steady clock goes on.
@@ -61,8 +63,8 @@ impl Calendar {
     pub fn advance_s(&mut self, seconds_s: f64) {
         if seconds_s.is_finite() && seconds_s > 0.0 {
             self.steady_s += seconds_s;
-            if self.held {
-                self.zero_s -= seconds_s;
+            if !self.held {
+                self.shown_s += seconds_s;
             }
         }
     }
@@ -81,28 +83,28 @@ impl Calendar {
     }
 
     /// Date and time shown, in whole seconds since 1970-01-01.
-    fn shown_s(&self) -> i64 {
+    fn whole_s(&self) -> i64 {
         // A microsecond keeps a sum of minutes from falling short of its second.
-        (self.zero_s + self.steady_s + 1e-6).floor() as i64
+        (self.zero_s + self.shown_s + 1e-6).floor() as i64
     }
 
     /// Year, month, day.
     #[must_use]
     pub fn date(&self) -> (i64, u32, u32) {
-        civil_from_days(self.shown_s().div_euclid(86_400))
+        civil_from_days(self.whole_s().div_euclid(86_400))
     }
 
     /// Hour, minute, second.
     #[must_use]
     pub fn time(&self) -> (u32, u32, u32) {
-        let s = self.shown_s().rem_euclid(86_400) as u32;
+        let s = self.whole_s().rem_euclid(86_400) as u32;
         (s / 3600, s / 60 % 60, s % 60)
     }
 
     /// 1 Monday ... 7 Sunday.
     #[must_use]
     pub fn weekday(&self) -> u32 {
-        (self.shown_s().div_euclid(86_400) + 3).rem_euclid(7) as u32 + 1
+        (self.whole_s().div_euclid(86_400) + 3).rem_euclid(7) as u32 + 1
     }
 }
 
@@ -133,5 +135,11 @@ mod tests {
         assert_eq!((c.time(), c.steady_s()), ((8, 0, 0), 30.0));
         c.advance_min(1.0);
         assert_eq!(c.time(), (8, 1, 0));
+        // However many the moves: a second that is shown never comes back.
+        for _ in 0..100_000 {
+            c.advance_s(0.005);
+            assert_eq!(c.time(), (8, 1, 0));
+        }
+        assert!((c.steady_s() - 590.0).abs() < 1e-3);
     }
 }
