@@ -25,10 +25,8 @@ impl FormChoice {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Schedule => "schedule",
-            Self::Ramp => "ramp",
-            Self::Live => "live",
             Self::Auto => "auto",
+            one => one.of_known().name(),
         }
     }
 
