@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use driftpost::deform::Deformation;
-use driftpost::kinematics::{Chain, ClosedForm, solve};
-use driftpost::robot::Robot;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+use robot_model::deform::Deformation;
+use robot_model::kinematics::{Chain, ClosedForm, solve};
+use robot_model::robot::Robot;
 use rs_opw_kinematics::kinematic_traits::Kinematics;
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;

@@ -4,7 +4,7 @@
 #![allow(missing_docs, reason = "criterion's macros make functions without docs")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use driftpost::syntax::parse;
+use rapid_syntax::parse;
 use std::fmt::Write as _;
 use std::hint::black_box;
 

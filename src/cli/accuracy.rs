@@ -5,11 +5,11 @@ use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::validate::RegisterName;
 use super::{Console, Outcome, files};
-use crate::diagnostic::Diagnostic;
-use crate::measure::{Compared, PerformanceError, performance};
 use crate::report::{Told, accuracy as report};
-use crate::units::m_from_mm;
+use metrology::measure::{Compared, PerformanceError, performance};
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 

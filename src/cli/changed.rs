@@ -3,10 +3,10 @@
 use super::number::positive;
 use super::shared::{Known, RobotName};
 use super::{Console, Outcome, files, measured};
-use crate::diagnose::{Changed, ChangedError, changed};
-use crate::diagnostic::Diagnostic;
 use crate::report::changed as report;
-use crate::units::m_from_mm;
+use metrology::diagnose::{Changed, ChangedError, changed};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -4,8 +4,8 @@
 //! dropped, the work goes on and the exit code is what it would have been.
 
 use super::Outcome;
-use crate::diagnostic::Diagnostic;
 use crate::report::{self, Look, Told};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, IsTerminal, Write};
 
 /// Standard output and standard error.

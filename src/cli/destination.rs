@@ -2,10 +2,10 @@
 
 use super::files::{self, PENDING, Pending};
 use super::given::{Given, Shape};
-use crate::diagnostic::{Diagnostic, FileId};
-use crate::emit::EmittedFile;
-use crate::program::module_facts::EMITTED_MARK;
-use crate::program::{modules_of_pgf, pgf_with_module};
+use rapid_program::emit::EmittedFile;
+use rapid_program::program::module_facts::EMITTED_MARK;
+use rapid_program::program::{modules_of_pgf, pgf_with_module};
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -3,11 +3,11 @@
 use super::measured::Source;
 use super::shared::{Known, RobotName};
 use super::{Console, Outcome, files};
-use crate::diagnose::{Diagnosis, diagnose, diagnose_and_identify};
-use crate::diagnostic::Diagnostic;
 use crate::report::shop::{self, Standing};
 use crate::report::{diagnosis, plots};
+use metrology::diagnose::{Diagnosis, diagnose, diagnose_and_identify};
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 
 /// Options of `diagnose`.

@@ -5,11 +5,11 @@ use super::given::{self, Given};
 use super::inspect::Format;
 use super::shared::RobotName;
 use super::{Console, Outcome};
-use crate::compensate::compare::compare;
-use crate::diagnostic::Diagnostic;
-use crate::emit::differences;
-use crate::program::{Overrides, Program};
 use crate::report::{self, Compared, Told};
+use rapid_program::compensate::compare::compare;
+use rapid_program::emit::differences;
+use rapid_program::program::{Overrides, Program};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Cursor;
 use std::path::PathBuf;
 

@@ -1,15 +1,15 @@
 //! `driftpost exam`: runs the diagnosis on a folder of sealed data sets and scores it.
 
 use super::{Console, Outcome, files, model};
-use crate::diagnose::{Options, diagnose};
-use crate::diagnostic::Diagnostic;
-use crate::exam::generate::Task;
-use crate::exam::score::{Answer, Measure, score};
-use crate::exam::truth::{Sealed, Truth, seal};
-use crate::measure::Measurements;
-use crate::units::m_from_mm;
+use exam::generate::Task;
+use exam::score::{Answer, Measure, score};
+use exam::truth::{Sealed, Truth, seal};
+use metrology::diagnose::{Options, diagnose};
+use metrology::measure::Measurements;
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
+use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
 /// Options of `exam`.

@@ -1,7 +1,7 @@
 //! Files: read with a message that says what to do, written whole or not at all.
 
 use super::Console;
-use crate::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -4,14 +4,14 @@ use super::given::Given;
 use super::measured::Source;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
-use crate::compensate::{self, targets};
-use crate::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
-use crate::diagnostic::Diagnostic;
-use crate::program::{Overrides, Program};
 use crate::report::fit as report;
-use crate::robot::Robot;
-use crate::units::{m_from_mm, rad_from_deg};
+use metrology::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
 use nalgebra::Vector3;
+use rapid_program::compensate::{self, targets};
+use rapid_program::program::{Overrides, Program};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Robot;
+use robot_model::units::{m_from_mm, rad_from_deg};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -146,7 +146,7 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Pl
         let read = targets::read(&bytes, None).map_err(|error| in_file(error.into()))?;
         let table = compensate::tabulate::tabulate(robot, &warm_up.deformation(), &read, None, &[0.0])
             .map_err(|error| in_file(error.into()))?;
-        let of = |(target, nominal): (&targets::Target, &crate::kinematics::Solution)| Place {
+        let of = |(target, nominal): (&targets::Target, &robot_model::kinematics::Solution)| Place {
             name: target.name.clone(),
             q_rad: nominal.q_rad,
             tool_m: Vector3::zeros(),

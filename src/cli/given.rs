@@ -1,10 +1,10 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
-use crate::diagnostic::{Diagnostic, FileId};
-use crate::program::modules_of_pgf;
-use crate::syntax::SourceFile;
-use crate::syntax::tree::FileItem;
+use rapid_program::program::modules_of_pgf;
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use rapid_syntax::tree::FileItem;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
 use std::fs;

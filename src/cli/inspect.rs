@@ -3,9 +3,9 @@
 use super::files::Output;
 use super::given::{self, Given};
 use super::{Console, Outcome};
-use crate::program::{Overrides, Program};
 use crate::report::{self, Told};
 use clap::ValueEnum;
+use rapid_program::program::{Overrides, Program};
 use std::path::PathBuf;
 
 /// Options of `inspect`.

@@ -1,10 +1,10 @@
 //! Measurements as the options name them: one file or two, in our layout or another.
 
 use super::{Console, files, model};
-use crate::diagnostic::Diagnostic;
-use crate::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
 use crate::report::Told;
 use clap::ValueEnum;
+use metrology::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 
 /// Lines that a message lists at most.

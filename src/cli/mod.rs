@@ -37,8 +37,8 @@ pub mod validate;
 pub use console::Console;
 pub use outcome::Outcome;
 
-use crate::diagnostic::Diagnostic;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 

@@ -1,12 +1,12 @@
 //! The robot and its deformation, as the options name them.
 
 use super::{files, suggest};
-use crate::deform::identified::Identified;
-use crate::deform::{DeformError, Deformation, GrowthLaw};
-use crate::diagnostic::Diagnostic;
-use crate::emit::Provenance;
-use crate::kinematics::FrameOffsets;
-use crate::robot::Robot;
+use rapid_program::emit::Provenance;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::identified::Identified;
+use robot_model::deform::{DeformError, Deformation, GrowthLaw};
+use robot_model::kinematics::FrameOffsets;
+use robot_model::robot::Robot;
 use sha2::{Digest, Sha256};
 use std::path::Path;
 

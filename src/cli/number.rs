@@ -1,6 +1,6 @@
 //! Numbers of options, refused before any work is done where they make no sense.
 
-use crate::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::Diagnostic;
 
 /// Refuses numbers that are not more than 0 and finite; `None` is an option that was left out.
 ///

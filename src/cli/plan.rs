@@ -3,11 +3,11 @@
 use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files};
-use crate::diagnostic::Diagnostic;
-use crate::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use crate::report::plan as report;
-use crate::units::{m_from_mm, rad_from_deg};
+use metrology::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::{m_from_mm, rad_from_deg};
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -4,25 +4,25 @@
 use super::given::Given;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use crate::compensate::{self, FormChoice, plan};
-use crate::deform::{Deformation, GrowthLaw};
-use crate::diagnose::{Diagnosis, Options, describe, diagnose_and_identify};
-use crate::diagnostic::Diagnostic;
-use crate::emit::{Clock, EmitOptions, Provenance, emit};
-use crate::exam::again::{Again, Commanded, is_lasting, measured_rms_m};
-use crate::exam::draw::Draw;
-use crate::exam::generate::{DataSet, data_set};
-use crate::kinematics::FrameOffsets;
-use crate::measure::Measurements;
-use crate::program::{Overrides, Program};
-use crate::robot::Robot;
-use crate::simulate::{Controller, Move};
-use crate::units::{m_from_mm, mm_from_m, rad_from_deg};
+use exam::again::{Again, Commanded, is_lasting, measured_rms_m};
+use exam::draw::Draw;
+use exam::generate::{DataSet, data_set};
+use metrology::diagnose::{Diagnosis, Options, describe, diagnose_and_identify};
+use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Vector3};
+use rapid_program::compensate::{self, FormChoice, plan};
+use rapid_program::emit::{Clock, EmitOptions, Provenance, emit};
+use rapid_program::program::{Overrides, Program};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::{Deformation, GrowthLaw};
+use robot_model::kinematics::FrameOffsets;
+use robot_model::robot::Robot;
+use robot_model::units::{m_from_mm, mm_from_m, rad_from_deg};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+use virtual_controller::{Controller, Move};
 
 /// Options of `rehearse`.
 #[derive(Debug, clap::Args)]
@@ -129,7 +129,7 @@ fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diag
             n: args.n as usize,
             sigma_mm: args.sigma_mm,
             rho: args.rho,
-            spread: crate::exam::poses::Spread::Wide,
+            spread: exam::poses::Spread::Wide,
         },
         draw,
     )?;
@@ -150,7 +150,7 @@ fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diag
 fn found(
     set: &DataSet,
     robot: &Robot,
-) -> Result<(Diagnosis, Option<crate::deform::identified::Identified>), Diagnostic> {
+) -> Result<(Diagnosis, Option<robot_model::deform::identified::Identified>), Diagnostic> {
     let measurements = Measurements::from_csv(set.csv.as_bytes())
         .map_err(|error| Diagnostic::error("measure::file", error.to_string()))?;
     let options = Options {
@@ -164,7 +164,7 @@ fn found(
 fn compensated(
     given: &Given,
     robot: &Robot,
-    identified: crate::deform::identified::Identified,
+    identified: robot_model::deform::identified::Identified,
 ) -> Result<Vec<(String, Vec<u8>)>, Diagnostic> {
     let growth = identified.growth().unwrap_or(GrowthLaw::None);
     let rigid = Deformation::from_static(FrameOffsets::default(), growth);
@@ -177,7 +177,9 @@ fn compensated(
     let program = Program::read(given.sources(), &Overrides::default());
     let plan = plan(&program, robot, &rigid, &options)
         .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
-    if let Some(error) = plan.diagnostics.iter().find(|d| d.severity == crate::diagnostic::Severity::Error) {
+    if let Some(error) =
+        plan.diagnostics.iter().find(|d| d.severity == rapid_syntax::diagnostic::Severity::Error)
+    {
         return Err(error.clone());
     }
     let how = EmitOptions {
@@ -205,7 +207,8 @@ fn compensated(
 
 /// The moves that a controller makes of a program: called cold first, where it has a clock.
 fn moves(robot: &Robot, program: &[(String, Vec<u8>)]) -> Result<Vec<Move>, Diagnostic> {
-    let refused = |error: crate::simulate::SimulateError| Diagnostic::error(error.code(), error.to_string());
+    let refused =
+        |error: virtual_controller::SimulateError| Diagnostic::error(error.code(), error.to_string());
     let mut controller = Controller::with_robot(robot).map_err(refused)?;
     for (path, bytes) in program {
         controller.load(path, bytes).map_err(refused)?;
@@ -218,7 +221,7 @@ fn moves(robot: &Robot, program: &[(String, Vec<u8>)]) -> Result<Vec<Move>, Diag
     }
     let entry = controller.entry().map_err(refused)?;
     controller.call(&entry, 1).map_err(refused)?;
-    Ok(controller.arm_mut().map(crate::simulate::Arm::take_moves).unwrap_or_default())
+    Ok(controller.arm_mut().map(virtual_controller::Arm::take_moves).unwrap_or_default())
 }
 
 /// What is left at a program's targets.

@@ -2,9 +2,9 @@
 
 use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
-use crate::diagnostic::Diagnostic;
-use crate::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
 use crate::report::Told;
+use rapid_program::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
+use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,11 +2,11 @@
 
 use super::model;
 use super::number::positive;
-use crate::diagnose;
-use crate::diagnostic::Diagnostic;
-use crate::robot::Robot;
-use crate::units::m_from_mm;
+use metrology::diagnose;
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Robot;
+use robot_model::units::m_from_mm;
 
 /// The robot.
 #[derive(Debug, clap::Args)]

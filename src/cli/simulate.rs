@@ -7,16 +7,18 @@ use super::minutes::Minutes;
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
-use crate::diagnostic::Diagnostic;
-use crate::program::task_of;
-use crate::robot::Robot;
-use crate::simulate::session::{File, Options, Pass, Spread, Worst};
-use crate::simulate::{EffortRange, Message, Report, Scenario, Session, SimulateError, TrueRobot, Warming};
-use crate::units::{deg_from_rad, m_from_mm, mm_from_m};
 use anyhow::Context;
+use rapid_program::program::task_of;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
+use virtual_controller::session::{File, Options, Pass, Spread, Worst};
+use virtual_controller::{
+    EffortRange, Message, Report, Scenario, Session, SimulateError, TrueRobot, Warming,
+};
 
 /// Options of `simulate`.
 #[derive(Debug, clap::Args)]

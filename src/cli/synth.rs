@@ -3,17 +3,17 @@
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
-use crate::deform::GrowthLaw;
-use crate::diagnose::warmup::Stop;
-use crate::diagnostic::Diagnostic;
-use crate::exam::draw::Draw;
-use crate::exam::generate::{DataSet, Recipe, data_set};
-use crate::exam::poses::{Recorded, Spread};
-use crate::exam::touch::{TouchRecipe, touches};
-use crate::exam::truth::{Kind, Sealed, seal};
-use crate::exam::{choose, mixture};
-use crate::robot::Robot;
-use crate::units::m_from_mm;
+use exam::draw::Draw;
+use exam::generate::{DataSet, Recipe, data_set};
+use exam::poses::{Recorded, Spread};
+use exam::touch::{TouchRecipe, touches};
+use exam::truth::{Kind, Sealed, seal};
+use exam::{choose, mixture};
+use metrology::diagnose::warmup::Stop;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::GrowthLaw;
+use robot_model::robot::Robot;
+use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
 /// Options of `synth`.

@@ -9,14 +9,14 @@ use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
-use crate::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
-use crate::compensate::targets::{self, Target};
-use crate::diagnostic::Diagnostic;
-use crate::kinematics::Configuration;
 use crate::report::{JointRow, JointTable};
-use crate::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use anyhow::Context;
 use nalgebra::UnitQuaternion;
+use rapid_program::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
+use rapid_program::compensate::targets::{self, Target};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::kinematics::Configuration;
+use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
@@ -122,7 +122,7 @@ fn summary_json(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> Val
             "t_min": minute.t_min, "n": targets.len(), "before": miss(&minute.before), "after": miss(&minute.after),
         })
     };
-    let target = |(target, nominal): (&Target, &crate::kinematics::Solution)| {
+    let target = |(target, nominal): (&Target, &robot_model::kinematics::Solution)| {
         let c = nominal.configuration;
         json!({
             "target": target.name, "line": target.line, "q_deg": nominal.q_rad.map(deg_from_rad),

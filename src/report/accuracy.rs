@@ -1,8 +1,8 @@
 //! Performance after ISO 9283 for people and as JSON.
 
 use super::table::{Align, Table};
-use crate::measure::{Performance, PosePerformance, Repeatability};
-use crate::units::{deg_from_rad, mm_from_m};
+use metrology::measure::{Performance, PosePerformance, Repeatability};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

@@ -1,7 +1,7 @@
 //! What has changed between two measurements, for people and as JSON.
 
-use crate::diagnose::{Changed, describe};
-use crate::units::{deg_from_rad, mm_from_m};
+use metrology::diagnose::{Changed, describe};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

@@ -2,11 +2,11 @@
 
 use super::motion_rows::target_name;
 use super::{Align, Table, rounded};
-use crate::compensate::compare::{ComparedMotion, Comparison, Step};
-use crate::emit::Difference;
-use crate::program::Program;
-use crate::program::motion::Motion;
-use crate::units::{deg_from_rad, mm_from_m};
+use rapid_program::compensate::compare::{ComparedMotion, Comparison, Step};
+use rapid_program::emit::Difference;
+use rapid_program::program::Program;
+use rapid_program::program::motion::Motion;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -209,7 +209,7 @@ impl Compared<'_> {
         for compared in &self.comparison.motions {
             let (before, after) = self.motions(compared);
             for (k, step) in compared.steps.iter().enumerate() {
-                let arm = |f: &dyn Fn(&crate::compensate::compare::ArmStep) -> f64| {
+                let arm = |f: &dyn Fn(&rapid_program::compensate::compare::ArmStep) -> f64| {
                     step.arm.as_ref().map_or_else(String::new, |a| rounded(f(a)).to_string())
                 };
                 csv.write_record([

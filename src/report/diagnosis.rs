@@ -1,7 +1,7 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
-use crate::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
-use crate::units::deg_from_rad;
+use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
+use robot_model::units::deg_from_rad;
 use std::fmt::Write;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.

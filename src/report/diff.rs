@@ -1,6 +1,6 @@
 //! Unified diffs: from known edits without searching, or of two texts.
 
-use crate::syntax::Edit;
+use rapid_syntax::Edit;
 use similar::TextDiff;
 use std::io::{self, BufRead, Seek, Write};
 use std::time::Duration;
@@ -257,9 +257,9 @@ impl Write for Cut<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::TextRange;
-    use crate::syntax::apply;
     use proptest::prelude::*;
+    use rapid_syntax::apply;
+    use rapid_syntax::diagnostic::TextRange;
 
     fn edit(start: u32, end: u32, text: &str) -> Edit {
         Edit { range: TextRange::new(start, end), text: text.as_bytes().to_vec() }

@@ -1,9 +1,9 @@
 //! A fitted warm-up for people, as table and as JSON.
 
-use crate::deform::Deformation;
-use crate::diagnose::warmup::{AtTargets, PARAMETERS, WarmUp};
-use crate::units::{deg_from_rad, mm_from_m};
+use metrology::diagnose::warmup::{AtTargets, PARAMETERS, WarmUp};
 use nalgebra::Vector3;
+use robot_model::deform::Deformation;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 

@@ -3,9 +3,9 @@
 use super::json::messages;
 use super::message::Told;
 use super::{Align, Table, rounded};
-use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Target, TargetValue};
-use crate::units::{deg_from_rad, mm_from_m};
+use rapid_program::program::Program;
+use rapid_program::program::motion::{Motion, Origin, Target, TargetValue};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};

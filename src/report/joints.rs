@@ -2,10 +2,10 @@
 
 use super::motion_rows::target_name;
 use super::rounded;
-use crate::compensate::MinuteJoints;
-use crate::program::Program;
-use crate::program::motion::Origin;
-use crate::units::{deg_from_rad, mm_from_m};
+use rapid_program::compensate::MinuteJoints;
+use rapid_program::program::Program;
+use rapid_program::program::motion::Origin;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use std::borrow::Cow;
 use std::io::{self, Write};
 

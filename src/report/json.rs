@@ -2,12 +2,12 @@
 
 use super::message::Told;
 use super::motion_rows::target_name;
-use crate::compensate::plan::{Plan, PlannedMotion, Status, Summary};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::program::Program;
-use crate::program::motion::{Keep, Motion};
-use crate::schedule::Schedule;
-use crate::units::{deg_from_rad, mm_from_m};
+use rapid_program::compensate::plan::{Plan, PlannedMotion, Status, Summary};
+use rapid_program::program::Program;
+use rapid_program::program::motion::{Keep, Motion};
+use rapid_program::schedule::Schedule;
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Error as _, Serialize, SerializeMap, SerializeSeq, Serializer};
 use serde_json::{Value, json};
 use std::cell::RefCell;
@@ -194,7 +194,7 @@ fn of_severity(list: &[Told], is: fn(Severity) -> bool) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Diagnostic;
+    use rapid_syntax::diagnostic::Diagnostic;
 
     #[test]
     fn numbers_are_rounded_and_never_minus_zero() {

@@ -1,8 +1,8 @@
 //! Messages with excerpts of the source they are about.
 
-use crate::diagnostic::{Diagnostic, FileId, Severity, Span};
-use crate::syntax::SourceFile;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, Span};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::ops::Range;
@@ -196,7 +196,7 @@ impl Shown {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::TextRange;
+    use rapid_syntax::diagnostic::TextRange;
 
     fn file(bytes: &[u8]) -> SourceFile {
         SourceFile::read(FileId(0), "cell/prog.mod", bytes)

@@ -3,10 +3,10 @@
 //! Of a large program few are shown, and no more are held than may be.
 
 use super::{Align, Table};
-use crate::compensate::plan::{Form, Plan, PlannedMotion, Status};
-use crate::program::Program;
-use crate::program::motion::{Motion, Origin};
-use crate::units::{deg_from_rad, mm_from_m};
+use rapid_program::compensate::plan::{Form, Plan, PlannedMotion, Status};
+use rapid_program::program::Program;
+use rapid_program::program::motion::{Motion, Origin};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use std::io::{self, Write};
 
 /// A program of more motions is shown by its worst ones.
@@ -146,12 +146,12 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compensate::plan::{Corrected, Corrector, Summary};
-    use crate::diagnostic::{FileId, TextRange};
-    use crate::program::Overrides;
-    use crate::schedule::Schedule;
-    use crate::syntax::SourceFile;
-    use crate::units::m_from_mm;
+    use rapid_program::compensate::plan::{Corrected, Corrector, Summary};
+    use rapid_program::program::Overrides;
+    use rapid_program::schedule::Schedule;
+    use rapid_syntax::SourceFile;
+    use rapid_syntax::diagnostic::{FileId, TextRange};
+    use robot_model::units::m_from_mm;
     use std::sync::Arc;
 
     #[derive(Debug)]

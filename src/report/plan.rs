@@ -1,8 +1,8 @@
 //! A measurement plan for people and as JSON.
 
 use super::table::{Align, Table};
-use crate::plan::{Confounded, Lines, MeasurementPlan, Named, Step};
-use crate::units::deg_from_rad;
+use metrology::plan::{Confounded, Lines, MeasurementPlan, Named, Step};
+use robot_model::units::deg_from_rad;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 

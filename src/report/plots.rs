@@ -2,7 +2,7 @@
 //! Computes nothing but where to draw.
 
 use super::svg::{Panel, Picture};
-use crate::diagnose::{Diagnosis, RowResidual};
+use metrology::diagnose::{Diagnosis, RowResidual};
 
 /// More rows than this are thinned: a picture of them shows no more.
 const MOST_ROWS: usize = 1500;

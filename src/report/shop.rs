@@ -1,9 +1,9 @@
 //! What was found, as RAPID to paste: tool, work object and load data, and each axis's offset with its warning.
 
-use crate::deform::identified::{Identified, Kind};
-use crate::emit::{write_num, write_orient, write_pos};
-use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::{Isometry3, Vector3};
+use rapid_program::emit::{write_num, write_orient, write_pos};
+use robot_model::deform::identified::{Identified, Kind};
+use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
 
 /// Data as they stand on the controller: name and value.
@@ -59,7 +59,7 @@ pub const WARNING: [&str; 6] = [
 /// An axis and by how much it stands further than the controller shows, with sigma, radians.
 #[must_use]
 pub fn axis_offsets(model: &Identified) -> Vec<(usize, f64, Option<f64>)> {
-    let of = |t: &crate::deform::identified::Term| {
+    let of = |t: &robot_model::deform::identified::Term| {
         let value = t.values.first()?;
         Some((t.joint? + 1, value.value, value.sigma))
     };
@@ -123,7 +123,7 @@ fn tool(out: &mut String, standing: &Standing, target_m: Vector3<f64>) {
         let [place, turn] = <[&str; 2]>::try_from(elements(frame)?).ok()?;
         let numbers: Vec<f64> = elements(place)?.iter().map(|n| n.parse().ok()).collect::<Option<_>>()?;
         let [x, y, z] = numbers[..] else { return None };
-        Some((name, held, Vector3::new(x, y, z).map(crate::units::m_from_mm), turn, load))
+        Some((name, held, Vector3::new(x, y, z).map(robot_model::units::m_from_mm), turn, load))
     });
     let Some((name, held, tcp_m, turn, load)) = parts else {
         out.push_str(

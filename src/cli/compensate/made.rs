@@ -1,13 +1,13 @@
 //! A compensated program, and the reasons why there is none.
 
 use super::Job;
-use crate::compensate::plan::{Plan, Summary, Totals};
-use crate::compensate::{FormChoice, Planner};
-use crate::diagnostic::Diagnostic;
-use crate::emit::{EmitError, EmittedFile, Ready};
-use crate::program::motion::Keep;
-use crate::program::{InParts, Parts, Program};
 use crate::report::{self, Compensation, JointRow, MotionRows, Review, Told};
+use rapid_program::compensate::plan::{Plan, Summary, Totals};
+use rapid_program::compensate::{FormChoice, Planner};
+use rapid_program::emit::{EmitError, EmittedFile, Ready};
+use rapid_program::program::motion::Keep;
+use rapid_program::program::{InParts, Parts, Program};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, Write};
 
 /// More text than this is said to be large, bytes.

@@ -5,15 +5,15 @@ use super::{Args, Models};
 use crate::cli::destination::Destination;
 use crate::cli::given::Given;
 use crate::cli::model::{self, Named};
-use crate::compensate::plan::{Plan, Totals};
-use crate::compensate::{self, CompensateError, Options, Planner};
-use crate::deform::Deformation;
-use crate::diagnostic::{Diagnostic, FileId, Severity};
-use crate::emit::{Emission, EmitError, EmitOptions, EmittedFile};
-use crate::program::motion::Keep;
-use crate::program::{InParts, Overrides, Part, Parts, Program};
 use crate::report::{self, MotionRows, Told};
-use crate::robot::Robot;
+use rapid_program::compensate::plan::{Plan, Totals};
+use rapid_program::compensate::{self, CompensateError, Options, Planner};
+use rapid_program::emit::{Emission, EmitError, EmitOptions, EmittedFile};
+use rapid_program::program::motion::Keep;
+use rapid_program::program::{InParts, Overrides, Part, Parts, Program};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity};
+use robot_model::deform::Deformation;
+use robot_model::robot::Robot;
 use std::io::{self, Write};
 
 /// What is to be done, all names resolved.

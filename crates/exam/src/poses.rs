@@ -1,0 +1,184 @@
+//! Which poses are measured, in which order, and how the robot got there.
+
+use super::arm::{Arm, Disturbance};
+use super::draw::Draw;
+use super::effect::Moment;
+use nalgebra::{Point3, Vector3};
+use robot_model::robot::Robot;
+use robot_model::units::rad_from_deg;
+use serde::{Deserialize, Serialize};
+
+/// How the poses are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "snake_case")]
+pub enum Spread {
+    /// All over the arm's reach.
+    Wide,
+    /// In a box of 0.3 × 0.6 × 0.3 m before the robot.
+    Cube,
+    /// A few degrees round one posture.
+    Narrow,
+    /// One joint at a time.
+    Sweeps,
+}
+
+/// What a data set records besides joints and points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Recorded {
+    /// `t_min`
+    pub time: bool,
+    /// `dir1` ...
+    pub direction: bool,
+    /// `payload_kg`
+    pub payload: bool,
+    /// `temp_j1_c` ...
+    pub temperature: bool,
+    /// `qw` ...
+    pub orientation: bool,
+}
+
+impl Recorded {
+    /// What can be noted of a point without thermometers: time, direction, payload.
+    pub const NOTED: Self =
+        Self { time: true, direction: true, payload: true, temperature: false, orientation: false };
+}
+
+/// Half the width, in degrees, that each joint moves over where its range is wider.
+const WIDEST_DEG: [f64; 6] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0];
+/// The middle of a small arm's working posture, degrees.
+const POSTURE_DEG: [f64; 6] = [10.0, 20.0, 5.0, 25.0, 45.0, -20.0];
+
+fn joints(robot: &Robot, draw: &mut Draw, spread: Spread, k: usize, n: usize) -> [f64; 6] {
+    let limit = |i: usize| {
+        let wide = rad_from_deg(WIDEST_DEG[i]);
+        robot.joints[i]
+            .range_rad
+            .map_or([-wide, wide], |[lo, hi]| [lo.max(-wide) * 0.95, hi.min(wide) * 0.95])
+    };
+    let posture = POSTURE_DEG.map(rad_from_deg);
+    match spread {
+        Spread::Wide | Spread::Cube => std::array::from_fn(|i| {
+            let [low, high] = limit(i);
+            draw.uniform(low, high)
+        }),
+        Spread::Narrow => std::array::from_fn(|i| posture[i] + draw.uniform(-1.0, 1.0) * rad_from_deg(12.0)),
+        Spread::Sweeps => {
+            let joint = (6 * k / n.max(1)).min(5);
+            let mut q = posture;
+            let [low, high] = limit(joint);
+            q[joint] = draw.uniform(low, high);
+            q
+        }
+    }
+}
+
+/// Whether the pose can be measured: above the floor, in front of the cell where a cube is asked for.
+fn fits(point_m: &Vector3<f64>, spread: Spread) -> bool {
+    match spread {
+        Spread::Cube => {
+            (0.4..0.7).contains(&point_m.x) && point_m.y.abs() < 0.3 && (0.25..0.55).contains(&point_m.z)
+        }
+        Spread::Wide | Spread::Sweeps => point_m.z > 0.05,
+        Spread::Narrow => true,
+    }
+}
+
+/// A measurement run as it is planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// How the poses are spread.
+    pub spread: Spread,
+    /// Rows.
+    pub n: usize,
+    /// Of these, the last so many come back to the first poses.
+    pub repeats: usize,
+    /// The measured point in the flange frame, metres.
+    pub tool_m: Vector3<f64>,
+    /// Payloads in turn, kg.
+    pub payloads_kg: [f64; 2],
+}
+
+/// One row of a run that others planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven {
+    /// Which pose: rows that repeat one share it.
+    pub pose: usize,
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// Sign of each joint's last motion.
+    pub direction: [i8; 6],
+    /// Payload.
+    pub payload_kg: f64,
+}
+
+/// The moments of a measurement run.
+#[must_use]
+pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Moment> {
+    let Run { spread, n, repeats, tool_m, payloads_kg } = *run;
+    let climate = Climate::new(draw);
+    let mut out: Vec<Moment> = Vec::with_capacity(n);
+    let distinct = n - repeats.min(n / 2);
+    for k in 0..n {
+        let q_rad = if k >= distinct {
+            out[k - distinct].q_rad
+        } else {
+            let mut tries = 0;
+            loop {
+                let q = joints(robot, draw, spread, k, distinct);
+                let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(tool_m)).coords;
+                tries += 1;
+                if fits(&point_m, spread) || tries > 5_000 {
+                    break q;
+                }
+            }
+        };
+        let direction = std::array::from_fn(|_| draw.sign() as i8);
+        let row = Driven { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
+        out.push(climate.moment(arm, tool_m, k, &row));
+    }
+    out
+}
+
+/// The moments of a run that others planned.
+#[must_use]
+pub fn moments_of(arm: &Arm, draw: &mut Draw, tool_m: Vector3<f64>, rows: &[Driven]) -> Vec<Moment> {
+    let climate = Climate::new(draw);
+    rows.iter().enumerate().map(|(k, row)| climate.moment(arm, tool_m, k, row)).collect()
+}
+
+/// How long a row takes and how the joints warm meanwhile: quickly by their motors, slowly by their castings.
+struct Climate {
+    minutes_each: f64,
+    heat_k: [f64; 6],
+    quick_min: [f64; 6],
+    slow_min: [f64; 6],
+}
+
+impl Climate {
+    fn new(draw: &mut Draw) -> Self {
+        Self {
+            minutes_each: draw.uniform(0.5, 3.0),
+            heat_k: std::array::from_fn(|_| draw.uniform(5.0, 25.0)),
+            quick_min: std::array::from_fn(|_| draw.uniform(15.0, 45.0)),
+            slow_min: std::array::from_fn(|_| draw.uniform(80.0, 200.0)),
+        }
+    }
+
+    fn moment(&self, arm: &Arm, tool_m: Vector3<f64>, k: usize, row: &Driven) -> Moment {
+        let payload_at_m = Point3::new(0.02, 0.0, 0.09);
+        let t_min = self.minutes_each * k as f64;
+        Moment {
+            q_rad: row.q_rad,
+            t_min,
+            direction: row.direction,
+            payload_kg: row.payload_kg,
+            payload_at_m,
+            warmer_k: std::array::from_fn(|j| {
+                let cold = 0.6 * (-t_min / self.quick_min[j]).exp() + 0.4 * (-t_min / self.slow_min[j]).exp();
+                self.heat_k[j] * (1.0 - cold)
+            }),
+            torque_n_m: arm.gravity_torque_n_m(&row.q_rad, row.payload_kg, &payload_at_m),
+            point_m: (arm.flange(&row.q_rad, &Disturbance::default()) * Point3::from(tool_m)).coords,
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! What has changed between two measurements of one robot, before and after a crash, say: pose by pose, so that all that
+//! was wrong before as much as after drops out.
+
+use super::{Diagnosis, Options, Verdict, diagnose};
+use crate::measure::{
+    Channels, Measurements, RegisterError, Registration, Row, Seen, Station, Stations, check_rows, gather,
+    register,
+};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+
+/// Joints this near are the same pose.
+const SAME_RAD: f64 = 3.5e-4;
+/// Fewer poses in both say nothing.
+const FEWEST: usize = 12;
+/// A shift of the tool beyond this many sigmas is one.
+const SURE: f64 = 4.0;
+/// Pairs with the largest change that are listed.
+const LISTED: usize = 10;
+
+/// Why two files cannot be compared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ChangedError {
+    /// Too few poses were measured both times.
+    #[error(
+        "only {pairs} poses were measured both times (joints, target, payload and direction alike); {FEWEST} are needed"
+    )]
+    TooFew {
+        /// How many.
+        pairs: usize,
+    },
+    /// The rows of a file contradict the robot.
+    #[error("{reason}")]
+    Fault {
+        /// How.
+        reason: String,
+    },
+    /// Too alike poses.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+}
+
+/// What has changed.
+#[derive(Clone, Debug)]
+pub struct Changed {
+    /// Poses in both files.
+    pub pairs: usize,
+    /// Poses in one file alone: before, after.
+    pub alone: [usize; 2],
+    /// rms change of the points, base and tool as they were each time, metres.
+    pub rms_m: f64,
+    /// What noise alone would give, where the noise is known.
+    pub noise_rms_m: Option<f64>,
+    /// How far each target has moved on the flange, with its largest standard deviation, metres.
+    pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
+    /// The base now in the frame of the base before: real where the instrument has not moved.
+    pub base_moved: Isometry3<f64>,
+    /// Largest changes: line before, line after, metres.
+    pub worst: Vec<(u64, u64, f64)>,
+    /// The diagnosis of the differences.
+    pub diagnosis: Diagnosis,
+    /// Whether arm or tool have changed.
+    pub is_changed: bool,
+}
+
+/// A pose in both files.
+struct Pair<'a> {
+    before: &'a Station,
+    after: &'a Station,
+    flange: Isometry3<f64>,
+}
+
+/// Compares `after` with `before`.
+///
+/// # Errors
+/// [`ChangedError`]
+pub fn changed(
+    before: &Measurements,
+    after: &Measurements,
+    robot: &Robot,
+    options: &Options,
+) -> Result<Changed, ChangedError> {
+    let chain = Chain::nominal(robot);
+    let stations = |m: &Measurements| {
+        let finding = check_rows(m, robot);
+        match finding.fault {
+            Some(fault) => Err(ChangedError::Fault { reason: fault.reason }),
+            None => Ok(gather(m, &finding.keep)),
+        }
+    };
+    let (old, new) = (stations(before)?, stations(after)?);
+    let pairs = paired(&old, &new, before, after, &chain);
+    if pairs.len() < FEWEST {
+        return Err(ChangedError::TooFew { pairs: pairs.len() });
+    }
+    let flange: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange).collect();
+    let own = |of: fn(&Pair<'_>) -> Station, targets: usize| {
+        let stations: Vec<Station> = pairs.iter().map(of).collect();
+        let fit = register(&stations, &flange, targets, options.tool_m)?;
+        Ok::<_, RegisterError>((stations, fit))
+    };
+    let (first, was) = own(|p| p.before.clone(), old.targets)?;
+    let (second, is) = own(|p| Station { target: p.before.target, ..p.after.clone() }, old.targets)?;
+
+    // What the points have moved by, the base as it is now, the targets where they were.
+    let now = Registration { tools_m: was.tools_m.clone(), ..is.clone() };
+    let moved: Vec<Vector3<f64>> = (0..pairs.len())
+        .map(|i| now.residual_m(&second[i], &flange[i]) - was.residual_m(&first[i], &flange[i]))
+        .collect();
+    let shown: Vec<Station> = second
+        .iter()
+        .zip(&flange)
+        .zip(&moved)
+        .map(|((s, pose), moved)| Station {
+            seen: Seen::Point { position_m: was.predicted_m(s, pose) + moved },
+            orientation: None,
+            ..s.clone()
+        })
+        .collect();
+    let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
+    let left: Vec<Vector3<f64>> =
+        shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
+
+    let sigma_m = noise_m(&old, &new, options);
+    let differences = as_measurements(&pairs, &shown, before);
+    let told = Options { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
+    let diagnosis = diagnose(&differences, robot, &told);
+    let tools_moved_m: Vec<(Vector3<f64>, f64)> =
+        fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
+    let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
+    let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
+    let line =
+        |m: &Measurements, s: &Station| s.rows.first().and_then(|&r| m.rows.get(r)).map_or(0, |r| r.line);
+    let mut worst: Vec<(u64, u64, f64)> = pairs
+        .iter()
+        .zip(&left)
+        .map(|(p, left)| (line(before, p.before), line(after, p.after), left.norm()))
+        .collect();
+    worst.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.0.cmp(&b.0)));
+    worst.truncate(LISTED);
+    let n = pairs.len() as f64;
+    Ok(Changed {
+        pairs: pairs.len(),
+        alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
+        rms_m: (left.iter().map(Vector3::norm_squared).sum::<f64>() / n).sqrt(),
+        noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
+        tools_moved_m,
+        base_moved: was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base,
+        worst,
+        diagnosis,
+        is_changed: tool_is_changed || arm_is_changed,
+    })
+}
+
+/// Each station before with the first one after that is alike and free.
+fn paired<'a>(
+    old: &'a Stations,
+    new: &'a Stations,
+    before: &Measurements,
+    after: &Measurements,
+    chain: &Chain,
+) -> Vec<Pair<'a>> {
+    let mut free: Vec<&Station> =
+        new.stations.iter().filter(|s| matches!(s.seen, Seen::Point { .. })).collect();
+    let mut pairs = Vec::new();
+    for station in old.stations.iter().filter(|s| matches!(s.seen, Seen::Point { .. })) {
+        let alike = |other: &&Station| {
+            let same = |a: Option<[i8; 6]>, b: Option<[i8; 6]>| a.is_none() || b.is_none() || a == b;
+            let load = |a: Option<f64>, b: Option<f64>| a.is_none() || b.is_none() || a == b;
+            station.q_rad.iter().zip(&other.q_rad).all(|(a, b)| (a - b).abs() < SAME_RAD)
+                && before.targets.get(station.target) == after.targets.get(other.target)
+                && same(station.direction, other.direction)
+                && load(station.payload_kg, other.payload_kg)
+        };
+        if let Some(at) = free.iter().position(alike) {
+            let other = free.remove(at);
+            pairs.push(Pair { before: station, after: other, flange: chain.forward(&station.q_rad) });
+        }
+    }
+    pairs
+}
+
+/// Noise of a difference of two single readings: stated, or seen in both files' repeats.
+fn noise_m(old: &Stations, new: &Stations, options: &Options) -> Option<f64> {
+    let seen = old.repeats.zip(new.repeats).map(|(a, b)| a.sigma_m.hypot(b.sigma_m));
+    options.sigma_m.map(|sigma_m| sigma_m * 2.0_f64.sqrt()).or(seen)
+}
+
+/// The differences as a measurement file of their own: the nominal arm, and what has changed.
+fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements) -> Measurements {
+    let rows: Vec<Row> = pairs
+        .iter()
+        .zip(shown)
+        .enumerate()
+        .map(|(i, (pair, shown))| Row {
+            line: i as u64 + 2,
+            id: None,
+            pose: pair.before.pose,
+            target: pair.before.target,
+            t_min: None,
+            q_rad: pair.before.q_rad,
+            seen: shown.seen.clone(),
+            orientation: None::<UnitQuaternion<f64>>,
+            direction: pair.before.direction,
+            payload_kg: pair.before.payload_kg,
+            joint_temperature_c: None,
+            air_temperature_c: None,
+        })
+        .collect();
+    Measurements {
+        channels: Channels {
+            pose_id: true,
+            direction: rows.iter().all(|r| r.direction.is_some()),
+            payload: rows.iter().all(|r| r.payload_kg.is_some()),
+            ..Channels::default()
+        },
+        rows,
+        targets: before.targets.clone(),
+        places: Vec::new(),
+        joint_decimals: 9,
+        warnings: Vec::new(),
+    }
+}

@@ -1,0 +1,117 @@
+//! What a false row looks like: one number typed wrong, a joint that stood elsewhere, an arm that was still on its way.
+//!
+//! Of the distance that the model leaves, one direction is tried after the other; what leaves a tenth or less of it is
+//! said, as a likeness and not as a finding: chance alone does as much once in twenty rows.
+
+use super::linearise::{Linear, norm3};
+use super::model::{Model, median};
+use super::outcome::FalseRow;
+use super::scene::{Motion, Sight};
+use crate::measure::{Measurements, Seen, Stations};
+use nalgebra::Vector3;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// A likeness leaves at most this share of the distance.
+const LEFT: f64 = 0.1;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Every row set aside, in the file's order.
+#[must_use]
+pub(super) fn false_rows(
+    measurements: &Measurements,
+    stations: &Stations,
+    linear: &Linear,
+    model: &Model<'_>,
+) -> Vec<FalseRow> {
+    let mut all = Vec::new();
+    let middle_m = median(&mut model.residuals.iter().map(norm3).collect::<Vec<f64>>());
+    for (i, station) in stations.stations.iter().enumerate().filter(|(i, _)| model.outliers[*i]) {
+        let off_m = norm3(&model.residuals[i]);
+        for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
+            all.push(FalseRow {
+                line: row.line,
+                id: row.id.clone(),
+                off_mm: Some(mm_from_m(off_m)),
+                times_middle: Some(off_m / middle_m.max(1e-12)),
+                looks_like: likeness(stations, linear, &model.residuals[i], i),
+            });
+        }
+    }
+    for row in stations.false_rows.iter().filter_map(|&r| measurements.rows.get(r)) {
+        let looks_like = Some("it does not agree with the other readings of its pose".to_owned());
+        all.push(FalseRow {
+            line: row.line,
+            id: row.id.clone(),
+            off_mm: None,
+            times_middle: None,
+            looks_like,
+        });
+    }
+    all.sort_by_key(|row| row.line);
+    all
+}
+
+fn shift(motion: &Motion) -> Vector3<f64> {
+    Vector3::new(motion[0], motion[1], motion[2])
+}
+
+/// As the instrument saw it.
+fn measured_m(stations: &Stations, i: usize) -> Option<Vector3<f64>> {
+    match stations.stations.get(i)?.seen {
+        Seen::Point { position_m } => Some(position_m),
+        _ => None,
+    }
+}
+
+/// What would make a station be off by `left`, base axes.
+fn likeness(stations: &Stations, linear: &Linear, left: &Motion, i: usize) -> Option<String> {
+    let site = &linear.scene.sites[i];
+    if site.sight != Sight::Instrument {
+        return None;
+    }
+    let place = shift(left);
+    let limit_m = LEFT * place.norm();
+    // Before this row in the file: an arm that is still coming lies on the way from there.
+    let sites = &linear.scene.sites;
+    let before = (0..sites.len()).filter(|&k| sites[k].row < site.row && sites[k].sight == Sight::Instrument);
+    if let Some(before) = before.reduce(|a, b| if sites[b].row > sites[a].row { b } else { a }) {
+        let (from, here) = (measured_m(stations, before)?, measured_m(stations, i)?);
+        let into_base = linear.registration.instrument_from_base.rotation.inverse();
+        let way = into_base * (from - here) + place;
+        let along = way.dot(&place) / way.norm().max(1e-9);
+        let aside = (place - way * (along / way.norm().max(1e-9))).norm();
+        if aside < limit_m && (way - place).norm() < limit_m {
+            return Some(
+                "it is where the row before was measured: read before the arm had moved?".to_owned(),
+            );
+        }
+        if along > 0.0 && along < way.norm() && aside < limit_m {
+            let short = format!("it lies towards the row before, {:.3} mm short", mm_from_m(along));
+            return Some(format!("{short}: read before the arm had arrived?"));
+        }
+    }
+    let turned = linear.scene.rows_per_site == 6 && Vector3::new(left[3], left[4], left[5]).norm() > 1e-3;
+    let seen = linear.registration.instrument_from_base.rotation * place;
+    let single = (0..3).find(|&k| {
+        let others = Vector3::from_fn(|r, _| if r == k { 0.0 } else { seen[r] });
+        !turned && others.norm() < limit_m
+    });
+    if let Some(k) = single {
+        return Some(format!(
+            "only its {} is off, by {:+.3} mm: a number typed wrong?",
+            AXES[k],
+            mm_from_m(seen[k])
+        ));
+    }
+    (0..6).find_map(|j| {
+        let turn = site.joint(j);
+        let v = Vector3::new(turn[0], turn[1], turn[2]);
+        let angle = v.dot(&place) / v.norm_squared().max(1e-12);
+        let fits = (place - v * angle).norm() < limit_m && angle.abs() < 0.5;
+        fits.then(|| {
+            let elsewhere =
+                format!("as if joint {} had stood {:+.4} deg elsewhere", j + 1, deg_from_rad(angle));
+            format!("{elsewhere}: an angle typed wrong?")
+        })
+    })
+}

@@ -1,0 +1,318 @@
+//! Why a robot does not stand where its model says: which effect, where, how far the gap shrinks once it is
+//! in the model, and when that cannot be said.
+//!
+//! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
+
+mod changed;
+mod design;
+mod effects;
+mod evidence;
+mod false_row;
+mod identify;
+mod kernel;
+mod linearise;
+mod marginal;
+mod model;
+mod next;
+mod normal;
+mod outcome;
+mod rounding;
+mod scatter;
+mod scene;
+mod search;
+mod shrink;
+pub mod signature;
+mod spectrum;
+mod terms;
+mod validate;
+mod verdict;
+pub mod warmup;
+mod zeros;
+
+pub use changed::{Changed, ChangedError, changed};
+pub use outcome::{
+    Cause, Detectable, Diagnosis, FalseRow, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual,
+    Shrink, Untestable, Verdict, Warning, Where, Zero, Zeros,
+};
+pub use validate::{Distances, Part, Register, ValidateError, Validation, validate};
+pub use verdict::describe;
+
+use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
+use effects::Candidate;
+use evidence::Background;
+use linearise::{Linear, linearise};
+use marginal::Noise;
+use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::identified::Identified;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// Fewer stations or poses than these say nothing.
+const FEWEST_STATIONS: usize = 12;
+const FEWEST_POSES: usize = 8;
+/// Geometry this many tolerances off, all joints together, is no background any more.
+const BEYOND: f64 = 1.0;
+/// Of which less than this share is left by the registration: no signal.
+const INVISIBLE: f64 = 1e-7;
+
+/// What the caller knows beside the file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Place of the target in the flange's frame, to about 1 mm.
+    pub tool_m: Option<Vector3<f64>>,
+    /// Noise of one coordinate as stated; repeats in the file count beside it.
+    pub sigma_m: Option<f64>,
+}
+
+/// Diagnoses `measurements` of `robot`.
+#[must_use]
+pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -> Diagnosis {
+    examine(measurements, robot, options, None)
+}
+
+/// As [`diagnose`], with what was found as a model; `None` where nothing could be fitted.
+#[must_use]
+pub fn diagnose_and_identify(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+) -> (Diagnosis, Option<Identified>) {
+    let mut identified = None;
+    let diagnosis = examine(measurements, robot, options, Some(&mut identified));
+    if let Some(model) = &mut identified {
+        model.verdict = diagnosis.verdict.name().to_owned();
+    }
+    (diagnosis, identified)
+}
+
+fn examine(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+    identified: Option<&mut Option<Identified>>,
+) -> Diagnosis {
+    let finding = check_rows(measurements, robot);
+    let mut warnings: Vec<Warning> =
+        measurements.warnings.iter().chain(&finding.warnings).map(Warning::from).collect();
+    let finish = |mut d: Diagnosis, warnings: Vec<Warning>| {
+        d.rows = measurements.rows.len();
+        d.warnings = warnings;
+        d
+    };
+    if let Some(fault) = &finding.fault {
+        return finish(faulty(fault), warnings);
+    }
+    let mut stations = gather(measurements, &finding.keep);
+    stations.channels.time &= finding.time_usable;
+    if !stations.channels.time {
+        stations.stations.iter_mut().for_each(|s| s.t_min = None);
+    }
+    let poses: std::collections::BTreeSet<usize> = stations.stations.iter().map(|s| s.pose).collect();
+    if stations.stations.len() < FEWEST_STATIONS || poses.len() < FEWEST_POSES {
+        let reason = format!(
+            "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot",
+            poses.len()
+        );
+        return finish(Diagnosis::bare(Verdict::InsufficientData, reason), warnings);
+    }
+    let chain = Chain::nominal(robot);
+    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
+    let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
+        Ok(registration) => registration,
+        Err(error) => {
+            return finish(Diagnosis::bare(Verdict::InsufficientData, error.to_string()), warnings);
+        }
+    };
+    if let Some(fault) =
+        find_fault(robot, &stations.stations, stations.targets, &registration, options.tool_m)
+    {
+        return finish(faulty(&fault), warnings);
+    }
+    let channels = stations.channels;
+    let linear = match linearise(robot, &stations, &registration, options.tool_m, channels) {
+        Ok(linear) => linear,
+        Err(error) => {
+            return finish(Diagnosis::bare(Verdict::InsufficientData, error.to_string()), warnings);
+        }
+    };
+    let noise = Noise::new(stations.repeats.as_ref(), options.sigma_m);
+    if let (true, Some(seen)) =
+        (Noise::contradicted(stations.repeats.as_ref(), options.sigma_m), stations.repeats)
+    {
+        warnings.push(Warning {
+            code: "diagnose::noise",
+            message: format!(
+                "the repeats scatter by {:.4} mm in one coordinate, which is not the noise that was stated; the repeats are believed",
+                mm_from_m(seen.sigma_m)
+            ),
+        });
+    }
+    let mut diagnosis = evaluate(measurements, robot, &stations, &linear, noise, options, identified);
+    diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
+    diagnosis.stations = stations.stations.len();
+    warnings.append(&mut diagnosis.warnings);
+    finish(diagnosis, warnings)
+}
+
+fn faulty(fault: &Fault) -> Diagnosis {
+    let mut diagnosis = Diagnosis::bare(Verdict::DataFault, fault.reason.clone());
+    let effect = match fault.kind {
+        FaultKind::SwappedAxes => Some("swapped_axes"),
+        FaultKind::RoundedJoints => Some("joint_rounding"),
+        _ => None,
+    };
+    let effect = effects::LIBRARY.iter().find(|e| Some(e.name()) == effect);
+    diagnosis.causes.extend(effect.map(|e| Cause::of(*e, 1.0)));
+    diagnosis
+}
+
+fn evaluate(
+    measurements: &Measurements,
+    robot: &Robot,
+    stations: &Stations,
+    linear: &Linear,
+    noise: Noise,
+    options: &Options,
+    identified: Option<&mut Option<Identified>>,
+) -> Diagnosis {
+    let (all, mut untestable) = effects::candidates(&linear.scene);
+    let folds = shrink::folds(&linear.scene);
+    let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
+    let mut model = model::build(linear, &candidates, noise, stations.targets, &folds.atom_of);
+    if let Some(fault) = rounding::find(measurements, linear, &model) {
+        return faulty(&fault);
+    }
+    let judged = verdict::judge(&mut model, linear);
+    if let Some(to) = identified {
+        *to = identify::identify(measurements, robot, stations, linear, &model, options.tool_m);
+    }
+    model.library.kernels.clear();
+    // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
+    let far_off = model.reached.geometry_ratio * model.reached.sigma_m > BEYOND;
+    let geometry = judged.verdict == Verdict::Geometry || far_off;
+    let mut diagnosis = Diagnosis::bare(judged.verdict, judged.reason);
+    diagnosis.shrink = shrink::shrink(&mut model, linear, &folds, geometry);
+    detail.extend(untestable.drain(..).map(|(effect, reason)| Untestable {
+        effect,
+        joints: Vec::new(),
+        reason,
+    }));
+    let mut names: Vec<&'static str> = detail.iter().map(|d| d.effect).collect();
+    names.sort_unstable();
+    names.dedup();
+    diagnosis.untestable = names;
+    diagnosis.untestable_detail = detail;
+    diagnosis.zeros_alone = far_off.then(|| zeros::zeros(&mut model)).flatten();
+    diagnosis.noise = NoiseFound {
+        repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
+        repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
+        model_sigma_mm: Some(mm_from_m(model.reached.sigma_m)),
+        reduced_chi_square: judged.reduced_chi_square,
+        geometry_tolerances: Some(model.reached.geometry_ratio * model.reached.sigma_m),
+    };
+    (diagnosis.next_measurements, diagnosis.next_reason) =
+        next::next(robot, &model, linear, judged.pair, judged.verdict, options);
+    diagnosis.causes = judged.causes;
+    diagnosis.rivals = judged.rivals;
+    diagnosis.place = judged.place;
+    diagnosis.detectable = detectable(&model);
+    diagnosis.false_rows = false_row::false_rows(measurements, stations, linear, &model);
+    diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
+    diagnosis.residuals = residuals(measurements, linear, stations, &model);
+    diagnosis
+}
+
+/// Candidates that leave a signal beside the registration, and those that do not.
+fn visible(
+    linear: &Linear,
+    all: Vec<Candidate>,
+    targets: usize,
+    noise: Noise,
+) -> (Vec<Candidate>, Vec<Untestable>) {
+    let n = linear.scene.sites.len();
+    let whitening = design::Whitening { weights: vec![1.0; n], arm_m: 0.2 };
+    let design = design::Design::new(&linear.scene, &linear.residuals, targets, whitening, &vec![0; n]);
+    let background = Background::new(&design, &[0], &[], noise);
+    let mut kept = Vec::new();
+    let mut hidden: Vec<Untestable> = Vec::new();
+    for candidate in all {
+        // Lines of a gear never lie in the registration; there are thousands.
+        let line = candidate.effect().name() == "gear_mesh";
+        let share = if line {
+            1.0
+        } else {
+            let columns = design.columns_of(&linear.scene, &candidate);
+            background.visible(&design.products(&columns).sum(&[0]))
+        };
+        if share > INVISIBLE {
+            kept.push(candidate);
+            continue;
+        }
+        let effect = candidate.effect().name();
+        let joint = candidate.form.joint.map(|j| j + 1);
+        let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
+        match hidden.iter_mut().find(|h| h.effect == effect) {
+            Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
+            None => hidden.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
+        }
+    }
+    (kept, hidden)
+}
+
+/// For each effect and joint the size that would have passed the alarm.
+fn detectable(model: &model::Model<'_>) -> Vec<Detectable> {
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let also = search::flat(&model.chosen, None);
+    let background = Background::new(&model.design, &atoms, &also, model.noise);
+    let mut seen: Vec<Detectable> = Vec::new();
+    for (candidate, products) in model.library.candidates.iter().zip(&model.library.products) {
+        let effect = candidate.effect();
+        let joint = candidate.form.joint.map(|j| j + 1);
+        let known = seen.iter().any(|d| d.effect == effect.name() && d.joint == joint);
+        if known || candidate.form.joint_b.is_some() {
+            continue;
+        }
+        let strength =
+            background.strength(&background.project(&products.sum(&atoms)), model.reached.geometry_ratio);
+        if strength > 0.0 {
+            // Half the squared signal over noise must pass the alarm and the price of its parameters.
+            let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.reached.sigma_m;
+            let usual = candidate.usual.first().copied().unwrap_or(0.0);
+            let size = needed / strength * usual * candidate.factor;
+            seen.push(Detectable { effect: effect.name(), joint, size, unit: effect.unit() });
+        }
+    }
+    seen
+}
+
+fn residuals(
+    measurements: &Measurements,
+    linear: &Linear,
+    stations: &Stations,
+    model: &model::Model<'_>,
+) -> Vec<RowResidual> {
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let before = model.design.residuals(&model::solve(&model.design, &atoms, &[], None).coefficients);
+    let mm = |m: &scene::Motion| [m[0], m[1], m[2]].map(mm_from_m);
+    let mut all = Vec::new();
+    for (i, station) in stations.stations.iter().enumerate() {
+        for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
+            all.push(RowResidual {
+                line: row.line,
+                id: row.id.clone(),
+                q_deg: row.q_rad.map(deg_from_rad),
+                t_min: row.t_min,
+                point_mm: {
+                    let point = linear.scene.sites[i].point_m;
+                    [point.x, point.y, point.z].map(mm_from_m)
+                },
+                before_mm: mm(&before[i]),
+                after_mm: mm(&model.residuals[i]),
+                outlier: model.outliers[i],
+            });
+        }
+    }
+    all.sort_by_key(|r| r.line);
+    all
+}

@@ -1,0 +1,170 @@
+//! What to measure next: poses, payloads and directions that tell the likeliest cause from its rival.
+
+use super::Options;
+use super::linearise::Linear;
+use super::model::Model;
+use super::outcome::{NextMeasurement, Verdict};
+use super::scene::{Motion, Sight, Site, scaled};
+use super::shrink::Random;
+use super::verdict::describe_candidate;
+use crate::measure::{Registration, Seen, Station};
+use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::deg_from_rad;
+use std::f64::consts::TAU;
+
+const CANDIDATES: usize = 300;
+const CHOSEN: usize = 12;
+/// Away from the ends of the joints' ranges, share of the range.
+const MARGIN: f64 = 0.1;
+/// The measured point stays this far above the base's plane, metres.
+const FLOOR_M: f64 = 0.1;
+
+/// Poses that separate `pair` best, and what they are good for.
+#[must_use]
+pub fn next(
+    robot: &Robot,
+    model: &Model<'_>,
+    linear: &Linear,
+    pair: Option<(usize, Option<usize>)>,
+    verdict: Verdict,
+    options: &Options,
+) -> (Vec<NextMeasurement>, String) {
+    let Some((first, rival)) = pair else { return (Vec::new(), String::new()) };
+    let sites = candidate_sites(robot, linear, options);
+    let candidates = model.library.candidates;
+    let own = &candidates[first];
+    let other = rival.map(|r| &candidates[r]);
+    let widths = own.usual.len() + other.map_or(0, |c| c.usual.len());
+    let scene = &linear.scene;
+    // Rows at one site: registration, the rival, then the cause itself.
+    let rows = |site: &Site| -> DMatrix<f64> {
+        let mut motions: Vec<Motion> = (0..6).map(|k| site.offset(0, k)).collect();
+        for k in 0..3 {
+            let axis = site.flange.column(k);
+            motions.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
+        }
+        for candidate in other.iter().copied().chain([own]) {
+            let from = motions.len();
+            candidate.effect().motions(&candidate.form, scene, site, &mut motions);
+            for (motion, usual) in motions.iter_mut().skip(from).zip(&candidate.usual) {
+                *motion = scaled(*motion, *usual);
+            }
+        }
+        DMatrix::from_fn(3, 9 + widths, |r, c| motions[c][r])
+    };
+    let width = 9 + widths;
+    let mut gram = DMatrix::zeros(width, width);
+    for site in &scene.sites {
+        let a = rows(site);
+        gram += a.transpose() * a;
+    }
+    let each: Vec<DMatrix<f64>> = sites.iter().map(|(site, _)| rows(site)).collect();
+    let mut taken: Vec<usize> = Vec::new();
+    for _ in 0..CHOSEN.min(sites.len()) {
+        let mut best: Option<(f64, usize)> = None;
+        for (i, a) in each.iter().enumerate().filter(|(i, _)| !taken.contains(i)) {
+            let with = &gram + a.transpose() * a;
+            let gain = told(&with, width - own.usual.len());
+            if best.is_none_or(|(b, _)| gain > b) {
+                best = Some((gain, i));
+            }
+        }
+        let Some((_, i)) = best else { break };
+        gram += each[i].transpose() * &each[i];
+        taken.push(i);
+    }
+    let poses = taken.into_iter().map(|i| sites[i].1.clone()).collect();
+    let name = describe_candidate(own);
+    let reason = match (verdict, other) {
+        (Verdict::Ambiguous, Some(rival)) => {
+            format!("to tell {name} from {}", describe_candidate(rival))
+        }
+        (Verdict::Explained | Verdict::Several, Some(rival)) => {
+            format!("to confirm {name} against its nearest rival, {}", describe_candidate(rival))
+        }
+        _ => format!("to see effects as small as the noise; most of all {name}"),
+    };
+    (poses, reason)
+}
+
+/// Squared length of the cause's main column that registration and rival leave.
+fn told(gram: &DMatrix<f64>, from: usize) -> f64 {
+    let mut before = gram.view((0, 0), (from, from)).into_owned();
+    let top = before.diagonal().max();
+    for i in 0..from {
+        before[(i, i)] += 1e-9 * top;
+    }
+    let cross: DVector<f64> = gram.view((0, from), (from, 1)).column(0).into_owned();
+    let Some(cholesky) = before.cholesky() else { return 0.0 };
+    gram[(from, from)] - cross.dot(&cholesky.solve(&cross))
+}
+
+fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Site, NextMeasurement)> {
+    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
+    let chain = Chain::nominal(robot);
+    let tool_m = options
+        .tool_m
+        .or_else(|| linear.registration.tools_m.first().copied())
+        .unwrap_or_else(Vector3::zeros);
+    let registration = Registration {
+        instrument_from_base: Isometry3::identity(),
+        tools_m: vec![tool_m],
+        ..linear.registration.clone()
+    };
+    let payloads: Vec<f64> = {
+        let most = linear.scene.sites.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max);
+        if linear.scene.channels.payload { vec![0.0, if most > 0.0 { most } else { 5.0 }] } else { vec![0.0] }
+    };
+    let time = linear.scene.time_min;
+    let ranges = ranges(robot, linear);
+    let mut all = Vec::new();
+    for _ in 0..20 * CANDIDATES {
+        if all.len() == CANDIDATES {
+            break;
+        }
+        let mut q_rad = [0.0; 6];
+        for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
+            let margin = MARGIN * (high - low);
+            *q = low + margin + (high - low - 2.0 * margin) * random.unit();
+        }
+        let direction = std::array::from_fn(|_| if random.unit() < 0.5 { -1 } else { 1 });
+        let payload_kg = payloads[random.below(payloads.len())];
+        let station = Station {
+            pose: 0,
+            target: 0,
+            t_min: time.map(|[low, high]| low + (high - low) * random.unit()),
+            q_rad,
+            seen: Seen::Point { position_m: Vector3::zeros() },
+            orientation: None,
+            direction: Some(direction),
+            payload_kg: Some(payload_kg),
+            joint_temperature_c: linear
+                .scene
+                .joint_temperature_c
+                .map(|ranges| ranges.map(|[low, high]| low + (high - low) * random.unit())),
+            air_temperature_c: None,
+            rows: vec![0],
+        };
+        let site = Site::new(robot, &chain, &registration, &station);
+        if site.point_m.z < FLOOR_M || site.origins_m[3..].iter().any(|o| o.z < FLOOR_M) {
+            continue;
+        }
+        let next = NextMeasurement { q_deg: q_rad.map(deg_from_rad), payload_kg, dir: direction };
+        all.push((site, next));
+    }
+    all
+}
+
+/// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
+fn ranges(robot: &Robot, linear: &Linear) -> Vec<[f64; 2]> {
+    let measured = |j: usize| {
+        let all = linear.scene.sites.iter().filter(|s| s.sight != Sight::Nest).map(|s| s.q_rad[j]);
+        all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
+    };
+    let of = |(j, given): (usize, Option<[f64; 2]>)| {
+        given.filter(|[low, high]| high - low <= TAU).unwrap_or_else(|| measured(j))
+    };
+    robot.joints.iter().map(|joint| joint.range_rad).enumerate().map(of).collect()
+}

@@ -1,0 +1,356 @@
+//! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
+
+use super::effects::Effect;
+use rapid_syntax::diagnostic::Diagnostic;
+use serde::Serialize;
+
+/// The answer in one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// One cause, told apart from its rivals.
+    Explained,
+    /// A cause is there; `causes` is the set that these data cannot tell apart.
+    Ambiguous,
+    /// Two or more causes, each needed.
+    Several,
+    /// Small errors of all joints' geometry take the gap.
+    Geometry,
+    /// Structure that no effect of the library takes.
+    UnexplainedStructure,
+    /// More scatter than the repeats allow.
+    UnexplainedScatter,
+    /// No effect above the alarm.
+    NothingAboveNoise,
+    /// Too few or too alike poses.
+    InsufficientData,
+    /// The file contradicts itself or the robot.
+    DataFault,
+}
+
+impl Verdict {
+    /// The word in every file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Explained => "explained",
+            Self::Ambiguous => "ambiguous",
+            Self::Several => "several",
+            Self::Geometry => "geometry",
+            Self::UnexplainedStructure => "unexplained_structure",
+            Self::UnexplainedScatter => "unexplained_scatter",
+            Self::NothingAboveNoise => "nothing_above_noise",
+            Self::InsufficientData => "insufficient_data",
+            Self::DataFault => "data_fault",
+        }
+    }
+}
+
+/// One cause, or candidate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cause {
+    /// Effect's name.
+    pub effect: &'static str,
+    /// Joint or link, from 1.
+    pub joint: Option<usize>,
+    /// Driven joint, from 1.
+    pub joint_b: Option<usize>,
+    /// Periods per turn.
+    pub n: Option<u32>,
+    /// When a step happened.
+    pub t0_min: Option<f64>,
+    /// Probability in its place of the model.
+    pub posterior: f64,
+    /// Length of its parameter vector, in `unit`; `None` where it was not fitted.
+    pub size: Option<f64>,
+    /// Standard deviation of the size.
+    pub sigma: Option<f64>,
+    /// Unit of `size`.
+    pub unit: &'static str,
+    /// The effect's own size at the measured point over these poses.
+    pub rms_mm: Option<f64>,
+    /// How much likelier than nothing in its place, nats.
+    pub evidence_nats: Option<f64>,
+    /// Usual size, for comparison.
+    pub usual: &'static str,
+    /// Where signature and usual size come from.
+    pub source: &'static str,
+    /// How it shows over time.
+    #[serde(skip)]
+    pub time: &'static str,
+}
+
+impl Cause {
+    /// An effect as a cause of no joint, not fitted.
+    #[must_use]
+    pub(super) fn of(effect: &dyn Effect, posterior: f64) -> Self {
+        Self {
+            effect: effect.name(),
+            joint: None,
+            joint_b: None,
+            n: None,
+            t0_min: None,
+            posterior,
+            size: None,
+            sigma: None,
+            unit: effect.unit(),
+            rms_mm: None,
+            evidence_nats: None,
+            usual: effect.usual(),
+            source: effect.source(),
+            time: effect.time(),
+        }
+    }
+}
+
+/// Where the gap lies.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Where {
+    /// Joint, from 1.
+    pub joint: Option<usize>,
+    /// constant, drift or step.
+    pub time: Option<&'static str>,
+    /// Where in the workspace (robot's base) it is largest.
+    pub region: Region,
+}
+
+/// A ball in the robot's base.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Region {
+    /// Middle.
+    pub center_mm: [f64; 3],
+    /// Radius.
+    pub radius_mm: f64,
+}
+
+/// How far the gap shrinks on poses that were held out.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Shrink {
+    /// With registration only.
+    pub before_rms_mm: Option<f64>,
+    /// With the named causes added.
+    pub after_rms_mm: Option<f64>,
+    /// What noise leaves.
+    pub floor_rms_mm: Option<f64>,
+    /// After over before.
+    pub ratio: Option<f64>,
+    /// 90 % interval of the ratio.
+    pub ci90: Option<[f64; 2]>,
+    /// With the causes and all joints' geometry added.
+    pub with_geometry_rms_mm: Option<f64>,
+    /// The same with the last part of the time held out.
+    pub time_block: Option<HeldOut>,
+    /// The same with a region of the workspace held out.
+    pub region_block: Option<HeldOut>,
+}
+
+/// One block held out.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HeldOut {
+    /// Stations in it.
+    pub n: usize,
+    /// With registration only.
+    pub before_rms_mm: f64,
+    /// With the named causes added.
+    pub after_rms_mm: f64,
+    /// With the causes and all joints' geometry added.
+    pub with_geometry_rms_mm: f64,
+}
+
+/// A pose worth measuring.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NextMeasurement {
+    /// Joints.
+    pub q_deg: [f64; 6],
+    /// Payload.
+    pub payload_kg: f64,
+    /// Sign of each joint's last motion.
+    pub dir: [i8; 6],
+}
+
+/// An effect, or some of its joints, that these data cannot show.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Untestable {
+    /// Effect's name.
+    pub effect: &'static str,
+    /// Joints, from 1; empty = the whole effect.
+    pub joints: Vec<usize>,
+    /// Why.
+    pub reason: String,
+}
+
+/// What size of an effect would have been seen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Detectable {
+    /// Effect's name.
+    pub effect: &'static str,
+    /// Joint or link, from 1.
+    pub joint: Option<usize>,
+    /// Smallest size that would have passed the alarm.
+    pub size: f64,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+/// The noise, as found.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct NoiseFound {
+    /// One coordinate, from repeats or as stated; `None` where neither is there.
+    pub repeats_sigma_mm: Option<f64>,
+    /// Degrees of freedom of the repeats.
+    pub repeats_freedom: usize,
+    /// One coordinate, as the best model leaves it.
+    pub model_sigma_mm: Option<f64>,
+    /// Scatter left over scatter expected, squared.
+    pub reduced_chi_square: Option<f64>,
+    /// Size of all joints' geometry errors together, in tolerances (0.15 mm, 0.25 mrad).
+    pub geometry_tolerances: Option<f64>,
+}
+
+/// Residuals of one row's station.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowResidual {
+    /// Line in the file.
+    pub line: u64,
+    /// `id` of the row.
+    pub id: Option<String>,
+    /// Joints.
+    pub q_deg: [f64; 6],
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// The measured point in the base, as predicted.
+    pub point_mm: [f64; 3],
+    /// Measured minus predicted in the base, registration only.
+    pub before_mm: [f64; 3],
+    /// With causes and geometry.
+    pub after_mm: [f64; 3],
+    /// Whether the row was set aside as false.
+    pub outlier: bool,
+}
+
+/// A joint's zero, where zeros were all that is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Zero {
+    /// From 1.
+    pub joint: usize,
+    /// By how much it would be off.
+    pub offset_rad: f64,
+}
+
+/// What the joints' zeros alone would take of the gap.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Zeros {
+    /// With base and target alone.
+    pub before_rms_mm: f64,
+    /// With the zeros beside them.
+    pub after_rms_mm: f64,
+    /// Those that these data can show.
+    pub joints: Vec<Zero>,
+}
+
+/// A row set aside as false.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FalseRow {
+    /// Line in the file.
+    pub line: u64,
+    /// `id` of the row.
+    pub id: Option<String>,
+    /// Distance from the best model; none where it disagrees with its own repeats.
+    pub off_mm: Option<f64>,
+    /// That distance over the middle one of all rows.
+    pub times_middle: Option<f64>,
+    /// What would make it so, where one thing would.
+    pub looks_like: Option<String>,
+}
+
+/// The whole answer.
+#[derive(Clone, Debug, Serialize)]
+pub struct Diagnosis {
+    /// In one word.
+    pub verdict: Verdict,
+    /// In one sentence.
+    pub reason: String,
+    /// Ranked.
+    pub causes: Vec<Cause>,
+    /// Where.
+    #[serde(rename = "where")]
+    pub place: Where,
+    /// How far.
+    pub shrink: Shrink,
+    /// Effects that these data cannot show.
+    pub untestable: Vec<&'static str>,
+    /// Why, and which joints.
+    pub untestable_detail: Vec<Untestable>,
+    /// What to measure next.
+    pub next_measurements: Vec<NextMeasurement>,
+    /// What they are good for.
+    pub next_reason: String,
+    /// Noise.
+    pub noise: NoiseFound,
+    /// Rows read and stations used.
+    pub rows: usize,
+    /// Stations used.
+    pub stations: usize,
+    /// Likeliest other explanations, that were found wanting.
+    pub rivals: Vec<Cause>,
+    /// What size would have been seen.
+    pub detectable: Vec<Detectable>,
+    /// Lines set aside as false.
+    pub false_lines: Vec<u64>,
+    /// The same rows with their names, how far off, and what that looks like.
+    pub false_rows: Vec<FalseRow>,
+    /// Of an arm that was never calibrated: what its joints' zeros alone would take.
+    pub zeros_alone: Option<Zeros>,
+    /// Place of the target on the flange, as fitted.
+    pub tool_mm: Option<[f64; 3]>,
+    /// Codes and messages.
+    pub warnings: Vec<Warning>,
+    /// Residuals for `--csv`.
+    #[serde(skip)]
+    pub residuals: Vec<RowResidual>,
+}
+
+/// A warning in JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Warning {
+    /// Stable code.
+    pub code: &'static str,
+    /// Sentence.
+    pub message: String,
+}
+
+impl From<&Diagnostic> for Warning {
+    fn from(d: &Diagnostic) -> Self {
+        let help = d.help.as_ref().map_or_else(String::new, |h| format!("; {h}"));
+        Self { code: d.code, message: format!("{}{help}", d.message) }
+    }
+}
+
+impl Diagnosis {
+    /// An answer without causes.
+    #[must_use]
+    pub fn bare(verdict: Verdict, reason: impl Into<String>) -> Self {
+        Self {
+            verdict,
+            reason: reason.into(),
+            causes: Vec::new(),
+            place: Where::default(),
+            shrink: Shrink::default(),
+            untestable: Vec::new(),
+            untestable_detail: Vec::new(),
+            next_measurements: Vec::new(),
+            next_reason: String::new(),
+            noise: NoiseFound::default(),
+            rows: 0,
+            stations: 0,
+            rivals: Vec::new(),
+            detectable: Vec::new(),
+            false_lines: Vec::new(),
+            false_rows: Vec::new(),
+            zeros_alone: None,
+            tool_mm: None,
+            warnings: Vec::new(),
+            residuals: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Joints written with too few decimals: their rounding error seen in the scatter.
+
+use super::evidence::Background;
+use super::linearise::Linear;
+use super::model::{Model, solve};
+use crate::measure::{Fault, FaultKind, Measurements};
+use nalgebra::{Matrix3, Vector3};
+use robot_model::units::{mm_from_m, rad_from_deg};
+use std::collections::BTreeMap;
+
+/// More decimals than this cannot matter.
+const FINE_DECIMALS: usize = 2;
+/// A joint's value in more than this share of the stations is a posture.
+const OFTEN: f64 = 0.2;
+/// Rounding must be likelier than plain noise by so much, nats.
+const CLEAR_NATS: f64 = 8.0;
+
+/// Whether the joints' decimals explain the scatter better than plain noise.
+///
+/// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
+#[must_use]
+pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> Option<Fault> {
+    let all_seen = linear.scene.sites.iter().all(|s| s.rows(3) == 3);
+    if measurements.joint_decimals > FINE_DECIMALS || !all_seen {
+        return None;
+    }
+    let step_deg = 10.0_f64.powi(-(measurements.joint_decimals as i32));
+    // Uniform over one step.
+    let variance = rad_from_deg(step_deg).powi(2) / 12.0;
+    // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
+    let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
+    for site in &linear.scene.sites {
+        for (j, q) in site.q_rad.iter().enumerate() {
+            *times.entry((j, q.to_bits())).or_default() += 1;
+        }
+    }
+    let often = (OFTEN * linear.scene.sites.len() as f64).max(4.0) as usize;
+    let shapes: Vec<Matrix3<f64>> = linear
+        .scene
+        .sites
+        .iter()
+        .map(|site| {
+            (0..6)
+                .filter(|&j| times.get(&(j, site.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
+                .map(|j| {
+                    let v = site.joint(j);
+                    let v = Vector3::new(v[0], v[1], v[2]);
+                    v * v.transpose() * variance
+                })
+                .sum()
+        })
+        .collect();
+    let n = linear.scene.sites.len() as f64;
+    let log_likelihood = |residuals: &[Vector3<f64>], share: f64, noise_m2: f64| -> f64 {
+        shapes
+            .iter()
+            .zip(residuals)
+            .map(|(shape, e)| {
+                let c = shape * share + Matrix3::identity() * noise_m2.max(1e-14);
+                c.cholesky()
+                    .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
+            })
+            .sum()
+    };
+    let mean_square =
+        |residuals: &[Vector3<f64>]| residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * n);
+    let plain = |residuals: &[Vector3<f64>]| log_likelihood(residuals, 0.0, mean_square(residuals));
+    let rounded = |residuals: &[Vector3<f64>]| {
+        let plain_m2 = mean_square(residuals);
+        [0.05, 0.15, 0.4, 0.7]
+            .into_iter()
+            .map(|k| log_likelihood(residuals, 0.9, k * plain_m2))
+            .chain([log_likelihood(residuals, 0.9, model.noise.known.map_or(1e-10, |(s, _)| s * s))])
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let points = |motions: &[super::scene::Motion]| -> Vec<Vector3<f64>> {
+        motions.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
+    };
+    // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let ratio = Background::new(&model.design, &atoms, &[], model.noise).null().geometry_ratio;
+    let bare = points(&model.design.residuals(&solve(&model.design, &atoms, &[], Some(ratio)).coefficients));
+    let best = points(&model.residuals);
+    let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
+    let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();
+    let price = 0.5 * parameters * (3.0 * n).ln();
+    let without_causes = rounded(&bare) > plain(&bare) + CLEAR_NATS && rounded(&bare) > plain(&best) - price;
+    let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + CLEAR_NATS;
+    let plain_m2 = mean_square(&bare);
+    if plain_m2 < 0.3 * expected_m2 {
+        return None;
+    }
+    (without_causes || beside_causes).then(|| Fault {
+        kind: FaultKind::RoundedJoints,
+        reason: format!(
+            "the joints are rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
+             ({:.2} mm rms): export the joints with at least 3 decimals",
+            mm_from_m((3.0 * plain_m2).sqrt())
+        ),
+    })
+}

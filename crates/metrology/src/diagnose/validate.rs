@@ -1,0 +1,185 @@
+//! A model against measurements that it has not seen.
+
+use super::identify::predicted;
+use crate::measure::{
+    Free, Measurements, RegisterError, Registration, Station, check_rows, gather, register, register_some,
+};
+use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::identified::Identified;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// What of the registration is fitted again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Register {
+    /// Base and tool.
+    BaseAndTool,
+    /// The base; the tool is the model's.
+    Base,
+    /// Nothing.
+    Nothing,
+}
+
+/// Why a model cannot be validated.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ValidateError {
+    /// Too few or too alike poses.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+    /// The model does not say how the target hung on the flange.
+    #[error("the model has no [mounting]: only --register base,tool can be used")]
+    NoMounting,
+    /// The model has fewer targets.
+    #[error("the model knows {known} targets, the file has {found}: use --register base,tool")]
+    Targets {
+        /// In the model.
+        known: usize,
+        /// In the file.
+        found: usize,
+    },
+}
+
+/// Distances, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Distances {
+    /// Root mean square.
+    pub rms_mm: f64,
+    /// Mean.
+    pub mean_mm: f64,
+    /// Largest.
+    pub max_mm: f64,
+}
+
+/// The model's and the nominal arm's distances over some of the poses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Part {
+    /// How many.
+    pub n: usize,
+    /// The model's.
+    #[serde(flatten)]
+    pub model: Distances,
+    /// The nominal arm's.
+    pub nominal: Distances,
+}
+
+/// What a model leaves of measurements that it has not seen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Validation {
+    /// All poses.
+    #[serde(flatten)]
+    pub all: Part,
+    /// Those within the joint ranges in which the model was found.
+    pub inside: Part,
+    /// The others.
+    pub outside: Part,
+    /// Each outside joint with how many poses: `[joint, poses]`.
+    pub joints_outside: Vec<[usize; 2]>,
+    /// Rows with the largest distance: line and mm.
+    pub worst: Vec<(u64, f64)>,
+}
+
+/// A joint this far outside the range is still inside.
+const SLACK_DEG: f64 = 1.0;
+
+/// Applies `model` to `measurements`, the registration that `which` names fitted again.
+///
+/// # Errors
+/// [`ValidateError`]
+pub fn validate(
+    measurements: &Measurements,
+    robot: &Robot,
+    model: &Identified,
+    which: Register,
+) -> Result<Validation, ValidateError> {
+    let finding = check_rows(measurements, robot);
+    let gathered = gather(measurements, &finding.keep);
+    let (stations, targets) = (&gathered.stations, gathered.targets);
+    let chain = Chain::nominal(robot);
+    let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
+    let start = registered(stations, &nominal, targets, model, which)?;
+    let (seen, poses) =
+        predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), &start.tools_m);
+    let fitted = registered(&seen, &poses, targets, model, which)?;
+    let mut rows: Vec<Distance> = Vec::new();
+    for i in (0..stations.len()).filter(|&i| stations[i].seen.by_arm()) {
+        let place = Distance {
+            line: stations[i].rows.first().and_then(|&r| measurements.rows.get(r)).map_or(0, |r| r.line),
+            weight: stations[i].rows.len(),
+            model_m: fitted.residual_m(&seen[i], &poses[i]).norm(),
+            nominal_m: start.residual_m(&stations[i], &nominal[i]).norm(),
+            outside: (0..6).filter(|&j| outside(model, &stations[i], j)).collect(),
+        };
+        rows.push(place);
+    }
+    let mut worst: Vec<(u64, f64)> = rows.iter().map(|d| (d.line, mm_from_m(d.model_m))).collect();
+    worst.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    worst.truncate(10);
+    Ok(Validation {
+        all: part(rows.iter()),
+        inside: part(rows.iter().filter(|d| d.outside.is_empty())),
+        outside: part(rows.iter().filter(|d| !d.outside.is_empty())),
+        joints_outside: (0..6)
+            .map(|j| [j + 1, rows.iter().filter(|d| d.outside.contains(&j)).count()])
+            .filter(|[_, n]| *n > 0)
+            .collect(),
+        worst,
+    })
+}
+
+struct Distance {
+    line: u64,
+    weight: usize,
+    model_m: f64,
+    nominal_m: f64,
+    outside: Vec<usize>,
+}
+
+fn outside(model: &Identified, station: &Station, j: usize) -> bool {
+    let [low, high] = model.seen.q_rad[j];
+    let slack_rad = rad_from_deg(SLACK_DEG);
+    let q_rad = station.q_rad[j];
+    deg_from_rad(high - low) > 0.0 && (q_rad < low - slack_rad || q_rad > high + slack_rad)
+}
+
+fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> Part {
+    let distances = |of: fn(&Distance) -> f64| {
+        let n: usize = rows.clone().map(|d| d.weight).sum();
+        let over = 1.0 / n.max(1) as f64;
+        let weighted =
+            |f: &dyn Fn(f64) -> f64| rows.clone().map(|d| f(of(d)) * d.weight as f64).sum::<f64>() * over;
+        Distances {
+            rms_mm: mm_from_m(weighted(&|m| m * m).sqrt()),
+            mean_mm: mm_from_m(weighted(&|m| m)),
+            max_mm: mm_from_m(rows.clone().map(of).fold(0.0, f64::max)),
+        }
+    };
+    Part { n: rows.clone().count(), model: distances(|d| d.model_m), nominal: distances(|d| d.nominal_m) }
+}
+
+/// Base and tools: fitted, or as the model has them.
+fn registered(
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+    targets: usize,
+    model: &Identified,
+    which: Register,
+) -> Result<Registration, ValidateError> {
+    let known = || -> Result<(Isometry3<f64>, Vec<Vector3<f64>>), ValidateError> {
+        let mounting = model.mounting.as_ref().ok_or(ValidateError::NoMounting)?;
+        if mounting.tools_m.len() != targets {
+            return Err(ValidateError::Targets { known: mounting.tools_m.len(), found: targets });
+        }
+        Ok((mounting.instrument_from_base, mounting.tools_m.clone()))
+    };
+    match which {
+        Register::BaseAndTool => Ok(register(stations, poses, targets, None)?),
+        Register::Base => Ok(register_some(stations, poses, &known()?.1, Free::Base)?),
+        Register::Nothing => {
+            let (instrument_from_base, tools_m) = known()?;
+            Ok(register_some(stations, poses, &tools_m, Free::Nothing(instrument_from_base))?)
+        }
+    }
+}

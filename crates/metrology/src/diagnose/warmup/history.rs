@@ -1,0 +1,104 @@
+//! How warm the robot was at each touch: running, but for its stops.
+
+use crate::measure::Touches;
+use robot_model::deform::{GrowthLaw, Warmth};
+
+/// The robot stood from one minute to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// Minutes since the cold start.
+    pub from_min: f64,
+    /// Minutes since the cold start.
+    pub to_min: f64,
+}
+
+/// Shorter pauses between touches are no stop, minutes.
+const SHORTEST_STOP_MIN: f64 = 15.0;
+/// A stop is longer than so many usual pauses.
+const USUAL_PAUSES: f64 = 3.0;
+
+/// Time constants tried: 6 to 300 minutes in steps of 10 %.
+pub(super) fn taus_min() -> impl Iterator<Item = f64> {
+    (0..42).map(|k| 6.0 * 1.1_f64.powi(k))
+}
+
+/// Time constants of cooling tried beside one of warming: a third to three times it.
+pub(super) fn cool_taus_min(tau_min: f64) -> impl Iterator<Item = f64> {
+    (-6..=6).map(move |k| tau_min * 1.2_f64.powi(k))
+}
+
+/// A law with another τ.
+fn with_tau(law: GrowthLaw, tau_min: f64) -> GrowthLaw {
+    match law {
+        GrowthLaw::None => GrowthLaw::None,
+        GrowthLaw::Exp { .. } => GrowthLaw::Exp { tau_min },
+        GrowthLaw::TwoStage { .. } => GrowthLaw::TwoStage { tau_min },
+    }
+}
+
+/// A finer grid round the likeliest history of a coarse one: four standard deviations to each side in the logarithms.
+pub(super) fn round(
+    coarse: &[(GrowthLaw, Option<f64>, f64)],
+    likeliest: &(GrowthLaw, Option<f64>, f64),
+) -> Vec<(GrowthLaw, Option<f64>)> {
+    /// Points to each side, and the least half width: a step of the coarse grid.
+    const SIDE: i32 = 8;
+    const LEAST: [f64; 2] = [0.1, 0.19];
+    let of = |w: &(GrowthLaw, Option<f64>, f64)| [w.0.tau_min().unwrap_or(1.0).ln(), w.1.unwrap_or(1.0).ln()];
+    let same = coarse.iter().filter(|w| super::same_law(&w.0, &likeliest.0));
+    let [mut total, mut mean, mut square] = [[0.0; 2]; 3];
+    for one in same {
+        let weight = (one.2 - likeliest.2).exp();
+        for (k, value) in of(one).into_iter().enumerate() {
+            total[k] += weight;
+            mean[k] += weight * value;
+            square[k] += weight * value * value;
+        }
+    }
+    let middle = [0, 1].map(|k: usize| mean[k] / total[k]);
+    let half = [0, 1]
+        .map(|k: usize| (4.0 * (square[k] / total[k] - middle[k].powi(2)).max(0.0).sqrt()).max(LEAST[k]));
+    let at = |k: usize, i: i32| (middle[k] + half[k] * f64::from(i) / f64::from(SIDE)).exp();
+    let mut grid = Vec::new();
+    for i in -SIDE..=SIDE {
+        let law = with_tau(likeliest.0, at(0, i));
+        match likeliest.1 {
+            None => grid.push((law, None)),
+            Some(_) => grid.extend((-SIDE..=SIDE).map(|j| (law, Some(at(1, j))))),
+        }
+    }
+    grid
+}
+
+/// The longest pause between touches, where it is long enough to be a stop.
+pub(super) fn longest_pause(touches: &Touches) -> Vec<Stop> {
+    let times: Vec<f64> = touches.touches.iter().map(|t| t.t_min).collect();
+    let mut pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
+    pauses.sort_by(f64::total_cmp);
+    let usual_min = pauses.get(pauses.len() / 2).copied().unwrap_or(0.0);
+    let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    longest
+        // The first round of touches after it takes its usual time.
+        .map(|w| Stop { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) })
+        .filter(|s| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN))
+        .into_iter()
+        .collect()
+}
+
+/// The share of the settled deformation at each minute, 0 cold to 1.
+pub(super) fn warmth(law: GrowthLaw, cool_min: Option<f64>, stops: &[Stop], t_min: &[f64]) -> Vec<f64> {
+    t_min
+        .iter()
+        .map(|&t| {
+            let mut warmth = Warmth::cold(law, cool_min.or(law.tau_min()).unwrap_or(1.0));
+            let mut now_min = 0.0;
+            for stop in stops.iter().filter(|s| s.from_min < t) {
+                warmth.advance(stop.from_min - now_min, true);
+                warmth.advance(stop.to_min.min(t) - stop.from_min, false);
+                now_min = stop.to_min.min(t);
+            }
+            warmth.advance(t - now_min, true);
+            warmth.share()
+        })
+        .collect()
+}

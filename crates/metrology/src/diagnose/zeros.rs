@@ -1,0 +1,52 @@
+//! An arm whose geometry is far off was never calibrated: what the joints' zeros alone would take of its gap.
+//!
+//! Geometry wide enough to hold them leaves the evidence little to tell offsets by, and they are then not named as causes.
+//! They are still the first thing to look at, and the cheapest to mend.
+
+use super::linearise::norm3;
+use super::model::{Model, solve};
+use super::outcome::{Zero, Zeros};
+use super::search::Chosen;
+use robot_model::units::mm_from_m;
+
+/// Zeros that take less than this share of the gap's square are not worth a word.
+const WORTH: f64 = 0.3;
+
+/// The zeros fitted with base and target alone; none where they take little.
+pub(super) fn zeros(model: &mut Model<'_>) -> Option<Zeros> {
+    let candidates = model.library.candidates;
+    let offsets: Vec<usize> = (0..candidates.len())
+        .filter(|&c| candidates[c].effect().name() == "joint_offset" && candidates[c].form.joint.is_some())
+        .collect();
+    let chosen: Vec<Chosen> = offsets
+        .into_iter()
+        .map(|candidate| {
+            let columns = model.library.place(&mut model.design, &mut model.place, candidate);
+            // Free: what they would be if they were all.
+            Chosen { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 }
+        })
+        .collect();
+    model.library.extend(&model.design);
+    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+    let rms_m = |chosen: &[Chosen]| {
+        let fit = solve(&model.design, &atoms, chosen, None);
+        let left = model.design.residuals(&fit.coefficients);
+        let kept = || left.iter().zip(&model.outliers).filter(|(_, out)| !**out).map(|(m, _)| norm3(m));
+        ((kept().map(|d| d * d).sum::<f64>() / kept().count().max(1) as f64).sqrt(), fit)
+    };
+    let (before_m, _) = rms_m(&[]);
+    let (after_m, fit) = rms_m(&chosen);
+    if after_m * after_m > (1.0 - WORTH) * before_m * before_m {
+        return None;
+    }
+    let zero = |c: &Chosen| {
+        let candidate = &candidates[c.candidate];
+        let value = fit.coefficients[c.columns[0] - 1] * candidate.usual.first()?;
+        Some(Zero { joint: candidate.form.joint? + 1, offset_rad: value })
+    };
+    Some(Zeros {
+        before_rms_mm: mm_from_m(before_m),
+        after_rms_mm: mm_from_m(after_m),
+        joints: chosen.iter().filter_map(zero).collect(),
+    })
+}

@@ -1,0 +1,198 @@
+//! Checks of the rows before any geometry: duplicates, order in time, joint ranges, number.
+
+use super::fault::{Fault, FaultKind};
+use super::{Measurements, Row};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Robot;
+use robot_model::units::deg_from_rad;
+use std::collections::BTreeSet;
+
+/// More rows than this say no more; a part of the poses is taken.
+const MOST_ROWS: usize = 20_000;
+/// Beyond a joint's range by more than this is no reading of this robot, radians.
+const RANGE_SLACK_RAD: f64 = 0.02;
+/// Share of rows out of range from which on the whole file is doubted.
+const OUT_OF_RANGE_SHARE: f64 = 0.1;
+/// Share of steps back from which on the time column is doubted.
+const BACK_SHARE: f64 = 0.1;
+
+/// What the rows alone say.
+#[derive(Clone, Debug, Default)]
+pub struct Finding {
+    /// Rows to use, as indices.
+    pub keep: Vec<usize>,
+    /// Whether the time column can be trusted.
+    pub time_usable: bool,
+    /// What makes the whole file useless.
+    pub fault: Option<Fault>,
+    /// What a person should look at.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Checks the rows of `measurements` against each other and the robot's ranges.
+#[must_use]
+pub fn check_rows(measurements: &Measurements, robot: &Robot) -> Finding {
+    let rows = &measurements.rows;
+    let mut finding = Finding { time_usable: true, ..Finding::default() };
+    finding.keep = distinct(rows, &mut finding.warnings);
+    in_range(rows, robot, &mut finding);
+    time_order(rows, &mut finding);
+    if finding.keep.len() > MOST_ROWS {
+        let step = finding.keep.len().div_ceil(MOST_ROWS);
+        let before = finding.keep.len();
+        // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
+        let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        finding.keep.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
+        finding.warnings.push(Diagnostic::warning(
+            "measure::many-rows",
+            format!("of {before} rows {} are evaluated: one pose in {step}", finding.keep.len()),
+        ));
+    }
+    finding
+}
+
+fn distinct(rows: &[Row], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
+    let mut seen = BTreeSet::new();
+    let mut keep = Vec::with_capacity(rows.len());
+    let mut first_double = None;
+    for (index, row) in rows.iter().enumerate() {
+        let reading_m = row.seen.reading_m().map(|(reading_m, _)| reading_m).unwrap_or_default();
+        let mut key: Vec<u64> = row.q_rad.iter().chain(reading_m.iter()).map(|v| v.to_bits()).collect();
+        key.push(row.seen.place().map_or(u64::MAX, |place| place as u64));
+        key.push(u64::from(row.seen.by_arm()));
+        key.push(row.t_min.map_or(0, f64::to_bits));
+        key.push(row.payload_kg.map_or(0, f64::to_bits));
+        key.push(row.target as u64);
+        if seen.insert(key) {
+            keep.push(index);
+        } else {
+            first_double.get_or_insert(row.line);
+        }
+    }
+    if let Some(line) = first_double {
+        let doubles = rows.len() - keep.len();
+        warnings.push(
+            Diagnostic::warning(
+                "measure::duplicates",
+                format!("{doubles} rows repeat an earlier row to the last digit (first: line {line})"),
+            )
+            .help("they are left out: a copied row is no measurement and would make the noise look smaller"),
+        );
+    }
+    keep
+}
+
+fn in_range(rows: &[Row], robot: &Robot, finding: &mut Finding) {
+    let beyond = |row: &Row| {
+        robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
+            joint
+                .range_rad
+                .is_some_and(|[low, high]| q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD)
+        })
+    };
+    let out: Vec<(usize, usize)> = finding
+        .keep
+        .iter()
+        .filter_map(|&i| rows.get(i).filter(|row| row.seen.by_arm()).and_then(beyond).map(|j| (i, j)))
+        .collect();
+    let Some(&(row, joint)) = out.first() else { return };
+    let (line, q_deg) = rows.get(row).map_or((0, 0.0), |r| (r.line, deg_from_rad(r.q_rad[joint])));
+    let what = format!(
+        "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q_deg:.2} deg)",
+        out.len(),
+        finding.keep.len(),
+        joint + 1
+    );
+    if out.len() as f64 > OUT_OF_RANGE_SHARE * finding.keep.len() as f64 {
+        finding.fault = Some(Fault {
+            kind: FaultKind::JointsOutOfRange,
+            reason: format!("{what}: another robot, another joint convention, or columns in another order"),
+        });
+        return;
+    }
+    let dropped: BTreeSet<usize> = out.iter().map(|(i, _)| *i).collect();
+    finding.keep.retain(|i| !dropped.contains(i));
+    finding.warnings.push(
+        Diagnostic::warning("measure::joint-range", what).help("these rows are left out; check their joints"),
+    );
+}
+
+fn time_order(rows: &[Row], finding: &mut Finding) {
+    let times: Vec<(u64, f64)> = finding
+        .keep
+        .iter()
+        .filter_map(|&i| rows.get(i))
+        .filter_map(|r| r.t_min.map(|t_min| (r.line, t_min)))
+        .collect();
+    let back: Vec<u64> =
+        times.windows(2).filter(|pair| pair[1].1 < pair[0].1 - 1e-9).map(|pair| pair[1].0).collect();
+    let Some(line) = back.first() else { return };
+    if back.len() as f64 > BACK_SHARE * times.len() as f64 {
+        finding.time_usable = false;
+        finding.warnings.push(
+            Diagnostic::warning(
+                "measure::time-order",
+                format!("time runs back at {} of {} rows: the rows are not in order of time", back.len(), times.len()),
+            )
+            .help("effects of time are not judged from this file; sort the rows by time if the stamps are right"),
+        );
+    } else {
+        finding.warnings.push(
+            Diagnostic::warning(
+                "measure::time-step-back",
+                format!("time steps back at {} rows (first: line {line})", back.len()),
+            )
+            .help("check the clock; the stamps are used as they stand"),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(rows: &[(f64, f64, f64)]) -> Measurements {
+        let mut text = "t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+        for (t_min, q2_deg, x_mm) in rows {
+            text.push_str(&format!("{t_min},0,{q2_deg},0,0,0,0,{x_mm},0,0\n"));
+        }
+        Measurements::from_csv(text.as_bytes()).unwrap()
+    }
+
+    fn codes(finding: &Finding) -> Vec<&'static str> {
+        finding.warnings.iter().map(|w| w.code).collect()
+    }
+
+    #[test]
+    fn one_step_back_is_a_warning_and_shuffled_time_is_not_used() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
+        rows[10].0 = 5.5;
+        let finding = check_rows(&file(&rows), &robot);
+        assert_eq!(codes(&finding), ["measure::time-step-back"]);
+        assert!(finding.time_usable);
+        for (i, row) in rows.iter_mut().enumerate() {
+            row.0 = ((i * 7) % 20) as f64;
+        }
+        let finding = check_rows(&file(&rows), &robot);
+        assert_eq!(codes(&finding), ["measure::time-order"]);
+        assert!(!finding.time_usable);
+    }
+
+    #[test]
+    fn copies_and_joints_out_of_range_are_left_out_and_many_of_those_are_a_fault() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
+        rows.push(rows[3]);
+        rows[8].1 = 170.0;
+        let finding = check_rows(&file(&rows), &robot);
+        assert!(codes(&finding).contains(&"measure::duplicates"));
+        assert!(codes(&finding).contains(&"measure::joint-range"));
+        assert_eq!(finding.keep.len(), 19);
+        for row in &mut rows {
+            row.1 = 170.0;
+        }
+        let fault = check_rows(&file(&rows), &robot).fault.unwrap();
+        assert_eq!(fault.kind, FaultKind::JointsOutOfRange);
+    }
+}

@@ -1,0 +1,383 @@
+//! Column maps: other programs' layouts as tables with our column names and units.
+//!
+//! A map says which of their columns is which of ours, how cells are divided, and in what units and conventions the
+//! numbers are.
+
+use super::read::{JOINTS, POINT, QUATERNION, known};
+use super::stamp::Stamp;
+use super::table::{Line, Table};
+use super::{MeasureError, Rotation};
+use csv::{ReaderBuilder, Trim};
+use nalgebra::{UnitQuaternion, Vector3};
+use robot_model::units::{deg_from_rad, m_from_inch, m_from_mm, min_from_s, mm_from_m, rad_from_deg};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A layout.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ColumnMap {
+    /// What divides cells: one character, `tab`, or `blanks` (any number of blanks and tabs).
+    #[serde(default = "comma")]
+    delimiter: String,
+    /// Numbers are written 1,5.
+    #[serde(default)]
+    decimal_comma: bool,
+    /// The first line that counts names the columns.
+    #[serde(default = "yes")]
+    header: bool,
+    /// Lines at the top that do not count.
+    #[serde(default)]
+    skip_lines: usize,
+    /// Lines that begin so do not count.
+    #[serde(default = "hash")]
+    comment: String,
+    /// Unit of lengths: mm, m, inch.
+    #[serde(default)]
+    length_unit: LengthUnit,
+    /// Unit of joints: deg, rad.
+    #[serde(default)]
+    joint_unit: AngleUnit,
+    /// Unit of time: min, s, h.
+    #[serde(default)]
+    time_unit: TimeUnit,
+    /// Instead: how a date and time is written; minutes are then counted from the first row.
+    time_format: Option<String>,
+    /// Our names and theirs (or their numbers, from 1).
+    columns: BTreeMap<String, Theirs>,
+    /// Cells that are the same in every row.
+    #[serde(default)]
+    constant: BTreeMap<String, String>,
+    /// A measured pose in six columns.
+    pose: Option<PoseColumns>,
+    /// Rows that are nests on base or floor.
+    base_rows: Option<Where>,
+    /// Only rows like these count.
+    only: Option<Where>,
+}
+
+/// A column of theirs.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+enum Theirs {
+    Number(usize),
+    Name(String),
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PoseColumns {
+    /// x, y, z and three angles.
+    columns: [Theirs; 6],
+    /// What the angles are.
+    rotation: Rotation,
+    /// Unit of the angles.
+    #[serde(default)]
+    angle_unit: AngleUnit,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Where {
+    column: Theirs,
+    is: Vec<String>,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum LengthUnit {
+    #[default]
+    Mm,
+    M,
+    Inch,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum AngleUnit {
+    #[default]
+    Deg,
+    Rad,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum TimeUnit {
+    #[default]
+    Min,
+    S,
+    H,
+}
+
+fn comma() -> String {
+    ",".to_owned()
+}
+
+fn hash() -> String {
+    "#".to_owned()
+}
+
+fn yes() -> bool {
+    true
+}
+
+impl LengthUnit {
+    fn m(self, value: f64) -> f64 {
+        match self {
+            Self::Mm => m_from_mm(value),
+            Self::M => value,
+            Self::Inch => m_from_inch(value),
+        }
+    }
+}
+
+impl AngleUnit {
+    fn rad(self, value: f64) -> f64 {
+        match self {
+            Self::Deg => rad_from_deg(value),
+            Self::Rad => value,
+        }
+    }
+}
+
+impl ColumnMap {
+    /// Reads a map (TOML).
+    ///
+    /// # Errors
+    /// What is wrong in it.
+    pub fn from_toml(text: &str) -> Result<Self, MeasureError> {
+        let map: Self = toml::from_str(text).map_err(|e| wrong(e.to_string()))?;
+        let known = known();
+        for name in map.columns.keys().chain(map.constant.keys()) {
+            if !known.contains(&name.as_str()) {
+                return Err(wrong(format!("{name} is no column of a measurement table")));
+            }
+        }
+        if map.delimiter.len() != 1 && !["tab", "blanks"].contains(&map.delimiter.as_str()) {
+            return Err(wrong("the delimiter is one character, \"tab\" or \"blanks\"".to_owned()));
+        }
+        if map.decimal_comma && map.delimiter == "," {
+            return Err(wrong("commas cannot divide both cells and decimals".to_owned()));
+        }
+        Ok(map)
+    }
+
+    /// The table that `bytes` hold, with our names and units.
+    ///
+    /// # Errors
+    /// A column that is not there, a cell that is no number.
+    pub fn table(&self, bytes: &[u8]) -> Result<Table, MeasureError> {
+        let (header, lines) = self.cells(bytes)?;
+        let find = |theirs: &Theirs| self.find(theirs, &header);
+        let mut taken = Vec::new();
+        for (ours, theirs) in &self.columns {
+            taken.push((ours.as_str(), find(theirs)?));
+        }
+        let pose = match &self.pose {
+            Some(pose) => {
+                let mut at = [0; 6];
+                for (to, theirs) in at.iter_mut().zip(&pose.columns) {
+                    *to = find(theirs)?;
+                }
+                Some((pose, at))
+            }
+            None => None,
+        };
+        let base = self.base_rows.as_ref().map(|w| Ok((find(&w.column)?, &w.is))).transpose()?;
+        let only = self.only.as_ref().map(|w| Ok((find(&w.column)?, &w.is))).transpose()?;
+        let stamp = self.time_format.as_deref().map(Stamp::new).transpose().map_err(wrong)?;
+
+        let mut table =
+            Table { header: taken.iter().map(|(ours, _)| (*ours).to_owned()).collect(), lines: Vec::new() };
+        table.header.extend(self.constant.keys().cloned());
+        if pose.is_some() {
+            table.header.extend(POINT.iter().chain(&QUATERNION).map(|&name| name.to_owned()));
+        }
+        if base.is_some() {
+            table.header.push("kind".to_owned());
+        }
+        let mut start_min = None;
+        let is_one = |line: &Line, (at, words): &(usize, &Vec<String>)| {
+            line.cells.get(*at).is_some_and(|cell| words.iter().any(|w| w == cell))
+        };
+        for line in lines {
+            if only.as_ref().is_some_and(|only| !is_one(&line, only)) {
+                continue;
+            }
+            let mut cells = Vec::with_capacity(table.header.len());
+            for (ours, at) in &taken {
+                let cell = line.cells.get(*at).map_or("", String::as_str);
+                cells.push(self.converted(ours, cell, line.number, stamp.as_ref(), &mut start_min)?);
+            }
+            cells.extend(self.constant.values().cloned());
+            if let Some((pose, at)) = &pose {
+                cells.extend(self.posed(pose, at, &line)?);
+            }
+            if let Some(base) = &base {
+                cells.push(if is_one(&line, base) { "base" } else { "pose" }.to_owned());
+            }
+            table.lines.push(Line { number: line.number, cells });
+        }
+        Ok(table)
+    }
+
+    /// Their names and cells.
+    fn cells(&self, bytes: &[u8]) -> Result<(Option<Vec<String>>, Vec<Line>), MeasureError> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let text = String::from_utf8_lossy(bytes);
+        let mut header = None;
+        let mut lines = Vec::new();
+        for (index, text) in text.lines().enumerate().skip(self.skip_lines) {
+            let is_comment = !self.comment.is_empty() && text.trim_start().starts_with(&self.comment);
+            if is_comment || text.trim().is_empty() {
+                continue;
+            }
+            let cells = self.split(text, index as u64 + 1)?;
+            if self.header && header.is_none() {
+                header = Some(cells);
+            } else {
+                lines.push(Line { number: index as u64 + 1, cells });
+            }
+        }
+        if self.header && header.is_none() {
+            return Err(MeasureError::NoHeader);
+        }
+        Ok((header, lines))
+    }
+
+    fn split(&self, text: &str, line: u64) -> Result<Vec<String>, MeasureError> {
+        let delimiter = match self.delimiter.as_str() {
+            "blanks" => return Ok(text.split_whitespace().map(str::to_owned).collect()),
+            "tab" => b'\t',
+            one => one.bytes().next().unwrap_or(b','),
+        };
+        let mut reader = ReaderBuilder::new()
+            .delimiter(delimiter)
+            .has_headers(false)
+            .flexible(true)
+            .trim(Trim::All)
+            .from_reader(text.as_bytes());
+        let record = reader.records().next().transpose();
+        let record = record
+            .map_err(|error| MeasureError::NotCsv { line, problem: error.to_string() })?
+            .unwrap_or_default();
+        Ok(record.iter().map(str::to_owned).collect())
+    }
+
+    fn find(&self, theirs: &Theirs, header: &Option<Vec<String>>) -> Result<usize, MeasureError> {
+        match (theirs, header) {
+            (Theirs::Number(0), _) => Err(wrong("columns count from 1".to_owned())),
+            (Theirs::Number(n), _) => Ok(n - 1),
+            (Theirs::Name(name), None) => {
+                Err(wrong(format!("without a header columns are numbers, not '{name}'")))
+            }
+            (Theirs::Name(name), Some(header)) => {
+                let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+                header
+                    .iter()
+                    .position(|n| plain(n) == plain(name))
+                    .ok_or_else(|| super::read::missing(name, header))
+            }
+        }
+    }
+
+    fn number(&self, column: &str, cell: &str, line: u64) -> Result<f64, MeasureError> {
+        let text = if self.decimal_comma { cell.replace(',', ".") } else { cell.to_owned() };
+        text.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| MeasureError::NotANumber {
+            line,
+            column: column.to_owned(),
+            text: cell.chars().take(40).collect(),
+            hint: if cell.contains(',') { ": decimal_comma = true?" } else { "" },
+        })
+    }
+
+    /// A cell in our units; the text as it stands where nothing is to be done.
+    fn converted(
+        &self,
+        ours: &str,
+        cell: &str,
+        line: u64,
+        stamp: Option<&Stamp>,
+        start_min: &mut Option<f64>,
+    ) -> Result<String, MeasureError> {
+        if cell.is_empty() {
+            return Ok(String::new());
+        }
+        let is_length = POINT.contains(&ours) || ours == "length_mm";
+        let is_text = ["id", "pose_id", "target", "kind", "fixed_id"].contains(&ours);
+        if is_text {
+            return Ok(cell.to_owned());
+        }
+        if let (true, Some(stamp)) = (ours == "t_min", stamp) {
+            let at_min = stamp.minutes(cell).ok_or_else(|| MeasureError::NotATime {
+                line,
+                text: cell.chars().take(40).collect(),
+                format: stamp.format().to_owned(),
+            })?;
+            return Ok(format!("{}", at_min - *start_min.get_or_insert(at_min)));
+        }
+        let unchanged = match ours {
+            _ if is_length => self.length_unit == LengthUnit::Mm,
+            "t_min" => self.time_unit == TimeUnit::Min,
+            _ if JOINTS.contains(&ours) => self.joint_unit == AngleUnit::Deg,
+            _ => true,
+        };
+        if unchanged && !self.decimal_comma {
+            return Ok(cell.to_owned());
+        }
+        let value = self.number(ours, cell, line)?;
+        if unchanged {
+            return Ok(cell.replace(',', "."));
+        }
+        let value = match ours {
+            _ if is_length => mm_from_m(self.length_unit.m(value)),
+            "t_min" => match self.time_unit {
+                TimeUnit::Min => value,
+                TimeUnit::S => min_from_s(value),
+                TimeUnit::H => value * 60.0,
+            },
+            _ => deg_from_rad(self.joint_unit.rad(value)),
+        };
+        Ok(format!("{value}"))
+    }
+
+    /// x, y, z and a quaternion; empty where a cell is.
+    fn posed(&self, pose: &PoseColumns, at: &[usize; 6], line: &Line) -> Result<Vec<String>, MeasureError> {
+        let mut values = [0.0; 6];
+        for (k, (value, column)) in values.iter_mut().zip(at).enumerate() {
+            let cell = line.cells.get(*column).map_or("", String::as_str);
+            if cell.is_empty() {
+                return Ok(vec![String::new(); 7]);
+            }
+            let name = POINT.get(k).copied().unwrap_or("pose");
+            let number = self.number(name, cell, line.number)?;
+            *value = if k < 3 { mm_from_m(self.length_unit.m(number)) } else { pose.angle_unit.rad(number) };
+        }
+        let [x, y, z, a, b, c] = values;
+        let turn = pose.rotation.quaternion([a, b, c]);
+        Ok([x, y, z, turn.w, turn.i, turn.j, turn.k].map(|v| format!("{v}")).to_vec())
+    }
+}
+
+fn wrong(problem: String) -> MeasureError {
+    MeasureError::Map { problem }
+}
+
+impl Rotation {
+    /// The orientation that three angles, radians, mean.
+    #[must_use]
+    pub fn quaternion(self, rad: [f64; 3]) -> UnitQuaternion<f64> {
+        let about = |k: usize, angle_rad: f64| {
+            let mut axis = Vector3::zeros();
+            axis[k] = angle_rad;
+            UnitQuaternion::from_scaled_axis(axis)
+        };
+        let [a, b, c] = rad;
+        match self {
+            Self::FixedXyz => about(2, c) * about(1, b) * about(0, a),
+            Self::MovingXyz => about(0, a) * about(1, b) * about(2, c),
+            Self::MovingZyx => about(2, a) * about(1, b) * about(0, c),
+            Self::Vector => UnitQuaternion::from_scaled_axis(Vector3::from(rad)),
+        }
+    }
+}

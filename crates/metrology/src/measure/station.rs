@@ -1,0 +1,343 @@
+//! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
+
+use super::{Channels, Measurements, Row, Seen};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use robot_model::kinematics::Chain;
+use std::collections::BTreeMap;
+
+/// Repeats further apart than this are different stations: drift between them is signal, not noise.
+const SAME_TIME_MIN: f64 = 10.0;
+/// A fixed point touched again with all joints as near as this is the same pose.
+const SAME_TOUCH_RAD: f64 = 5e-3;
+/// Joints read back scatter by less than this between repeats.
+const SAME_JOINT_RAD: f64 = 2e-4;
+/// Joint temperatures within this are the same.
+const SAME_TEMPERATURE_C: f64 = 0.5;
+/// A repeat this many sigmas from its fellows is false and takes no part in the mean.
+const FALSE_REPEAT: f64 = 7.0;
+
+/// The mean of rows that repeat one pose in the same direction, with the same payload, at about one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Station {
+    /// Commanded pose; stations of one pose stay together in every fold.
+    pub pose: usize,
+    /// Which reflector.
+    pub target: usize,
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// Joints; at a nest they say nothing.
+    pub q_rad: [f64; 6],
+    /// What was measured, the mean of the rows.
+    pub seen: Seen,
+    /// Measured orientation in the instrument's frame.
+    pub orientation: Option<UnitQuaternion<f64>>,
+    /// Sign of each joint's last motion.
+    pub direction: Option<[i8; 6]>,
+    /// Payload.
+    pub payload_kg: Option<f64>,
+    /// Temperature of each joint.
+    pub joint_temperature_c: Option<[f64; 6]>,
+    /// Temperature of the air.
+    pub air_temperature_c: Option<f64>,
+    /// Rows in the mean, as indices into the file's rows.
+    pub rows: Vec<usize>,
+}
+
+impl Station {
+    /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
+    #[must_use]
+    pub fn pose(&self, chain: &Chain) -> Isometry3<f64> {
+        if self.seen.by_arm() { chain.forward(&self.q_rad) } else { Isometry3::identity() }
+    }
+}
+
+/// What the repeats say about the noise of one row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repeats {
+    /// Standard deviation of one coordinate of one row, metres.
+    pub sigma_m: f64,
+    /// Degrees of freedom behind it.
+    pub degrees_of_freedom: usize,
+    /// Standard deviation of one component of the orientation, radians.
+    pub sigma_rad: Option<f64>,
+}
+
+/// A measurement file gathered into stations.
+#[derive(Clone, Debug)]
+pub struct Stations {
+    /// In the order of their first rows.
+    pub stations: Vec<Station>,
+    /// Noise from repeats; `None` where nothing was repeated.
+    pub repeats: Option<Repeats>,
+    /// Optional columns.
+    pub channels: Channels,
+    /// Number of reflectors.
+    pub targets: usize,
+    /// Number of fixed places.
+    pub places: usize,
+    /// Rows left out as false repeats.
+    pub false_rows: Vec<usize>,
+}
+
+/// Pose, target, place, direction and payload (as bits): what repeats share.
+type Condition = (usize, usize, Option<usize>, Option<[i8; 6]>, u64);
+
+/// Gathers the rows that `keep` names.
+///
+/// # Panics
+/// Never: rows that `keep` does not name are left out.
+#[must_use]
+pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
+    let rows = &measurements.rows;
+    let poses = poses(measurements, keep);
+    let mut open: BTreeMap<Condition, usize> = BTreeMap::new();
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (&index, &pose) in keep.iter().zip(&poses) {
+        let Some(row) = rows.get(index) else { continue };
+        let payload = row.payload_kg.map_or(u64::MAX, f64::to_bits);
+        let key = (pose, row.target, row.seen.place(), row.direction, payload);
+        match open.get(&key).and_then(|&g| groups.get_mut(g)) {
+            Some(group) if group.first().and_then(|&f| rows.get(f)).is_some_and(|f| alike(f, row)) => {
+                group.push(index);
+            }
+            _ => {
+                open.insert(key, groups.len());
+                groups.push(vec![index]);
+            }
+        }
+    }
+    let pose_of: BTreeMap<usize, usize> = keep.iter().copied().zip(poses).collect();
+    let false_rows = false_repeats(rows, &groups);
+    for group in &mut groups {
+        group.retain(|index| false_rows.binary_search(index).is_err());
+    }
+    groups.retain(|group| !group.is_empty());
+    Stations {
+        repeats: repeats(rows, &groups),
+        stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),
+        channels: measurements.channels,
+        targets: measurements.targets.len().max(1),
+        places: measurements.places.len(),
+        false_rows,
+    }
+}
+
+/// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own.
+pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
+    let rows = keep.iter().filter_map(|&i| measurements.rows.get(i));
+    if measurements.channels.pose_id {
+        return rows.map(|row| row.pose).collect();
+    }
+    let mut seen: BTreeMap<[u64; 6], usize> = BTreeMap::new();
+    let mut nests: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut touched: BTreeMap<usize, Vec<([f64; 6], usize)>> = BTreeMap::new();
+    let mut next = 0;
+    rows.map(|row| {
+        let pose = match row.seen {
+            Seen::Nest { place, .. } => *nests.entry(place).or_insert(next),
+            Seen::Touch { place } => {
+                let known = touched.entry(place).or_default();
+                let near =
+                    |q: &[f64; 6]| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
+                match known.iter().find(|(q, _)| near(q)) {
+                    Some((_, pose)) => *pose,
+                    None => {
+                        known.push((row.q_rad, next));
+                        next
+                    }
+                }
+            }
+            Seen::Point { .. } | Seen::Length { .. } => {
+                *seen.entry(row.q_rad.map(f64::to_bits)).or_insert(next)
+            }
+        };
+        next = next.max(pose + 1);
+        pose
+    })
+    .collect()
+}
+
+fn alike(a: &Row, b: &Row) -> bool {
+    // The scatter of touches lies in their joints: their mean would hide it.
+    if matches!(a.seen, Seen::Touch { .. }) {
+        return false;
+    }
+    let joints = a.q_rad.iter().zip(&b.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
+    let time = match (a.t_min, b.t_min) {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
+        _ => true,
+    };
+    let warmth = match (a.joint_temperature_c, b.joint_temperature_c) {
+        (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME_TEMPERATURE_C),
+        _ => true,
+    };
+    joints && time && warmth
+}
+
+fn centre(rows: &[Row], group: &[usize]) -> Vector3<f64> {
+    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(reading_m).sum();
+    sum / group.len().max(1) as f64
+}
+
+fn reading_m(row: &Row) -> Vector3<f64> {
+    row.seen.reading_m().map_or_else(Vector3::zeros, |(reading_m, _)| reading_m)
+}
+
+fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {
+    let first_index = *group.first()?;
+    let first = rows.get(first_index)?;
+    let members: Vec<&Row> = group.iter().filter_map(|&i| rows.get(i)).collect();
+    let n = members.len() as f64;
+    let average = |value: &dyn Fn(&Row) -> Option<f64>| -> Option<f64> {
+        members.iter().map(|row| value(row)).sum::<Option<f64>>().map(|sum| sum / n)
+    };
+    let orientation = first.orientation.map(|start| {
+        let turn: Vector3<f64> = members
+            .iter()
+            .filter_map(|row| row.orientation)
+            .map(|o| (o * start.inverse()).scaled_axis())
+            .sum::<Vector3<f64>>()
+            / n;
+        UnitQuaternion::from_scaled_axis(turn) * start
+    });
+    let mut q_rad = first.q_rad;
+    for (j, q) in q_rad.iter_mut().enumerate() {
+        *q = members.iter().map(|row| row.q_rad[j]).sum::<f64>() / n;
+    }
+    let joint_temperature_c = first.joint_temperature_c.map(|_| {
+        std::array::from_fn(|j| {
+            members.iter().filter_map(|row| row.joint_temperature_c).map(|t| t[j]).sum::<f64>() / n
+        })
+    });
+    Some(Station {
+        pose: *pose_of.get(&first_index)?,
+        target: first.target,
+        t_min: average(&|row| row.t_min),
+        q_rad,
+        seen: first.seen.with_reading_m(centre(rows, group)),
+        orientation,
+        direction: first.direction,
+        payload_kg: first.payload_kg,
+        joint_temperature_c,
+        air_temperature_c: average(&|row| row.air_temperature_c),
+        rows: group.to_vec(),
+    })
+}
+
+/// Rows far from their fellows, sorted; only groups of three and more can tell which row is false.
+fn false_repeats(rows: &[Row], groups: &[Vec<usize>]) -> Vec<usize> {
+    let mut distances: Vec<(usize, f64)> = Vec::new();
+    let mut pool: Vec<f64> = Vec::new();
+    for group in groups.iter().filter(|g| g.len() >= 2) {
+        let mut middle = Vector3::zeros();
+        for k in 0..3 {
+            let mut values: Vec<f64> =
+                group.iter().filter_map(|&i| rows.get(i)).map(|r| reading_m(r)[k]).collect();
+            middle[k] = median(&mut values);
+        }
+        for &index in group {
+            let Some(row) = rows.get(index) else { continue };
+            let distance = (reading_m(row) - middle).norm();
+            pool.push(distance);
+            if group.len() >= 3 {
+                distances.push((index, distance));
+            }
+        }
+    }
+    // The middle value itself often lies at distance 0 in one coordinate: the 75 % quantile is steadier.
+    pool.sort_by(f64::total_cmp);
+    let Some(&scale) = pool.get(pool.len() * 3 / 4) else { return Vec::new() };
+    // 75 % of a 3-D normal distance lie within 2.03 sigma.
+    let limit = FALSE_REPEAT * scale / 2.03 * 3.0_f64.sqrt();
+    let mut false_rows: Vec<usize> =
+        distances.into_iter().filter(|(_, d)| scale > 0.0 && *d > limit).map(|(i, _)| i).collect();
+    false_rows.sort_unstable();
+    false_rows
+}
+
+fn repeats(rows: &[Row], groups: &[Vec<usize>]) -> Option<Repeats> {
+    let mut squares = 0.0;
+    let mut turns = 0.0;
+    let mut freedom = 0;
+    for group in groups.iter().filter(|g| g.len() >= 2) {
+        let centre = centre(rows, group);
+        let members: Vec<&Row> = group.iter().filter_map(|&i| rows.get(i)).collect();
+        squares += members.iter().map(|row| (reading_m(row) - centre).norm_squared()).sum::<f64>();
+        let numbers = members.first().and_then(|row| row.seen.reading_m()).map_or(0, |(_, numbers)| numbers);
+        freedom += numbers * (group.len() - 1);
+        if let Some(start) = members.first().and_then(|row| row.orientation) {
+            let vectors: Vec<Vector3<f64>> = members
+                .iter()
+                .filter_map(|row| row.orientation)
+                .map(|o| (o * start.inverse()).scaled_axis())
+                .collect();
+            let mean = vectors.iter().sum::<Vector3<f64>>() / vectors.len() as f64;
+            turns += vectors.iter().map(|v| (v - mean).norm_squared()).sum::<f64>();
+        }
+    }
+    if freedom == 0 || squares <= 0.0 {
+        return None;
+    }
+    Some(Repeats {
+        sigma_m: (squares / freedom as f64).sqrt(),
+        degrees_of_freedom: freedom,
+        sigma_rad: (turns > 0.0).then(|| (turns / freedom as f64).sqrt()),
+    })
+}
+
+/// Middle value; 0 of nothing.
+pub(super) fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    match values.len() {
+        0 => 0.0,
+        n if n % 2 == 1 => values[n / 2],
+        n => 0.5 * (values[n / 2 - 1] + values[n / 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(rows: &[(&str, f64, f64)]) -> Measurements {
+        let mut text = "pose_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+        for (pose, t_min, x_mm) in rows {
+            text.push_str(&format!("{pose},{t_min},0,0,0,0,0,0,{x_mm},0,0\n"));
+        }
+        Measurements::from_csv(text.as_bytes()).unwrap()
+    }
+
+    #[test]
+    fn repeats_of_one_pose_become_their_mean_and_their_scatter_the_noise() {
+        let m = file(&[("A", 0.0, 1.0), ("A", 1.0, 3.0), ("B", 2.0, 5.0), ("B", 3.0, 5.0)]);
+        let s = gather(&m, &[0, 1, 2, 3]);
+        assert_eq!(s.stations.len(), 2);
+        assert!((s.stations[0].seen.position_m().unwrap().x - 0.002).abs() < 1e-15);
+        assert_eq!(s.stations[0].t_min, Some(0.5));
+        let repeats = s.repeats.unwrap();
+        // Deviations are +-1 mm in x of the first pair alone: 2 mm^2 over 3 (n-1) = 6 degrees of freedom.
+        assert_eq!(repeats.degrees_of_freedom, 6);
+        assert!((repeats.sigma_m - 1e-3 * (2.0_f64 / 6.0).sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn repeats_far_apart_in_time_are_stations_of_their_own_but_one_pose() {
+        let m = file(&[("A", 0.0, 1.0), ("A", 60.0, 3.0)]);
+        let s = gather(&m, &[0, 1]);
+        assert_eq!(s.stations.len(), 2);
+        assert_eq!(s.stations[0].pose, s.stations[1].pose);
+        assert!(s.repeats.is_none());
+    }
+
+    #[test]
+    fn a_false_repeat_is_named_and_left_out() {
+        let mut rows: Vec<(&str, f64, f64)> = Vec::new();
+        for k in 0..8 {
+            rows.push(("A", 0.0, f64::from(k % 4) * 0.01));
+        }
+        rows.push(("A", 0.0, 10.0));
+        let s = gather(&file(&rows), &(0..9).collect::<Vec<_>>());
+        assert_eq!(s.false_rows, [8]);
+        assert!(s.stations[0].seen.position_m().unwrap().x < 1e-4);
+    }
+}

@@ -1,0 +1,72 @@
+//! A table as text: column names and cells, each row with its line in the file it came from.
+
+use super::MeasureError;
+use super::read::missing;
+use csv::{ReaderBuilder, Trim};
+use rapid_syntax::diagnostic::LineIndex;
+
+/// A row of cells.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// Line in the file, from 1.
+    pub number: u64,
+    /// One for each column.
+    pub cells: Vec<String>,
+}
+
+/// Column names and cells.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// Column names as written.
+    pub header: Vec<String>,
+    /// Rows that hold something.
+    pub lines: Vec<Line>,
+}
+
+impl Table {
+    /// Reads CSV with a header; lines that begin with # are comments.
+    ///
+    /// # Errors
+    /// Not CSV, a line with more or fewer cells than the header.
+    pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
+        let lines_of = LineIndex::new(bytes);
+        let not_csv = |error: csv::Error| not_csv(&lines_of, bytes, &error);
+        let header: Vec<String> = reader.headers().map_err(not_csv)?.iter().map(str::to_owned).collect();
+        if header.iter().all(String::is_empty) {
+            return Err(MeasureError::NoHeader);
+        }
+        if let [alone] = header.as_slice()
+            && alone.contains([';', '\t'])
+        {
+            return Err(missing("q1_deg", &header));
+        }
+        let mut lines = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(not_csv)?;
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            let number = robot_model::csv_lines::line_of_record(&lines_of, bytes, record.position(), true);
+            lines.push(Line { number, cells: record.iter().map(str::to_owned).collect() });
+        }
+        Ok(Self { header, lines })
+    }
+
+    /// Where the column of this name stands, in any case.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.header.iter().position(|n| n.eq_ignore_ascii_case(name))
+    }
+}
+
+fn not_csv(lines: &LineIndex, bytes: &[u8], error: &csv::Error) -> MeasureError {
+    let (line, problem) = robot_model::csv_lines::line_and_problem(lines, bytes, error, true);
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            MeasureError::CellCount { line, cells: *len, columns: *expected_len }
+        }
+        _ => MeasureError::NotCsv { line, problem },
+    }
+}

@@ -1,0 +1,240 @@
+//! Which poses to measure, so that all effects can be told apart: chosen from many that the robot can take, ordered, written
+//! as a list to fill in and as RAPID to run.
+//!
+//! Knows no terminal and no files; the RAPID is written with `emit`'s numbers.
+
+mod choose;
+mod information;
+mod lines;
+mod outlook;
+mod pool;
+mod rapid;
+mod sheet;
+mod sweep;
+
+pub use lines::Lines;
+pub use outlook::{Confounded, Named, Outlook, Parameter};
+pub use pool::{Space, Why};
+pub use rapid::rapid;
+pub use sheet::{poses_csv, template_csv};
+pub use sweep::Sweeps;
+
+use crate::diagnose::signature::{Possible, signatures};
+use nalgebra::Vector3;
+use pool::Pose;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use robot_model::robot::Robot;
+use thiserror::Error;
+
+/// Possible poses among which the best are chosen.
+const POOL: usize = 1500;
+/// Rounds of exchanging each pose for a better one.
+const ROUNDS: usize = 3;
+/// Where nests are believed to be, for what they will say: round the base, metres.
+const NESTS_M: [[f64; 3]; 4] = [[0.5, 0.5, 0.0], [0.5, -0.5, 0.0], [-0.4, 0.0, 0.2], [0.0, 0.6, 0.4]];
+/// Poses between two looks at the nests.
+const BETWEEN_NESTS: usize = 10;
+
+/// What is to be measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanOptions {
+    /// The measured point in the flange's frame.
+    pub tool_m: Vector3<f64>,
+    /// Measurements of poses, repeats among them.
+    pub n: usize,
+    /// Of these, how many come back to a pose: they tell the noise.
+    pub repeats: usize,
+    /// Single joints moved in small steps, after the poses and beside `n`.
+    pub sweeps: Sweeps,
+    /// Payloads in turn.
+    pub payloads_kg: Vec<f64>,
+    /// Nests on the base, looked at every ten poses.
+    pub nests: usize,
+    /// Expected noise of one coordinate.
+    pub sigma_m: f64,
+    /// Time that one measurement takes.
+    pub each_min: f64,
+    /// Where the robot may go.
+    pub space: Space,
+    /// The same seed gives the same plan.
+    pub seed: u64,
+}
+
+/// Why there is no plan.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum PlanError {
+    /// Too few measurements for any answer.
+    #[error("{n} measurements with {repeats} repeats are too few: 12 different poses at least, 60 say a lot")]
+    TooFew {
+        /// Asked.
+        n: usize,
+        /// Of these repeats.
+        repeats: usize,
+    },
+    /// Hardly a pose is allowed.
+    #[error("of {tried} poses tried only {found} are allowed ({why}): give the robot more room")]
+    NoRoom {
+        /// Tried.
+        tried: usize,
+        /// Allowed.
+        found: usize,
+        /// What forbids most.
+        why: Why,
+    },
+    /// Nowhere can a joint be moved so far.
+    #[error(
+        "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
+    )]
+    NoSweep {
+        /// From 1.
+        joint: usize,
+    },
+}
+
+/// One step of a measurement run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// Drive to a pose, from its side, and measure.
+    Pose {
+        /// Which pose, from 0: repeats share it.
+        pose: usize,
+        /// Joints.
+        q_rad: [f64; 6],
+        /// Where each joint comes from.
+        approach_rad: [f64; 6],
+        /// Sign of each joint's last motion.
+        direction: [i8; 6],
+        /// Payload.
+        payload_kg: f64,
+    },
+    /// Measure a nest on the base.
+    Nest {
+        /// Which, from 0.
+        nest: usize,
+    },
+}
+
+/// A measurement run and what it will say.
+#[derive(Clone, Debug)]
+pub struct MeasurementPlan {
+    /// In the order of the run.
+    pub steps: Vec<Step>,
+    /// What can be expected of it.
+    pub outlook: Outlook,
+    /// Exchanges that made it better.
+    pub exchanges: usize,
+    /// Possible poses among which it was chosen.
+    pub pool: usize,
+}
+
+/// Plans a measurement run.
+///
+/// # Errors
+/// [`PlanError`]
+pub fn plan(robot: &Robot, options: &PlanOptions) -> Result<MeasurementPlan, PlanError> {
+    plan_from(robot, options, POOL, ROUNDS)
+}
+
+/// As [`plan`], from a pool of `pool` poses and with `rounds` of exchange: fewer are quicker.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_from(
+    robot: &Robot,
+    options: &PlanOptions,
+    pool: usize,
+    rounds: usize,
+) -> Result<MeasurementPlan, PlanError> {
+    let distinct = options.n.saturating_sub(options.repeats);
+    if distinct < 12 {
+        return Err(PlanError::TooFew { n: options.n, repeats: options.repeats });
+    }
+    let mut random = ChaCha8Rng::seed_from_u64(options.seed);
+    let poses = pool::poses(robot, options, pool.max(2 * distinct), &mut random)?;
+    let possible: Vec<Possible> =
+        poses.iter().enumerate().map(|(i, pose)| pose.possible(i as f64 * options.each_min)).collect();
+    let all = signatures(robot, options.tool_m, &possible);
+    let (chosen, exchanges) = choose::choose(&all, distinct, options.sigma_m, rounds);
+    let mut taken: Vec<Pose> = chosen.into_iter().filter_map(|i| poses.get(i).cloned()).collect();
+    shuffle(&mut taken, &mut random);
+    let swept = sweep::sweeps(robot, options, &poses)?;
+    let steps = in_order(&taken, &swept, options);
+    let run = timed(&steps, options);
+    let signatures = signatures(robot, options.tool_m, &run);
+    let mut outlook = outlook::outlook(&signatures, options.sigma_m);
+    let q_rad: Vec<[f64; 6]> = run.iter().map(|m| m.q_rad).collect();
+    outlook.lines = lines::lines(&signatures, &q_rad, options.sigma_m);
+    Ok(MeasurementPlan { steps, outlook, exchanges, pool: poses.len() })
+}
+
+/// Fisher and Yates (1938): what comes when has nothing to do with where it is.
+fn shuffle(poses: &mut [Pose], random: &mut ChaCha8Rng) {
+    for i in (1..poses.len()).rev() {
+        let k = random.random_range(0..=i);
+        poses.swap(i, k);
+    }
+}
+
+/// Payload by payload, the first one again at the end, with the repeats and the sweeps; nests in between.
+fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<Step> {
+    let of = |payload: &f64| -> Vec<usize> {
+        (0..poses.len()).filter(|&i| poses[i].payload_kg == *payload).collect()
+    };
+    let mut order: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = Vec::new();
+    for (k, payload) in options.payloads_kg.iter().enumerate() {
+        let mut own = of(payload);
+        if k == 0 {
+            last = own.split_off(own.len().div_ceil(2));
+        }
+        order.extend(own);
+    }
+    let first: Vec<usize> = options.payloads_kg.first().map(of).unwrap_or_default();
+    order.extend(last);
+    let repeated = options.repeats.min(poses.len());
+    // Of the first payload as far as there are, spread over the run.
+    let from: Vec<usize> = if first.len() >= repeated { first } else { (0..poses.len()).collect() };
+    order.extend((0..repeated).filter_map(|k| from.get(k * from.len() / repeated.max(1)).copied()));
+    let mut steps = Vec::new();
+    for (k, &i) in order.iter().enumerate() {
+        if k % BETWEEN_NESTS == 0 {
+            steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
+        }
+        steps.push(step(i, &poses[i]));
+    }
+    steps.extend(swept.iter().enumerate().map(|(k, pose)| step(poses.len() + k, pose)));
+    steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
+    steps
+}
+
+fn step(number: usize, pose: &Pose) -> Step {
+    Step::Pose {
+        pose: number,
+        q_rad: pose.q_rad,
+        approach_rad: pose.approach_rad,
+        direction: pose.direction,
+        payload_kg: pose.payload_kg,
+    }
+}
+
+fn timed(steps: &[Step], options: &PlanOptions) -> Vec<Possible> {
+    steps
+        .iter()
+        .enumerate()
+        .map(|(k, step)| {
+            let t_min = k as f64 * options.each_min;
+            match *step {
+                Step::Pose { q_rad, direction, payload_kg, .. } => {
+                    Possible { q_rad, direction, payload_kg, t_min, nest: None }
+                }
+                Step::Nest { nest } => {
+                    let at_m = Vector3::from(NESTS_M[nest % NESTS_M.len()])
+                        + Vector3::z() * (nest / NESTS_M.len()) as f64 * 0.1;
+                    let nest = Some((nest, at_m));
+                    Possible { q_rad: [0.0; 6], direction: [0; 6], payload_kg: 0.0, t_min, nest }
+                }
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,171 @@
+//! Poses that the robot may take: inside its ranges, off singularities, above the floor, clear of its own foot.
+
+use super::{PlanError, PlanOptions};
+use crate::diagnose::signature::Possible;
+use nalgebra::{Matrix6, Vector3};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::rad_from_deg;
+use std::f64::consts::PI;
+use std::fmt;
+
+/// Each joint comes from so far away.
+const APPROACH_DEG: f64 = 3.0;
+/// So far from the ends of the joints' ranges.
+const MARGIN_DEG: f64 = 5.0;
+/// Smallest singular value of the Jacobian, lengths over the reach, that is no singularity.
+const SINGULAR: f64 = 0.03;
+/// Joint 5 nearer to zero than this has joints 4 and 6 in line, degrees.
+const WRIST_DEG: f64 = 10.0;
+/// Room round joint 2's own radius that wrist and tool keep from the foot, metres.
+const FOOT_M: f64 = 0.15;
+/// Tried for each pose wanted.
+const TRIES: usize = 400;
+
+/// Where the robot may go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Space {
+    /// Wrist, flange and tool stay above this plane of the base.
+    pub floor_m: f64,
+    /// The measured point stays this near to the base's axis.
+    pub reach_m: Option<f64>,
+    /// The measured point stays in this box: lowest and highest corner in the base.
+    pub box_m: Option<[[f64; 3]; 2]>,
+}
+
+/// What forbids a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Why {
+    /// Under the floor plane.
+    Floor,
+    /// Too near to the robot's own foot.
+    Foot,
+    /// Near a singularity.
+    Singular,
+    /// Beyond the reach or outside the box.
+    Outside,
+}
+
+impl fmt::Display for Why {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Floor => "most are under the floor plane",
+            Self::Foot => "most are too near to the robot's own foot",
+            Self::Singular => "most are near a singularity",
+            Self::Outside => "most are beyond the reach or outside the box",
+        })
+    }
+}
+
+/// A pose and how it is come to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Joints.
+    pub q_rad: [f64; 6],
+    /// Where they come from.
+    pub approach_rad: [f64; 6],
+    /// Sign of each joint's last motion.
+    pub direction: [i8; 6],
+    /// Payload.
+    pub payload_kg: f64,
+}
+
+impl Pose {
+    /// As a measurement at a minute.
+    #[must_use]
+    pub fn possible(&self, t_min: f64) -> Possible {
+        Possible {
+            q_rad: self.q_rad,
+            direction: self.direction,
+            payload_kg: self.payload_kg,
+            t_min,
+            nest: None,
+        }
+    }
+}
+
+/// `wanted` poses that are allowed.
+pub fn poses(
+    robot: &Robot,
+    options: &PlanOptions,
+    wanted: usize,
+    random: &mut ChaCha8Rng,
+) -> Result<Vec<Pose>, PlanError> {
+    let chain = Chain::nominal(robot);
+    let margin_rad = rad_from_deg(MARGIN_DEG);
+    let ranges: Vec<[f64; 2]> = robot
+        .joints
+        .iter()
+        .map(|joint| {
+            let [low, high] = joint.range_rad.unwrap_or([-PI, PI]);
+            [low.max(-PI) + margin_rad, high.min(PI) - margin_rad]
+        })
+        .collect();
+    let mut found = Vec::new();
+    let mut forbidden = [0_usize; 4];
+    let mut tried = 0;
+    while found.len() < wanted && tried < TRIES * wanted {
+        tried += 1;
+        let mut q_rad = [0.0; 6];
+        for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
+            *q = low + (high - low) * random.random::<f64>();
+        }
+        let direction: [i8; 6] = std::array::from_fn(|_| if random.random::<bool>() { 1 } else { -1 });
+        let payload = random.random_range(0..options.payloads_kg.len().max(1));
+        let approach_rad = approach_rad(&q_rad, &direction);
+        match [q_rad, approach_rad].iter().find_map(|q| forbids(robot, &chain, options, q)) {
+            Some(why) => forbidden[why as usize] += 1,
+            None => found.push(Pose {
+                q_rad,
+                approach_rad,
+                direction,
+                payload_kg: options.payloads_kg.get(payload).copied().unwrap_or(0.0),
+            }),
+        }
+    }
+    if found.len() < wanted {
+        let all = [Why::Floor, Why::Foot, Why::Singular, Why::Outside];
+        let why = all.into_iter().max_by_key(|w| forbidden[*w as usize]).unwrap_or(Why::Outside);
+        return Err(PlanError::NoRoom { tried, found: found.len(), why });
+    }
+    Ok(found)
+}
+
+/// Where the joints come from.
+pub fn approach_rad(q_rad: &[f64; 6], direction: &[i8; 6]) -> [f64; 6] {
+    let far = rad_from_deg(APPROACH_DEG);
+    std::array::from_fn(|j| q_rad[j] - f64::from(direction[j]) * far)
+}
+
+/// Why a pose is not allowed.
+pub fn forbids(robot: &Robot, chain: &Chain, options: &PlanOptions, q_rad: &[f64; 6]) -> Option<Why> {
+    let frames = chain.frames(q_rad);
+    let flange = &frames[6];
+    let point_m = flange.translation.vector + flange.rotation * options.tool_m;
+    let moving: Vec<Vector3<f64>> =
+        frames[3..].iter().map(|f| f.translation.vector).chain([point_m]).collect();
+    if moving.iter().any(|p| p.z < options.space.floor_m) {
+        return Some(Why::Floor);
+    }
+    let shoulder = frames[1].translation.vector;
+    let foot_m = shoulder.xy().norm() + FOOT_M;
+    if moving[1..].iter().any(|p| p.xy().norm() < foot_m && p.z < shoulder.z + FOOT_M) {
+        return Some(Why::Foot);
+    }
+    let beyond = options.space.reach_m.is_some_and(|reach_m| point_m.xy().norm() > reach_m);
+    let outside = options
+        .space
+        .box_m
+        .is_some_and(|[low, high]| (0..3).any(|k| point_m[k] < low[k] || point_m[k] > high[k]));
+    if beyond || outside {
+        return Some(Why::Outside);
+    }
+    let reach_m: f64 =
+        robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum();
+    let (_, jacobian) = chain.forward_and_jacobian(q_rad);
+    let scaled = Matrix6::from_fn(|r, c| jacobian[r][c] / if r < 3 { reach_m.max(1e-3) } else { 1.0 });
+    let singular = scaled.singular_values().min() < SINGULAR || q_rad[4].abs() < rad_from_deg(WRIST_DEG);
+    singular.then_some(Why::Singular)
+}

@@ -1,0 +1,63 @@
+//! Sweeps of single joints in small steps: what tells the lines of a gear from each other, which poses far apart only sample.
+
+use super::pool::{Pose, approach_rad, forbids};
+use super::{PlanError, PlanOptions};
+use nalgebra::Vector3;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+
+/// Sweeps of joints, each from one pose.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sweeps {
+    /// Joints, from 0.
+    pub joints: Vec<usize>,
+    /// Poses of each.
+    pub n: usize,
+    /// From pose to pose.
+    pub step_rad: f64,
+}
+
+/// The poses of all sweeps, every joint come to from below; each sweep is round the pose of `pool` in which its joint
+/// moves the target furthest and all its poses are allowed.
+pub fn sweeps(robot: &Robot, options: &PlanOptions, pool: &[Pose]) -> Result<Vec<Pose>, PlanError> {
+    let chain = Chain::nominal(robot);
+    let wanted = &options.sweeps;
+    let lever_m = |pose: &Pose, j: usize| {
+        let (flange, jacobian) = chain.forward_and_jacobian(&pose.q_rad);
+        let column = |k: usize| Vector3::new(jacobian[k][j], jacobian[k + 1][j], jacobian[k + 2][j]);
+        (column(0) + column(3).cross(&(flange.rotation * options.tool_m))).norm()
+    };
+    let mut all = Vec::new();
+    for &joint in &wanted.joints {
+        let mut order: Vec<(f64, usize)> =
+            pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint), i)).collect();
+        order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let sweep = order.into_iter().find_map(|(_, i)| around(robot, &chain, options, &pool[i], joint));
+        all.extend(sweep.ok_or(PlanError::NoSweep { joint: joint + 1 })?);
+    }
+    Ok(all)
+}
+
+/// The sweep of `joint` round `middle`; none where a pose of it is not allowed.
+fn around(
+    robot: &Robot,
+    chain: &Chain,
+    options: &PlanOptions,
+    middle: &Pose,
+    joint: usize,
+) -> Option<Vec<Pose>> {
+    let wanted = &options.sweeps;
+    let payload_kg = options.payloads_kg.first().copied().unwrap_or(0.0);
+    (0..wanted.n)
+        .map(|k| {
+            let mut q_rad = middle.q_rad;
+            q_rad[joint] += (k as f64 - 0.5 * (wanted.n as f64 - 1.0)) * wanted.step_rad;
+            let direction = [1; 6];
+            let approach_rad = approach_rad(&q_rad, &direction);
+            let allowed = [q_rad, approach_rad]
+                .iter()
+                .all(|q| robot.within_range(q).is_ok() && forbids(robot, chain, options, q).is_none());
+            allowed.then_some(Pose { q_rad, approach_rad, direction, payload_kg })
+        })
+        .collect()
+}

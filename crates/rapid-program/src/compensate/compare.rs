@@ -1,0 +1,263 @@
+//! Two programs motion by motion: how far apart what they command is, for every element of a scheduled
+//! target.
+//!
+//! The nominal arm alone: this is what a controller is told, not where the arm then stands.
+
+use super::exits::Exits;
+use super::messages::Messages;
+use super::model::Model;
+use super::nominal::resolve;
+use super::placement::Placement;
+use super::{CompensateError, Options};
+use crate::program::Program;
+use crate::program::data::RobTarget;
+use crate::program::motion::{Motion, TargetValue};
+use nalgebra::Isometry3;
+use robot_model::deform::{Deformation, GrowthLaw};
+use robot_model::kinematics::{Configuration, FrameOffsets};
+use robot_model::robot::Robot;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Two programs, compared.
+#[derive(Clone, Debug, Default)]
+pub struct Comparison {
+    /// Motions that stand in both, in the order of the first program.
+    pub motions: Vec<ComparedMotion>,
+    /// Motions of the first program that the second has not.
+    pub only_before: Vec<usize>,
+    /// Motions of the second program that the first has not.
+    pub only_after: Vec<usize>,
+}
+
+/// A motion of both programs.
+#[derive(Clone, Debug)]
+pub struct ComparedMotion {
+    /// Its number in the first program.
+    pub before: usize,
+    /// Its number in the second.
+    pub after: usize,
+    /// Instruction, tool and work object are the same, by value.
+    pub same_frames: bool,
+    /// One step for each element of a scheduled target, the original first; one where it is not scheduled;
+    /// none where a target of either is only known at run time.
+    pub steps: Vec<Step>,
+}
+
+/// How one element of a target differs from the motion of the first program; of an arc's two points the
+/// worse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Between the two TCP positions in the work object, metres.
+    pub distance_m: f64,
+    /// The second one (an arc's end point), metres.
+    pub position_m: [f64; 3],
+    /// Between the two orientations, radians.
+    pub angle_rad: f64,
+    /// Joints of the nominal arm, where both targets are within its reach.
+    pub arm: Option<ArmStep>,
+    /// Confdata and external axes are the same numbers.
+    pub same_configuration: bool,
+}
+
+/// The same on the nominal arm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmStep {
+    /// Largest change of a joint, radians.
+    pub joint_rad: f64,
+    /// That joint, from 1.
+    pub joint: usize,
+    /// Smallest distance of a joint of the second target from the end of its range, radians; `None` where
+    /// the robot has no ranges.
+    pub limit_rad: Option<f64>,
+    /// Distance of the second target from the wrist singularity (axis 5), radians.
+    pub wrist_rad: f64,
+    /// Distance from the elbow's, radians.
+    pub elbow_rad: f64,
+    /// Distance of the wrist centre from axis 1, metres.
+    pub shoulder_m: f64,
+    /// Both are solved on the same branch.
+    pub same_branch: bool,
+}
+
+/// Compares what two programs command, routine by routine.
+///
+/// Motions are matched by module, routine and their order in it.
+///
+/// # Errors
+/// [`CompensateError::Structure`] where the robot has no closed form.
+pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Comparison, CompensateError> {
+    let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
+    let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
+    let resolved = resolve(before, &model, &Exits::default(), &mut Messages::default());
+    let mut out = Comparison::default();
+    let mut others = by_routine(after);
+    for (key, own) in by_routine(before) {
+        let other = others.remove(&key).unwrap_or_default();
+        out.only_before.extend(own.iter().skip(other.len()));
+        out.only_after.extend(other.iter().skip(own.len()));
+        for (&i, &j) in own.iter().zip(&other) {
+            let q_rad = resolved[i].points.as_ref().map(|points| points.iter().map(|p| p.q_rad).collect());
+            let q_rad: Vec<[f64; 6]> = q_rad.unwrap_or_default();
+            out.motions.push(motion(&before.motions[i], i, &after.motions[j], j, &q_rad, &model));
+        }
+    }
+    out.only_after.extend(others.into_values().flatten());
+    out.motions.sort_by_key(|m| m.before);
+    out.only_before.sort_unstable();
+    out.only_after.sort_unstable();
+    Ok(out)
+}
+
+/// Motions by module and routine, in lower case.
+fn by_routine(program: &Program) -> BTreeMap<(String, String), Vec<usize>> {
+    let mut all: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
+    for (i, motion) in program.motions.iter().enumerate() {
+        let Some(routine) = program.routines.get(motion.routine) else { continue };
+        let key = (routine.module.to_ascii_lowercase(), routine.name.to_ascii_lowercase());
+        all.entry(key).or_default().push(i);
+    }
+    all
+}
+
+fn motion(
+    before: &Motion,
+    i: usize,
+    after: &Motion,
+    j: usize,
+    q_rad: &[[f64; 6]],
+    model: &Model,
+) -> ComparedMotion {
+    let same_frames = before.kind == after.kind
+        && before.targets.len() == after.targets.len()
+        && before.tool == after.tool
+        && before.tool_name.as_deref().map(str::to_ascii_lowercase)
+            == after.tool_name.as_deref().map(str::to_ascii_lowercase)
+        && before.wobj == after.wobj;
+    let placements = (Placement::of(before), Placement::of(after));
+    let mut steps = Vec::new();
+    if let (Ok(from), Ok(to)) = placements {
+        for (n, (a, b)) in before.targets.iter().zip(&after.targets).enumerate() {
+            let (a, b) = (a.values(), b.values());
+            let compared = b.iter().enumerate().filter_map(|(k, b)| {
+                let a = a.get(k).or(a.first())?;
+                step(a, from, b, to, q_rad.get(n), model)
+            });
+            let compared: Vec<Step> = compared.collect();
+            steps = if n == 0 { compared } else { steps.into_iter().zip(compared).map(worse).collect() };
+        }
+    }
+    ComparedMotion { before: i, after: j, same_frames, steps }
+}
+
+/// A target as a pose in its work object and as the flange's pose.
+struct Pose {
+    object_from_tcp: Isometry3<f64>,
+    base_from_flange: Isometry3<f64>,
+    q_rad: Option<[f64; 6]>,
+}
+
+fn pose(value: &TargetValue, placement: Placement, model: &Model) -> Option<Pose> {
+    Some(match value {
+        TargetValue::Rob(RobTarget { object_from_tcp, .. }) => Pose {
+            object_from_tcp: *object_from_tcp,
+            base_from_flange: placement.base_from_flange(object_from_tcp),
+            q_rad: None,
+        },
+        TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
+            let mut q_rad = [0.0; 6];
+            for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
+                *q_rad = joint?;
+            }
+            let base_from_flange = model.nominal.forward(&q_rad);
+            let object_from_tcp = placement.object_from_tcp(&base_from_flange);
+            Pose { object_from_tcp, base_from_flange, q_rad: Some(q_rad) }
+        }
+    })
+}
+
+fn step(
+    a: &TargetValue,
+    from: Placement,
+    b: &TargetValue,
+    to: Placement,
+    known_q_rad: Option<&[f64; 6]>,
+    model: &Model,
+) -> Option<Step> {
+    let (start, end) = (pose(a, from, model)?, pose(b, to, model)?);
+    let q_a = start.q_rad.or(known_q_rad.copied()).or_else(|| as_configured(a, &start, model));
+    if a == b && from == to {
+        let arm = q_a.map(|q_a| arm_step(&q_a, &q_a, model));
+        let position_m = end.object_from_tcp.translation.vector.into();
+        return Some(Step { distance_m: 0.0, position_m, angle_rad: 0.0, arm, same_configuration: true });
+    }
+    let q_b = end.q_rad.or_else(|| Some(model.closed.nearest(&end.base_from_flange, &q_a?)?.q_rad));
+    let arm = q_a.zip(q_b).map(|(q_a, q_b)| arm_step(&q_a, &q_b, model));
+    let apart = start.object_from_tcp.inv_mul(&end.object_from_tcp);
+    let same_configuration = match (a, b) {
+        (TargetValue::Rob(a), TargetValue::Rob(b)) => a.conf == b.conf && a.ext == b.ext,
+        (TargetValue::Joint(a), TargetValue::Joint(b)) => a.ext == b.ext,
+        (TargetValue::FromJoints(_), _) | (_, TargetValue::FromJoints(_)) => true,
+        _ => false,
+    };
+    Some(Step {
+        distance_m: apart.translation.vector.norm(),
+        position_m: end.object_from_tcp.translation.vector.into(),
+        angle_rad: apart.rotation.angle(),
+        arm,
+        same_configuration,
+    })
+}
+
+/// Joints that confdata names, where nothing better is known.
+fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64; 6]> {
+    let TargetValue::Rob(RobTarget { conf, .. }) = value else { return None };
+    let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
+    let solutions = model.closed.solutions(&pose.base_from_flange);
+    solutions.iter().find(|s| model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
+}
+
+fn arm_step(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmStep {
+    let (mut joint, mut joint_rad) = (1, 0.0);
+    for (k, (a, b)) in q_a.iter().zip(q_b).enumerate() {
+        if (a - b).abs() > joint_rad {
+            (joint, joint_rad) = (k + 1, (a - b).abs());
+        }
+    }
+    let posture = model.closed.posture(q_b);
+    ArmStep {
+        joint_rad,
+        joint,
+        limit_rad: model.robot().margins_rad(q_b).into_iter().flatten().reduce(f64::min),
+        wrist_rad: posture.wrist_rad.abs(),
+        elbow_rad: posture.elbow_rad.abs(),
+        shoulder_m: posture.shoulder_m.abs(),
+        same_branch: model.closed.configuration(q_a).cfx == model.closed.configuration(q_b).cfx,
+    }
+}
+
+fn worse((a, b): (Step, Step)) -> Step {
+    let arm = a.arm.zip(b.arm).map(|(a, b)| {
+        let larger = if b.joint_rad > a.joint_rad { b } else { a };
+        let limit_rad = match (a.limit_rad, b.limit_rad) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (one, other) => one.or(other),
+        };
+        ArmStep {
+            joint_rad: larger.joint_rad,
+            joint: larger.joint,
+            limit_rad,
+            wrist_rad: a.wrist_rad.min(b.wrist_rad),
+            elbow_rad: a.elbow_rad.min(b.elbow_rad),
+            shoulder_m: a.shoulder_m.min(b.shoulder_m),
+            same_branch: a.same_branch && b.same_branch,
+        }
+    });
+    Step {
+        distance_m: a.distance_m.max(b.distance_m),
+        position_m: b.position_m,
+        angle_rad: a.angle_rad.max(b.angle_rad),
+        arm,
+        same_configuration: a.same_configuration && b.same_configuration,
+    }
+}

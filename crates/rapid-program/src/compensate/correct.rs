@@ -1,0 +1,286 @@
+//! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
+//! like to the nominal controller, and whether that may be sent.
+
+use super::Options;
+use super::model::{Model, WarmBucket};
+use super::nominal::Point;
+use super::placement::keep;
+use super::plan::{Form, PlannedMotion, PlannedTarget, Status};
+use super::ramp::Ramp;
+use crate::program::data::{ConfData, JointTarget, RobTarget};
+use crate::program::motion::{Keep, Motion, TargetValue};
+use nalgebra::Vector3;
+use robot_model::deform::DeformedArm;
+use robot_model::kinematics::{Configuration, solve};
+use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+
+/// A joint that would change by more is near a singularity, degrees.
+pub(super) const JOINT_CHANGE_DEG: f64 = 1.0;
+
+/// A motion's plan and what the summary needs of it.
+pub(super) struct Made {
+    pub(super) planned: PlannedMotion,
+    /// For each bucket the worst distance of the TCP from the programmed pose anywhere in it,
+    /// `[uncompensated, compensated]`, metres.
+    pub(super) error_m: Vec<[f64; 2]>,
+    /// Largest step of the TCP where one bucket follows another, metres.
+    pub(super) switch_jump_m: f64,
+    /// The bucket with the largest correction.
+    pub(super) worst_bucket: usize,
+}
+
+/// The plan of a motion that stays as it is.
+pub(super) fn kept(why: Keep) -> Made {
+    let planned = PlannedMotion { status: Status::Kept(Box::new(why)), ..no_figures() };
+    Made { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
+}
+
+/// Corrects a motion's points for all buckets, or for all nodes of time functions.
+pub(super) fn correct(
+    motion: &Motion,
+    points: &[Point],
+    at: &Moments,
+    model: &Model,
+    options: &Options,
+) -> Made {
+    let warm = at.warm();
+    let mut made = Made {
+        planned: PlannedMotion { targets: Vec::with_capacity(points.len()), ..no_figures() },
+        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
+        switch_jump_m: 0.0,
+        worst_bucket: 0,
+    };
+    made.planned.form = options.form.of_known();
+    let mut refusal = None;
+    let values = motion.targets.iter().flat_map(|target| target.values());
+    for (point, value) in points.iter().zip(values) {
+        let joints = match joints_per_bucket(point, warm, model) {
+            Ok(joints) => joints,
+            Err(Stop::Keep(why)) => return kept(why),
+            Err(Stop::Refuse(why)) => {
+                refusal.get_or_insert(why);
+                continue;
+            }
+        };
+        made.add_corrections(point, &joints, model);
+        let mut planned = planned_target(point, value, model);
+        match at {
+            Moments::Buckets(warm) => made.add_errors(point, &joints, warm),
+            Moments::Nodes(ramp) => {
+                planned.corrections =
+                    ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
+                let error_m = ramp.errors_m(point, &planned.corrections, model);
+                let worst = &mut made.error_m[0];
+                *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
+            }
+        }
+        made.planned.targets.push(planned);
+    }
+    let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
+    made.planned.error_m = Some([over(0), over(1)]);
+    if let Some(why) = refusal.or_else(|| over_cap(&made.planned, options)) {
+        made.planned.status = Status::Refused(Box::new(why));
+        if made.planned.targets.len() < points.len() {
+            made.planned.targets.clear();
+        }
+    }
+    made
+}
+
+/// The plan of a motion that is known to be compensated; its figures are left out.
+pub(super) fn compensated(
+    motion: &Motion,
+    points: &[Point],
+    (at, model): (&Moments, &Model),
+    options: &Options,
+) -> PlannedMotion {
+    let values = motion.targets.iter().flat_map(|target| target.values());
+    let one = |(point, value): (&Point, &TargetValue)| {
+        let mut planned = planned_target(point, value, model);
+        if let Some(ramp) = at.ramp() {
+            let joints: Vec<[f64; 6]> =
+                at.warm().iter().filter_map(|node| warm_joints(point, &node.at).ok()).collect();
+            planned.corrections =
+                ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
+        }
+        planned
+    };
+    let targets = points.iter().zip(values).map(one).collect();
+    PlannedMotion { status: Status::Compensated, form: options.form.of_known(), targets, ..no_figures() }
+}
+
+/// The moments for which corrections are made.
+pub(super) enum Moments {
+    /// One for each bucket of a schedule.
+    Buckets(Vec<WarmBucket>),
+    /// The nodes of time functions.
+    Nodes(Ramp),
+}
+
+impl Moments {
+    /// The arms.
+    pub(super) fn warm(&self) -> &[WarmBucket] {
+        match self {
+            Self::Buckets(warm) => warm,
+            Self::Nodes(ramp) => &ramp.nodes,
+        }
+    }
+
+    /// The time functions, where they are.
+    pub(super) fn ramp(&self) -> Option<&Ramp> {
+        match self {
+            Self::Buckets(_) => None,
+            Self::Nodes(ramp) => Some(ramp),
+        }
+    }
+}
+
+/// A motion of which nothing is known yet.
+pub(super) fn no_figures() -> PlannedMotion {
+    PlannedMotion {
+        status: Status::Compensated,
+        form: Form::default(),
+        targets: Vec::new(),
+        max_correction_m: 0.0,
+        max_correction_rad: 0.0,
+        mid_path_m: None,
+        error_m: None,
+    }
+}
+
+fn planned_target(point: &Point, value: &TargetValue, model: &Model) -> PlannedTarget {
+    let pose = match value {
+        TargetValue::FromJoints(joints) => Some(Box::new(pose_of(point, joints, model))),
+        TargetValue::Rob(_) | TargetValue::Joint(_) => None,
+    };
+    let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
+    PlannedTarget { pose, nominal_q_rad, conditions, corrections: Vec::new() }
+}
+
+/// The pose that joints mean, with the configuration that it is reached in.
+fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
+    let Configuration { cf1, cf4, cf6, cfx } = model.closed.configuration(&point.q_rad);
+    let conf = ConfData { cf1, cf4, cf6, cfx };
+    RobTarget { object_from_tcp: point.object_from_tcp(), conf, ext: joints.ext }
+}
+
+/// Why a target has no corrected joints.
+enum Stop {
+    Keep(Keep),
+    Refuse(Keep),
+}
+
+/// The deformed arm's joints for each bucket.
+fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Result<Vec<[f64; 6]>, Stop> {
+    let own = model.closed.configuration(&point.q_rad);
+    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
+    let mut refusal = None;
+    for bucket in warm {
+        let q_rad = warm_joints(point, &bucket.at).map_err(Stop::Keep)?;
+        if refusal.is_none() {
+            if let Err(out) = model.robot().within_range(&q_rad) {
+                refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
+            } else if model.closed.kept(&own, &q_rad) != own {
+                refusal = Some(keep(
+                    "refuse::configuration",
+                    "its correction would change the arm's configuration",
+                ));
+            }
+        }
+        joints.push(q_rad);
+    }
+    refusal.map_or(Ok(joints), |why| Err(Stop::Refuse(why)))
+}
+
+/// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
+pub(super) fn warm_joints(point: &Point, arm: &DeformedArm) -> Result<[f64; 6], Keep> {
+    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
+        .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
+        .q_rad;
+    let (joint, change_rad) = q_rad
+        .iter()
+        .zip(&point.q_rad)
+        .map(|(a, b)| (a - b).abs())
+        .enumerate()
+        .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
+    if change_rad > rad_from_deg(JOINT_CHANGE_DEG) {
+        return Err(keep(
+            "singular::joint-change",
+            format!(
+                "axis {} would change by {:.3} deg: too near a singularity",
+                joint + 1,
+                deg_from_rad(change_rad)
+            ),
+        ));
+    }
+    Ok(q_rad)
+}
+
+fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
+    if planned.max_correction_m > options.max_correction_m {
+        return Some(keep(
+            "refuse::correction",
+            format!(
+                "it would be moved by {:.4} mm, more than the {} mm allowed",
+                mm_from_m(planned.max_correction_m),
+                mm_from_m(options.max_correction_m)
+            ),
+        ));
+    }
+    (planned.max_correction_rad > options.max_correction_rad).then(|| {
+        keep(
+            "refuse::correction",
+            format!(
+                "it would be turned by {:.5} deg, more than the {} deg allowed",
+                deg_from_rad(planned.max_correction_rad),
+                deg_from_rad(options.max_correction_rad)
+            ),
+        )
+    })
+}
+
+impl Made {
+    /// Of a motion of which nothing more is known.
+    pub(super) fn without_figures(planned: PlannedMotion) -> Self {
+        Self { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
+    }
+
+    /// How far the nominal controller is told to go from the original target.
+    fn add_corrections(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) {
+        let meant = point.object_from_tcp();
+        for (k, q_rad) in joints.iter().enumerate() {
+            let object_from_tcp = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+            let moved_m = (object_from_tcp.translation.vector - meant.translation.vector).norm();
+            let turned_rad = meant.rotation.angle_to(&object_from_tcp.rotation);
+            if moved_m > self.planned.max_correction_m {
+                self.planned.max_correction_m = moved_m;
+                self.worst_bucket = k;
+            }
+            self.planned.max_correction_rad = self.planned.max_correction_rad.max(turned_rad);
+        }
+    }
+
+    /// Distances over each bucket, before and after, and the steps between buckets.
+    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &[WarmBucket]) {
+        let far = |arm: &DeformedArm, q_rad: &[f64; 6]| point.miss_m(arm, q_rad);
+        let mut before_from = warm.first().map_or(0.0, |bucket| far(&bucket.from, &point.q_rad).norm());
+        let mut ended: Option<Vector3<f64>> = None;
+        for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.error_m) {
+            let start = far(&bucket.from, q_rad);
+            if let Some(ended) = ended {
+                self.switch_jump_m = self.switch_jump_m.max((start - ended).norm());
+            }
+            let end = far(&bucket.end, q_rad);
+            let before_end = far(&bucket.end, &point.q_rad).norm();
+            let mut before = f64::max(before_from, before_end);
+            let mut after = start.norm().max(end.norm());
+            for bend in &bucket.bends {
+                before = before.max(far(bend, &point.q_rad).norm());
+                after = after.max(far(bend, q_rad).norm());
+            }
+            *error_m = [error_m[0].max(before), error_m[1].max(after)];
+            before_from = before_end;
+            ended = Some(end);
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Messages, each said once per routine however often it applies.
+
+use super::Options;
+use super::plan::{Form, PlannedMotion, Status, Summary};
+use crate::program::Program;
+use crate::program::motion::{Keep, Motion, Origin, Path};
+use crate::schedule::{Chosen, Width};
+use rapid_syntax::diagnostic::{Diagnostic, Span};
+use robot_model::units::mm_from_m;
+use std::collections::BTreeMap;
+
+/// Messages by routine and code.
+#[derive(Clone, Default)]
+pub(super) struct Messages(BTreeMap<(Option<usize>, &'static str), (Diagnostic, usize)>);
+
+impl Messages {
+    /// Adds one; of several with the same code in the same routine the first in the file is told, with
+    /// their number.
+    pub(super) fn add(&mut self, routine: Option<usize>, message: Diagnostic) {
+        let entry = self.0.entry((routine, message.code));
+        entry
+            .and_modify(|(first, more)| {
+                *more += 1;
+                if message.span < first.span {
+                    *first = message.clone();
+                }
+            })
+            .or_insert((message, 0));
+    }
+
+    /// Why a motion stays as it is.
+    pub(super) fn add_kept(&mut self, motion: &Motion, why: &Keep) {
+        let message = format!("line {}: this {} stays as it is: {}", motion.line, motion.kind, why.reason);
+        let mut message = Diagnostic::warning(why.code, message).at(place(motion));
+        if let Some(because) = why.because {
+            message = message.label(because, "because of this");
+        }
+        self.add(Some(motion.routine), message);
+    }
+
+    /// What was kept and refused, and why.
+    pub(super) fn add_statuses(&mut self, program: &Program, planned: &[PlannedMotion]) {
+        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
+            match &planned.status {
+                Status::Compensated => {}
+                Status::Kept(why) => self.add_kept(motion, why),
+                Status::Refused(why) => {
+                    let message =
+                        format!("line {}: {} is refused: {}", motion.line, described(motion), why.reason);
+                    let mut message = Diagnostic::error(why.code, message).at(place(motion));
+                    if let Some(because) = why.because {
+                        message = message.label(because, "because of this");
+                    }
+                    self.add(Some(motion.routine), message);
+                }
+            }
+        }
+    }
+
+    /// Linear moves that leave their line.
+    pub(super) fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
+        let mut worst: BTreeMap<usize, (f64, &Motion, usize)> = BTreeMap::new();
+        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
+            let Some(far_m) = planned.mid_path_m else { continue };
+            if motion.path == Path::Linear && far_m > options.path_tolerance_m {
+                let entry = worst.entry(motion.routine).or_insert((far_m, motion, 0));
+                entry.2 += 1;
+                if far_m > entry.0 {
+                    (entry.0, entry.1) = (far_m, motion);
+                }
+            }
+        }
+        for (routine, (far_m, motion, moves)) in worst {
+            let message = format!(
+                "line {}: {} leaves its straight line by {:.4} mm between its targets ({moves} such in this routine, this is \
+                 the worst)",
+                motion.line,
+                described(motion),
+                mm_from_m(far_m)
+            );
+            let help =
+                "more points on the line bring it down; after a kept motion the line starts uncorrected";
+            self.add(Some(routine), Diagnostic::warning("path::mid", message).at(place(motion)).help(help));
+        }
+    }
+
+    /// What the schedule leaves where the request overrules the tolerance.
+    pub(super) fn add_schedule(&mut self, chosen: &Chosen, summary: &Summary, options: &Options) {
+        if summary.worst_after_m <= options.tolerance_m {
+            return;
+        }
+        let left_mm = mm_from_m(summary.worst_after_m);
+        let message = match options.width {
+            Width::Fixed { width_min } => {
+                format!("buckets of {width_min} minutes leave up to {left_mm:.4} mm, more than the tolerance")
+            }
+            Width::Tolerance => format!(
+                "the drift goes on after minute {}: the last bucket leaves up to {left_mm:.4} mm in the end",
+                chosen.until_min
+            ),
+        };
+        let help = "leave the schedule's end and width to the tolerance, or accept what is left";
+        self.add(None, Diagnostic::warning("schedule::over-tolerance", message).help(help));
+    }
+
+    /// Points that searches have found and that are corrected as other targets are.
+    pub(super) fn add_search_results(&mut self, program: &Program, planned: &[PlannedMotion]) {
+        let live =
+            |planned: &PlannedMotion| planned.status == Status::Compensated && planned.form == Form::Live;
+        for (motion, _) in program.motions.iter().zip(planned).filter(|(m, p)| m.from_search && live(p)) {
+            let message = format!(
+                "line {}: this target is what a search has found, and is corrected as a point of the cold model is",
+                motion.line
+            );
+            let help = "the warm arm found it with its drift: leave the motion as it is where it must meet what was found";
+            self.add(
+                Some(motion.routine),
+                Diagnostic::warning("live::search-result", message).at(place(motion)).help(help),
+            );
+        }
+    }
+
+    /// Ways on which the arm moves for longer than the clock's gap without asking.
+    pub(super) fn add_long_gaps(&mut self, program: &Program, too_long: &[usize]) {
+        for motion in too_long.iter().filter_map(|&i| program.motions.get(i)) {
+            let message = format!(
+                "line {}: from here on the arm may move for longer without asking than the gap that the clock takes for a \
+                 pause",
+                motion.line
+            );
+            let help =
+                "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
+            self.add(
+                Some(motion.routine),
+                Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),
+            );
+        }
+    }
+
+    /// All, by place.
+    pub(super) fn finish(self) -> Vec<Diagnostic> {
+        let mut all: Vec<Diagnostic> = self
+            .0
+            .into_values()
+            .map(|(mut first, more)| {
+                if more > 0 {
+                    first.message.push_str(&format!(" ({more} more like this in the same routine)"));
+                }
+                first
+            })
+            .collect();
+        all.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        all
+    }
+}
+
+/// A motion by the name of its target, where it has one.
+fn described(motion: &Motion) -> String {
+    match motion.targets.last().map(|target| &target.origin) {
+        Some(Origin::Named { name, .. }) => format!("{} to {name}", motion.kind),
+        _ => motion.kind.to_owned(),
+    }
+}
+
+/// Where a motion stands.
+pub(super) fn place(motion: &Motion) -> Span {
+    Span { file: motion.file, range: motion.range }
+}

@@ -1,0 +1,127 @@
+//! Motions, a deformed model and buckets in; a plan out: which target becomes what, when.
+//!
+//! Knows nothing of text: where the targets stand is known only as the motion's number.
+
+pub mod compare;
+mod conditions;
+mod correct;
+mod corrector;
+mod drift;
+mod exits;
+mod figures;
+mod live;
+mod messages;
+mod minutes;
+mod model;
+mod nominal;
+mod options;
+mod path;
+mod placement;
+pub mod plan;
+mod planner;
+mod ramp;
+mod rigid;
+mod silence;
+mod survey;
+pub mod tabulate;
+pub mod targets;
+mod track;
+
+pub use live::LiveBasis;
+pub use minutes::MinuteJoints;
+pub use options::{FormChoice, Options};
+pub use planner::Planner;
+
+use crate::program::Program;
+use crate::program::motion::Keep;
+use crate::schedule::ScheduleError;
+use plan::Plan;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::Deformation;
+use robot_model::kinematics::StructureError;
+use robot_model::robot::Robot;
+
+/// Why there is no plan at all.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum CompensateError {
+    /// The robot's structure has no closed form.
+    #[error("the robot cannot be compensated: {0}")]
+    Structure(#[from] StructureError),
+    /// The deformation goes by temperature.
+    #[error("the deformation goes by temperature; a table of joints by warm-up time needs one with t_min")]
+    Temperature,
+    /// The model goes by joint temperatures.
+    #[error(
+        "the model has terms in joint temperature: say how warm the joints are, --temperature-c T or six values"
+    )]
+    ModelTemperature,
+    /// No schedule.
+    #[error("no schedule: {0}")]
+    Schedule(#[from] ScheduleError),
+    /// A part of the program could not be read again.
+    #[error("{}", .0.message)]
+    Part(Box<Diagnostic>),
+    /// There is no motion.
+    #[error("the program holds no motion")]
+    NoMotion,
+    /// Every motion stays as it is.
+    #[error(
+        "none of the {motions} motions can be compensated; the first, in line {line}, is kept because {} [{}]",
+        first.reason, first.code
+    )]
+    NothingToCompensate {
+        /// How many there are.
+        motions: usize,
+        /// Line of the first.
+        line: u32,
+        /// Its reason.
+        first: Keep,
+        /// The reasons of all, by motion.
+        kept: Vec<Keep>,
+        /// What there is to be said about all of them.
+        diagnostics: Vec<Diagnostic>,
+    },
+}
+
+impl CompensateError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Structure(_) => "robot::structure",
+            Self::Temperature => "schedule::temperature",
+            Self::ModelTemperature => "model::temperature",
+            Self::Schedule(error) => error.code(),
+            Self::Part(failed) => failed.code,
+            Self::NoMotion => "compensate::no-motion",
+            Self::NothingToCompensate { .. } => "compensate::nothing",
+        }
+    }
+}
+
+/// What becomes of each of a program's motions when the arm deforms as it warms up.
+///
+/// A plan with a diagnostic of [`Severity::Error`](rapid_syntax::diagnostic::Severity::Error) must not be emitted.
+///
+/// # Errors
+/// [`CompensateError`] where no motion can be compensated or no schedule meets the request.
+pub fn plan(
+    program: &Program,
+    robot: &Robot,
+    deformation: &Deformation,
+    options: &Options,
+) -> Result<Plan, CompensateError> {
+    let mut whole = program;
+    let mut planner = Planner::survey(&mut whole, robot, deformation, options)?;
+    let mut plan = None;
+    let shown = planner.each(&mut whole, &mut |_, made| plan = Some(made.clone()));
+    shown.map_err(|failed| CompensateError::Part(Box::new(failed)))?;
+    let mut plan = plan.ok_or(CompensateError::NoMotion)?;
+    let (summary, diagnostics) = planner.conclude()?;
+    plan.summary = summary;
+    plan.diagnostics.splice(..0, diagnostics);
+    Ok(plan)
+}
+
+#[cfg(test)]
+mod tests;

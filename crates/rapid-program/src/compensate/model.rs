@@ -1,0 +1,150 @@
+//! The arm as the controller believes it and as warm-up has made it.
+
+use super::{CompensateError, Options};
+use crate::schedule::{Bucket, Moment, Schedule};
+use robot_model::deform::identified::{Identified, When};
+use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index};
+use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets};
+use robot_model::robot::Robot;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Nominal and deformed arm.
+pub(super) struct Model<'a> {
+    robot: &'a Robot,
+    deformation: Cow<'a, Deformation>,
+    pub(super) nominal: Chain,
+    pub(super) closed: ClosedForm,
+    pub(super) bends_min: Vec<f64>,
+    pub(super) identified: Option<Arc<Identified>>,
+    /// Names what of the model a program cannot have.
+    pub(super) left_out: Vec<String>,
+    pub(super) payload_kg: Option<f64>,
+    shared: Arc<Robot>,
+    pub(super) joint_temperature_c: Option<[f64; 6]>,
+    /// Where the schedule goes by temperature: the one it counts from, in place of minute 0.
+    from_c: Option<f64>,
+}
+
+impl<'a> Model<'a> {
+    pub(super) fn new(
+        robot: &'a Robot,
+        deformation: Cow<'a, Deformation>,
+        options: &Options,
+        from_c: Option<f64>,
+    ) -> Result<Self, CompensateError> {
+        if deformation.index() == Index::Temperature {
+            return Err(CompensateError::Temperature);
+        }
+        let (identified, left_out) = match options.model.as_deref().map(Identified::for_programs) {
+            Some((model, left_out)) => (Some(Arc::new(model)), left_out),
+            None => (None, Vec::new()),
+        };
+        let hot = identified.as_ref().is_some_and(|model| model.needs_temperature());
+        if hot && options.joint_temperature_c.or(from_c.map(|c| [c; 6])).is_none() {
+            return Err(CompensateError::ModelTemperature);
+        }
+        let mut bends_min = deformation.knots();
+        bends_min.extend(identified.iter().flat_map(|model| model.bends_min()));
+        bends_min.retain(|t_min| *t_min > 0.0);
+        bends_min.sort_by(f64::total_cmp);
+        bends_min.dedup();
+        Ok(Self {
+            identified,
+            left_out,
+            payload_kg: options.payload_kg,
+            shared: Arc::new(robot.clone()),
+            joint_temperature_c: options.joint_temperature_c,
+            from_c,
+            robot,
+            deformation,
+            nominal: Chain::nominal(robot),
+            closed: ClosedForm::new(robot)?,
+            bends_min,
+        })
+    }
+
+    pub(super) fn robot(&self) -> &Robot {
+        self.robot
+    }
+
+    /// The arm at a moment.
+    pub(super) fn arm(&self, moment: Moment) -> DeformedArm {
+        let offsets = self.offsets(moment);
+        let t_min = match moment {
+            Moment::Minute(t_min) => t_min,
+            Moment::Settled => f64::INFINITY,
+        };
+        match &self.identified {
+            None => DeformedArm::of_table(self.robot, &offsets),
+            Some(model) => {
+                let when = match self.from_c {
+                    None => When { t_min, joint_temperature_c: self.joint_temperature_c },
+                    Some(from_c) => When {
+                        t_min: f64::INFINITY,
+                        joint_temperature_c: self.joint_temperature_c.or(self.temperature_c(from_c, moment)),
+                    },
+                };
+                DeformedArm::of_model(&self.shared, &offsets, model, when)
+            }
+        }
+    }
+
+    /// The law by which all that the arm deforms grows, where there is one for all.
+    pub(super) fn growth_alone(&self) -> Option<GrowthLaw> {
+        self.deformation.growth().copied().filter(|_| self.identified.is_none())
+    }
+
+    /// What the table moves the frames by at a moment.
+    pub(super) fn offsets(&self, moment: Moment) -> FrameOffsets {
+        match moment {
+            Moment::Minute(t_min) => self.deformation.offsets_at(t_min),
+            Moment::Settled => self.deformation.settled(),
+        }
+    }
+
+    /// The arm at one moment alone, in the place of a bucket's.
+    pub(super) fn at_moment(&self, moment: Moment) -> WarmBucket {
+        let at = self.arm(moment);
+        WarmBucket { from: at.clone(), end: at.clone(), at, bends: Vec::new() }
+    }
+
+    /// All joints as warm as the schedule says; at its end as warm as its table's last row.
+    fn temperature_c(&self, from_c: f64, moment: Moment) -> Option<[f64; 6]> {
+        let above_k = match moment {
+            Moment::Minute(above_k) => above_k,
+            Moment::Settled => *self.deformation.knots().last()?,
+        };
+        Some([from_c + above_k; 6])
+    }
+
+    /// The arms that a schedule's buckets meet.
+    pub(super) fn warm(&self, schedule: &Schedule) -> Vec<WarmBucket> {
+        schedule.buckets.iter().map(|bucket| self.warm_bucket(bucket)).collect()
+    }
+
+    fn warm_bucket(&self, bucket: &Bucket) -> WarmBucket {
+        let inside = |t: f64| t > bucket.from_min && bucket.to_min.is_none_or(|to_min| t < to_min);
+        WarmBucket {
+            at: self.arm(Moment::Minute(bucket.at_min)),
+            from: self.arm(Moment::Minute(bucket.from_min)),
+            end: self.arm(bucket.end()),
+            bends: self
+                .bends_min
+                .iter()
+                .filter(|&&t| inside(t))
+                .map(|&t| self.arm(Moment::Minute(t)))
+                .collect(),
+        }
+    }
+}
+
+/// The arm over a bucket: where its targets are computed, and where the worst of the bucket can stand. As
+/// offsets grow by one law, or linearly between a table's times, a target's distance from its place is
+/// convex in between.
+pub(super) struct WarmBucket {
+    pub(super) at: DeformedArm,
+    pub(super) from: DeformedArm,
+    pub(super) end: DeformedArm,
+    pub(super) bends: Vec<DeformedArm>,
+}

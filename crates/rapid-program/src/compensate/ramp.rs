@@ -1,0 +1,312 @@
+//! Corrections that are scaled by functions of time: which functions, and what a target's correction is at their nodes.
+//!
+//! A correction is proportional to the drift to second order, so that one correction and the share of the drift that has
+//! come replace a staircase of corrected targets; a table with several laws in time takes a few of each.
+
+use super::correct::warm_joints;
+use super::model::{Model, WarmBucket};
+use super::nominal::Point;
+use super::placement::Placement;
+use super::plan::Correction;
+use super::survey::Sample;
+use super::{CompensateError, Options};
+use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
+use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
+use robot_model::kinematics::solve;
+use robot_model::units::rad_from_deg;
+use std::sync::Arc;
+
+/// The functions may take this share of the tolerance: a staircase takes all of it.
+const SHARE_OF_TOLERANCE: f64 = 0.1;
+/// Linear pieces between knots may take this share of what the functions may.
+const SHARE_OF_KNOTS: f64 = 0.2;
+/// A turn counts as the shift at this distance, metres: 0.0001 deg for 0.0005 mm.
+const LEVER_M: f64 = 0.3;
+/// Targets from which functions of several laws are found, and moments at which every target is checked, at most.
+const FOUND_FROM: usize = 96;
+const CHECKS: usize = 12;
+
+/// Functions of time with the arms at their nodes.
+pub(super) struct Ramp {
+    pub(super) functions: TimeFunctions,
+    /// The arm at each node.
+    pub(super) nodes: Vec<WarmBucket>,
+    /// From here on what is still to come is under the tolerance, minutes.
+    pub(super) until_min: f64,
+    checks: Vec<Check>,
+}
+
+/// A moment at which every target is looked at.
+struct Check {
+    values: Vec<f64>,
+    arm: DeformedArm,
+}
+
+impl Ramp {
+    /// The fewest functions that hold a tenth of the tolerance at `samples`.
+    pub(super) fn choose(
+        model: &Model,
+        mut samples: Vec<Sample>,
+        options: &Options,
+    ) -> Result<Self, CompensateError> {
+        options.request().check()?;
+        if samples.is_empty() || options.form.corrects_run_time() {
+            samples.extend(anywhere(model));
+        }
+        let samples = samples.as_slice();
+        let tolerance_m = SHARE_OF_TOLERANCE * options.tolerance_m;
+        let targets: Vec<usize> = (0..samples.len()).collect();
+        let drift = Samples { model, points: samples };
+        let found = timeline(&drift, &targets, SHARE_OF_KNOTS * tolerance_m, options.tolerance_m)?;
+        let until_min = match options.until {
+            Until::Auto => found.until_min,
+            Until::Minutes(until_min) => until_min,
+        };
+        let functions = match model.growth_alone() {
+            Some(law) => {
+                let of_share = Self::new(model, TimeFunctions::share(), &found, until_min);
+                let half = law.minute_of(0.5).filter(|_| of_share.worst_m(model, samples) > tolerance_m);
+                half.map_or(of_share.functions, TimeFunctions::share_squared)
+            }
+            None => of_courses(model, samples, &found, tolerance_m),
+        };
+        Ok(Self::new(model, functions, &found, until_min))
+    }
+
+    fn new(model: &Model, functions: TimeFunctions, found: &Timeline, until_min: f64) -> Self {
+        let nodes = functions.nodes.iter().map(|&node| model.at_moment(node)).collect();
+        let moments: Vec<Moment> = match model.growth_alone() {
+            Some(law) => [0.25, 0.5, 0.75, 0.95]
+                .iter()
+                .filter_map(|share| law.minute_of(*share).map(Moment::Minute))
+                .chain([Moment::Settled])
+                .collect(),
+            None => {
+                let between = found.at_min.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+                let mut all: Vec<f64> = found.at_min.iter().copied().chain(between).collect();
+                all.sort_by(f64::total_cmp);
+                let every = all.len().div_ceil(CHECKS).max(1);
+                all.into_iter().step_by(every).map(Moment::Minute).chain([Moment::Settled]).collect()
+            }
+        };
+        let check =
+            |moment: Moment| Check { values: values(model, &functions, moment), arm: model.arm(moment) };
+        let checks = moments.into_iter().map(check).collect();
+        Self { functions, nodes, until_min, checks }
+    }
+
+    /// The corrections of a point whose joints at the nodes are these.
+    pub(super) fn corrections(
+        &self,
+        point: &Point,
+        joint: bool,
+        nodes_q_rad: &[[f64; 6]],
+        model: &Model,
+    ) -> Vec<Correction> {
+        let meant = point.object_from_tcp();
+        nodes_q_rad
+            .iter()
+            .map(|q_rad| {
+                if joint {
+                    return Correction::Joints {
+                        turn_rad: std::array::from_fn(|i| q_rad[i] - point.q_rad[i]),
+                    };
+                }
+                let told = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+                let turn = told.rotation * meant.rotation.inverse();
+                let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
+                Correction::Pose {
+                    shift_m: (told.translation.vector - meant.translation.vector).into(),
+                    turn: [sign * turn.i, sign * turn.j, sign * turn.k],
+                }
+            })
+            .collect()
+    }
+
+    /// The worst distance of the TCP from the programmed pose over the moments that are looked at, `[uncorrected, corrected]`,
+    /// metres.
+    pub(super) fn errors_m(&self, point: &Point, corrections: &[Correction], model: &Model) -> [f64; 2] {
+        let mut worst = [0.0_f64; 2];
+        for check in &self.checks {
+            let before = point.miss_m(&check.arm, &point.q_rad).norm();
+            let after = commanded_q_rad(point, corrections, &check.values, model)
+                .map_or(f64::INFINITY, |q_rad| point.miss_m(&check.arm, &q_rad).norm());
+            worst = [worst[0].max(before), worst[1].max(after)];
+        }
+        worst
+    }
+
+    /// The same where the model is asked at run time: it takes the arm as deformed at the nominal joints, which are a little
+    /// beside those that are reached.
+    pub(super) fn errors_of_model_m(&self, point: &Point, model: &Model) -> [f64; 2] {
+        let nominal = model.nominal.forward(&point.q_rad);
+        let mut worst = [0.0_f64; 2];
+        for check in &self.checks {
+            let before = point.miss_m(&check.arm, &point.q_rad).norm();
+            let deformed = check.arm.under(&point.conditions).forward(&point.q_rad);
+            let told = nominal * deformed.inverse() * nominal;
+            let after = solve(&model.nominal, &told, &point.q_rad)
+                .map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
+            worst = [worst[0].max(before), worst[1].max(after)];
+        }
+        worst
+    }
+
+    /// The worst of all points, metres; a turn counts as the shift that it is at
+    /// [`LEVER_M`].
+    fn worst_m(&self, model: &Model, points: &[Sample]) -> f64 {
+        let one = |Sample { point, joint }: &Sample| {
+            let joints: Option<Vec<[f64; 6]>> =
+                self.nodes.iter().map(|node| warm_joints(point, &node.at).ok()).collect();
+            let joints = joints?;
+            let corrections = self.corrections(point, *joint, &joints, model);
+            let misses = self.checks.iter().map(|check| {
+                let q_rad = commanded_q_rad(point, &corrections, &check.values, model)?;
+                let there = check.arm.under(&point.conditions).forward(&q_rad);
+                let turned_rad = there.rotation.angle_to(&point.base_from_flange.rotation);
+                Some(point.miss_m(&check.arm, &q_rad).norm().max(LEVER_M * turned_rad))
+            });
+            misses.map(|miss_m| miss_m.unwrap_or(f64::INFINITY)).reduce(f64::max)
+        };
+        points.par_iter().filter_map(one).reduce(|| 0.0, f64::max)
+    }
+}
+
+/// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.
+fn anywhere(model: &Model) -> Vec<Sample> {
+    let tool = Isometry3::translation(0.0, 0.0, 0.1);
+    let placement =
+        Arc::new(Placement::ToolOnFlange { base_from_object: Isometry3::identity(), flange_from_tcp: tool });
+    let poses_deg = [
+        [0.0, 0.0, 0.0, 0.0, 30.0, 0.0],
+        [60.0, 30.0, -30.0, 40.0, 60.0, 90.0],
+        [-80.0, -40.0, 20.0, -70.0, -50.0, -120.0],
+        [120.0, 50.0, -60.0, 90.0, 80.0, 30.0],
+    ];
+    let point = |q_deg: [f64; 6]| {
+        let q_rad = q_deg.map(rad_from_deg);
+        let base_from_flange = model.nominal.forward(&q_rad);
+        let (carried_m, meant_m) = placement.points(&placement.object_from_tcp(&base_from_flange));
+        let conditions = Conditions::default();
+        let placement = Arc::clone(&placement);
+        let point = Point { placement, base_from_flange, carried_m, meant_m, q_rad, conditions };
+        Sample { point, joint: false }
+    };
+    poses_deg.into_iter().map(point).collect()
+}
+
+/// Where the controller goes when the corrections are scaled by `values`, radians; `None` where it cannot.
+fn commanded_q_rad(
+    point: &Point,
+    corrections: &[Correction],
+    values: &[f64],
+    model: &Model,
+) -> Option<[f64; 6]> {
+    let meant = point.object_from_tcp();
+    let (mut shift_m, mut turn, mut q_rad) = (Vector3::zeros(), Vector3::zeros(), point.q_rad);
+    let mut by_joints = false;
+    for (correction, value) in corrections.iter().zip(values) {
+        match correction {
+            Correction::Pose { shift_m: by, turn: about } => {
+                shift_m += Vector3::from(*by) * *value;
+                turn += Vector3::from(*about) * *value;
+            }
+            Correction::Joints { turn_rad } => {
+                by_joints = true;
+                q_rad.iter_mut().zip(turn_rad).for_each(|(q_rad, by)| *q_rad += by * value);
+            }
+        }
+    }
+    if by_joints {
+        return Some(q_rad);
+    }
+    let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
+    let told =
+        Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
+    let base_from_flange = point.placement.base_from_flange(&told);
+    solve(&model.nominal, &base_from_flange, &point.q_rad).ok().map(|solved| solved.q_rad)
+}
+
+/// What the functions are worth at a moment.
+fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> {
+    let t_min = match moment {
+        Moment::Minute(t_min) => t_min,
+        Moment::Settled => f64::INFINITY,
+    };
+    let share = model.growth_alone().map_or(1.0, |law: GrowthLaw| law.at(t_min));
+    functions.at(share, t_min)
+}
+
+/// Functions for a table with laws of its own: from the corrections of some targets at the moments of the timeline, and
+/// from the table itself, so that targets elsewhere are met as well.
+fn of_courses(model: &Model, samples: &[Sample], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
+    let every = samples.len().div_ceil(FOUND_FROM).max(1);
+    let moments: Vec<Moment> = found.moments().collect();
+    let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
+    let rows_of = |Sample { point, .. }: &Sample| -> Option<Vec<[f64; 6]>> {
+        let course = |arm: &DeformedArm| {
+            let q_rad = warm_joints(point, arm).ok()?;
+            let told = model.nominal.forward(&q_rad);
+            let turn = (told.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;
+            let at = |frame: &Isometry3<f64>| frame * nalgebra::Point3::from(point.carried_m);
+            let shift = at(&told) - at(&point.base_from_flange);
+            Some([shift.x, shift.y, shift.z, turn.x, turn.y, turn.z])
+        };
+        arms.iter().map(course).collect()
+    };
+    let courses: Vec<Vec<[f64; 6]>> = samples.par_iter().step_by(every).filter_map(rows_of).collect();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for course in &courses {
+        rows.extend((0..6).map(|k| course.iter().map(|at| at[k]).collect::<Vec<f64>>()));
+    }
+    let offsets: Vec<_> = moments.iter().map(|&moment| model.offsets(moment)).collect();
+    for i in 0..7 {
+        for k in 0..6 {
+            let lever_m = if k < 3 { 1.0 } else { LEVER_M };
+            rows.push(offsets.iter().map(|offsets| offsets.0[i][k] * lever_m).collect());
+        }
+    }
+    let matrix = DMatrix::from_fn(rows.len(), moments.len(), |i, k| rows[i][k]);
+    TimeFunctions::of_courses(&matrix, &found.at_min, tolerance_m)
+}
+
+/// Some points of a program as a schedule sees them.
+struct Samples<'a> {
+    model: &'a Model<'a>,
+    points: &'a [Sample],
+}
+
+impl Samples<'_> {
+    fn chosen(&self, targets: &[usize]) -> super::drift::Points<'_> {
+        let points = targets.iter().filter_map(|&target| Some(&self.points.get(target)?.point)).collect();
+        super::drift::Points { model: self.model, points }
+    }
+}
+
+impl Drift for Samples<'_> {
+    fn targets(&self) -> usize {
+        self.points.len()
+    }
+
+    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
+        self.chosen(targets).displacements_m(moment)
+    }
+
+    fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
+        let points = super::drift::Points {
+            model: self.model,
+            points: self.points.iter().map(|sample| &sample.point).collect(),
+        };
+        points.furthest_m2(pairs).into_iter().map(|(i, far_m2)| (i, far_m2.sqrt())).collect()
+    }
+
+    fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
+        self.chosen(targets).errors_m(at_min, moments)
+    }
+
+    fn bends_min(&self) -> &[f64] {
+        &self.model.bends_min
+    }
+}

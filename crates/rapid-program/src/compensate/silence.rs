@@ -1,0 +1,114 @@
+//! Motion that does not ask for its target: where a way through the program holds so much of it that the clock takes it for
+//! a pause.
+
+use super::nominal::{Point, Resolved};
+use super::plan::{PlannedMotion, Status};
+use crate::program::Program;
+use crate::program::motion::{Motion, Path};
+use robot_model::units::seconds_from_min;
+use std::f64::consts::FRAC_PI_2;
+
+/// Faster than this no move is believed to be, m/s and rad/s: estimates err on the long side.
+const FASTEST_M_S: f64 = 1.0;
+const FASTEST_RAD_S: f64 = 3.0;
+/// Where the speed is not known, m/s and rad/s.
+const UNKNOWN_M_S: f64 = 0.1;
+const UNKNOWN_RAD_S: f64 = 0.5;
+/// Where the way is not known, metres and radians: one as long as many are.
+const UNKNOWN_WAY_M: f64 = 0.3;
+const UNKNOWN_WAY_RAD: f64 = 0.5;
+/// For getting up to speed and down again, as a factor, and per move in seconds (passing, stopping).
+const SLOWER: f64 = 1.5;
+const PASSING_S: f64 = 0.02;
+const STOPPING_S: f64 = 0.5;
+
+/// The first motion of each way on which the arm moves for longer than `gap_min` without asking, by the estimate; none where
+/// the clock does not tell running from standing.
+pub(super) fn too_long(
+    program: &Program,
+    resolved: &[Resolved],
+    planned: &[PlannedMotion],
+    gap_min: Option<f64>,
+) -> Vec<usize> {
+    let Some(gap_s) = gap_min.map(seconds_from_min) else { return Vec::new() };
+    let asks = |i: usize| planned.get(i).is_some_and(|planned| planned.status == Status::Compensated);
+    let mut loop_asks = vec![false; program.loops.len()];
+    for (_, motion) in program.motions.iter().enumerate().filter(|(i, _)| asks(*i)) {
+        for &l in &motion.loops {
+            if let Some(asks) = loop_asks.get_mut(l) {
+                *asks = true;
+            }
+        }
+    }
+    // A motion and how long the arm moves without asking when it ends, with the motion that this began with.
+    let mut silent: Vec<Option<(f64, usize)>> = vec![None; program.motions.len()];
+    let mut found = Vec::new();
+    for first in 0..program.motions.len() {
+        let mut way = vec![first];
+        while let Some(previous) = way.last().and_then(|&i| program.motions.get(i)?.previous)
+            && previous < program.motions.len()
+            && silent[previous].is_none()
+            && !asks(previous)
+            && !way.contains(&previous)
+            && way.len() < LONGEST_WAY
+        {
+            way.push(previous);
+        }
+        for &i in way.iter().rev() {
+            if silent[i].is_some() {
+                continue;
+            }
+            let motion = &program.motions[i];
+            let before = motion.previous.filter(|&p| p < silent.len() && !asks(p)).and_then(|p| silent[p]);
+            let (since_s, begun) = before.unwrap_or((0.0, i));
+            let passes = motion.loops.iter().filter(|&&l| !loop_asks[l]);
+            let passes: f64 =
+                passes.map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64)).product();
+            let own_s = time_s(resolved, motion, i) * passes;
+            if since_s <= gap_s && since_s + own_s > gap_s && program.is_own(motion) {
+                found.push(begun);
+            }
+            silent[i] = Some((since_s + own_s, begun));
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// Motions that are looked back over at one go.
+const LONGEST_WAY: usize = 10_000;
+
+/// How long a motion takes, seconds.
+fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> f64 {
+    let from = motion.previous.and_then(|p| resolved.get(p)).and_then(Resolved::end);
+    let to = resolved.get(i).and_then(|resolved| match &resolved.points {
+        Ok(points) => Some(points.as_slice()),
+        Err(_) => resolved.end().map(std::slice::from_ref),
+    });
+    let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
+    let (v, w) = match motion.speed {
+        Some(speed) => {
+            (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
+        }
+        None => (UNKNOWN_M_S, UNKNOWN_RAD_S),
+    };
+    let stops =
+        motion.zone.is_none_or(|zone| zone.finep) || matches!(motion.path, Path::Joint | Path::AbsJoint);
+    let ends_s = if stops { STOPPING_S } else { PASSING_S };
+    SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s
+}
+
+/// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.
+fn way(from: &Point, points: &[Point]) -> (f64, f64) {
+    let mut at = from;
+    let (mut way_m, mut turn_rad) = (0.0, 0.0);
+    for point in points {
+        let flange_m =
+            (point.base_from_flange.translation.vector - at.base_from_flange.translation.vector).norm();
+        way_m += flange_m.max((point.meant_m - at.meant_m).norm());
+        turn_rad += point.base_from_flange.rotation.angle_to(&at.base_from_flange.rotation);
+        at = point;
+    }
+    (if points.len() > 1 { way_m * FRAC_PI_2 } else { way_m }, turn_rad)
+}

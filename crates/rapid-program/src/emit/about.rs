@@ -1,0 +1,133 @@
+//! The comment block's lines for people.
+
+use super::clock::Choice;
+use super::common::Common;
+use super::options::{Clock, Core, EmitOptions, Provenance, Sensor};
+use super::{header, target};
+use crate::compensate::plan::{Form, Totals};
+use crate::schedule::Schedule;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// What the comment block tells people.
+///
+/// `common` may lack these lines still. `temperature_c`: for a deformation by temperature its range.
+pub fn about(
+    common: &Common,
+    options: &EmitOptions,
+    (schedule, temperature_c): (&Schedule, Option<[f64; 2]>),
+    totals: &Totals,
+) -> Vec<String> {
+    let Common { names, core, text, .. } = common;
+    let input =
+        |what: &str, p: &Provenance| format!("{what} {}, SHA-256 {}", header::plain(&p.name), p.sha256);
+    let (unit, zero) = temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
+    let [mode, update] = ["tcMode", "tcUpdate"].map(|name| names.core(name));
+    let mut about = vec![
+        input("Robot", &options.robot),
+        input("Deformation", &options.deformation),
+        format!("Form {}, clock {}", options.form.name(), clock(options, names.core("tcColdStart"))),
+    ];
+    match &text.choice {
+        Choice::Bucket(_) => {
+            let edges: Vec<String> =
+                schedule.buckets.iter().map(|b| target::spelled(zero + b.from_min)).collect();
+            about.push(format!("Buckets from {unit} {}; the last holds on", edges.join(", ")));
+        }
+        Choice::Scale(scaled) => about.push(format!(
+            "Corrections are scaled by {} of the {}",
+            match scaled.functions.count() {
+                1 => "one function".to_owned(),
+                n => format!("{n} functions"),
+            },
+            if temperature_c.is_some() { "temperature" } else { "warm-up" }
+        )),
+    }
+    about.push(format!(
+        "Largest correction {:.4} mm, {:.5} deg",
+        mm_from_m(totals.max_correction_m),
+        deg_from_rad(totals.max_correction_rad)
+    ));
+    about.push(if options.absolute_accuracy {
+        "Absolute Accuracy is declared to be on".to_owned()
+    } else {
+        "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
+    });
+    about.push(if temperature_c.is_some() {
+        "Nothing needs to be called; before the first good reading the original targets are used".to_owned()
+    } else {
+        format!(
+            "Call {} once, on a cold robot, not each morning: the clock follows stops and nights itself. {} is for a robot \
+             that is fully warm, {} for one that has worked so many minutes; before one of them was called the original \
+             targets are used",
+            names.core("tcColdStart"),
+            names.core("tcWarmStart"),
+            names.core("tcStartAt")
+        )
+    });
+    let shown = names.core(if temperature_c.is_some() { "tcDegrees" } else { "tcMinute" });
+    let what = if temperature_c.is_some() { "temperature" } else { "warm-up minute" };
+    about.push(match &text.choice {
+        Choice::Bucket(schedule) => format!(
+            "{mode} -1 automatic, 0..{} that bucket, -2 the original targets; {} the bucket in use, -1 originals; {shown} the \
+             {what}",
+            schedule.buckets.len().saturating_sub(1),
+            names.core("tcBucket"),
+        ),
+        Choice::Scale(_) => format!(
+            "{mode} -1 automatic, 0..100 per cent of the settled drift, -2 the original targets; {} the share of the drift, 0 \
+             originals; {shown} the {what}",
+            names.core("tcShare")
+        ),
+    });
+    let [schedules, ..] = totals.by_form;
+    about.push(if schedules > 0 {
+        "ModPos changes the one array element in force: `driftpost restore` turns it into the original that it means".to_owned()
+    } else {
+        format!(
+            "ModPos cannot touch up a motion whose argument is a function: change the original target in Program Data, where \
+             the cold robot is to stand{}",
+            if totals.by_form[Form::Live as usize] > 0 {
+                format!(", or let {} store where the warm arm stands", names.core("tcTeach"))
+            } else {
+                String::new()
+            }
+        )
+    });
+    about.push(format!(
+        "Motion that is not corrected does not ask: where the arm moves for long without, the program may call {update}"
+    ));
+    about.push("To remove: load the original file, or get it back with `driftpost restore`".to_owned());
+    about.push(match core {
+        Core::Separate => {
+            format!("Clock and functions live in module {}, which must be loaded too", names.core("tcCore"))
+        }
+        Core::Embedded => format!(
+            "Clock and functions live in this module under global names ({update} and others): no other module with a clock \
+             of its own loads beside it; compensate modules of one task in one run"
+        ),
+    });
+    about
+}
+
+fn clock(options: &EmitOptions, cold_start: &str) -> String {
+    match &options.clock {
+        Clock::Elapsed => format!("elapsed: minutes since {cold_start}"),
+        Clock::Warmth { growth, tau_cool_min, gap_min } => {
+            let growth = growth.map_or_else(|| "as in the table".to_owned(), |g| g.to_string());
+            let cool = tau_cool_min.map_or_else(|| "as warming".to_owned(), |t| format!("{t} min"));
+            format!(
+                "warmth: growth {growth}, time constant of cooling {cool}, pauses over {gap_min} min between motions cool"
+            )
+        }
+        Clock::Sensor { source, hold_min, stale_min } => {
+            let source = match source {
+                Sensor::Signal(name) => format!("signal:{name}"),
+                Sensor::Pers(name) => format!("pers:{name} (a global PERS num of the task)"),
+            };
+            format!(
+                "{source}, degrees Celsius; without a good reading the last one for {hold_min} min, then the \
+                 originals; no good one is what has not changed for {stale_min} min"
+            )
+        }
+    }
+}

@@ -1,0 +1,368 @@
+//! What a module's motions ask instead of their targets, and the data that hold it: arrays of targets, or corrections.
+
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap};
+
+use rayon::prelude::*;
+
+use super::correction::CorrectionData;
+use super::module::Context;
+use super::names::{MAX_NAME, Names};
+use super::options::EmitError;
+use super::place::{self, Style};
+use super::point;
+use super::target::{MAX_LINE, TargetArray, element1};
+use crate::compensate::plan::{Corrected, Correction, Form, PlannedMotion};
+use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::{Edit, SourceFile};
+
+/// Data that are added for targets.
+pub enum Declaration<'p> {
+    /// A target's elements, one a bucket.
+    Array(TargetArray<'p>),
+    /// A target's correction at the node of one function of time.
+    Correction(CorrectionData),
+}
+
+impl Declaration<'_> {
+    /// Appends it; gives what it is recognised by.
+    ///
+    /// # Errors
+    /// Those of its parts.
+    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
+        match self {
+            Self::Array(array) => array.write(out, style),
+            Self::Correction(data) => Ok(data.write(out, style)),
+        }
+    }
+}
+
+/// What is added to a module for its motions.
+pub struct Added<'p> {
+    /// New data, in the order of the motions.
+    pub declarations: Vec<Declaration<'p>>,
+    /// What the motions ask.
+    pub edits: Vec<Edit>,
+    /// What stood in the motion in place of an array, where the array does not say so itself.
+    pub was: BTreeMap<String, Vec<u8>>,
+    /// Originals that stay where they are, to be known again.
+    pub points: Vec<u8>,
+    /// For each bucket how much of the largest correction it holds.
+    pub shares: Vec<f64>,
+    names: Names,
+    known: HashMap<(Option<Span>, Vec<u8>), Vec<usize>>,
+}
+
+impl<'p> Added<'p> {
+    /// For a module's compensated motions.
+    ///
+    /// # Errors
+    /// [`EmitError::NoName`], [`EmitError::PlanMismatch`].
+    pub fn collect(
+        context: &Context<'p>,
+        (file, index): (&'p SourceFile, usize),
+        motions: &[usize],
+        style: &Style,
+    ) -> Result<Self, EmitError> {
+        let mut added = Self {
+            declarations: Vec::new(),
+            edits: Vec::new(),
+            was: BTreeMap::new(),
+            points: Vec::new(),
+            shares: Vec::new(),
+            names: context.common.names.clone(),
+            known: HashMap::new(),
+        };
+        let mut wrapped = Vec::new();
+        let scheduled: Vec<_> = motions.par_iter().map(|&number| all_buckets(context, number)).collect();
+        for (&number, buckets) in motions.iter().zip(scheduled) {
+            let (Some(motion), Some(planned)) =
+                (context.program.motions.get(number), context.plan.motions.get(number))
+            else {
+                return Err(mismatch(file, "a motion is missing"));
+            };
+            match planned.form {
+                Form::Schedule => {
+                    let buckets = buckets.ok_or_else(|| mismatch(file, "buckets are missing"))?;
+                    added.schedule(context, file, (motion, planned), buckets)?;
+                }
+                Form::Ramp => {
+                    added.ramp(context, file, (motion, planned), style)?;
+                    wrapped.push(number);
+                }
+                Form::Live => {
+                    added.live(context, file, motion, style)?;
+                    wrapped.push(number);
+                }
+            }
+        }
+        added.points = point::of_motions(context.program, (file.id, index), &wrapped);
+        Ok(added)
+    }
+
+    /// An array for each target, and what the motion takes of it.
+    fn schedule(
+        &mut self,
+        context: &Context<'p>,
+        file: &'p SourceFile,
+        (motion, planned): (&'p Motion, &PlannedMotion),
+        buckets: Vec<Vec<Corrected>>,
+    ) -> Result<(), EmitError> {
+        let mut of_values = buckets.into_iter().zip(&planned.targets);
+        for (k, target) in motion.targets.iter().enumerate() {
+            let argument = file.text(target.range);
+            let mut rows = Vec::new();
+            for value in target.values() {
+                let Some((corrected, planned)) = of_values.next() else {
+                    return Err(mismatch(file, "a target is missing"));
+                };
+                let original = planned.original(value);
+                self.add_shares(&original, &corrected);
+                let literal = target.literal.filter(|_| target.value.is_some());
+                let literal = literal.map(|span| context.program.file(span.file).text(span.range));
+                let element1 = element1(literal, Some(&original))?;
+                rows.push((original, element1, corrected));
+            }
+            let (base, index) = match target.value {
+                Some(_) => (argument, None),
+                None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
+            };
+            let key = match (&target.origin, index) {
+                (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
+                (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
+                (Origin::Inline | Origin::Expression, None) => None,
+            };
+            let is_same = |declaration: &Declaration| match declaration {
+                Declaration::Array(array) => array.is_of(&rows),
+                Declaration::Correction(_) => false,
+            };
+            let array = match self.find(key.as_ref(), is_same) {
+                Some(array) => array,
+                None => {
+                    let name = self.name(file, motion, (target, base), str::to_owned)?;
+                    let tells_itself = match &target.origin {
+                        Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
+                        Origin::Inline => rows.first().is_some_and(|(_, e, _)| *e == Cow::Borrowed(argument)),
+                        Origin::Expression => {
+                            index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base)
+                        }
+                    };
+                    if !tells_itself {
+                        self.was.insert(name.clone(), base.to_vec());
+                    }
+                    let indexed = index.is_some();
+                    self.declare(key, Declaration::Array(TargetArray { name, indexed, rows }))
+                }
+            };
+            let Some(Declaration::Array(array)) = self.declarations.get(array) else { continue };
+            // The second point of an arc sees the moment of the first.
+            let element = context.common.names.core(if k == 0 { "tcK" } else { "tcI" });
+            let element = if k == 0 { format!("{element}()") } else { element.to_owned() };
+            let mut text = format!("{}{{", array.name).into_bytes();
+            if let Some(index) = index {
+                text.extend_from_slice(index);
+                text.push(b',');
+            }
+            text.extend_from_slice(format!("{element}}}").as_bytes());
+            self.edits.push(Edit { range: target.range, text });
+        }
+        Ok(())
+    }
+
+    /// How much of the largest correction each bucket holds: of the target that is corrected most.
+    fn add_shares(&mut self, original: &TargetValue, corrected: &[Corrected]) {
+        let sizes: Vec<f64> =
+            corrected.iter().map(|corrected| super::target::distance(original, corrected)).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        if largest > 0.0 && (self.shares.is_empty() || largest > self.largest()) {
+            self.shares = sizes;
+        }
+    }
+
+    fn largest(&self) -> f64 {
+        self.shares.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// A correction for each target, and the call that scales it.
+    fn ramp(
+        &mut self,
+        context: &Context<'p>,
+        file: &'p SourceFile,
+        (motion, planned): (&'p Motion, &PlannedMotion),
+        style: &Style,
+    ) -> Result<(), EmitError> {
+        let joint = motion.path == Path::AbsJoint;
+        let count = context.plan.functions.as_ref().map_or(0, |functions| functions.count());
+        let mut of_values = planned.targets.iter();
+        for (k, target) in motion.targets.iter().enumerate() {
+            let argument = file.text(target.range);
+            let rows: Vec<&[Correction]> =
+                of_values.by_ref().take(target.values().len()).map(|p| p.corrections.as_slice()).collect();
+            if rows.is_empty() || rows.iter().any(|row| row.len() != count) {
+                return Err(mismatch(file, "corrections are missing"));
+            }
+            let (base, index) = match target.value {
+                Some(_) => (argument, None),
+                None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
+            };
+            let mut arguments = String::new();
+            for r in 0..count {
+                let values: Vec<Correction> = rows.iter().filter_map(|row| row.get(r)).copied().collect();
+                let data = |name: String| CorrectionData { name, indexed: index.is_some(), values };
+                let key = match (&target.origin, index) {
+                    (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
+                    (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
+                    (Origin::Inline | Origin::Expression, None) => None,
+                };
+                let wanted = data(String::new());
+                let is_same = |declaration: &Declaration| match declaration {
+                    Declaration::Correction(known) => known.is_same(&wanted),
+                    Declaration::Array(_) => false,
+                };
+                let at = match self.find(key.as_ref(), is_same) {
+                    Some(at) => at,
+                    None => {
+                        let name = self.name(file, motion, (target, base), capitalised)?;
+                        self.declare(key, Declaration::Correction(CorrectionData { name, ..wanted }))
+                    }
+                };
+                if let Some(Declaration::Correction(data)) = self.declarations.get(at) {
+                    arguments.push(',');
+                    arguments.push_str(&data.name);
+                    if let Some(index) = index {
+                        arguments.push_str(&format!("{{{}}}", String::from_utf8_lossy(index)));
+                    }
+                }
+            }
+            let function = match (joint, k) {
+                (true, _) => "tcAtJ",
+                (false, 0) => "tcAt",
+                (false, _) => "tcAtSame",
+            };
+            self.wrap(context, file, (function, target.range, arguments.as_bytes()), style);
+        }
+        Ok(())
+    }
+
+    /// The call of the deformed model for each target.
+    fn live(
+        &mut self,
+        context: &Context<'p>,
+        file: &'p SourceFile,
+        motion: &'p Motion,
+        style: &Style,
+    ) -> Result<(), EmitError> {
+        let tool = motion.tool_range.ok_or_else(|| mismatch(file, "a motion without tool"))?;
+        let mut arguments = b",".to_vec();
+        arguments.extend_from_slice(file.text(tool));
+        if let Some(wobj) = motion.wobj_range {
+            arguments.extend_from_slice(b"\\WObj:=");
+            arguments.extend_from_slice(file.text(wobj));
+        }
+        for (k, target) in motion.targets.iter().enumerate() {
+            let function = match (motion.path, k) {
+                (Path::AbsJoint, _) => "tcLiveJ",
+                (_, 0) => "tcLive",
+                _ => "tcLiveSame",
+            };
+            self.wrap(context, file, (function, target.range, &arguments), style);
+        }
+        Ok(())
+    }
+
+    /// Puts a call round a target: what stood there stays, to the byte.
+    fn wrap(
+        &mut self,
+        context: &Context,
+        file: &SourceFile,
+        (function, range, arguments): (&str, TextRange, &[u8]),
+        style: &Style,
+    ) {
+        let name = context.common.names.core(function);
+        let (start, end) = (range.start as usize, range.end as usize);
+        let added = name.len() + arguments.len() + 2;
+        let mut before = name.as_bytes().to_vec();
+        before.push(b'(');
+        let mut behind = Vec::new();
+        if place::line_length(&file.bytes, start) + added > MAX_LINE {
+            before.extend_from_slice(style.eol);
+        }
+        if place::line_length(&file.bytes, end) + added > MAX_LINE {
+            behind.extend_from_slice(style.eol);
+        }
+        behind.extend_from_slice(arguments);
+        behind.push(b')');
+        self.edits.push(Edit { range: TextRange::empty(range.start), text: before });
+        self.edits.push(Edit { range: TextRange::empty(range.end), text: behind });
+    }
+
+    fn find(
+        &self,
+        key: Option<&(Option<Span>, Vec<u8>)>,
+        is_same: impl Fn(&Declaration) -> bool,
+    ) -> Option<usize> {
+        let known = self.known.get(key?)?;
+        known.iter().copied().find(|&at| self.declarations.get(at).is_some_and(&is_same))
+    }
+
+    fn declare(&mut self, key: Option<(Option<Span>, Vec<u8>)>, declaration: Declaration<'p>) -> usize {
+        self.declarations.push(declaration);
+        let at = self.declarations.len() - 1;
+        if let Some(key) = key {
+            self.known.entry(key).or_default().push(at);
+        }
+        at
+    }
+
+    /// A name after the target's own, where it has one of letters, or after its line.
+    fn name(
+        &mut self,
+        file: &SourceFile,
+        motion: &Motion,
+        (target, base): (&Target, &[u8]),
+        spelt: impl Fn(&str) -> String,
+    ) -> Result<String, EmitError> {
+        let named = matches!(target.origin, Origin::Named { .. }) || target.value.is_none();
+        let own = std::str::from_utf8(base).ok().filter(|name| {
+            let letters = name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+            named && letters && !name.is_empty() && name.len() + 2 <= MAX_NAME
+        });
+        own.and_then(|name| self.names.claim(&format!("tc{}", spelt(name))))
+            .or_else(|| self.names.claim(&format!("tc{}", motion.line)))
+            .ok_or_else(|| EmitError::NoName { path: file.path.clone().into(), line: motion.line })
+    }
+}
+
+fn mismatch(file: &SourceFile, what: &str) -> EmitError {
+    EmitError::PlanMismatch(format!("{}: {what}", file.path))
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// Name and index of `name{index}`.
+fn split_index(argument: &[u8]) -> Option<(&[u8], Option<&[u8]>)> {
+    let open = memchr::memchr(b'{', argument)?;
+    let close = memchr::memrchr(b'}', argument)?;
+    let base = argument.get(..open)?.trim_ascii();
+    Some((base, Some(argument.get(open + 1..close)?)))
+}
+
+/// For each value of a motion's targets what it becomes in each bucket; `None` where one is missing, and for motions of
+/// another form.
+fn all_buckets(context: &Context, number: usize) -> Option<Vec<Vec<Corrected>>> {
+    let plan = context.plan;
+    if plan.motions.get(number)?.form != Form::Schedule {
+        return None;
+    }
+    let mut of_targets: Vec<Vec<Corrected>> = Vec::new();
+    for bucket in 0..plan.schedule.buckets.len() {
+        let corrected = plan.corrected(context.program, number, bucket)?;
+        of_targets.resize_with(corrected.len(), Vec::new);
+        of_targets.iter_mut().zip(corrected).for_each(|(of_target, corrected)| of_target.push(corrected));
+    }
+    Some(of_targets)
+}

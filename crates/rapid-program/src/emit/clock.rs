@@ -1,0 +1,469 @@
+//! The clock and what it chooses as RAPID: data and routines that a compensated program is given.
+//!
+//! The RAPID stands in `clock/*.mod`, with `@NAME@` where a number goes. `num` is single precision, so
+//! time is kept as days and seconds of a day and differences are taken days first. Minutes since a
+//! start are exact; only where the robot stood still is the state carried on, so that rounding does not
+//! add up from motion to motion.
+
+use super::names::{MAX_NAME, Names};
+use super::number::write_num;
+use super::options::{Clock, EmitError, Sensor};
+use super::scale::Scaled;
+use crate::schedule::Schedule;
+use robot_model::deform::GrowthLaw;
+
+const DATA: &str = include_str!("clock/data.mod");
+const DATA_SCHEDULE: &str = include_str!("clock/data_schedule.mod");
+const UPDATE: &str = include_str!("clock/update.mod");
+const SCHEDULE: &str = include_str!("clock/schedule.mod");
+const STARTS: &str = include_str!("clock/starts.mod");
+const COMMON: &str = include_str!("clock/common.mod");
+const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
+const ONE_LAG: &str = include_str!("clock/one_lag.mod");
+const LAGS: &str = include_str!("clock/lags.mod");
+const ELAPSED: &str = include_str!("clock/elapsed.mod");
+const SENSOR: &str = include_str!("clock/sensor.mod");
+
+/// A reading so much beyond the table's range, as a share of it, is taken as its end; further beyond it is none.
+const BEYOND: f64 = 0.1;
+
+/// Longest line of a CASE list; well inside RAPID's 255 however deep the module is indented.
+const CASE_LINE: usize = 120;
+
+/// Which law the minute follows while the program runs and stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Law {
+    /// Two equal lags in a row, warming and cooling with a time constant each, minutes.
+    TwoStage {
+        /// Warming.
+        tau_min: f64,
+        /// Cooling.
+        tau_cool_min: f64,
+        /// A longer pause than this is standing.
+        gap_min: f64,
+    },
+    /// One lag.
+    OneLag {
+        /// Warming.
+        tau_min: f64,
+        /// Cooling.
+        tau_cool_min: f64,
+        /// A longer pause than this is standing.
+        gap_min: f64,
+    },
+    /// Minutes since the start, standing or not.
+    Elapsed,
+    /// A temperature that is read.
+    Sensor {
+        /// The RAPID expression that reads it.
+        read: String,
+        /// The table's range, degrees Celsius.
+        range_c: [f64; 2],
+        /// A last good reading is used for so long, minutes.
+        hold_min: f64,
+        /// A reading that has not changed for so long is none any more, minutes.
+        stale_min: f64,
+    },
+}
+
+impl Law {
+    /// The law that a clock asks for.
+    ///
+    /// A scheduled table says how far the drift is at each minute but not how it falls back: its minute
+    /// runs as it is and cools as one lag with the given time constant.
+    ///
+    /// # Errors
+    /// [`EmitError::CoolingUnknown`] where nothing says how fast the robot cools,
+    /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number,
+    /// [`EmitError::ClockOfOtherKind`] for a measured temperature where `range_c` says that the deformation goes by
+    /// time, and the other way.
+    pub fn of(clock: &Clock, range_c: Option<[f64; 2]>) -> Result<Self, EmitError> {
+        let positive = |name: &'static str, value: f64| {
+            if value.is_finite() && value > 0.0 {
+                Ok(value)
+            } else {
+                Err(EmitError::BadTime { name, minutes: value })
+            }
+        };
+        let (growth, tau_cool_min, gap_min) = match (clock, range_c) {
+            (Clock::Warmth { growth, tau_cool_min, gap_min }, None) => (*growth, *tau_cool_min, *gap_min),
+            (Clock::Elapsed, None) => return Ok(Self::Elapsed),
+            (Clock::Sensor { source, hold_min, stale_min }, Some(range_c)) => {
+                return Ok(Self::Sensor {
+                    read: read(source)?,
+                    range_c,
+                    hold_min: positive("the time that a last good reading is used for", *hold_min)?,
+                    stale_min: positive("the time in which a reading must change", *stale_min)?,
+                });
+            }
+            (_, range_c) => return Err(EmitError::ClockOfOtherKind { by_temperature: range_c.is_some() }),
+        };
+        let gap_min = positive("the longest pause that counts as running", gap_min)?;
+        let cool = |tau_min: f64| positive("the time constant of cooling", tau_cool_min.unwrap_or(tau_min));
+        let warm = |tau_min: f64| positive("the time constant of warming", tau_min);
+        Ok(match growth {
+            Some(GrowthLaw::TwoStage { tau_min }) => {
+                Self::TwoStage { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
+            }
+            Some(GrowthLaw::Exp { tau_min }) => {
+                Self::OneLag { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
+            }
+            Some(GrowthLaw::None) => Self::Elapsed,
+            None => {
+                let tau_min = cool(tau_cool_min.ok_or(EmitError::CoolingUnknown)?)?;
+                Self::OneLag { tau_min, tau_cool_min: tau_min, gap_min }
+            }
+        })
+    }
+}
+
+/// How a sensor is read.
+fn read(source: &Sensor) -> Result<String, EmitError> {
+    let (Sensor::Signal(name) | Sensor::Pers(name)) = source;
+    let bad = |why| Err(EmitError::BadSensor { name: name.clone(), why });
+    let letters = name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    if !letters || !name.as_bytes().first().is_some_and(u8::is_ascii_alphabetic) || name.len() > MAX_NAME {
+        return bad("a name has at most 32 letters, digits and _, and begins with a letter");
+    }
+    if name.get(..2).is_some_and(|two| two.eq_ignore_ascii_case("tc")) {
+        return bad("names that begin with tc are those of what is added");
+    }
+    Ok(match source {
+        Sensor::Signal(name) => format!("AInput({name})"),
+        Sensor::Pers(name) => name.clone(),
+    })
+}
+
+/// What a program asks the clock for.
+#[derive(Clone, Debug)]
+pub enum Choice<'a> {
+    /// The bucket in force.
+    Bucket(&'a Schedule),
+    /// What corrections are scaled by.
+    Scale(Box<Scaled<'a>>),
+}
+
+/// The core of a program: its clock, and what is asked of it.
+#[derive(Clone, Debug)]
+pub struct CoreText<'a> {
+    /// The clock's law.
+    pub law: &'a Law,
+    /// The law of the drift's growth, where all of it follows one.
+    pub growth: Option<GrowthLaw>,
+    /// What is asked of it.
+    pub choice: Choice<'a>,
+    /// The controller knows data of a task's own; an S4C, which has one task, does not.
+    pub task_data: bool,
+}
+
+impl CoreText<'_> {
+    /// The data declarations, one a line, indented by two blanks a level.
+    #[must_use]
+    pub fn data(&self, names: &Names) -> Vec<String> {
+        let shown = if matches!(self.law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
+        let mut lines: Vec<String> = DATA.lines().map(|line| line.replace("@SHOWN@", shown)).collect();
+        match &self.choice {
+            Choice::Bucket(_) => lines.extend(DATA_SCHEDULE.lines().map(str::to_owned)),
+            Choice::Scale(scaled) => lines.extend(scaled.data()),
+        }
+        let line = |line: String| {
+            names.rename(&if self.task_data { line } else { line.replacen("TASK PERS", "PERS", 1) })
+        };
+        lines.into_iter().map(line).collect()
+    }
+
+    /// The routines, line by line, indented by two blanks a level, an empty line between two.
+    #[must_use]
+    pub fn routines(&self, names: &Names) -> Vec<String> {
+        let shares = matches!(&self.choice, Choice::Scale(scaled) if scaled.functions.course.is_of_share());
+        let law = match self.law {
+            Law::TwoStage { .. } => [STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
+            Law::OneLag { .. } => &[STARTS, COMMON, ONE_LAG, LAGS],
+            Law::Elapsed if shares => &[STARTS, COMMON, ELAPSED, LAGS],
+            Law::Elapsed => &[STARTS, COMMON, ELAPSED],
+            Law::Sensor { .. } => &[COMMON, SENSOR],
+        };
+        let asked: Vec<String> = match &self.choice {
+            Choice::Bucket(_) => vec![SCHEDULE.to_owned()],
+            Choice::Scale(scaled) => scaled.routines(),
+        };
+        let numbers = self.numbers(shares);
+        let parts = asked.iter().map(String::as_str).chain([UPDATE]).chain(law.iter().copied());
+        let mut lines = Vec::new();
+        for part in parts {
+            if !lines.is_empty() {
+                lines.push(String::new());
+            }
+            for line in part.lines() {
+                match (line, &self.choice) {
+                    ("@CASES@", Choice::Bucket(schedule)) => {
+                        lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
+                    }
+                    ("@GROWN@", _) if !shares => {}
+                    _ => {
+                        let mut line = line.to_owned();
+                        for (mark, text) in &numbers {
+                            if line.contains('@') {
+                                line = line.replace(mark, text);
+                            }
+                        }
+                        lines.extend(
+                            line.lines()
+                                .map(|line| names.rename(line))
+                                .chain(line.is_empty().then(String::new)),
+                        );
+                    }
+                }
+            }
+        }
+        lines
+    }
+
+    /// What stands for each `@NAME@`.
+    fn numbers(&self, shares: bool) -> Vec<(&'static str, String)> {
+        let law = self.law;
+        let (count, parts_per_min, last_min) = match &self.choice {
+            Choice::Bucket(schedule) => {
+                let last_from_min = schedule.buckets.last().map_or(0.0, |b| b.from_min);
+                (schedule.buckets.len(), schedule.parts_per_min, last_from_min)
+            }
+            Choice::Scale(scaled) => (101, 1, scaled.settled_min(self.growth)),
+        };
+        let warm = match law {
+            Law::TwoStage { .. } => "1,1".to_owned(),
+            Law::OneLag { .. } => "1,0".to_owned(),
+            Law::Elapsed | Law::Sensor { .. } => format!("{},0", num(last_min.ceil() + 1.0)),
+        };
+        let start_at = match law {
+            Law::TwoStage { tau_min, .. } => {
+                let lag = format!("tcLags(tcRunMinutes,{})", num(*tau_min));
+                format!("tcBegin tcPart(1-Exp(-{lag})),\n        tcPart(1-(1+{lag})*Exp(-{lag}));")
+            }
+            Law::OneLag { tau_min, .. } => {
+                format!("tcBegin tcPart(1-Exp(-tcLags(tcRunMinutes,{}))),0;", num(*tau_min))
+            }
+            Law::Elapsed | Law::Sensor { .. } => "tcBegin tcRunMinutes,0;".to_owned(),
+        };
+        let grown = match (law, self.growth) {
+            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => "    tcWarm:=tcPart(1-tcE);".to_owned(),
+            (_, Some(GrowthLaw::TwoStage { tau_min })) => {
+                let lag = format!("tcLags(tcMinute,{})", num(tau_min));
+                format!("    tcWarm:=tcPart(1-(1+{lag})*Exp(-{lag}));")
+            }
+            (_, Some(GrowthLaw::Exp { tau_min })) => {
+                format!("    tcWarm:=tcPart(1-Exp(-tcLags(tcMinute,{})));", num(tau_min))
+            }
+            (_, Some(GrowthLaw::None) | None) => "    tcWarm:=1;".to_owned(),
+        };
+        let sensor = matches!(law, Law::Sensor { .. });
+        let [what, index, unknown, cannot] = if sensor {
+            [
+                "the temperature",
+                "tcAbove()",
+                "No temperature yet: original targets",
+                "Temperature lost, out of range or stale: original targets",
+            ]
+        } else {
+            [
+                "the warm-up minute",
+                "tcMinute",
+                "Warm-up not known, call tcColdStart or tcWarmStart: original targets",
+                "Warm-up state or date cannot be, call tcColdStart: original targets",
+            ]
+        };
+        let [scale, forced] = match &self.choice {
+            Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
+            _ => [format!("tcScaleAt {index},1"), format!("tcScaleAt {},tcMode/100", num(last_min))],
+        };
+        let mut numbers = vec![
+            ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),
+            ("@COUNT@", count.to_string()),
+            ("@LAST@", count.saturating_sub(1).to_string()),
+            ("@WARM@", warm),
+            ("@START_AT@", start_at),
+            ("@GROWN@", grown),
+            ("@WHAT@", what.to_owned()),
+            ("@INDEX@", index.to_owned()),
+            ("@UNKNOWN@", unknown.to_owned()),
+            ("@CANNOT@", cannot.to_owned()),
+            ("@SCALE@", scale),
+            ("@FORCED@", forced),
+        ];
+        if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
+            let beyond_c = BEYOND * (high_c - low_c);
+            numbers.push(("@READ@", read.clone()));
+            numbers.push(("@LOW@", num(low_c - beyond_c)));
+            numbers.push(("@HIGH@", num(high_c + beyond_c)));
+            numbers.push(("@FROM@", num(*low_c)));
+            numbers.push(("@HOLD@", num(*hold_min)));
+            numbers.push(("@STALE@", num(*stale_min)));
+        }
+        if let Law::TwoStage { tau_min, tau_cool_min, gap_min }
+        | Law::OneLag { tau_min, tau_cool_min, gap_min } = law
+        {
+            numbers.push(("@TAU@", num(*tau_min)));
+            numbers.push(("@TAU_COOL@", num(*tau_cool_min)));
+            numbers.push(("@GAP@", num(*gap_min)));
+        }
+        numbers
+    }
+}
+
+/// The CASEs of the TEST on the whole minute (or part of one), a bucket each, DEFAULT the last.
+fn cases(schedule: &Schedule) -> Vec<String> {
+    let parts = f64::from(schedule.parts_per_min);
+    let mut lines = Vec::new();
+    for (k, bucket) in schedule.buckets.iter().enumerate() {
+        match bucket.to_min {
+            Some(to_min) if k + 1 < schedule.buckets.len() => {
+                let from = (bucket.from_min * parts).round() as u64;
+                let to = (to_min * parts).round() as u64;
+                let mut line = String::from("      CASE ");
+                for part in from..to {
+                    if line.len() > CASE_LINE {
+                        lines.push(std::mem::replace(&mut line, String::from("        ")));
+                    }
+                    line.push_str(&part.to_string());
+                    line.push(if part + 1 < to { ',' } else { ':' });
+                }
+                lines.push(line);
+            }
+            _ => {
+                if k == 0 {
+                    lines.push("      CASE 0:".to_owned());
+                    lines.push("        tcNew:=0;".to_owned());
+                }
+                lines.push("      DEFAULT:".to_owned());
+            }
+        }
+        lines.push(format!("        tcNew:={k};"));
+    }
+    lines
+}
+
+/// A number as RAPID text.
+pub fn num(value: f64) -> String {
+    let mut out = Vec::new();
+    write_num(&mut out, value);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schedule::{Bucket, Course, Moment, TimeFunctions};
+
+    fn schedule(edges: &[f64], parts_per_min: u32) -> Schedule {
+        let bucket =
+            |i: usize| Bucket { from_min: edges[i], to_min: edges.get(i + 1).copied(), at_min: edges[i] };
+        Schedule { buckets: (0..edges.len()).map(bucket).collect(), parts_per_min }
+    }
+
+    fn warmth(growth: Option<GrowthLaw>, tau_cool_min: Option<f64>) -> Clock {
+        Clock::Warmth { growth, tau_cool_min, gap_min: 5.0 }
+    }
+
+    #[test]
+    fn every_part_has_its_case_and_the_last_bucket_is_the_default() {
+        let lines = cases(&schedule(&[0.0, 2.5, 30.0, 180.0], 10));
+        let mut numbers = Vec::new();
+        let mut bucket_of = Vec::new();
+        for line in lines.iter().map(|l| l.trim()) {
+            if let Some(k) = line.strip_prefix("tcNew:=") {
+                bucket_of.resize(numbers.len(), k.trim_end_matches(';').parse::<usize>().unwrap());
+            } else if line != "DEFAULT:" {
+                let list = line.trim_start_matches("CASE ").trim_end_matches([',', ':']);
+                numbers.extend(list.split(',').map(|n| n.parse::<u32>().unwrap()));
+            }
+        }
+        assert_eq!(numbers, (0..1800).collect::<Vec<u32>>());
+        assert_eq!((bucket_of[24], bucket_of[25], bucket_of[299], bucket_of[300]), (0, 1, 1, 2));
+        assert_eq!(lines[lines.len() - 2..], ["      DEFAULT:", "        tcNew:=3;"]);
+        assert!(lines.iter().all(|l| l.len() < 140));
+    }
+
+    #[test]
+    fn one_bucket_is_a_test_too() {
+        let lines = cases(&schedule(&[0.0], 1));
+        let text: Vec<&str> = lines.iter().map(|l| l.trim()).collect();
+        assert_eq!(text, ["CASE 0:", "tcNew:=0;", "DEFAULT:", "tcNew:=0;"]);
+    }
+
+    #[test]
+    fn no_mark_is_left_and_names_begin_with_tc() {
+        let two = Some(GrowthLaw::TwoStage { tau_min: 46.0 });
+        let sensor =
+            Clock::Sensor { source: Sensor::Signal("aiJoint2".into()), hold_min: 10.0, stale_min: 60.0 };
+        let schedule = schedule(&[0.0, 10.0, 60.0], 1);
+        let knots = TimeFunctions {
+            nodes: vec![Moment::Minute(30.0), Moment::Settled],
+            course: Course::Knots {
+                at_min: (0..90).map(|k| f64::from(k) * 7.5).collect(),
+                values: (0..90).map(|k| vec![f64::from(k) / 89.0, 0.123_456_78]).collect(),
+            },
+        };
+        let functions = [TimeFunctions::share(), TimeFunctions::share_squared(77.0), knots];
+        for clock in [warmth(two, None), warmth(None, Some(30.0)), Clock::Elapsed, sensor] {
+            let names = Names::default();
+            let range_c = matches!(clock, Clock::Sensor { .. }).then_some([15.0, 40.0]);
+            let law = Law::of(&clock, range_c).unwrap();
+            let scaled = functions.iter().map(|functions| {
+                let live = None;
+                Choice::Scale(Box::new(Scaled {
+                    functions,
+                    poses: true,
+                    joints: true,
+                    normalise: true,
+                    live,
+                }))
+            });
+            for choice in scaled.chain([Choice::Bucket(&schedule)]) {
+                let core = CoreText { law: &law, growth: two, choice, task_data: true };
+                let (lines, data) = (core.routines(&names), core.data(&names));
+                let text = lines.join("\n");
+                assert!(!text.contains('@') && text.is_ascii(), "{text}");
+                assert!(lines.iter().chain(&data).all(|l| l.len() <= 200), "{text}");
+                for line in lines.iter().chain(&data) {
+                    let words: Vec<&str> =
+                        line.split([' ', '(', '{', ':', ',', ')']).filter(|w| !w.is_empty()).collect();
+                    for at in 0..words.len().saturating_sub(1) {
+                        if ["PROC", "num", "string", "bool", "pose", "robtarget"].contains(&words[at]) {
+                            assert!(words[at + 1].starts_with("tc"), "{line}");
+                        }
+                    }
+                }
+                for string in text.split('"').skip(1).step_by(2) {
+                    assert!(string.len() <= 80, "{string}");
+                }
+                let s4c = CoreText { task_data: false, ..core }.data(&names).join("\n");
+                assert!(data.join("\n").contains("TASK PERS") && !s4c.contains("TASK"));
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_without_cooling_is_refused() {
+        assert_eq!(Law::of(&warmth(None, None), None), Err(EmitError::CoolingUnknown));
+        let growth = Some(GrowthLaw::Exp { tau_min: 46.0 });
+        assert!(matches!(Law::of(&warmth(growth, Some(0.0)), None), Err(EmitError::BadTime { .. })));
+        assert!(matches!(
+            Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }, None),
+            Err(EmitError::BadTime { .. })
+        ));
+        assert_eq!(Law::of(&warmth(Some(GrowthLaw::None), None), None), Ok(Law::Elapsed));
+    }
+
+    #[test]
+    fn a_measured_temperature_wants_a_table_by_it_and_a_good_name() {
+        let sensor =
+            |name: &str| Clock::Sensor { source: Sensor::Pers(name.into()), hold_min: 10.0, stale_min: 60.0 };
+        let range_c = Some([15.0, 40.0]);
+        assert!(Law::of(&sensor("nTemp"), range_c).is_ok());
+        let other = |by_temperature| Err(EmitError::ClockOfOtherKind { by_temperature });
+        assert_eq!(Law::of(&sensor("nTemp"), None), other(false));
+        assert_eq!(Law::of(&Clock::Elapsed, range_c), other(true));
+        for bad in ["", "1a", "a b", "a;", "tcTemp", "x\u{fc}"] {
+            assert!(matches!(Law::of(&sensor(bad), range_c), Err(EmitError::BadSensor { .. })), "{bad}");
+        }
+    }
+}

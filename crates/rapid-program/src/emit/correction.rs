@@ -1,0 +1,139 @@
+//! Corrections of the form `ramp` as constants: a shift and a small turn, or six joint angles.
+
+use super::check;
+use super::number::write_num;
+use super::place::Style;
+use super::target::MAX_LINE;
+use crate::compensate::plan::Correction;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// Shifts are written to this, mm, joints to this, degrees, and parts of a quaternion to this.
+const SHIFT_DECIMALS: i32 = 5;
+const JOINT_DECIMALS: i32 = 6;
+const TURN_DECIMALS: i32 = 8;
+
+/// The correction of a target, or of all elements of an array, at the node of one function of time.
+#[derive(Clone, Debug)]
+pub struct CorrectionData {
+    /// Its name.
+    pub name: String,
+    /// It is an array, for a target that is one of an array's elements.
+    pub indexed: bool,
+    /// One value, or one for each element.
+    pub values: Vec<Correction>,
+}
+
+impl CorrectionData {
+    /// Whether it is the same under another name.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.indexed == other.indexed && self.values == other.values
+    }
+
+    /// Appends the declaration; gives what it is recognised by.
+    #[must_use]
+    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Vec<u8> {
+        let joint = matches!(self.values.first(), Some(Correction::Joints { .. }));
+        out.extend_from_slice(&style.indent);
+        out.extend_from_slice(b"LOCAL CONST ");
+        out.extend_from_slice(if joint { b"robjoint " } else { b"pose " });
+        out.extend_from_slice(self.name.as_bytes());
+        let mut value = Vec::new();
+        if !self.indexed {
+            out.extend_from_slice(b":=");
+            self.values.iter().for_each(|one| write_correction(&mut value, one));
+            out.extend_from_slice(&value);
+            out.extend_from_slice(b";");
+        } else {
+            out.extend_from_slice(format!("{{{}}}:=[", self.values.len()).as_bytes());
+            value.push(b'[');
+            let mut column = MAX_LINE;
+            for (k, one) in self.values.iter().enumerate() {
+                let mut text = Vec::new();
+                write_correction(&mut text, one);
+                text.extend_from_slice(if k + 1 < self.values.len() { b"," } else { b"];" });
+                if column + text.len() > MAX_LINE / 2 {
+                    out.extend_from_slice(style.eol);
+                    out.extend_from_slice(&style.indent);
+                    out.extend_from_slice(&style.unit);
+                    column = style.indent.len() + style.unit.len();
+                }
+                column += text.len();
+                out.extend_from_slice(&text);
+                value.extend_from_slice(&text);
+            }
+            value.truncate(value.len().saturating_sub(1));
+        }
+        out.extend_from_slice(style.eol);
+        check::of_numbers(&value).to_vec()
+    }
+}
+
+fn write_correction(out: &mut Vec<u8>, correction: &Correction) {
+    match correction {
+        Correction::Pose { shift_m, turn } => {
+            out.push(b'[');
+            write_rounded(out, shift_m.map(mm_from_m), SHIFT_DECIMALS);
+            out.extend_from_slice(b",[1,");
+            let mut parts = Vec::new();
+            write_rounded(&mut parts, *turn, TURN_DECIMALS);
+            out.extend_from_slice(parts.get(1..).unwrap_or_default());
+            out.push(b']');
+        }
+        Correction::Joints { turn_rad } => write_rounded(out, turn_rad.map(deg_from_rad), JOINT_DECIMALS),
+    }
+}
+
+/// A list of numbers with so many decimals at most.
+fn write_rounded<const N: usize>(out: &mut Vec<u8>, values: [f64; N], decimals: i32) {
+    let scale = 10_f64.powi(decimals);
+    out.push(b'[');
+    for (i, value) in values.into_iter().enumerate() {
+        if i > 0 {
+            out.push(b',');
+        }
+        let value = (value * scale).round() / scale;
+        let mut text = Vec::new();
+        write_num(&mut text, value);
+        // 0.0000123 is shorter as 1.23E-5.
+        let short = format!("{value:E}");
+        let short = if short.len() < text.len() { short.into_bytes() } else { text };
+        out.extend_from_slice(&short);
+    }
+    out.push(b']');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn style() -> Style {
+        Style { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
+    }
+
+    #[test]
+    fn a_shift_in_mm_and_a_small_turn() {
+        let correction = Correction::Pose { shift_m: [1e-4, -2.5e-5, 0.0], turn: [1.25e-5, 0.0, -0.001] };
+        let data = CorrectionData { name: "tcP10".into(), indexed: false, values: vec![correction] };
+        let mut out = Vec::new();
+        let letters = data.write(&mut out, &style());
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "  LOCAL CONST pose tcP10:=[[0.1,-0.025,0],[1,1.25E-5,0,-1E-3]];\n"
+        );
+        assert_eq!(letters, check::of_numbers(b"[[0.1,-0.025,0],[1,0.0000125,0,-0.001]]"));
+    }
+
+    #[test]
+    fn arrays_stay_within_lines() {
+        let correction = Correction::Joints { turn_rad: [0.01; 6] };
+        let data = CorrectionData { name: "tcHome".into(), indexed: true, values: vec![correction; 9] };
+        let mut out = Vec::new();
+        let letters = data.write(&mut out, &style());
+        let text = String::from_utf8(out).unwrap();
+        assert!(text.starts_with("  LOCAL CONST robjoint tcHome{9}:=[\n    [0.572958,"), "{text}");
+        assert!(text.ends_with("]];\n") && text.lines().all(|line| line.len() <= MAX_LINE));
+        let value = text.split_once(":=").unwrap().1.trim_end().trim_end_matches(';');
+        assert_eq!(letters, check::of_numbers(value.as_bytes()));
+    }
+}

@@ -1,0 +1,95 @@
+//! `tcSelfTest`: whether the controller's kinematics are those that the corrections were made for, and how long one takes.
+
+use super::text::num;
+use crate::compensate::plan::{Plan, Status};
+use crate::emit::number::write_robjoint;
+use crate::emit::target::is_plain;
+use crate::program::Program;
+use crate::program::motion::TargetValue;
+use rapid_syntax::diagnostic::TextRange;
+use robot_model::units::mm_from_m;
+
+/// A target whose joints are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TestTarget {
+    /// The robtarget as RAPID: an aggregate or a name.
+    pub robtarget: String,
+    /// Name of the tool.
+    pub tool: String,
+    /// Name of the work object.
+    pub wobj: Option<String>,
+    /// The nominal joints there, radians.
+    pub q_rad: [f64; 6],
+}
+
+/// Targets of a program whose joints are known, each with the names of its tool and work object.
+pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<Item = TestTarget> + 'p {
+    let motions = program.motions.iter().zip(&plan.motions);
+    let known =
+        motions.filter(|(motion, planned)| planned.status == Status::Compensated && program.is_own(motion));
+    known.filter_map(|(motion, planned)| {
+        let (target, planned) = (motion.targets.last()?, planned.targets.last()?);
+        let Some(TargetValue::Rob(_)) = target.value else { return None };
+        let file = program.file(target.literal?.file);
+        let text = file.text(target.literal?.range);
+        let own = program.file(motion.file);
+        let name = |range: TextRange| String::from_utf8(own.text(range).to_vec()).ok();
+        let (tool, wobj) = (name(motion.tool_range?)?, motion.wobj_range.and_then(name));
+        let robtarget =
+            String::from_utf8(text.to_vec()).ok().filter(|_| is_plain(text) && text.len() < 160)?;
+        Some(TestTarget { robtarget, tool, wobj, q_rad: planned.nominal_q_rad })
+    })
+}
+
+/// So many are tested.
+const MOST: usize = 5;
+/// Joints further apart than this are others, degrees, and a TCP, metres: what rounding never makes.
+const SAME_DEG: f64 = 0.001;
+const SAME_M: f64 = 0.01e-3;
+
+const ROUTINES: &str = include_str!("self_test.mod");
+
+fn tested(tests: &[TestTarget]) -> &[TestTarget] {
+    tests.get(..MOST).unwrap_or(tests)
+}
+
+/// The targets and their joints.
+pub(super) fn data(tests: &[TestTarget]) -> Vec<String> {
+    let mut lines = Vec::new();
+    if !tests.is_empty() {
+        lines.push("  LOCAL VAR clock tcTimer;".to_owned());
+    }
+    for (k, test) in tested(tests).iter().enumerate() {
+        let mut joints = Vec::new();
+        write_robjoint(&mut joints, test.q_rad.map(Some));
+        let joints = String::from_utf8_lossy(&joints).into_owned();
+        lines.push(format!("  LOCAL CONST robtarget tcTestP{}:={};", k + 1, test.robtarget));
+        lines.push(format!("  LOCAL CONST robjoint tcTestJ{}:={joints};", k + 1));
+    }
+    lines
+}
+
+/// The routines.
+pub(super) fn routines(tests: &[TestTarget]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let with = |test: &TestTarget| match &test.wobj {
+        Some(wobj) => format!("{}\\WObj:={wobj}", test.tool),
+        None => test.tool.clone(),
+    };
+    for line in ROUTINES.lines() {
+        match line {
+            "@TESTS@" => {
+                for (k, test) in tested(tests).iter().enumerate() {
+                    let k = k + 1;
+                    lines.push(format!("    tcTest tcTestP{k},tcTestJ{k},tcJoint,tcWay,{};", with(test)));
+                }
+            }
+            _ => {
+                let first = tested(tests).first().map_or_else(String::new, with);
+                let line = line.replace("@FIRST@", &first).replace("@SAME_DEG@", &num(SAME_DEG));
+                lines.push(line.replace("@SAME_MM@", &num(mm_from_m(SAME_M))));
+            }
+        }
+    }
+    lines
+}

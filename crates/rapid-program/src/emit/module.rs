@@ -1,0 +1,140 @@
+//! The edits of one module: its corrected targets or corrections, what the motions ask instead of their targets, the
+//! comment block.
+
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use super::added::Added;
+use super::check;
+use super::common::Common;
+use super::header::{self, Record};
+use super::options::{Core, EmitError};
+use super::place::{self, Style};
+use crate::compensate::plan::Plan;
+use crate::program::Program;
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::Module;
+use rapid_syntax::{Edit, SourceFile};
+
+/// What a part of a program is emitted from.
+pub struct Context<'a> {
+    pub program: &'a Program,
+    pub plan: &'a Plan,
+    pub common: &'a Common<'a>,
+}
+
+/// The edits of a module; `motions`: the compensated ones, indices into [`Program::motions`].
+pub fn edits(
+    context: &Context,
+    file: &SourceFile,
+    (index, module): (usize, &Module),
+    motions: &[usize],
+) -> Result<Vec<Edit>, EmitError> {
+    let common = context.common;
+    let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
+    let end = place::routines(&file.bytes, module).ok_or_else(no_end)?;
+    let style = Style::of(&file.bytes, module);
+    let mut added = Added::collect(context, (file, index), motions, &style)?;
+    let mut edits = std::mem::take(&mut added.edits);
+    let (data, routines) = match common.core {
+        Core::Separate => (Vec::new(), Vec::new()),
+        Core::Embedded => (common.data(), common.routines()),
+    };
+    let declarations = written(&added, &style)?;
+    let record = Record {
+        source_sha256: hex(&Sha256::digest(&file.bytes)),
+        source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
+        is_core: false,
+        targets: added.declarations.len(),
+        data: declared(&data),
+        routines: heads(&routines).count(),
+        renamed: common.names.renamed().clone(),
+        was: added.was,
+        points: added.points,
+        shares: added.shares,
+        letters: declarations.iter().flat_map(|(_, letters)| letters.iter().copied()).collect(),
+        code: code_letters(&data, &routines),
+        is_whole: true,
+    };
+    let mut block = Vec::new();
+    for line in header::lines(&common.about, &record) {
+        style.push(&mut block, &format!("  {line}"));
+    }
+    let mut text = Vec::new();
+    for line in &data {
+        style.push(&mut text, line);
+    }
+    for (part, _) in declarations {
+        text.extend_from_slice(&part);
+    }
+    let mut put = |at: u32, mut text: Vec<u8>| {
+        if !place::at_line_start(&file.bytes, at) {
+            let blanks = text.iter().position(|b| !place::white(*b)).unwrap_or(0);
+            text.drain(..blanks);
+        }
+        if !text.is_empty() {
+            edits.push(Edit { range: TextRange::empty(at), text });
+        }
+    };
+    put(place::header(&file.bytes, module), block);
+    put(place::data(&file.bytes, module), text);
+    if !routines.is_empty() {
+        let mut text = style.eol.to_vec();
+        for line in &routines {
+            style.push(&mut text, line);
+        }
+        put(end, text);
+    }
+    Ok(edits)
+}
+
+/// Letters for data and for the routines of other lines.
+pub fn code_letters(data: &[String], routines: &[String]) -> Vec<u8> {
+    let of = |lines: &[String], heads: Vec<usize>| -> Vec<u8> {
+        let ends = heads.iter().skip(1).copied().chain([lines.len()]);
+        let codes = heads.iter().zip(ends).map(|(&from, to)| lines[from..to].join("\n"));
+        codes.flat_map(|code| check::of_code(code.as_bytes())).collect()
+    };
+    [of(data, data_heads(data).collect()), of(routines, heads(routines).collect())].concat()
+}
+
+/// How many declarations some lines hold.
+fn declared(data: &[String]) -> usize {
+    data_heads(data).count()
+}
+
+/// The lines that declarations begin at.
+fn data_heads(data: &[String]) -> impl Iterator<Item = usize> + '_ {
+    let is_head = |line: &str| line.starts_with("  ") && !line.starts_with("   ");
+    data.iter().enumerate().filter(move |(_, line)| is_head(line)).map(|(at, _)| at)
+}
+
+/// The lines that routines begin at.
+fn heads(routines: &[String]) -> impl Iterator<Item = usize> + '_ {
+    let is_head = |line: &str| ["  PROC ", "  FUNC ", "  LOCAL "].iter().any(|begin| line.starts_with(begin));
+    routines.iter().enumerate().filter(move |(_, line)| is_head(line)).map(|(at, _)| at)
+}
+
+/// The text of some declarations, and what they are recognised by.
+type Written = (Vec<u8>, Vec<u8>);
+
+/// The text of each declaration, in order, made on all cores.
+fn written(added: &Added, style: &Style) -> Result<Vec<Written>, EmitError> {
+    added
+        .declarations
+        .par_chunks(64)
+        .map(|chunk| {
+            let mut text = Vec::new();
+            let mut letters = Vec::new();
+            for declaration in chunk {
+                letters.extend(declaration.write(&mut text, style)?);
+            }
+            Ok((text, letters))
+        })
+        .collect()
+}
+
+/// Hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
+}

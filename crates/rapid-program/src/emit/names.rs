@@ -1,0 +1,211 @@
+//! Names for what is added: at most 32 characters, unlike every name in the given files.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::place::statements;
+use crate::program::Program;
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
+
+/// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
+/// a file declares one itself it is taken.
+const PUBLIC: [&str; 11] = [
+    "tcColdStart",
+    "tcWarmStart",
+    "tcStartAt",
+    "tcUpdate",
+    "tcTeach",
+    "tcSelfTest",
+    "tcMode",
+    "tcBucket",
+    "tcShare",
+    "tcMinute",
+    "tcDegrees",
+];
+
+/// RAPID's longest identifier.
+pub const MAX_NAME: usize = 32;
+
+/// The names of the core's data and routines, as they were thought out, and the words of the given files
+/// that begin with `tc`.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    taken: BTreeSet<String>,
+    renamed: BTreeMap<String, String>,
+}
+
+impl Names {
+    /// The names that the files of `program` take, in lower case; an outline has every word of its file.
+    #[must_use]
+    pub fn taken(program: &Program) -> BTreeSet<String> {
+        let mut taken = BTreeSet::new();
+        for file in &program.files {
+            words(&file.bytes, |word| {
+                if begins_with_tc(word) {
+                    taken.insert(String::from_utf8_lossy(word).to_ascii_lowercase());
+                }
+            });
+        }
+        for name in PUBLIC.map(str::to_ascii_lowercase) {
+            if taken.contains(&name) && !program.files.iter().any(|file| declares(file, &name)) {
+                taken.remove(&name);
+            }
+        }
+        taken
+    }
+
+    /// Names that collide with none of `taken`; `core` is the core's RAPID text.
+    #[must_use]
+    pub fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
+        let mut ours = BTreeSet::new();
+        for text in core {
+            words(text.as_bytes(), |word| {
+                if begins_with_tc(word) {
+                    ours.insert(String::from_utf8_lossy(word).into_owned());
+                }
+            });
+        }
+        let mut names = Self { taken, renamed: BTreeMap::new() };
+        let collide: Vec<String> =
+            ours.iter().filter(|n| names.taken.contains(&n.to_ascii_lowercase())).cloned().collect();
+        names.taken.extend(ours.iter().map(|n| n.to_ascii_lowercase()));
+        for name in collide {
+            let free = names.claim(&name).unwrap_or_else(|| name.clone());
+            names.renamed.insert(name, free);
+        }
+        names
+    }
+
+    /// The name in use for one of the core's.
+    #[must_use]
+    pub fn core<'a>(&'a self, name: &'a str) -> &'a str {
+        self.renamed.get(name).map_or(name, String::as_str)
+    }
+
+    /// Those of the core's names that are in use under another one.
+    #[must_use]
+    pub fn renamed(&self) -> &BTreeMap<String, String> {
+        &self.renamed
+    }
+
+    /// `text` with the core's names as they are in use.
+    #[must_use]
+    pub fn rename(&self, text: &str) -> String {
+        if self.renamed.is_empty() {
+            return text.to_owned();
+        }
+        let mut out = String::with_capacity(text.len());
+        let mut last = 0;
+        words(text.as_bytes(), |word| {
+            let start = word.as_ptr() as usize - text.as_ptr() as usize;
+            if let Some(free) = std::str::from_utf8(word).ok().and_then(|w| self.renamed.get(w)) {
+                out.push_str(&text[last..start]);
+                out.push_str(free);
+                last = start + word.len();
+            }
+        });
+        out.push_str(&text[last..]);
+        out
+    }
+
+    /// Takes `wish`, or `wish_2`, `wish_3` ... where it is taken; `None` where that grows too long.
+    pub fn claim(&mut self, wish: &str) -> Option<String> {
+        let mut name = wish.to_owned();
+        for n in 2_u32.. {
+            if name.len() > MAX_NAME {
+                return None;
+            }
+            if self.taken.insert(name.to_ascii_lowercase()) {
+                return Some(name);
+            }
+            name = format!("{wish}_{n}");
+        }
+        None
+    }
+}
+
+/// Whether `file` gives something the name, which is in lower case.
+fn declares(file: &SourceFile, name: &str) -> bool {
+    let is = |range: TextRange| file.text(range).eq_ignore_ascii_case(name.as_bytes());
+    let in_routine = |routine: &Routine| {
+        is(routine.name)
+            || routine.params.iter().any(|p| is(p.name))
+            || statements(routine).iter().any(|stmt| match &stmt.kind {
+                StmtKind::Data(data) => is(data.name),
+                StmtKind::For { var, .. } => is(*var),
+                StmtKind::Label(label) => is(*label),
+                _ => false,
+            })
+    };
+    let mut named = false;
+    words(&file.bytes, |word| named |= word.eq_ignore_ascii_case(name.as_bytes()));
+    named
+        && file.whole_tree().items.iter().any(|item| match item {
+            FileItem::Module(module) => {
+                is(module.name)
+                    || module.items.iter().any(|item| match item {
+                        ModuleItem::Data(data) => is(data.name),
+                        ModuleItem::Record(record) => {
+                            is(record.name) || record.components.iter().any(|(_, name)| is(*name))
+                        }
+                        ModuleItem::Alias(alias) => is(alias.name),
+                        ModuleItem::Routine(routine) => in_routine(routine),
+                        ModuleItem::Comment(_) | ModuleItem::Opaque(_) => false,
+                    })
+            }
+            FileItem::Comment(_) | FileItem::Opaque(_) => false,
+        })
+}
+
+fn begins_with_tc(word: &[u8]) -> bool {
+    matches!(word, [b't' | b'T', b'c' | b'C', ..])
+}
+
+/// Calls `each` with every word of `text`: letters, digits, `_` and bytes above ASCII, not begun by a digit.
+pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
+    let part = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b >= 0x80;
+    let mut at = 0;
+    while at < text.len() {
+        if !part(text[at]) {
+            at += 1;
+            continue;
+        }
+        let start = at;
+        while at < text.len() && part(text[at]) {
+            at += 1;
+        }
+        if !text[start].is_ascii_digit() {
+            each(&text[start..at]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(taken: &[&str]) -> Names {
+        Names { taken: taken.iter().map(|t| t.to_ascii_lowercase()).collect(), ..Names::default() }
+    }
+
+    #[test]
+    fn a_taken_name_is_numbered_whatever_its_case() {
+        let mut names = names(&["TCP10", "tc57"]);
+        assert_eq!(names.claim("tcp10").as_deref(), Some("tcp10_2"));
+        assert_eq!(names.claim("tcP10").as_deref(), Some("tcP10_3"));
+        assert_eq!(names.claim("tc57").as_deref(), Some("tc57_2"));
+        assert_eq!(names.claim("tc58").as_deref(), Some("tc58"));
+        let long = format!("tc{}", "x".repeat(30));
+        assert_eq!(names.claim(&long).as_deref(), Some(long.as_str()));
+        assert_eq!(names.claim(&long), None);
+    }
+
+    #[test]
+    fn core_names_are_renamed_as_whole_words() {
+        let mut names = names(&[]);
+        names.renamed.insert("tcI".into(), "tcI_2".into());
+        assert_eq!(names.rename("tcI:=tcInner+tcI; ! tcI"), "tcI_2:=tcInner+tcI_2; ! tcI_2");
+        assert_eq!((names.core("tcI"), names.core("tcK")), ("tcI_2", "tcK"));
+    }
+}

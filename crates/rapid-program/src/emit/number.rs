@@ -1,0 +1,162 @@
+//! Numbers as RAPID text: the shortest that the controller reads as the same single-precision value.
+//!
+//! RAPID's `num` is IEEE single precision; a longer text says nothing more, a shorter one moves the
+//! target. Fixed notation, no exponent, no `-0`.
+
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// Below this a value is written `0`: in mm, degrees or as part of a quaternion it moves nothing by more
+/// than 1e-7 mm, and its digits would only make lines long.
+const NOTHING: f32 = 1e-10;
+
+/// Appends `value`, rounded to single precision, in the shortest fixed notation that reads back as it.
+///
+/// A value that is not finite cannot be written as RAPID; it is written `9E9` ("not used").
+pub fn write_num(out: &mut Vec<u8>, value: f64) {
+    let single = value as f32;
+    if !single.is_finite() {
+        out.extend_from_slice(b"9E9");
+        return;
+    }
+    if single.abs() < NOTHING {
+        out.push(b'0');
+        return;
+    }
+    let mut buffer = zmij::Buffer::new();
+    let text = buffer.format_finite(single).as_bytes();
+    match memchr::memchr(b'e', text) {
+        None => out.extend_from_slice(text.strip_suffix(b".0").unwrap_or(text)),
+        Some(at) => write_expanded(out, &text[..at], &text[at + 1..]),
+    }
+}
+
+/// `mantissa`e`exponent` without an exponent.
+fn write_expanded(out: &mut Vec<u8>, mantissa: &[u8], exponent: &[u8]) {
+    let exponent: i32 = std::str::from_utf8(exponent).ok().and_then(|t| t.parse().ok()).unwrap_or(0);
+    let (sign, mantissa) = match mantissa.strip_prefix(b"-") {
+        Some(rest) => (true, rest),
+        None => (false, mantissa),
+    };
+    let point = memchr::memchr(b'.', mantissa).unwrap_or(mantissa.len());
+    let digits: Vec<u8> = mantissa.iter().copied().filter(u8::is_ascii_digit).collect();
+    let point = point as i32 + exponent;
+    if sign {
+        out.push(b'-');
+    }
+    if point <= 0 {
+        out.extend_from_slice(b"0.");
+        out.extend(std::iter::repeat_n(b'0', point.unsigned_abs() as usize));
+        out.extend_from_slice(&digits);
+    } else {
+        let point = point as usize;
+        out.extend_from_slice(&digits[..point.min(digits.len())]);
+        out.extend(std::iter::repeat_n(b'0', point.saturating_sub(digits.len())));
+        if point < digits.len() {
+            out.push(b'.');
+            out.extend_from_slice(&digits[point..]);
+        }
+    }
+}
+
+/// Appends `[a,b,...]`.
+pub fn write_list<const N: usize>(out: &mut Vec<u8>, values: [f64; N]) {
+    out.push(b'[');
+    for (i, value) in values.into_iter().enumerate() {
+        if i > 0 {
+            out.push(b',');
+        }
+        write_num(out, value);
+    }
+    out.push(b']');
+}
+
+/// Appends a position as RAPID's `pos`, in mm.
+pub fn write_pos(out: &mut Vec<u8>, position_m: [f64; 3]) {
+    write_list(out, position_m.map(mm_from_m));
+}
+
+/// Appends a quaternion as RAPID's `orient`, normalised.
+pub fn write_orient(out: &mut Vec<u8>, wxyz: [f64; 4]) {
+    let norm = wxyz.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let unit = if norm > 0.0 { wxyz.map(|c| c / norm) } else { [1.0, 0.0, 0.0, 0.0] };
+    write_list(out, unit);
+}
+
+/// Appends six joints as RAPID's `robjoint`, in degrees; `None` is `9E9`.
+pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) {
+    write_optional(out, q_rad.map(|q| q.map(deg_from_rad)));
+}
+
+/// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`.
+pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) {
+    write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn text(value: f64) -> String {
+        let mut out = Vec::new();
+        write_num(&mut out, value);
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn known_numbers() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (400.0, "400"),
+            (-150.0, "-150"),
+            (0.1, "0.1"),
+            (0.5_f64.sqrt(), "0.70710677"), // the nearest single, 0.707106769..., in eight digits
+            (1e-8, "0.00000001"),
+            (-1.25e-7, "-0.000000125"),
+            (1e-11, "0"),
+            (16_777_216.0, "16777216"),
+            (3e9, "3000000000"),
+            (1.5e20, "150000000000000000000"),
+            (f64::INFINITY, "9E9"),
+        ] {
+            assert_eq!(text(value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn records_in_rapids_units() {
+        let mut out = Vec::new();
+        write_pos(&mut out, [0.4, -0.15, 0.25]);
+        write_orient(&mut out, [2.0, 0.0, 0.0, 0.0]);
+        let right = std::f64::consts::FRAC_PI_2;
+        write_robjoint(&mut out, [Some(right), None, Some(0.0), Some(-right), Some(0.0), Some(0.0)]);
+        assert_eq!(out, b"[400,-150,250][1,0,0,0][90,9E9,0,-90,0,0]");
+    }
+
+    proptest! {
+        #[test]
+        fn reads_back_as_the_same_single(bits in any::<u32>()) {
+            let value = f32::from_bits(bits);
+            prop_assume!(value.is_finite());
+            let text = text(f64::from(value));
+            prop_assert!(text.bytes().all(|b| b.is_ascii_digit() || b == b'.' || b == b'-'), "{}", text);
+            let back: f32 = text.parse().unwrap();
+            if value.abs() < 1e-10 {
+                prop_assert_eq!(back, 0.0);
+            } else {
+                prop_assert_eq!(back.to_bits(), value.to_bits(), "{}", text);
+            }
+        }
+
+        #[test]
+        fn no_shorter_decimal_reads_back(value in -2000.0f32..2000.0) {
+            let text = text(f64::from(value));
+            let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
+            if decimals > 0 && value.abs() > 1e-3 {
+                let shorter = format!("{value:.0$}", decimals - 1);
+                prop_assert_ne!(shorter.parse::<f32>().unwrap(), value);
+            }
+        }
+    }
+}

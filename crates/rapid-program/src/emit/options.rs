@@ -1,0 +1,216 @@
+//! What a program is emitted with, and why it could not be.
+
+use std::path::PathBuf;
+
+use crate::compensate::FormChoice;
+use rapid_syntax::diagnostic::FileId;
+use rapid_syntax::{Edit, EditError};
+use robot_model::deform::GrowthLaw;
+
+/// How the emitted program knows how warm the robot is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Clock {
+    /// The warm-up minute of the robot: it runs while the program runs, and falls back while it stands.
+    Warmth {
+        /// The law of the drift's growth; `None` for a scheduled table, which then needs `tau_cool_min`.
+        growth: Option<GrowthLaw>,
+        /// Time constant of cooling; `None` = that of the growth.
+        tau_cool_min: Option<f64>,
+        /// A pause longer than this counts as standing.
+        gap_min: f64,
+    },
+    /// Minutes since the cold start was called, standing or not.
+    Elapsed,
+    /// A temperature that the cell measures.
+    Sensor {
+        /// Where it is read.
+        source: Sensor,
+        /// A last good reading is used for so long, minutes.
+        hold_min: f64,
+        /// A reading that has not changed for so long is none any more, minutes.
+        stale_min: f64,
+    },
+}
+
+/// Where a program reads a temperature, degrees Celsius.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sensor {
+    /// An analog input.
+    Signal(String),
+    /// A persistent `num` that is written from outside.
+    Pers(String),
+}
+
+/// Where clock and functions live.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Core {
+    /// In the one module that is changed.
+    Embedded,
+    /// In a module of their own, `tcCore`.
+    Separate,
+}
+
+/// An input, as the header names it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Provenance {
+    /// Its name: a file or a built-in.
+    pub name: String,
+    /// SHA-256 in hexadecimal digits.
+    pub sha256: String,
+}
+
+/// How to emit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EmitOptions {
+    /// What was asked for, as the comment block names it.
+    pub form: FormChoice,
+    /// The clock.
+    pub clock: Clock,
+    /// The law of the drift's growth, where all of it follows one.
+    pub growth: Option<GrowthLaw>,
+    /// Where clock and functions live; `None` = in the module if only one is changed, else separate.
+    pub core: Option<Core>,
+    /// The robot.
+    pub robot: Provenance,
+    /// The deformation or model.
+    pub deformation: Provenance,
+    /// The user says that the controller's Absolute Accuracy is on.
+    pub absolute_accuracy: bool,
+    /// A routine is added that compares the controller's kinematics with those that the corrections were made for.
+    pub self_test: bool,
+}
+
+/// One file of the emitted program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EmittedFile {
+    /// The file it comes from; `None` for one that is new.
+    pub source: Option<FileId>,
+    /// The source's path, or that of a new file beside it; `/` between folders.
+    pub path: String,
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// What was changed of the source, in source order; empty for a new file.
+    pub edits: Vec<Edit>,
+}
+
+/// Why a program could not be emitted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum EmitError {
+    /// A given file is an emitted one.
+    #[error(
+        "{}:{line}: this module is already compensated; take the original, or get it back with `driftpost restore`",
+        path.display()
+    )]
+    AlreadyCompensated {
+        /// The file.
+        path: PathBuf,
+        /// The line of its header.
+        line: u32,
+    },
+    /// The warmth clock does not know how fast the robot cools.
+    #[error(
+        "the warmth clock needs to know how fast the robot cools, and a scheduled table does not say so: give --tau-cool MIN, or --clock elapsed"
+    )]
+    CoolingUnknown,
+    /// A table by temperature and a clock by time, or the other way.
+    #[error(
+        "{}",
+        if *by_temperature {
+            "the deformation goes by temperature, which a clock cannot know: give --clock signal:NAME or pers:NAME"
+        } else {
+            "a measured temperature indexes a deformation table with temp_c, and this one goes by time"
+        }
+    )]
+    ClockOfOtherKind {
+        /// The deformation goes by temperature.
+        by_temperature: bool,
+    },
+    /// A signal's or persistent's name that cannot be used.
+    #[error("{name} cannot be the clock's temperature: {why}")]
+    BadSensor {
+        /// As given.
+        name: String,
+        /// A reason.
+        why: &'static str,
+    },
+    /// A time that is not a positive number of minutes.
+    #[error("{name} must be a positive number of minutes, not {minutes}")]
+    BadTime {
+        /// Which.
+        name: &'static str,
+        /// As given.
+        minutes: f64,
+    },
+    /// The core cannot be embedded in several modules.
+    #[error("{modules} modules hold compensated motion and share one clock: use --core separate")]
+    EmbeddedInSeveral {
+        /// How many.
+        modules: usize,
+    },
+    /// Motion of several tasks, which are several robots.
+    #[error(
+        "several tasks hold motion ({}), and each moves a robot of its own: compensate one task's folder at a time, each \
+         with its own --robot and --deformation",
+        tasks.join(", ")
+    )]
+    SeveralTasks {
+        /// The tasks' folders.
+        tasks: Vec<String>,
+    },
+    /// There is no place for data and routines.
+    #[error("{}:{line}: no MODULE ... ENDMODULE round this motion, so there is no place for its targets", path.display())]
+    NoModule {
+        /// The file.
+        path: PathBuf,
+        /// The motion's or module's line.
+        line: u32,
+    },
+    /// What was emitted does not give its original back.
+    #[error("{}: the original cannot be got back from the result, so it is not written: {what}", path.display())]
+    NotRestored {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        what: String,
+    },
+    /// No name of 32 characters is free.
+    #[error("{}:{line}: no free name of at most 32 characters for the target", path.display())]
+    NoName {
+        /// The file.
+        path: PathBuf,
+        /// The motion's line.
+        line: u32,
+    },
+    /// The plan was made for another program or is not whole.
+    #[error("the plan does not fit the program: {0}")]
+    PlanMismatch(String),
+    /// Two changes at one place.
+    #[error("{}: {error}", path.display())]
+    Edit {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        error: EditError,
+    },
+}
+
+impl EmitError {
+    /// Its stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::AlreadyCompensated { .. } => "refuse::already-compensated",
+            Self::CoolingUnknown => "emit::cooling-unknown",
+            Self::ClockOfOtherKind { .. } => "emit::clock-kind",
+            Self::BadSensor { .. } => "emit::bad-sensor",
+            Self::BadTime { .. } => "emit::bad-time",
+            Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
+            Self::SeveralTasks { .. } => "emit::several-tasks",
+            Self::NoModule { .. } => "emit::no-module",
+            Self::NotRestored { .. } => "emit::not-restored",
+            Self::NoName { .. } => "emit::no-name",
+            Self::PlanMismatch(_) => "emit::plan-mismatch",
+            Self::Edit { .. } => "emit::edit",
+        }
+    }
+}

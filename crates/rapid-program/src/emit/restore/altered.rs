@@ -1,0 +1,96 @@
+//! What was changed in what had been added to a module, told by the letters that its comment block holds.
+
+use super::{comment_block, header_of};
+use crate::emit::{check, header};
+use rapid_syntax::diagnostic::{LineIndex, TextRange};
+use rapid_syntax::parse;
+use rapid_syntax::tree::{FileItem, ModuleItem};
+
+/// A change of what was added to a module, which its original knows nothing of.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Altered {
+    /// Lines of the comment block, so that nothing else can be told.
+    #[error(
+        "lines of the comment block were changed or lost: what was changed in the module, touched-up points among it, \
+         cannot be told; named targets are as in the original"
+    )]
+    Header {
+        /// The block's first line, from 1.
+        line: u32,
+    },
+    /// A correction, or data or a routine of the clock.
+    #[error("{name}, which was added, is not as it was made")]
+    Code {
+        /// Its name.
+        name: String,
+        /// Its first line, from 1.
+        line: u32,
+    },
+}
+
+impl Altered {
+    /// Where, a line of the emitted module, from 1.
+    #[must_use]
+    pub fn line(&self) -> u32 {
+        match self {
+            Self::Header { line } | Self::Code { line, .. } => *line,
+        }
+    }
+
+    /// Its stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Header { .. } => "restore::header",
+            Self::Code { .. } => "restore::code",
+        }
+    }
+}
+
+/// What was changed in the common module of a compensated program; nothing where `bytes` is none.
+#[must_use]
+pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
+    let (tree, _) = parse(bytes);
+    let lines = LineIndex::new(bytes);
+    let mut altered = Vec::new();
+    for item in &tree.items {
+        let FileItem::Module(module) = item else { continue };
+        let Some(comment) = header_of(bytes, module) else { continue };
+        let block = comment_block(bytes, comment.start);
+        let record = header::read(block.iter().map(|r| r.of(bytes))).ok().map(|(record, _)| record);
+        let Some(record) = record.filter(|record| record.is_whole) else {
+            altered.push(Altered::Header { line: lines.line(comment.start) });
+            continue;
+        };
+        if record.is_core {
+            let data = module.items.iter().filter_map(|item| match item {
+                ModuleItem::Data(data) => Some((data.name, data.range)),
+                _ => None,
+            });
+            let routines = module.routines().map(|routine| (routine.name, routine.range));
+            let code: Vec<_> = data.chain(routines).collect();
+            altered.extend(altered_code(bytes, &lines, &code, &record.code, module.name));
+        }
+    }
+    altered
+}
+
+/// What of added data and routines (name, range) is not as `letters` say.
+pub(super) fn altered_code(
+    bytes: &[u8],
+    lines: &LineIndex,
+    code: &[(TextRange, TextRange)],
+    letters: &[u8],
+    module: TextRange,
+) -> Vec<Altered> {
+    let named = |name: TextRange, range: TextRange| Altered::Code {
+        name: String::from_utf8_lossy(name.of(bytes)).into_owned(),
+        line: lines.line(range.start),
+    };
+    if letters.len() != 3 * code.len() {
+        return vec![named(module, module)];
+    }
+    let pairs = code.iter().zip(letters.chunks(3));
+    let changed = pairs.filter(|((_, range), letters)| check::of_code(range.of(bytes)) != **letters);
+    changed.map(|((name, range), _)| named(*name, *range)).collect()
+}

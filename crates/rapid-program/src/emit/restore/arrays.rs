@@ -1,0 +1,221 @@
+//! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
+
+use crate::emit::check::Elements;
+use crate::emit::number::{write_num, write_orient};
+use crate::emit::target::{is_plain, singles};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::DataDecl;
+use robot_model::units::deg_from_rad;
+
+/// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
+const AGREE: f64 = 0.005;
+/// Numbers of a robtarget.
+const ROBTARGET: usize = 17;
+
+/// An array of targets in the emitted module.
+pub(super) struct Array<'b> {
+    bytes: &'b [u8],
+    /// The declaration.
+    pub(super) range: TextRange,
+    /// A row is one of an array's targets.
+    pub(super) indexed: bool,
+    rows: Vec<Vec<TextRange>>,
+    /// What stood in the motion, without its index.
+    pub(super) was: Vec<u8>,
+    /// As made.
+    letters: &'b [u8],
+}
+
+/// An original that a touched-up element means.
+#[derive(Clone, Debug)]
+pub(super) struct Meant {
+    /// As text.
+    pub(super) text: Vec<u8>,
+    /// How far it is from what it was.
+    pub(super) moved: f64,
+    /// In `mm` or `deg`.
+    pub(super) unit: &'static str,
+    place: Place,
+}
+
+impl Meant {
+    /// Whether both mean the same original.
+    pub(super) fn agrees(&self, other: &Self) -> bool {
+        let (far, turned) = self.place.distance(&other.place);
+        far <= AGREE && turned <= AGREE
+    }
+}
+
+/// A target's place: a position with an orientation, or joints.
+#[derive(Clone, Debug)]
+enum Place {
+    Pose(Vector3<f64>, UnitQuaternion<f64>),
+    /// Degrees.
+    Joints([f64; 6]),
+}
+
+impl Place {
+    fn of(text: &[u8]) -> Option<Self> {
+        let n: Vec<f64> = singles(text)?.into_iter().map(f64::from).collect();
+        if n.len() == ROBTARGET {
+            let q = UnitQuaternion::from_quaternion(Quaternion::new(n[3], n[4], n[5], n[6]));
+            return Some(Self::Pose(Vector3::new(n[0], n[1], n[2]), q));
+        }
+        Some(Self::Joints(n.get(..6)?.try_into().ok()?))
+    }
+
+    /// mm, or degrees of the joint that differs most; and the angle, degrees.
+    fn distance(&self, other: &Self) -> (f64, f64) {
+        match (self, other) {
+            (Self::Pose(a, q), Self::Pose(b, p)) => ((a - b).norm(), deg_from_rad(q.angle_to(p))),
+            (Self::Joints(a), Self::Joints(b)) => {
+                (a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), 0.0)
+            }
+            _ => (f64::INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// The place without `times` what leads from `from` to `to`.
+    fn without(&self, times: f64, from: &Self, to: &Self) -> Option<Self> {
+        match (self, from, to) {
+            (Self::Pose(at, q), Self::Pose(a, p), Self::Pose(b, r)) => {
+                let turn = (r * p.inverse()).scaled_axis() * times;
+                Some(Self::Pose(at - (b - a) * times, UnitQuaternion::from_scaled_axis(-turn) * q))
+            }
+            (Self::Joints(at), Self::Joints(a), Self::Joints(b)) => {
+                Some(Self::Joints(std::array::from_fn(|i| at[i] - times * (b[i] - a[i]))))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<'b> Array<'b> {
+    /// `None` where a row has no element 1 of numbers.
+    pub(super) fn new(
+        (bytes, data): (&'b [u8], &DataDecl),
+        rows: Vec<Vec<TextRange>>,
+        letters: &'b [u8],
+        was: Option<Vec<u8>>,
+    ) -> Option<Self> {
+        let firsts: Option<Vec<&TextRange>> = rows.iter().map(|row| row.first()).collect();
+        let plain = firsts?.iter().all(|range| is_plain(range.of(bytes)));
+        let element1 = rows.first()?.first()?.of(bytes);
+        let indexed = data.dims.len() > 1;
+        let was = was.unwrap_or_else(|| match data.name.of(bytes).get(2..) {
+            Some(rest) if indexed || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
+            _ => element1.to_vec(),
+        });
+        plain.then_some(Self { bytes, range: data.range, indexed, rows, was, letters })
+    }
+
+    /// For each row the original that its touched-up elements mean; `None` where none was. `shares`: for each bucket how much
+    /// of the drift it corrects. Where the comment block is not `trusted` nothing is told.
+    ///
+    /// # Errors
+    /// Two originals that do not agree, or `None` where it cannot be told.
+    pub(super) fn meant(
+        &self,
+        shares: &[f64],
+        trusted: bool,
+    ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
+        let mut now = Elements::new();
+        self.rows.iter().flatten().for_each(|range| now.add(range.of(self.bytes)));
+        let now = now.letters();
+        if !trusted || now == self.letters {
+            return Ok(vec![None; self.rows.len()]);
+        }
+        let mut each = now.get(3..).unwrap_or_default().chunks(2);
+        let mut made = self.letters.get(3..).unwrap_or_default().chunks(2);
+        let mut all = Vec::new();
+        for row in &self.rows {
+            // Letters pass one by one, element by element.
+            let changed: Vec<usize> = (0..row.len()).filter(|_| each.next() != made.next()).collect();
+            all.push(changed);
+        }
+        if all.iter().all(Vec::is_empty) {
+            return Err(None);
+        }
+        self.rows.iter().zip(&all).map(|(row, changed)| self.of_row(row, changed, shares)).collect()
+    }
+
+    fn of_row(
+        &self,
+        row: &[TextRange],
+        changed: &[usize],
+        shares: &[f64],
+    ) -> Result<Option<Meant>, Option<(String, String)>> {
+        if changed.is_empty() {
+            return Ok(None);
+        }
+        let share = |k: usize| if k == 0 { Some(0.0) } else { shares.get(k - 1).copied() };
+        let place = |k: usize| Place::of(row.get(k)?.of(self.bytes));
+        // The two untouched elements that are furthest apart in the drift.
+        let mut sound: Vec<usize> = (0..row.len()).filter(|k| !changed.contains(k)).collect();
+        sound.sort_by(|&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
+        let (Some(&from), Some(&to)) = (sound.first(), sound.last()) else { return Err(None) };
+        let (Some(from_share), Some(to_share)) = (share(from), share(to)) else { return Err(None) };
+        let (Some(a), Some(b)) = (place(from), place(to)) else { return Err(None) };
+        let original_of = |at: &Place, share: f64| {
+            let span = to_share - from_share;
+            let times = if span.abs() > 1e-9 { share / span } else { 0.0 };
+            (share == 0.0 || span.abs() > 1e-9).then(|| at.without(times, &a, &b)).flatten()
+        };
+        let was = original_of(&a, from_share).ok_or(None)?;
+        let mut found: Option<Meant> = None;
+        for &k in changed {
+            let text = row.get(k).ok_or(None)?.of(self.bytes);
+            let (at, share) = (Place::of(text).ok_or(None)?, share(k).ok_or(None)?);
+            let original = original_of(&at, share).ok_or(None)?;
+            let (far, turned) = original.distance(&was);
+            let (moved, unit) = match original {
+                Place::Joints(_) => (far, "deg"),
+                Place::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
+                Place::Pose(..) => (far, "mm"),
+            };
+            let text = if k == 0 { text.to_vec() } else { written(&original, text) };
+            let meant = Meant { text, moved, unit, place: original };
+            match &found {
+                Some(first) if !first.agrees(&meant) => {
+                    let spelled = |meant: &Meant| String::from_utf8_lossy(&meant.text).into_owned();
+                    return Err(Some((spelled(first), spelled(&meant))));
+                }
+                Some(_) => {}
+                None => found = Some(meant),
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// An original as text, with configuration and external axes as the touched-up element has them.
+fn written(original: &Place, touched: &[u8]) -> Vec<u8> {
+    let mut out = b"[".to_vec();
+    let rounded = |value: f64| (value * 1e4).round() / 1e4;
+    let list = |out: &mut Vec<u8>, values: &[f64]| {
+        out.push(b'[');
+        for (i, value) in values.iter().enumerate() {
+            if i > 0 {
+                out.push(b',');
+            }
+            write_num(out, rounded(*value));
+        }
+        out.push(b']');
+    };
+    let components = match original {
+        Place::Pose(at, q) => {
+            list(&mut out, at.as_slice());
+            out.push(b',');
+            write_orient(&mut out, [q.w, q.i, q.j, q.k]);
+            2
+        }
+        Place::Joints(joints) => {
+            list(&mut out, joints);
+            1
+        }
+    };
+    out.push(b',');
+    out.extend_from_slice(crate::emit::target::tail_of(touched, components));
+    out
+}

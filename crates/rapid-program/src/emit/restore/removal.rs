@@ -1,0 +1,343 @@
+//! Takes out of a module what was added, and puts back what stood in its motions.
+
+use super::arrays::{Array, Meant};
+use super::{Altered, RestoreError, Touched, TouchedInto};
+use crate::emit::check;
+use crate::emit::header::Record;
+use crate::emit::place;
+use crate::emit::point::{self, Declarations, Points};
+use rapid_syntax::diagnostic::{LineIndex, TextRange};
+use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::{Edit, parts_of_numbers};
+use std::collections::BTreeMap;
+
+/// Functions that stand round a target.
+const ROUND: [&str; 6] = ["tcAt", "tcAtSame", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
+
+/// Takes a module apart.
+pub(super) struct Remover<'w> {
+    pub(super) bytes: &'w [u8],
+    pub(super) lines: &'w LineIndex,
+    pub(super) module: &'w Module,
+    pub(super) record: &'w Record,
+    pub(super) edits: &'w mut Vec<Edit>,
+    /// Name and range of the data and routines that were added beside targets.
+    pub(super) code: Vec<(TextRange, TextRange)>,
+    pub(super) altered: Vec<Altered>,
+}
+
+/// A motion's argument that names an array.
+struct Use<'w> {
+    expr: TextRange,
+    /// The source's own index, where the array is one of many targets.
+    index: Option<TextRange>,
+    routine: &'w Routine,
+}
+
+impl<'w> Remover<'w> {
+    fn damaged(&self, range: TextRange, what: impl Into<String>) -> RestoreError {
+        RestoreError::Damaged { line: self.lines.line(range.start), what: what.into() }
+    }
+
+    fn text(&self, range: TextRange) -> String {
+        String::from_utf8_lossy(range.of(self.bytes)).into_owned()
+    }
+
+    fn is_core(&self, range: TextRange, name: &str) -> bool {
+        range.of(self.bytes).eq_ignore_ascii_case(self.record.core(name).as_bytes())
+    }
+
+    /// Takes out the data; gives the arrays by name in lower case.
+    pub(super) fn data(&mut self) -> Result<BTreeMap<String, Array<'w>>, RestoreError> {
+        let before = self.module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_)));
+        let all: Vec<&DataDecl> = before
+            .filter_map(|item| match item {
+                ModuleItem::Data(data) => Some(data),
+                _ => None,
+            })
+            .collect();
+        let count = self.record.data + self.record.targets;
+        let Some(ours) = all.len().checked_sub(count).and_then(|from| all.get(from..)) else {
+            return Err(self.damaged(self.module.head, "data that were added are missing"));
+        };
+        if let Some(foreign) = ours.iter().find(|d| !begins_with_tc(d.name.of(self.bytes))) {
+            return Err(self.damaged(foreign.range, "data were put among or after those that were added"));
+        }
+        let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(BTreeMap::new()) };
+        self.edits.push(removal(place::whole_lines(self.bytes, first.range.cover(last.range))));
+        self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
+        let mut arrays = BTreeMap::new();
+        let mut letters = self.record.letters.as_slice();
+        for data in ours.iter().skip(self.record.data) {
+            let is_target = [b"robtarget".as_slice(), b"jointtarget"]
+                .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
+            let init = data.init.as_ref();
+            if is_target && !data.dims.is_empty() {
+                let rows = self.rows(data)?;
+                let own = rows.iter().map(Vec::len).sum::<usize>() * 2 + 3;
+                let (own, rest) = letters.split_at_checked(own).unwrap_or((letters, &[]));
+                letters = rest;
+                let name = self.text(data.name);
+                let was = self.record.was.get(&name).cloned();
+                let array = Array::new((self.bytes, data), rows, own, was)
+                    .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
+                arrays.insert(name.to_ascii_lowercase(), array);
+            } else {
+                let (own, rest) = letters.split_at_checked(3).unwrap_or((letters, &[]));
+                letters = rest;
+                let now = init.map(|init| check::of_numbers(init.range.of(self.bytes)));
+                if now.as_ref().map(<[u8; 3]>::as_slice) != Some(own) {
+                    let line = self.lines.line(data.range.start);
+                    self.altered.push(Altered::Code { name: self.text(data.name), line });
+                }
+            }
+        }
+        Ok(arrays)
+    }
+
+    /// The elements of an array, row by row.
+    fn rows(&self, data: &DataDecl) -> Result<Vec<Vec<TextRange>>, RestoreError> {
+        let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
+        let parts = self.parts(init);
+        Ok(match data.dims.len() {
+            1 => vec![parts.into_iter().map(|(range, _)| range).collect()],
+            _ => parts.into_iter().map(|(_, inner)| inner).collect(),
+        })
+    }
+
+    /// The parts of an aggregate, each with its own parts.
+    fn parts(&self, expr: &Expr) -> Vec<(TextRange, Vec<TextRange>)> {
+        let numbers = |range: TextRange| -> Vec<TextRange> {
+            parts_of_numbers(self.bytes, range).iter().map(|part| part.range).collect()
+        };
+        let inner = |expr: &Expr| match &expr.kind {
+            ExprKind::Aggregate(parts) => parts.iter().map(|part| part.range).collect(),
+            ExprKind::Numbers => numbers(expr.range),
+            _ => Vec::new(),
+        };
+        match &expr.kind {
+            ExprKind::Aggregate(parts) => parts.iter().map(|part| (part.range, inner(part))).collect(),
+            ExprKind::Numbers => parts_of_numbers(self.bytes, expr.range)
+                .iter()
+                .map(|part| (part.range, inner(part)))
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Takes out the routines; gives the module's own ones.
+    pub(super) fn routines(&mut self) -> Result<Vec<&'w Routine>, RestoreError> {
+        let module: &'w Module = self.module;
+        let mut all: Vec<&Routine> = module.routines().collect();
+        let Some(from) = all.len().checked_sub(self.record.routines) else {
+            return Err(self.damaged(self.module.head, "routines that were added are missing"));
+        };
+        let ours = all.split_off(from);
+        if let Some(foreign) = ours.iter().find(|r| !begins_with_tc(r.name.of(self.bytes))) {
+            return Err(self.damaged(foreign.range, "a routine was put among or after those that were added"));
+        }
+        self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
+        if let (Some(first), Some(last)) = (ours.first(), ours.last()) {
+            let lines = place::whole_lines(self.bytes, first.range.cover(last.range));
+            self.edits.push(removal(place::with_empty_line_before(self.bytes, lines)));
+        }
+        Ok(all)
+    }
+
+    /// Puts back what stood in the motions; gives what was touched up.
+    pub(super) fn motions(
+        &mut self,
+        routines: &[&'w Routine],
+        arrays: &BTreeMap<String, Array<'w>>,
+    ) -> Result<Vec<Touched>, RestoreError> {
+        let mut uses: BTreeMap<&str, Vec<Use<'w>>> = BTreeMap::new();
+        let mut touched = Vec::new();
+        let declarations = Declarations::new(self.bytes, self.module);
+        let (mut points, mut letters) = (Points::default(), self.record.points.as_slice());
+        for routine in routines {
+            for stmt in place::statements(routine) {
+                let StmtKind::Call(call) = &stmt.kind else { continue };
+                for arg in &call.args {
+                    let ArgKind::Positional(expr) = &arg.kind else { continue };
+                    if let Some((name, index)) = self.element(expr)
+                        && let Some((key, _)) = arrays.get_key_value(&self.text(name).to_ascii_lowercase())
+                    {
+                        uses.entry(key).or_default().push(Use { expr: expr.range, index, routine });
+                    } else if let Some(inner) = self.inside(expr) {
+                        let (start, end) = (expr.range.start, expr.range.end);
+                        self.edits.push(removal(TextRange::new(start, inner.start)));
+                        self.edits.push(removal(TextRange::new(inner.end, end)));
+                        if let Some(original) = declarations.original(inner, routine)
+                            && points.add(self.bytes, original)
+                        {
+                            let text = original.value.of(self.bytes);
+                            let own = point::letters(text).len();
+                            let (own, rest) = letters.split_at_checked(own).unwrap_or((letters, &[]));
+                            letters = rest;
+                            if let Some((moved, unit)) = point::moved(text, own) {
+                                touched.push(Touched {
+                                    array: None,
+                                    target: self.text(inner),
+                                    value: self.text(original.value),
+                                    line: self.lines.line(original.value.start),
+                                    into: if original.declared {
+                                        TouchedInto::Declaration
+                                    } else {
+                                        TouchedInto::Motion
+                                    },
+                                    moved,
+                                    unit,
+                                });
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        touched.extend(self.put_back(arrays, &uses, &declarations)?);
+        touched.sort_by_key(|t| t.line);
+        Ok(touched)
+    }
+
+    /// Puts back the arguments that name arrays, with what the touched-up elements mean.
+    fn put_back(
+        &mut self,
+        arrays: &BTreeMap<String, Array<'w>>,
+        uses: &BTreeMap<&str, Vec<Use<'w>>>,
+        declarations: &Declarations<'w>,
+    ) -> Result<Vec<Touched>, RestoreError> {
+        let mut meant: BTreeMap<&str, Vec<Option<Meant>>> = BTreeMap::new();
+        for (name, array) in arrays {
+            let line = self.lines.line(array.range.start);
+            let trusted = self.record.is_whole;
+            let rows = array.meant(&self.record.shares, trusted).map_err(|what| match what {
+                Some((first, second)) => RestoreError::Disagree { array: name.clone(), line, first, second },
+                None => {
+                    RestoreError::Damaged { line, what: format!("what was changed of {name} cannot be told") }
+                }
+            })?;
+            meant.insert(name, rows);
+        }
+        let declared = self.declare(arrays, uses, (&meant, declarations))?;
+        let mut touched = Vec::new();
+        for (name, array) in arrays {
+            let uses = uses.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
+            let rows = meant.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
+            let into = declared.contains(&name.as_str());
+            for one in uses {
+                let text = match (one.index, rows.first()) {
+                    (Some(index), _) => [&array.was, b"{".as_slice(), index.of(self.bytes), b"}"].concat(),
+                    (None, Some(Some(new))) if !into => new.text.clone(),
+                    (None, _) => array.was.clone(),
+                };
+                self.edits.push(Edit { range: one.expr, text });
+            }
+            for new in rows.iter().flatten() {
+                touched.push(Touched {
+                    array: Some(name.clone()),
+                    target: String::from_utf8_lossy(&array.was).into_owned(),
+                    value: String::from_utf8_lossy(&new.text).into_owned(),
+                    line: uses.first().map_or(1, |one| self.lines.line(one.expr.start)),
+                    into: if into { TouchedInto::Declaration } else { TouchedInto::Motion },
+                    moved: new.moved,
+                    unit: new.unit,
+                });
+            }
+        }
+        Ok(touched)
+    }
+
+    /// Puts touched-up values into declarations: where a target is named, declared in this file, and all its arrays say the
+    /// same; and into the elements of an array. Gives the arrays for which that was done.
+    fn declare<'a>(
+        &mut self,
+        arrays: &'a BTreeMap<String, Array<'w>>,
+        uses: &BTreeMap<&str, Vec<Use<'w>>>,
+        (meant, declarations): (&BTreeMap<&str, Vec<Option<Meant>>>, &Declarations<'w>),
+    ) -> Result<Vec<&'a str>, RestoreError> {
+        let mut by_init: BTreeMap<TextRange, Vec<(&str, Option<&Meant>)>> = BTreeMap::new();
+        let mut done = Vec::new();
+        for (name, array) in arrays {
+            let Some(rows) = meant.get(name.as_str()) else { continue };
+            if array.indexed {
+                if rows.iter().any(Option::is_some) {
+                    self.declare_elements(array, rows)?;
+                    done.push(name.as_str());
+                }
+                continue;
+            }
+            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
+            if let Some(init) = routine.and_then(|routine| declarations.initial_value(&array.was, routine)) {
+                by_init.entry(init).or_default().push((name, rows.first().and_then(Option::as_ref)));
+            }
+        }
+        for (init, arrays) in by_init {
+            let Some((_, Some(first))) = arrays.first() else { continue };
+            if arrays.iter().all(|(_, new)| new.is_some_and(|new| new.agrees(first))) {
+                self.edits.push(Edit { range: init, text: first.text.clone() });
+                done.extend(arrays.iter().map(|(name, _)| *name));
+            }
+        }
+        Ok(done)
+    }
+
+    /// Puts touched-up values into the elements of the array that the motions name.
+    fn declare_elements(&mut self, array: &Array, rows: &[Option<Meant>]) -> Result<(), RestoreError> {
+        let named = self.module.items.iter().find_map(|item| match item {
+            ModuleItem::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(&array.was) => Some(data),
+            _ => None,
+        });
+        let elements =
+            named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default();
+        for (row, new) in rows.iter().enumerate() {
+            let Some(new) = new else { continue };
+            let Some((range, _)) = elements.get(row) else {
+                return Err(
+                    self.damaged(array.range, "an element was touched up whose array is not declared here")
+                );
+            };
+            self.edits.push(Edit { range: *range, text: new.text.clone() });
+        }
+        Ok(())
+    }
+
+    /// Name and own index of `name{tcK()}`, `name{tcI}` and `name{index,tcK()}`.
+    fn element(&self, expr: &Expr) -> Option<(TextRange, Option<TextRange>)> {
+        let ExprKind::Index { base, indices } = &expr.kind else { return None };
+        if !matches!(base.kind, ExprKind::Name) {
+            return None;
+        }
+        let (last, own) = indices.split_last()?;
+        let asks = match &last.kind {
+            ExprKind::Name => self.is_core(last.range, "tcI"),
+            ExprKind::Call { name, args } => args.is_empty() && self.is_core(*name, "tcK"),
+            _ => false,
+        };
+        let own = match own {
+            [] => None,
+            [one] => Some(one.range),
+            _ => return None,
+        };
+        asks.then_some((base.range, own))
+    }
+
+    /// The target that a function of ours stands round.
+    fn inside(&self, expr: &Expr) -> Option<TextRange> {
+        let ExprKind::Call { name, args } = &expr.kind else { return None };
+        if !ROUND.iter().any(|function| self.is_core(*name, function)) {
+            return None;
+        }
+        match &args.first()?.kind {
+            ArgKind::Positional(inner) => Some(inner.range),
+            _ => None,
+        }
+    }
+}
+
+pub(super) fn removal(range: TextRange) -> Edit {
+    Edit { range, text: Vec::new() }
+}
+
+fn begins_with_tc(name: &[u8]) -> bool {
+    name.get(..2).is_some_and(|two| two.eq_ignore_ascii_case(b"tc"))
+}

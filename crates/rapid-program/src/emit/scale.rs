@@ -1,0 +1,205 @@
+//! The functions that a motion of the forms `ramp` and `live` asks, as RAPID: what the drift has come to, and a target
+//! with as much of its correction.
+
+use super::clock::num;
+use super::live::{LiveModel, TestTarget};
+use crate::schedule::{Course, TimeFunctions};
+use robot_model::deform::GrowthLaw;
+
+const DATA: &str = include_str!("clock/data_scaled.mod");
+const CHOOSE: &str = include_str!("clock/scaled.mod");
+const SHARE: &str = include_str!("clock/scale_share.mod");
+const SQUARED: &str = include_str!("clock/scale_squared.mod");
+const KNOTS: &str = include_str!("clock/knots.mod");
+const AT: &str = include_str!("clock/at.mod");
+const AT_JOINTS: &str = include_str!("clock/at_joints.mod");
+
+/// So many time constants after a cold start everything has settled in single precision.
+const SETTLED_LAGS: f64 = 20.0;
+/// Longest line that is written here; RAPID takes 255.
+const WIDTH: usize = 110;
+
+/// What corrections are scaled by, and what is asked for it.
+#[derive(Clone, Debug)]
+pub struct Scaled<'a> {
+    /// The functions of time.
+    pub functions: &'a TimeFunctions,
+    /// Motions ask for a robtarget with its correction.
+    pub poses: bool,
+    /// Motions ask for a jointtarget with its correction.
+    pub joints: bool,
+    /// Some correction turns so far that the quaternion has to be normalised again.
+    pub normalise: bool,
+    /// The deformed model, where motions ask it, and targets to test it by.
+    pub live: Option<(LiveModel, Vec<TestTarget>)>,
+}
+
+impl Course {
+    /// Whether the functions are of the growth law's share.
+    #[must_use]
+    pub fn is_of_share(&self) -> bool {
+        matches!(self, Self::Share | Self::ShareSquared)
+    }
+}
+
+impl Scaled<'_> {
+    /// The data that the functions need.
+    #[must_use]
+    pub fn data(&self) -> Vec<String> {
+        let mut lines: Vec<String> = DATA.lines().map(str::to_owned).collect();
+        lines.extend((1..=self.functions.count()).map(|r| format!("  LOCAL VAR num tcF{r}:=0;")));
+        if let Some((live, tests)) = &self.live {
+            lines.extend(live.data(tests));
+        }
+        match &self.functions.course {
+            Course::Share | Course::ShareSquared => lines.push("  LOCAL VAR num tcWarm:=0;".to_owned()),
+            Course::Knots { at_min, values } => {
+                let columns = self.functions.count() + 1;
+                lines.push(format!("  LOCAL CONST num tcKnot{{{},{columns}}}:=[", at_min.len()));
+                let rows: Vec<String> = at_min
+                    .iter()
+                    .zip(values)
+                    .map(|(at_min, values)| {
+                        let row: Vec<String> =
+                            std::iter::once(at_min).chain(values).map(|v| num(*v)).collect();
+                        format!("[{}]", row.join(","))
+                    })
+                    .collect();
+                let mut line = String::from("   ");
+                for (k, row) in rows.iter().enumerate() {
+                    if line.len() + row.len() > WIDTH {
+                        lines.push(std::mem::replace(&mut line, String::from("   ")));
+                    }
+                    let end = if k + 1 < rows.len() { "," } else { "];" };
+                    line.push_str(&format!(" {row}{end}"));
+                }
+                lines.push(line);
+            }
+        }
+        lines
+    }
+
+    /// The routines' text.
+    #[must_use]
+    pub fn routines(&self) -> Vec<String> {
+        let count = self.functions.count();
+        let scale = match &self.functions.course {
+            Course::Share => SHARE.to_owned(),
+            Course::ShareSquared => SQUARED.to_owned(),
+            Course::Knots { at_min, values } => {
+                let functions: Vec<String> = (1..=count)
+                    .map(|r| {
+                        let k = r + 1;
+                        format!("    tcF{r}:=tcPart0*(tcKnot{{tcLow,{k}}}+tcS*(tcKnot{{tcHigh,{k}}}-tcKnot{{tcLow,{k}}}));")
+                    })
+                    .collect();
+                // The drift's share is shown by the function that has its node at the end, or by the first.
+                let settled = values.last().map_or(1, |last| {
+                    1 + (0..last.len())
+                        .fold(0, |best, r| if last[r].abs() > last[best].abs() { r } else { best })
+                });
+                KNOTS
+                    .replace("@KNOTS@", &at_min.len().to_string())
+                    .replace("@FUNCTIONS@", &functions.join("\n"))
+                    .replace("tcPart0*@SHOWN_SHARE@", &format!("tcF{settled}"))
+            }
+        };
+        let mut parts = vec![CHOOSE.to_owned(), scale];
+        let corrections: Vec<String> = match count {
+            1 => vec!["tcC".to_owned()],
+            _ => (1..=count).map(|r| format!("tcC{r}")).collect(),
+        };
+        let declared =
+            |of: &str| corrections.iter().map(|c| format!("{of} {c}")).collect::<Vec<String>>().join(",");
+        if self.joints {
+            let axis = |k: usize| {
+                let by: String =
+                    (1..).zip(&corrections).map(|(r, c)| format!("+tcF{r}*{c}.rax_{k}")).collect();
+                format!("tcP.robax.rax_{k}{by}")
+            };
+            let text = AT_JOINTS
+                .replace("@ROBJOINTS@", &declared("robjoint"))
+                .replace("@JOINTS@", &list("    tcP.robax:=[", (1..=6).map(axis), "];"));
+            parts.insert(0, text);
+        }
+        if self.poses {
+            let text = AT
+                .replace("@POSES@", &declared("pose"))
+                .replace("@CORRECTIONS@", &corrections.join(","))
+                .replace("@SHIFT@", &shift(&corrections))
+                .replace("@TURN@", &turn(&corrections, self.normalise));
+            parts.insert(0, text);
+        }
+        if let Some((live, tests)) = &self.live {
+            parts.insert(0, live.routines(tests).join("\n"));
+        }
+        parts
+    }
+
+    /// The minute at which all is settled.
+    #[must_use]
+    pub fn settled_min(&self, growth: Option<GrowthLaw>) -> f64 {
+        match &self.functions.course {
+            Course::Knots { at_min, .. } => at_min.last().copied().unwrap_or(0.0),
+            Course::Share | Course::ShareSquared => {
+                SETTLED_LAGS * growth.and_then(|law| law.tau_min()).unwrap_or(0.0)
+            }
+        }
+    }
+}
+
+/// The shifted position.
+fn shift(corrections: &[String]) -> String {
+    let axis = |k: &str| {
+        let by: String = (1..).zip(corrections).map(|(r, c)| format!("+tcF{r}*{c}.trans.{k}")).collect();
+        format!("tcP.trans.{k}{by}")
+    };
+    list("    tcP.trans:=[", ["x", "y", "z"].into_iter().map(axis), "];")
+}
+
+/// The turned orientation: the quaternion of a small turn, [1, v], times the target's.
+fn turn(corrections: &[String], normalise: bool) -> String {
+    // Of each component what v adds: sign, part of v, part of the target's quaternion.
+    const PARTS: [[(&str, u8, u8); 3]; 4] = [
+        [("-", 2, 2), ("-", 3, 3), ("-", 4, 4)],
+        [("", 2, 1), ("+", 3, 4), ("-", 4, 3)],
+        [("", 3, 1), ("+", 4, 2), ("-", 2, 4)],
+        [("", 4, 1), ("+", 2, 3), ("-", 3, 2)],
+    ];
+    let part = |(k, parts): (usize, &[(&str, u8, u8); 3])| {
+        let by: String = (1..)
+            .zip(corrections)
+            .map(|(r, c)| {
+                let sum: String =
+                    parts.iter().map(|(sign, v, q)| format!("{sign}{c}.rot.q{v}*tcP.rot.q{q}")).collect();
+                format!("+tcF{r}*({sum})")
+            })
+            .collect();
+        format!("tcP.rot.q{}{by}", k + 1)
+    };
+    let (before, behind) =
+        if normalise { ("    tcP.rot:=NOrient([", "]);") } else { ("    tcP.rot:=[", "];") };
+    list(before, PARTS.iter().enumerate().map(part), behind)
+}
+
+/// A list over lines: broken behind commas, and before a sign where one part alone is too long.
+fn list(before: &str, parts: impl Iterator<Item = String>, behind: &str) -> String {
+    let mut text = before.to_owned();
+    let mut column = text.len();
+    for (k, part) in parts.enumerate() {
+        if k > 0 {
+            text.push(',');
+            column += 1;
+        }
+        for (piece, term) in part.split_inclusive("*(").enumerate() {
+            if column + term.len() > WIDTH && (k > 0 || piece > 0) {
+                text.push_str("\n        ");
+                column = 8;
+            }
+            text.push_str(term);
+            column += term.len();
+        }
+    }
+    text.push_str(behind);
+    text
+}

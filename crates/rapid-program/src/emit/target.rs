@@ -1,0 +1,383 @@
+//! Targets as constant arrays: element 1 the original, element k+1 that of bucket k.
+
+use std::borrow::Cow;
+
+use super::check::Elements;
+use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
+use super::options::EmitError;
+use super::place::{Style, white};
+use crate::compensate::plan::Corrected;
+use crate::program::data::{ExtJoint, RobTarget};
+use crate::program::motion::TargetValue;
+use nalgebra::Vector3;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// RAPID's longest line.
+pub const MAX_LINE: usize = 255;
+
+/// The text of element 1 of a target's array, on one line if it came so from the source.
+///
+/// The source's own spelling where that is nothing but numbers, so that it means the same wherever it
+/// stands; else the numbers.
+///
+/// # Errors
+/// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
+pub fn element1<'s>(
+    literal: Option<&'s [u8]>,
+    original: Option<&TargetValue>,
+) -> Result<Cow<'s, [u8]>, EmitError> {
+    let components = if matches!(original, Some(TargetValue::Joint(_))) { 2 } else { 4 };
+    if let Some(text) = literal.filter(|text| is_plain(text) && has_components(text, components)) {
+        if text.len() < MAX_LINE / 2 + 80 && !text.iter().any(|&b| b == b'\n' || b == b'\r' || b == b'\t') {
+            return Ok(Cow::Borrowed(text));
+        }
+        return Ok(Cow::Owned(text.iter().copied().filter(|&b| !white(b)).collect()));
+    }
+    let mut out = Vec::new();
+    match original {
+        Some(TargetValue::Rob(target)) => {
+            let frame = &target.object_from_tcp;
+            let q = frame.rotation.quaternion();
+            out.push(b'[');
+            write_pos(&mut out, frame.translation.vector.into());
+            out.push(b',');
+            write_orient(&mut out, [q.w, q.i, q.j, q.k]);
+            write_rob_tail(&mut out, target);
+        }
+        Some(TargetValue::Joint(target)) => {
+            out.push(b'[');
+            write_robjoint(&mut out, target.q_rad);
+            write_joint_tail(&mut out, &target.ext);
+        }
+        Some(TargetValue::FromJoints(_)) | None => {
+            return Err(EmitError::PlanMismatch("a target's pose is not known".to_owned()));
+        }
+    }
+    Ok(Cow::Owned(out))
+}
+
+fn write_rob_tail(out: &mut Vec<u8>, target: &RobTarget) {
+    let conf = target.conf;
+    out.extend_from_slice(format!(",[{},{},{},{}]", conf.cf1, conf.cf4, conf.cf6, conf.cfx).as_bytes());
+    write_joint_tail(out, &target.ext);
+}
+
+fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
+    out.push(b',');
+    write_optional(out, *ext);
+    out.push(b']');
+}
+
+/// The array of a target, or of all elements of an array that it is one of.
+pub struct TargetArray<'p> {
+    /// Its name.
+    pub name: String,
+    /// Which row is in force is an index of its own: the source names an array's element.
+    pub indexed: bool,
+    /// For each row the target as programmed, the text of its element 1, and what it becomes in each bucket.
+    pub rows: Vec<Row<'p>>,
+}
+
+/// A target as programmed, the text of its element 1, and what it becomes in each bucket.
+pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, Vec<Corrected>);
+
+impl TargetArray<'_> {
+    /// Whether it is the array of these rows.
+    #[must_use]
+    pub fn is_of(&self, rows: &[Row<'_>]) -> bool {
+        let same = |(a, b): (&Row<'_>, &Row<'_>)| a.0 == b.0 && a.2 == b.2;
+        self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
+    }
+
+    /// Appends the declaration, one element a line; gives what its elements are recognised by.
+    ///
+    /// # Errors
+    /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
+    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
+        let joint = matches!(self.rows.first(), Some((TargetValue::Joint(_), ..)));
+        let buckets = self.rows.first().map_or(0, |(_, _, corrected)| corrected.len());
+        let mut elements = Elements::new();
+        out.extend_from_slice(&style.indent);
+        out.extend_from_slice(b"LOCAL CONST ");
+        out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
+        out.extend_from_slice(self.name.as_bytes());
+        let rows = if self.indexed { format!("{},", self.rows.len()) } else { String::new() };
+        out.extend_from_slice(format!("{{{rows}{}}}:=[", buckets + 1).as_bytes());
+        out.extend_from_slice(style.eol);
+        for (r, (_, element1, corrected)) in self.rows.iter().enumerate() {
+            let last_row = r + 1 == self.rows.len();
+            let mut line = out.len();
+            out.extend_from_slice(&style.indent);
+            out.extend_from_slice(&style.unit);
+            if self.indexed {
+                out.push(b'[');
+            }
+            let from = out.len();
+            out.extend_from_slice(element1);
+            elements.add(out.get(from..).unwrap_or_default());
+            for corrected in corrected {
+                end_element(out, line, b",", style);
+                line = out.len();
+                out.extend_from_slice(&style.indent);
+                out.extend_from_slice(&style.unit);
+                let from = out.len();
+                write_corrected(out, corrected, joint, element1)
+                    .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
+                elements.add(out.get(from..).unwrap_or_default());
+            }
+            let end: &[u8] = match (self.indexed, last_row) {
+                (false, _) => b"];",
+                (true, false) => b"],",
+                (true, true) => b"]];",
+            };
+            end_element(out, line, end, style);
+        }
+        Ok(elements.letters())
+    }
+}
+
+/// How far a corrected target is from the original: mm of a robtarget, degrees of the joint that changes most.
+#[must_use]
+pub fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
+    match (original, corrected) {
+        (TargetValue::Rob(target), Corrected::Pose { position_m, .. }) => {
+            let to = Vector3::from(*position_m);
+            mm_from_m((to - target.object_from_tcp.translation.vector).norm())
+        }
+        (TargetValue::Joint(target), Corrected::Joints { q_rad }) => {
+            let turns = target.q_rad.iter().zip(q_rad).map(|(from, to)| (to - from.unwrap_or(*to)).abs());
+            deg_from_rad(turns.fold(0.0, f64::max))
+        }
+        _ => 0.0,
+    }
+}
+
+/// Appends the target of a bucket: what does not change as `element1` has it.
+///
+/// # Errors
+/// What is wrong where a robtarget's correction is given as joints or the other way.
+pub fn write_corrected(
+    out: &mut Vec<u8>,
+    corrected: &Corrected,
+    joint: bool,
+    element1: &[u8],
+) -> Result<(), &'static str> {
+    match (corrected, joint) {
+        (Corrected::Pose { position_m, orientation_wxyz }, false) => {
+            out.push(b'[');
+            write_pos(out, *position_m);
+            out.push(b',');
+            write_orient(out, *orientation_wxyz);
+        }
+        (Corrected::Joints { q_rad }, true) => {
+            out.push(b'[');
+            write_robjoint(out, q_rad.map(Some));
+        }
+        _ => return Err("a bucket's target is of another type than the original"),
+    }
+    out.push(b',');
+    out.extend_from_slice(tail_of(element1, if joint { 1 } else { 2 }));
+    Ok(())
+}
+
+/// Ends the line that an element stands on, and breaks it at commas where it is too long for RAPID.
+fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &Style) {
+    out.extend_from_slice(end);
+    if out.len() - line > MAX_LINE {
+        let text = out.split_off(line);
+        let mut column = 0;
+        let mut from = 0;
+        while from < text.len() {
+            let to =
+                from + text[from..].iter().position(|&b| b == b',').map_or(text.len() - from, |at| at + 1);
+            if column > 0 && column + to - from > MAX_LINE {
+                out.extend_from_slice(style.eol);
+                column = 0;
+            }
+            out.extend_from_slice(&text[from..to]);
+            column += to - from;
+            from = to;
+        }
+    }
+    out.extend_from_slice(style.eol);
+}
+
+/// Everything of an aggregate's text from its component `from` on, closing bracket included.
+pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
+    let (mut depth, mut commas) = (0_u32, 0_usize);
+    for (at, &byte) in text.iter().enumerate() {
+        match byte {
+            b'[' => depth += 1,
+            b']' => depth = depth.saturating_sub(1),
+            b',' if depth == 1 => {
+                commas += 1;
+                if commas == from {
+                    let tail = &text[at + 1..];
+                    return &tail[tail.iter().position(|&b| b != b' ').unwrap_or(0)..];
+                }
+            }
+            _ => {}
+        }
+    }
+    b"]"
+}
+
+/// Whether an aggregate has so many components.
+fn has_components(text: &[u8], count: usize) -> bool {
+    tail_of(text, count - 1) != b"]" && tail_of(text, count) == b"]"
+}
+
+/// Whether an aggregate's text is nothing but brackets, commas, blanks and signed decimal numbers.
+#[must_use]
+pub fn is_plain(text: &[u8]) -> bool {
+    let mut previous = b'[';
+    for &byte in text {
+        let fits = match byte {
+            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => true,
+            b'+' | b'-' => matches!(previous, b'[' | b',' | b'e' | b'E'),
+            b'e' | b'E' => previous.is_ascii_digit() || previous == b'.',
+            _ => white(byte),
+        };
+        if !fits {
+            return false;
+        }
+        if !white(byte) {
+            previous = byte;
+        }
+    }
+    text.first() == Some(&b'[') && text.last() == Some(&b']')
+}
+
+/// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
+#[must_use]
+pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
+    text.split(|&b| matches!(b, b'[' | b']' | b','))
+        .map(|part| part.iter().copied().filter(|&b| !white(b)).collect::<Vec<u8>>())
+        .filter(|part| !part.is_empty())
+        .map(|part| fast_float2::parse::<f64, _>(&part).ok().map(|v| v as f32))
+        .collect()
+}
+
+/// A number as the source would spell it, for a message.
+#[must_use]
+pub fn spelled(value: f64) -> String {
+    let mut out = Vec::new();
+    write_num(&mut out, value);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Isometry3;
+    use robot_model::units::{m_from_mm, rad_from_deg};
+
+    const LITERAL: &[u8] = b"[[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]";
+
+    fn written() -> TargetValue {
+        TargetValue::Rob(RobTarget {
+            object_from_tcp: Isometry3::translation(0.4, 0.0, 0.25),
+            conf: crate::program::data::ConfData { cf1: 0, cf4: 0, cf6: -1, cfx: 1 },
+            ext: [None; 6],
+        })
+    }
+
+    fn array<'t>(
+        name: &str,
+        element1: Cow<'t, [u8]>,
+        original: TargetValue,
+        corrected: &[Corrected],
+    ) -> TargetArray<'t> {
+        TargetArray {
+            name: name.into(),
+            indexed: false,
+            rows: vec![(original, element1, corrected.to_vec())],
+        }
+    }
+
+    fn pose(x_mm: f64) -> Corrected {
+        Corrected::Pose {
+            position_m: [m_from_mm(x_mm), 0.0, m_from_mm(250.0)],
+            orientation_wxyz: [1.0, 0.0, 0.0, 0.0],
+        }
+    }
+
+    fn style() -> Style {
+        Style { eol: b"\r\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
+    }
+
+    #[test]
+    fn an_array_of_robtargets() {
+        let written = written();
+        let element1 = element1(Some(LITERAL), Some(&written)).unwrap();
+        let array = array("tc57", element1, written, &[pose(400.125), pose(400.0625)]);
+        let mut out = Vec::new();
+        array.write(&mut out, &style()).unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "  LOCAL CONST robtarget tc57{3}:=[\r\n\
+             \x20   [[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]],\r\n\
+             \x20   [[400.125,0,250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]],\r\n\
+             \x20   [[400.0625,0,250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]];\r\n"
+        );
+    }
+
+    #[test]
+    fn without_plain_spelling_the_numbers_stand() {
+        let written = written();
+        for literal in [None, Some(b"[[x,0,250],ori,conf,ext]".as_slice()), Some(b"p10")] {
+            let text = element1(literal, Some(&written)).unwrap();
+            assert_eq!(
+                String::from_utf8_lossy(&text),
+                "[[400,0,250],[1,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+            );
+        }
+        let broken_over_lines = b"[[400.0,\r\n\t0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let text = element1(Some(broken_over_lines), Some(&written)).unwrap();
+        assert_eq!(
+            String::from_utf8_lossy(&text),
+            "[[400.0,0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+        );
+    }
+
+    #[test]
+    fn joints_are_jointtargets() {
+        let target =
+            crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
+        let written = TargetValue::Joint(target);
+        let element1 = element1(None, Some(&written)).unwrap();
+        let joints = array("tc3", element1, written, &[Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }]);
+        let mut out = Vec::new();
+        joints.write(&mut out, &style()).unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "  LOCAL CONST jointtarget tc3{2}:=[\r\n    \
+             [[90,90,90,90,90,90],[9E9,9E9,9E9,9E9,9E9,9E9]],\r\n    \
+             [[45,45,45,45,45,45],[9E9,9E9,9E9,9E9,9E9,9E9]]];\r\n"
+        );
+        let mixed = array("tc3", Cow::Borrowed(b"[[],[]]"), written, &[pose(1.0)]);
+        assert!(mixed.write(&mut Vec::new(), &style()).is_err());
+    }
+
+    #[test]
+    fn long_elements_are_broken_at_commas() {
+        let number = "1234567.123456789012";
+        let six = [number; 6].join(",");
+        let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
+        let written = written();
+        let element1 = element1(Some(literal.as_bytes()), Some(&written)).unwrap();
+        let array = array("tc3", element1, written, &[pose(400.0)]);
+        let mut out = Vec::new();
+        let deep = Style { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
+        array.write(&mut out, &deep).unwrap();
+        assert!(out.split(|&b| b == b'\n').all(|line| line.len() <= MAX_LINE));
+        let joined: Vec<u8> = out.iter().copied().filter(|&b| !white(b)).collect();
+        assert!(String::from_utf8_lossy(&joined).contains(&literal));
+    }
+
+    #[test]
+    fn numbers_are_read_in_single_precision() {
+        assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
+        assert_eq!(singles(b"[[1,x]]"), None);
+    }
+}

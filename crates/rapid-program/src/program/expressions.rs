@@ -1,0 +1,122 @@
+//! Looking through the text of statements: the words in it, the expressions and the calls of functions.
+
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, Stmt, StmtKind};
+
+/// The name at the root of `a.b{1}.c`, and whether an index lies on the way.
+pub(super) fn root_of(expr: &Expr) -> Option<(TextRange, bool)> {
+    let mut at = expr;
+    let mut indexed = false;
+    loop {
+        at = match &at.kind {
+            ExprKind::Name => return Some((at.range, indexed)),
+            ExprKind::Field { base, .. } => base,
+            ExprKind::Index { base, .. } => {
+                indexed = true;
+                base
+            }
+            ExprKind::Paren(inner) => inner,
+            _ => return None,
+        };
+    }
+}
+
+/// The words in bytes that begin at `start`, strings and comments left out.
+pub(super) fn words(bytes: &[u8], start: u32) -> Vec<TextRange> {
+    let letter = |b: u8| b.is_ascii_alphabetic() || b >= 0x80;
+    let mut out = Vec::new();
+    let mut at = 0;
+    while let Some(&b) = bytes.get(at) {
+        let rest = &bytes[at..];
+        let length = match b {
+            b'"' => {
+                rest[1..].iter().position(|b| matches!(b, b'"' | b'\n' | b'\r')).map_or(rest.len(), |n| n + 2)
+            }
+            b'!' => rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len()),
+            _ if letter(b) || b == b'_' || b.is_ascii_digit() => {
+                let end = rest.iter().position(|&b| !(letter(b) || b == b'_' || b.is_ascii_digit()));
+                let end = end.unwrap_or(rest.len());
+                if letter(b) {
+                    out.push(TextRange::new(start + at as u32, start + (at + end) as u32));
+                }
+                end
+            }
+            _ => 1,
+        };
+        at += length;
+    }
+    out
+}
+
+/// The expressions that stand directly in a statement.
+pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
+    fn of_args(args: &[Arg]) -> impl Iterator<Item = &Expr> {
+        args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. } => Some(expr),
+            ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
+        })
+    }
+    match &stmt.kind {
+        StmtKind::Data(decl) => decl.init.iter().collect(),
+        StmtKind::Assign { target, value } => vec![target, value],
+        StmtKind::Call(call) => match &call.callee {
+            Callee::Late(expr) => std::iter::once(expr).chain(of_args(&call.args)).collect(),
+            Callee::Name(_) => of_args(&call.args).collect(),
+        },
+        StmtKind::If { arms, .. } => arms.iter().map(|(cond, _)| cond).collect(),
+        StmtKind::CompactIf { cond, .. } | StmtKind::While { cond, .. } => vec![cond],
+        StmtKind::For { from, to, step, .. } => {
+            [from, to].into_iter().chain(step.as_ref()).map(|expr| &**expr).collect()
+        }
+        StmtKind::Test { value, cases, .. } => {
+            std::iter::once(value).chain(cases.iter().flat_map(|(values, _)| values)).collect()
+        }
+        StmtKind::Return(value) | StmtKind::Raise(value) => value.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Calls `see` with the name and arguments of every function call in an expression, inner ones first.
+pub(super) fn every_call<'a>(expr: &'a Expr, see: &mut impl FnMut(TextRange, &'a [Arg])) {
+    match &expr.kind {
+        ExprKind::Call { name, args } => {
+            for arg in args {
+                if let ArgKind::Positional(e) | ArgKind::Named { value: Some(e), .. } = &arg.kind {
+                    every_call(e, see);
+                }
+            }
+            see(*name, args);
+        }
+        ExprKind::Field { base, .. } | ExprKind::Paren(base) => every_call(base, see),
+        ExprKind::Unary { operand, .. } => every_call(operand, see),
+        ExprKind::Index { base, indices } => {
+            every_call(base, see);
+            indices.iter().for_each(|i| every_call(i, see));
+        }
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, see)),
+        ExprKind::Binary { lhs, rhs, .. } => {
+            every_call(lhs, see);
+            every_call(rhs, see);
+        }
+        ExprKind::Number
+        | ExprKind::Numbers
+        | ExprKind::String
+        | ExprKind::Bool(_)
+        | ExprKind::Name
+        | ExprKind::Placeholder
+        | ExprKind::Opaque => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+    use rapid_syntax::diagnostic::TextRange;
+
+    #[test]
+    fn words_outside_strings_and_comments() {
+        let text = b"p1 := \"p2\" + 3x_p3 ! p4\n tool\xE4.x;";
+        let found: Vec<&[u8]> = words(text, 0).into_iter().map(|r: TextRange| r.of(text)).collect();
+        assert_eq!(found, [b"p1".as_slice(), b"tool\xE4", b"x"]);
+    }
+}

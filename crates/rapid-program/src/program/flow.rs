@@ -1,0 +1,219 @@
+//! The ways through a routine: its statements reduced to what matters for motion, and the walk that
+//! carries a state along all of them, joining where ways meet, until nothing changes any more.
+
+use super::data::LoadData;
+use super::errors::Recovery;
+use super::index::{Ctx, DatumId, RoutineId};
+use super::names::Sym;
+use super::value::Why;
+use rapid_syntax::diagnostic::Span;
+use rapid_syntax::tree::Expr;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Position of a followed datum in a state.
+pub(super) type Slot = usize;
+
+/// A routine reduced to what matters.
+#[derive(Debug, Default)]
+pub(super) struct Ways<'a> {
+    pub(super) body: Vec<Node<'a>>,
+    pub(super) handlers: Vec<Vec<Node<'a>>>,
+    pub(super) recovery: Recovery,
+}
+
+/// A step, or a place where ways part.
+#[derive(Debug)]
+pub(super) enum Node<'a> {
+    /// Something that changes the state.
+    Step(Step<'a>),
+    /// One of several; `otherwise`: there is also the way past all of them.
+    Branch { arms: Vec<Vec<Node<'a>>>, otherwise: bool },
+    /// A loop.
+    Loop { body: Vec<Node<'a>>, at_least_once: bool, endless: bool },
+    /// A place to jump to.
+    Label(Sym),
+    /// A jump.
+    Goto(Sym),
+    /// The routine ends here.
+    Return,
+    /// The program or the way ends here: EXIT, RETRY, TRYNEXT, RAISE where no handler goes on behind it.
+    Stop,
+}
+
+/// What changes the state.
+#[derive(Debug)]
+pub(super) enum Step<'a> {
+    /// A motion, by its number.
+    Motion(usize),
+    /// `slot.path := value`
+    Assign { slot: Slot, path: Vec<Sym>, value: &'a Expr, ctx: Ctx, at: Span },
+    /// A datum becomes unknown.
+    Lose { slot: Slot, why: Why, at: Span },
+    /// `ConfL`
+    ConfL(Option<bool>),
+    /// `ConfJ`
+    ConfJ(Option<bool>),
+    /// `GripLoad`; `None`: of a load that is not known.
+    Grip(Option<LoadData>),
+    /// A displacement and the like comes into force, or goes.
+    Hold(Hold, Option<Why>),
+    /// Routines of the program, one of which is called; `maybe`: or none. `recovery`: what becomes of an
+    /// error in one of them.
+    Call { routines: Vec<RoutineId>, bindings: Vec<Binding<'a>>, maybe: bool, recovery: Recovery, ctx: Ctx },
+    /// An error may come here; what becomes of it.
+    MayFail(Recovery),
+    /// A routine that is not given, or text that was not understood: where the arm stands after it is
+    /// not known.
+    Away,
+    /// Waiting: seconds, or `None` for an unknown time.
+    Wait(Option<f64>),
+}
+
+/// What a parameter that is followed is worth in a call.
+#[derive(Debug)]
+pub(super) struct Binding<'a> {
+    pub(super) slot: Slot,
+    pub(super) param: DatumId,
+    pub(super) value: Option<&'a Expr>,
+}
+
+/// What, once in force, shifts or softens all motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Hold {
+    /// Program displacement: PDispOn, PDispSet.
+    Displacement,
+    /// Offsets of external axes: EOffsOn, EOffsSet.
+    ExternalOffset,
+    /// SoftAct.
+    SoftServo,
+    /// SyncMoveOn.
+    MultiMove,
+}
+
+/// All of them.
+pub(super) const HOLDS: [Hold; 4] =
+    [Hold::Displacement, Hold::ExternalOffset, Hold::SoftServo, Hold::MultiMove];
+
+/// What is carried along the ways.
+pub(super) trait Carried<'a> {
+    /// What is known at one place.
+    type State: Clone;
+    /// Makes `into` hold for both; whether that changed it.
+    fn join(&mut self, into: &mut Self::State, other: &Self::State) -> bool;
+    /// The state after a step; `None`: the way does not go on.
+    fn step(&mut self, step: &Step<'a>, state: Self::State) -> Option<Self::State>;
+}
+
+/// The state at the end of a body that is entered with `entry`; `None` where its end is never reached.
+pub(super) fn walk<'a, C: Carried<'a>>(
+    carried: &mut C,
+    body: &[Node<'a>],
+    entry: &C::State,
+) -> Option<C::State> {
+    let mut walk = Walk { carried, labels: BTreeMap::new(), seen: BTreeSet::new(), again: false, end: None };
+    loop {
+        walk.again = false;
+        walk.seen.clear();
+        let end = walk.block(body, Some(entry.clone()));
+        walk.leave(end);
+        if !walk.again {
+            return walk.end;
+        }
+    }
+}
+
+struct Walk<'c, 'a, C: Carried<'a>> {
+    carried: &'c mut C,
+    labels: BTreeMap<Sym, C::State>,
+    seen: BTreeSet<Sym>,
+    again: bool,
+    end: Option<C::State>,
+}
+
+impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
+    fn block(&mut self, nodes: &[Node<'a>], mut state: Option<C::State>) -> Option<C::State> {
+        for node in nodes {
+            state = self.node(node, state);
+        }
+        state
+    }
+
+    fn node(&mut self, node: &Node<'a>, state: Option<C::State>) -> Option<C::State> {
+        if let Node::Label(label) = node {
+            self.seen.insert(*label);
+            let jumped = self.labels.get(label).cloned();
+            return self.either(state, jumped);
+        }
+        match (node, state) {
+            (Node::Step(step), Some(state)) => self.carried.step(step, state),
+            (Node::Branch { arms, otherwise }, state) => {
+                let mut out = if *otherwise { state.clone() } else { None };
+                for arm in arms {
+                    let end = self.block(arm, state.clone());
+                    out = self.either(out, end);
+                }
+                out
+            }
+            (Node::Loop { body, at_least_once, endless }, Some(entry)) => {
+                let mut head = entry;
+                let end = loop {
+                    let end = self.block(body, Some(head.clone()));
+                    match &end {
+                        Some(state) if self.carried.join(&mut head, state) => {}
+                        _ => break end,
+                    }
+                };
+                match (endless, at_least_once) {
+                    (true, _) => None,
+                    (false, true) => end,
+                    (false, false) => Some(head),
+                }
+            }
+            // Nothing comes in from above, but a label may stand inside.
+            (Node::Loop { body, endless, .. }, None) => self.block(body, None).filter(|_| !endless),
+            (Node::Goto(label), Some(state)) => {
+                let changed = match self.labels.get_mut(label) {
+                    Some(known) => self.carried.join(known, &state),
+                    None => {
+                        self.labels.insert(*label, state);
+                        true
+                    }
+                };
+                self.again |= changed && self.seen.contains(label);
+                None
+            }
+            (Node::Return, state) => {
+                self.leave(state);
+                None
+            }
+            (Node::Stop, _) | (_, None) | (Node::Label(_), _) => None,
+        }
+    }
+
+    fn leave(&mut self, state: Option<C::State>) {
+        let end = self.end.take();
+        self.end = self.either(end, state);
+    }
+
+    fn either(&mut self, a: Option<C::State>, b: Option<C::State>) -> Option<C::State> {
+        match (a, b) {
+            (Some(mut a), Some(b)) => {
+                self.carried.join(&mut a, &b);
+                Some(a)
+            }
+            (a, b) => a.or(b),
+        }
+    }
+}
+
+/// Calls `see` with every step, inner ones included, in order.
+pub(super) fn every_step<'n, 'a>(nodes: &'n [Node<'a>], see: &mut impl FnMut(&'n Step<'a>)) {
+    for node in nodes {
+        match node {
+            Node::Step(step) => see(step),
+            Node::Branch { arms, .. } => arms.iter().for_each(|arm| every_step(arm, see)),
+            Node::Loop { body, .. } => every_step(body, see),
+            Node::Label(_) | Node::Goto(_) | Node::Return | Node::Stop => {}
+        }
+    }
+}

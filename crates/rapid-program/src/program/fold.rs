@@ -1,0 +1,418 @@
+//! What a constant expression is worth.
+//!
+//! CONST folds, and so does a VAR or PERS with an initial value that nothing in the given files changes.
+//! Data that the program changes are worth what the state says at that point, where they are followed,
+//! else nothing: the reason names the line that changes them.
+
+use super::convert;
+use super::functions;
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved};
+use super::motion::Keep;
+use super::names::{Sym, as_text};
+use super::predefined::predefined;
+use super::value::{self, DataName, Reached, Value, Why};
+use super::writes::{How, Writes};
+use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
+use rapid_syntax::parts_of_numbers;
+use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, UnaryOp};
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// Constants that refer to constants deeper than this are not followed.
+const DEEPEST: usize = 100;
+
+/// A value and the type it is known to be of.
+#[derive(Clone, Debug)]
+pub(super) struct Typed {
+    pub(super) value: Value,
+    pub(super) type_name: Option<Sym>,
+}
+
+/// What the data that the program changes are worth at one point of it.
+pub(super) trait Followed {
+    /// The value of a datum that is followed.
+    fn value(&self, datum: DatumId) -> Option<Value>;
+}
+
+/// Nothing is followed.
+pub(super) struct Constant;
+
+impl Followed for Constant {
+    fn value(&self, _: DatumId) -> Option<Value> {
+        None
+    }
+}
+
+/// Folds expressions; remembers what constants are worth.
+pub(super) struct Folder<'a> {
+    pub(super) index: &'a Index<'a>,
+    pub(super) writes: &'a Writes,
+    /// Values given from outside: type and value by name in lower case.
+    pub(super) given: BTreeMap<String, (&'static str, Value)>,
+    /// Names that were found only LOCAL to another module, with their first use.
+    pub(super) elsewhere: BTreeMap<DatumId, Span>,
+    known: HashMap<DatumId, Result<Value, Why>>,
+    busy: Vec<DatumId>,
+}
+
+impl<'a> Folder<'a> {
+    pub(super) fn new(index: &'a Index<'a>, writes: &'a Writes) -> Self {
+        Self {
+            index,
+            writes,
+            given: BTreeMap::new(),
+            elsewhere: BTreeMap::new(),
+            known: HashMap::new(),
+            busy: Vec::new(),
+        }
+    }
+
+    /// Warnings about names that a controller would not find from where they are used.
+    pub(super) fn elsewhere_warnings(&self) -> Vec<Diagnostic> {
+        let warning = |(&datum, &span): (&DatumId, &Span)| {
+            let entry = &self.index.data[datum];
+            let name = as_text(self.index.text(entry.ctx.file, entry.name_range));
+            let module = self.index.modules.get(entry.ctx.module).map(|m| m.tree.name);
+            let module = module.map_or(String::new(), |m| as_text(self.index.text(entry.ctx.file, m)));
+            let text = format!("{name} is LOCAL to module {module}, and used outside of it");
+            Diagnostic::warning("resolve::local-elsewhere", text)
+                .at(span)
+                .label(self.index.declaration(datum), "declared LOCAL here")
+                .help("its value is used; a controller does not find it unless LOCAL is taken away")
+        };
+        self.elsewhere.iter().map(warning).collect()
+    }
+
+    /// What an expression is worth.
+    pub(super) fn fold(&mut self, expr: &Expr, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+        self.fold_typed(expr, ctx, state).map_err(|why| match why.because {
+            Some(_) => why,
+            None => Rc::new(Keep { because: Some(span(ctx, expr.range)), ..(*why).clone() }),
+        })
+    }
+
+    fn fold_typed(&mut self, expr: &Expr, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+        let untyped = |value| Typed { value, type_name: None };
+        let source = |range| self.index.text(ctx.file, range);
+        match &expr.kind {
+            ExprKind::Number => match value::number(source(expr.range)) {
+                Some(n) => Ok(untyped(Value::Num(n))),
+                None => Err(why("keep::bad-number", format!("{} is no number", as_text(source(expr.range))))),
+            },
+            ExprKind::String => Ok(untyped(Value::Text(value::string(source(expr.range)).into()))),
+            ExprKind::Bool(b) => Ok(untyped(Value::Bool(*b))),
+            ExprKind::Name => self.name(expr.range, ctx, state),
+            ExprKind::Paren(inner) => self.fold_typed(inner, ctx, state),
+            ExprKind::Aggregate(parts) => {
+                let parts: Result<Rc<[Value]>, Why> =
+                    parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
+                Ok(untyped(Value::Parts(parts?)))
+            }
+            ExprKind::Numbers => {
+                let parts = parts_of_numbers(&self.index.file(ctx.file).bytes, expr.range);
+                let parts: Result<Rc<[Value]>, Why> =
+                    parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
+                Ok(untyped(Value::Parts(parts?)))
+            }
+            ExprKind::Field { base, name } => {
+                let base = self.fold_typed(base, ctx, state)?;
+                self.component(&base, *name, ctx)
+            }
+            ExprKind::Index { base, indices } => {
+                let base = self.fold_typed(base, ctx, state)?;
+                let mut value = base.value;
+                for index in indices {
+                    let Value::Num(n) = self.fold_typed(index, ctx, state)?.value else {
+                        return Err(wrong_type());
+                    };
+                    value = element(&value, n)?;
+                }
+                Ok(Typed { value, type_name: base.type_name })
+            }
+            ExprKind::Call { name, args } => self.call(*name, args, ctx, state).map(untyped),
+            ExprKind::Unary { op, operand } => {
+                let operand = self.fold_typed(operand, ctx, state)?.value;
+                unary(*op, &operand).map(untyped)
+            }
+            ExprKind::Binary { op, lhs, rhs } => {
+                let lhs = self.fold_typed(lhs, ctx, state)?;
+                let rhs = self.fold_typed(rhs, ctx, state)?;
+                let value = functions::binary(*op, &lhs.value, &rhs.value)?;
+                let keeps = matches!(op, BinaryOp::Add | BinaryOp::Sub);
+                Ok(Typed { value, type_name: lhs.type_name.filter(|_| keeps) })
+            }
+            ExprKind::Placeholder => Err(why("keep::placeholder", "a placeholder stands here".into())),
+            ExprKind::Opaque => Err(why("keep::not-read", "this text was not understood".into())),
+        }
+    }
+
+    fn name(&mut self, range: TextRange, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+        match self.resolve(range, ctx) {
+            Ok(Found::Datum(datum)) => {
+                let type_name = Some(self.index.data[datum].type_name);
+                self.datum(datum, state).map(|value| Typed { value, type_name })
+            }
+            Ok(Found::Predefined(name)) => {
+                let (type_name, value) = match self.given.get(&name) {
+                    Some((type_name, value)) => (*type_name, value.clone()),
+                    None => predefined(&name).ok_or_else(wrong_type)?,
+                };
+                Ok(Typed { value, type_name: self.index.names.find(type_name.as_bytes()) })
+            }
+            Err(why) => Err(why),
+        }
+    }
+
+    /// What a name means.
+    pub(super) fn resolve(&mut self, range: TextRange, ctx: Ctx) -> Result<Found, Why> {
+        let written = self.index.text(ctx.file, range);
+        let resolved = self.index.datum(range, ctx);
+        let lower = || super::names::lower_case(written);
+        match resolved {
+            Resolved::Here(datum) => Ok(Found::Datum(datum)),
+            Resolved::Elsewhere(datum) => {
+                if predefined(&lower()).is_some() {
+                    return Ok(Found::Predefined(lower()));
+                }
+                self.elsewhere.entry(datum).or_insert(span(ctx, range));
+                Ok(Found::Datum(datum))
+            }
+            Resolved::Twice(first, second) => {
+                let places = [first, second].map(|d| self.index.place(self.index.declaration(d)));
+                let text = format!("{} is declared twice: {} and {}", as_text(written), places[0], places[1]);
+                let because = Some(self.index.declaration(second));
+                Err(Rc::new(Keep { code: "keep::ambiguous", reason: text, because }))
+            }
+            Resolved::Nowhere => {
+                let lower = lower();
+                if predefined(&lower).is_some() || self.given.contains_key(&lower) {
+                    return Ok(Found::Predefined(lower));
+                }
+                let text = format!("{} is not declared in the given files", as_text(written));
+                Err(why("keep::not-declared", text))
+            }
+        }
+    }
+
+    /// The tool or work object that an argument names.
+    pub(super) fn data_name(&mut self, expr: &Expr, ctx: Ctx) -> Option<DataName> {
+        let ExprKind::Name = expr.kind else { return None };
+        Some(match self.resolve(expr.range, ctx).ok()? {
+            Found::Datum(datum) => DataName::Declared(datum),
+            Found::Predefined(name) => DataName::Predefined(name),
+        })
+    }
+
+    /// What a datum is worth.
+    pub(super) fn datum(&mut self, datum: DatumId, state: &dyn Followed) -> Result<Value, Why> {
+        if let Some(value) = state.value(datum) {
+            return match value {
+                Value::Unknown(why) => Err(why),
+                value => Ok(value),
+            };
+        }
+        let entry = &self.index.data[datum];
+        match entry.kind {
+            DatumKind::Param { .. } => {
+                return Err(self.about(datum, "keep::parameter", "is a parameter of the routine"));
+            }
+            DatumKind::LoopVariable => {
+                return Err(self.about(datum, "keep::loop-variable", "counts a loop"));
+            }
+            DatumKind::Declared(DataKind::Const) => {}
+            DatumKind::Declared(_) => {
+                if let Some(write) = self.writes.first(datum) {
+                    return Err(self.changed(datum, write.at, write.how));
+                }
+                if let Some(at) = self.writes.by_computed_name {
+                    return Err(self.changed(datum, at, How::Perhaps));
+                }
+            }
+        }
+        self.initial(datum)
+    }
+
+    /// The initial value of a datum, whatever becomes of it later.
+    pub(super) fn initial(&mut self, datum: DatumId) -> Result<Value, Why> {
+        if let Some(known) = self.known.get(&datum) {
+            return known.clone();
+        }
+        if self.busy.contains(&datum) {
+            return Err(self.about(datum, "keep::cyclic", "is declared by way of itself"));
+        }
+        if self.busy.len() >= DEEPEST {
+            return Err(self.about(datum, "keep::too-deep", "is declared by too long a chain of names"));
+        }
+        let entry = &self.index.data[datum];
+        let Some(init) = entry.init else {
+            return Err(self.about(datum, "keep::no-value", "has no initial value"));
+        };
+        self.busy.push(datum);
+        let folded = self.fold(init, entry.ctx, &Constant).map(|t| t.value);
+        self.busy.pop();
+        self.known.insert(datum, folded.clone());
+        folded
+    }
+
+    /// The reason for a datum that the program changes.
+    pub(super) fn changed(&self, datum: DatumId, at: Span, how: How) -> Why {
+        let place = self.index.place(at);
+        let name = self.name_of(datum);
+        let reason = match how {
+            How::Assigned | How::Instruction => format!("{name} is changed at run time: {place}"),
+            How::AnyTime => format!("{name} is changed at any time by {place}"),
+            How::Aliased => format!("{name} is changed in part or through a parameter: {place}"),
+            How::Perhaps => format!("{name} may be changed at run time: {place}"),
+        };
+        Rc::new(Keep { code: "keep::runtime-target", reason, because: Some(at) })
+    }
+
+    fn about(&self, datum: DatumId, code: &'static str, what: &str) -> Why {
+        let reason = format!("{} {what}", self.name_of(datum));
+        Rc::new(Keep { code, reason, because: Some(self.index.declaration(datum)) })
+    }
+
+    /// The name of a datum as it is declared.
+    pub(super) fn name_of(&self, datum: DatumId) -> String {
+        let entry = &self.index.data[datum];
+        as_text(self.index.text(entry.ctx.file, entry.name_range))
+    }
+
+    fn component(&self, base: &Typed, name: TextRange, ctx: Ctx) -> Result<Typed, Why> {
+        let wanted = self.index.name_at(ctx.file, name);
+        let components = base.type_name.and_then(|t| self.index.components(t));
+        let position = components.as_ref().and_then(|c| c.iter().position(|(n, _)| Some(*n) == wanted));
+        match (&base.value, position, components) {
+            (Value::Parts(parts), Some(at), Some(components)) if at < parts.len() => match &parts[at] {
+                Value::Unknown(why) => Err(why.clone()),
+                value => Ok(Typed { value: value.clone(), type_name: Some(components[at].1) }),
+            },
+            (Value::Reached(_), ..) => Err(needs_kinematics("a component of CalcRobT")),
+            _ => {
+                let name = as_text(self.index.text(ctx.file, name));
+                Err(why("keep::wrong-type", format!("there is no component {name} here")))
+            }
+        }
+    }
+
+    fn call(&mut self, name: TextRange, args: &[Arg], ctx: Ctx, state: &dyn Followed) -> Result<Value, Why> {
+        let written = as_text(self.index.text(ctx.file, name));
+        let own = self.index.name_at(ctx.file, name).map(|n| self.index.routine(n, ctx));
+        if own.is_some_and(|r| r != Resolved::Nowhere) {
+            return Err(function_result(&written));
+        }
+        let lower = super::names::lower_case(written.as_bytes());
+        if lower == "calcrobt" {
+            return self.calc_rob_t(args, ctx, state);
+        }
+        if !functions::is_known(&lower) {
+            return Err(match lower.as_str() {
+                "calcjointt" => needs_kinematics("CalcJointT"),
+                _ => function_result(&written),
+            });
+        }
+        let mut positional = Vec::new();
+        let mut options = Vec::new();
+        for arg in args {
+            match &arg.kind {
+                ArgKind::Positional(expr) => positional.push(self.fold_typed(expr, ctx, state)?.value),
+                ArgKind::Named { name, value } => {
+                    let name = super::names::lower_case(self.index.text(ctx.file, *name));
+                    let value = match value {
+                        Some(expr) => self.fold_typed(expr, ctx, state)?.value,
+                        None => Value::Bool(true),
+                    };
+                    options.push((name, value));
+                }
+                ArgKind::Conditional { .. } => {
+                    return Err(why("keep::parameter", "an argument is handed on if present".into()));
+                }
+            }
+        }
+        functions::apply(&lower, &positional, &options)
+    }
+
+    fn calc_rob_t(&mut self, args: &[Arg], ctx: Ctx, state: &dyn Followed) -> Result<Value, Why> {
+        let mut positional = Vec::new();
+        let mut wobj = Some(DataName::Predefined("wobj0".into()));
+        for arg in args {
+            match &arg.kind {
+                ArgKind::Positional(expr) => positional.push(expr),
+                ArgKind::Named { name, value: Some(expr) } => {
+                    let name = super::names::lower_case(self.index.text(ctx.file, *name));
+                    if name == "wobj" {
+                        wobj = self.data_name(expr, ctx);
+                    }
+                }
+                ArgKind::Named { value: None, .. } => {}
+                ArgKind::Conditional { .. } => {
+                    return Err(why("keep::parameter", "an argument is handed on if present".into()));
+                }
+            }
+        }
+        let [joints, tool] = positional.as_slice() else { return Err(wrong_type()) };
+        let joints = self.fold_typed(joints, ctx, state)?.value;
+        convert::jointtarget(&joints).map_err(|(code, reason)| why(code, reason))?;
+        match (self.data_name(tool, ctx), wobj) {
+            (Some(tool), Some(wobj)) => Ok(Value::Reached(Rc::new(Reached { joints, tool, wobj }))),
+            _ => Err(why("keep::calc-frame", "the tool or work object of CalcRobT is not known".into())),
+        }
+    }
+}
+
+/// What a name was found to mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    /// Declared in the given files.
+    Datum(DatumId),
+    /// The controller's own, or given from outside: the name in lower case.
+    Predefined(String),
+}
+
+/// A reason without place.
+pub(super) fn why(code: &'static str, reason: String) -> Why {
+    Rc::new(Keep { code, reason, because: None })
+}
+
+/// The reason for an operand of another type than the operation takes.
+pub(super) fn wrong_type() -> Why {
+    why("keep::wrong-type", "a value of another type is wanted here".into())
+}
+
+/// The reason for what cannot be known without the robot's geometry.
+pub(super) fn needs_kinematics(what: &str) -> Why {
+    why("keep::function-result", format!("{what} is worked out by the controller at run time"))
+}
+
+fn function_result(name: &str) -> Why {
+    why("keep::function-result", format!("the result of {name} is known at run time only"))
+}
+
+fn span(ctx: Ctx, range: TextRange) -> Span {
+    Span { file: ctx.file, range }
+}
+
+fn element(value: &Value, index: f64) -> Result<Value, Why> {
+    let Value::Parts(parts) = value else { return Err(wrong_type()) };
+    let at = index - 1.0; // RAPID counts from 1
+    if at < 0.0 || at.fract() != 0.0 || at >= parts.len() as f64 {
+        let text = format!("there is no element {index}: the array has {}", parts.len());
+        return Err(why("keep::no-element", text));
+    }
+    match &parts[at as usize] {
+        Value::Unknown(why) => Err(why.clone()),
+        value => Ok(value.clone()),
+    }
+}
+
+fn unary(op: UnaryOp, operand: &Value) -> Result<Value, Why> {
+    match (op, operand) {
+        (UnaryOp::Neg, Value::Num(n)) => Ok(Value::Num(-n)),
+        (UnaryOp::Neg, Value::Parts(parts)) if parts.len() == 3 => {
+            parts.iter().map(|p| unary(op, p)).collect::<Result<_, _>>().map(Value::Parts)
+        }
+        (UnaryOp::Plus, Value::Num(_) | Value::Parts(_)) => Ok(operand.clone()),
+        (UnaryOp::Not, Value::Bool(b)) => Ok(Value::Bool(!b)),
+        _ => Err(wrong_type()),
+    }
+}

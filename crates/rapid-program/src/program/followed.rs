@@ -1,0 +1,168 @@
+//! Which data are followed as program state: tools, work objects, speeds, zones and loads that the
+//! program changes in the ordinary course of its routines, and whatever their new values are made of.
+
+use super::draft::Drafts;
+use super::expressions::{every_call, expressions_of, root_of};
+use super::flow::Slot;
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, every_statement};
+use super::writes::{Writes, match_arguments};
+use rapid_syntax::tree::{Arg, ArgKind, Callee, DataKind, Expr, ExprKind, StmtKind};
+use std::collections::BTreeSet;
+
+/// The data that are followed, and their positions in a state.
+#[derive(Debug, Default)]
+pub(super) struct FollowedData {
+    pub(super) slot_of: Vec<Option<Slot>>,
+    pub(super) data: Vec<DatumId>,
+}
+
+impl FollowedData {
+    /// What must be followed for the motions of a program.
+    pub(super) fn new(index: &Index<'_>, writes: &Writes, drafts: &Drafts<'_>) -> Self {
+        let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
+        let can_be = |datum: DatumId| {
+            let entry = &index.data[datum];
+            let changes = match entry.kind {
+                DatumKind::Param { .. } => true,
+                DatumKind::Declared(DataKind::Const) | DatumKind::LoopVariable => false,
+                DatumKind::Declared(_) => writes.first(datum).is_some(),
+            };
+            changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
+        };
+        let mut wanted = BTreeSet::new();
+        for draft in &drafts.motions {
+            let args = draft.args(index);
+            let options = args.options.iter().filter_map(|(_, value)| *value);
+            for expr in [args.speed, args.zone, args.tool].into_iter().flatten().chain(options) {
+                names_in(index, draft.ctx, expr, &mut |datum| {
+                    wanted.insert(datum);
+                });
+            }
+        }
+        let sources = sources(index);
+        let mut new: Vec<DatumId> = wanted.into_iter().collect();
+        while let Some(datum) = new.pop() {
+            if out.slot_of[datum].is_some() || !can_be(datum) {
+                continue;
+            }
+            out.slot_of[datum] = Some(out.data.len());
+            out.data.push(datum);
+            new.extend(sources.iter().filter(|(to, _)| *to == datum).map(|(_, from)| *from));
+        }
+        out.data.sort_unstable();
+        for (slot, &datum) in out.data.iter().enumerate() {
+            out.slot_of[datum] = Some(slot);
+        }
+        out
+    }
+
+    /// The slot of a datum that is followed.
+    pub(super) fn slot(&self, datum: DatumId) -> Option<Slot> {
+        self.slot_of.get(datum).copied().flatten()
+    }
+}
+
+/// Which datum's value goes into which, by assignment, declaration or as an argument: `(to, from)`.
+pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
+    let mut out = BTreeSet::new();
+    for routine in &index.routines {
+        let ctx = routine.ctx;
+        every_statement(&routine.tree.body, &mut |stmt| {
+            match &stmt.kind {
+                StmtKind::Assign { target, value } => {
+                    if let Some((root, _)) = root_of(target)
+                        && let Some(to) = datum_at(index, ctx, root)
+                    {
+                        names_in(index, ctx, value, &mut |from| {
+                            out.insert((to, from));
+                        });
+                    }
+                }
+                StmtKind::Data(decl) => {
+                    if let Some(init) = &decl.init
+                        && let Some(to) = datum_at(index, ctx, decl.name)
+                    {
+                        names_in(index, ctx, init, &mut |from| {
+                            out.insert((to, from));
+                        });
+                    }
+                }
+                StmtKind::Call(call) => {
+                    if let Callee::Name(name) = &call.callee {
+                        arguments(index, ctx, *name, &call.args, &mut out);
+                    }
+                }
+                _ => {}
+            }
+            for expr in expressions_of(stmt) {
+                every_call(expr, &mut |name, args| {
+                    arguments(index, ctx, name, args, &mut out);
+                });
+            }
+        });
+    }
+    out
+}
+
+fn arguments(
+    index: &Index<'_>,
+    ctx: Ctx,
+    callee: rapid_syntax::diagnostic::TextRange,
+    args: &[Arg],
+    out: &mut BTreeSet<(DatumId, DatumId)>,
+) {
+    let Some(name) = index.name_at(ctx.file, callee) else { return };
+    let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
+    for (param, value, own) in match_arguments(index, ctx, callee, args) {
+        if let Some(value) = value {
+            names_in(index, ctx, value, &mut |from| {
+                out.insert((param, from));
+            });
+        }
+        if let Some(own) = own.and_then(|own| datum_at(index, ctx, own)) {
+            out.insert((param, own));
+        }
+    }
+}
+
+fn datum_at(index: &Index<'_>, ctx: Ctx, name: rapid_syntax::diagnostic::TextRange) -> Option<DatumId> {
+    match index.datum(name, ctx) {
+        Resolved::Here(datum) | Resolved::Elsewhere(datum) => Some(datum),
+        Resolved::Twice(..) | Resolved::Nowhere => None,
+    }
+}
+
+/// Calls `see` with every datum that an expression names.
+pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, see: &mut impl FnMut(DatumId)) {
+    match &expr.kind {
+        ExprKind::Name => {
+            if let Some(datum) = datum_at(index, ctx, expr.range) {
+                see(datum);
+            }
+        }
+        ExprKind::Field { base, .. } | ExprKind::Paren(base) => names_in(index, ctx, base, see),
+        ExprKind::Unary { operand, .. } => names_in(index, ctx, operand, see),
+        ExprKind::Index { base, indices } => {
+            names_in(index, ctx, base, see);
+            indices.iter().for_each(|i| names_in(index, ctx, i, see));
+        }
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| names_in(index, ctx, p, see)),
+        ExprKind::Binary { lhs, rhs, .. } => {
+            names_in(index, ctx, lhs, see);
+            names_in(index, ctx, rhs, see);
+        }
+        ExprKind::Call { args, .. } => {
+            for arg in args {
+                if let ArgKind::Positional(e) | ArgKind::Named { value: Some(e), .. } = &arg.kind {
+                    names_in(index, ctx, e, see);
+                }
+            }
+        }
+        ExprKind::Number
+        | ExprKind::Numbers
+        | ExprKind::String
+        | ExprKind::Bool(_)
+        | ExprKind::Placeholder
+        | ExprKind::Opaque => {}
+    }
+}

@@ -1,0 +1,427 @@
+//! What is declared where: modules, routines and data of all files, and which of them a name means.
+//!
+//! RAPID's scopes: the variable of a FOR inside its loop, before data and parameters of the routine, before
+//! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
+//! files outside such a folder share one.
+
+use super::names::{Names, Sym, lower_case};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{FileId, Span, TextRange};
+use rapid_syntax::tree::{
+    DataDecl, DataKind, Expr, FileItem, Module, ModuleItem, ParamMode, RecordDecl, Routine, Scope, Stmt,
+    StmtKind,
+};
+use std::collections::{BTreeMap, HashMap};
+
+/// Position in [`Index::data`].
+pub(super) type DatumId = usize;
+/// Position in [`Index::routines`].
+pub(super) type RoutineId = usize;
+/// Position in [`Index::modules`].
+pub(super) type ModuleId = usize;
+
+/// What kind of name for a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DatumKind {
+    /// CONST, VAR, PERS.
+    Declared(DataKind),
+    /// A parameter.
+    Param { mode: ParamMode, optional: bool },
+    /// The variable of a FOR.
+    LoopVariable,
+}
+
+/// A datum, parameter or loop variable.
+#[derive(Clone, Debug)]
+pub(super) struct Datum<'a> {
+    pub(super) ctx: Ctx,
+    pub(super) kind: DatumKind,
+    pub(super) name: Sym,
+    pub(super) type_name: Sym,
+    pub(super) array: bool,
+    pub(super) local: bool,
+    pub(super) init: Option<&'a Expr>,
+    /// The whole declaration.
+    pub(super) range: TextRange,
+    pub(super) name_range: TextRange,
+}
+
+/// A routine.
+#[derive(Clone, Debug)]
+pub(super) struct RoutineEntry<'a> {
+    pub(super) ctx: Ctx,
+    pub(super) name: Sym,
+    pub(super) tree: &'a Routine,
+    /// Its parameters in order.
+    pub(super) params: Vec<DatumId>,
+}
+
+/// A module.
+#[derive(Clone, Debug)]
+pub(super) struct ModuleEntry<'a> {
+    pub(super) file: FileId,
+    pub(super) task: u32,
+    pub(super) tree: &'a Module,
+}
+
+/// From where a name is looked up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Ctx {
+    pub(super) file: FileId,
+    pub(super) module: ModuleId,
+    pub(super) routine: Option<RoutineId>,
+}
+
+/// What a name means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Resolved {
+    /// Declared where it is seen from here.
+    Here(usize),
+    /// Declared `LOCAL` in another module: a controller would not find it.
+    Elsewhere(usize),
+    /// Declared twice in the scope that decides.
+    Twice(usize, usize),
+    /// Not declared in the given files.
+    Nowhere,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Place {
+    Routine(RoutineId),
+    Module(ModuleId),
+    Task(u32),
+    /// LOCAL somewhere in the task.
+    Hidden(u32),
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    first: usize,
+    second: Option<usize>,
+}
+
+/// Everything that is declared.
+#[derive(Debug)]
+pub(super) struct Index<'a> {
+    pub(super) files: &'a [SourceFile],
+    pub(super) names: Names,
+    pub(super) modules: Vec<ModuleEntry<'a>>,
+    pub(super) routines: Vec<RoutineEntry<'a>>,
+    pub(super) data: Vec<Datum<'a>>,
+    data_at: HashMap<(Place, Sym), Found>,
+    /// Variables of FOR with the statements they are seen in, outer loops first.
+    loop_variables: HashMap<(RoutineId, Sym), Vec<(TextRange, DatumId)>>,
+    routines_at: HashMap<(Place, Sym), Found>,
+    records: HashMap<Sym, (FileId, &'a RecordDecl)>,
+    aliases: HashMap<Sym, Sym>,
+}
+
+impl<'a> Index<'a> {
+    /// The index of all files.
+    pub(super) fn new(files: &'a [SourceFile]) -> Self {
+        let mut index = Self {
+            files,
+            names: Names::default(),
+            modules: Vec::new(),
+            routines: Vec::new(),
+            data: Vec::new(),
+            data_at: HashMap::new(),
+            loop_variables: HashMap::new(),
+            routines_at: HashMap::new(),
+            records: HashMap::new(),
+            aliases: HashMap::new(),
+        };
+        index.intern_predefined(super::record::TYPES);
+        let mut tasks = BTreeMap::new();
+        for file in files {
+            let next = tasks.len() as u32;
+            let task = *tasks.entry(task_of(&file.path)).or_insert(next);
+            for item in &file.tree.items {
+                if let FileItem::Module(tree) = item {
+                    index.add_module(file, tree, task);
+                }
+            }
+        }
+        index
+    }
+
+    /// The source of a file.
+    pub(super) fn file(&self, id: FileId) -> &'a SourceFile {
+        &self.files[id.0 as usize]
+    }
+
+    /// The bytes of a range of a file.
+    pub(super) fn text(&self, file: FileId, range: TextRange) -> &'a [u8] {
+        range.of(&self.file(file).bytes)
+    }
+
+    /// The number of the name that stands in a range, where the program declares or uses it.
+    pub(super) fn name_at(&self, file: FileId, range: TextRange) -> Option<Sym> {
+        self.names.find(self.text(file, range))
+    }
+
+    /// The datum that the name in a range means.
+    pub(super) fn datum(&self, name: TextRange, ctx: Ctx) -> Resolved {
+        let Some(sym) = self.name_at(ctx.file, name) else { return Resolved::Nowhere };
+        let loops = ctx.routine.and_then(|routine| self.loop_variables.get(&(routine, sym)));
+        let inside = |(body, _): &&(TextRange, DatumId)| body.contains(TextRange::empty(name.start));
+        match loops.and_then(|loops| loops.iter().rfind(inside)) {
+            Some((_, variable)) => Resolved::Here(*variable),
+            None => self.look_up(&self.data_at, sym, ctx),
+        }
+    }
+
+    /// The routine that a name means.
+    pub(super) fn routine(&self, name: Sym, ctx: Ctx) -> Resolved {
+        self.look_up(&self.routines_at, name, Ctx { routine: None, ..ctx })
+    }
+
+    /// The span of a datum's declaration.
+    pub(super) fn declaration(&self, datum: DatumId) -> Span {
+        let d = &self.data[datum];
+        Span { file: d.ctx.file, range: d.range }
+    }
+
+    /// `line 12 of path`: a place for a message.
+    pub(super) fn place(&self, span: Span) -> String {
+        let file = self.file(span.file);
+        format!("line {} of {}", file.line(span.range), file.path)
+    }
+
+    /// Names and types of a record's components.
+    pub(super) fn components(&self, type_name: Sym) -> Option<Vec<(Sym, Sym)>> {
+        let type_name = self.plain_type(type_name);
+        if let Some((file, record)) = self.records.get(&type_name) {
+            let named =
+                |&(t, n): &(TextRange, TextRange)| Some((self.name_at(*file, n)?, self.name_at(*file, t)?));
+            return record.components.iter().map(named).collect();
+        }
+        let known = super::record::components(self.names.text(type_name))?;
+        known
+            .iter()
+            .map(|(n, t)| Some((self.names.find(n.as_bytes())?, self.names.find(t.as_bytes())?)))
+            .collect()
+    }
+
+    /// The type behind aliases.
+    pub(super) fn plain_type(&self, mut type_name: Sym) -> Sym {
+        for _ in 0..16 {
+            match self.aliases.get(&type_name) {
+                Some(&next) => type_name = next,
+                None => break,
+            }
+        }
+        type_name
+    }
+
+    /// The type's name behind aliases, lower case.
+    pub(super) fn type_text(&self, type_name: Sym) -> &str {
+        self.names.text(self.plain_type(type_name))
+    }
+
+    fn look_up(&self, at: &HashMap<(Place, Sym), Found>, name: Sym, ctx: Ctx) -> Resolved {
+        let Some(module) = self.modules.get(ctx.module) else { return Resolved::Nowhere };
+        let places = [
+            ctx.routine.map(Place::Routine),
+            Some(Place::Module(ctx.module)),
+            Some(Place::Task(module.task)),
+            Some(Place::Hidden(module.task)),
+        ];
+        for place in places.into_iter().flatten() {
+            match at.get(&(place, name)) {
+                Some(Found { first, second: Some(second) }) => return Resolved::Twice(*first, *second),
+                Some(Found { first, .. }) if matches!(place, Place::Hidden(_)) => {
+                    return Resolved::Elsewhere(*first);
+                }
+                Some(Found { first, .. }) => return Resolved::Here(*first),
+                None => {}
+            }
+        }
+        Resolved::Nowhere
+    }
+
+    fn add_module(&mut self, file: &'a SourceFile, tree: &'a Module, task: u32) {
+        let module = self.modules.len();
+        self.names.intern(file.text(tree.name));
+        self.modules.push(ModuleEntry { file: file.id, task, tree });
+        let ctx = Ctx { file: file.id, module, routine: None };
+        for item in &tree.items {
+            match item {
+                ModuleItem::Data(decl) => self.add_data(file, decl, ctx, task),
+                ModuleItem::Routine(routine) => self.add_routine(file, routine, ctx, task),
+                ModuleItem::Record(record) => {
+                    let name = self.names.intern(file.text(record.name));
+                    for (type_name, component) in &record.components {
+                        self.names.intern(file.text(*type_name));
+                        self.names.intern(file.text(*component));
+                    }
+                    self.records.insert(name, (file.id, record));
+                }
+                ModuleItem::Alias(alias) => {
+                    let name = self.names.intern(file.text(alias.name));
+                    let type_name = self.names.intern(file.text(alias.type_name));
+                    self.aliases.insert(name, type_name);
+                }
+                ModuleItem::Comment(_) | ModuleItem::Opaque(_) => {}
+            }
+        }
+    }
+
+    fn add_data(&mut self, file: &'a SourceFile, decl: &'a DataDecl, ctx: Ctx, task: u32) {
+        let local = decl.scope == Scope::Local;
+        let datum = Datum {
+            ctx,
+            kind: DatumKind::Declared(decl.kind),
+            name: self.names.intern(file.text(decl.name)),
+            type_name: self.names.intern(file.text(decl.type_name)),
+            array: !decl.dims.is_empty(),
+            local,
+            init: decl.init.as_ref(),
+            range: decl.range,
+            name_range: decl.name,
+        };
+        self.push_datum(datum, task);
+    }
+
+    fn push_datum(&mut self, datum: Datum<'a>, task: u32) -> DatumId {
+        let (id, name) = (self.data.len(), datum.name);
+        match datum.ctx.routine {
+            Some(routine) => enter(&mut self.data_at, Place::Routine(routine), name, id),
+            None => {
+                enter(&mut self.data_at, Place::Module(datum.ctx.module), name, id);
+                let wider = if datum.local { Place::Hidden(task) } else { Place::Task(task) };
+                enter(&mut self.data_at, wider, name, id);
+            }
+        }
+        self.data.push(datum);
+        id
+    }
+
+    fn add_routine(&mut self, file: &'a SourceFile, tree: &'a Routine, ctx: Ctx, task: u32) {
+        let id = self.routines.len();
+        let name = self.names.intern(file.text(tree.name));
+        enter(&mut self.routines_at, Place::Module(ctx.module), name, id);
+        let local = tree.scope == Scope::Local;
+        let wider = if local { Place::Hidden(task) } else { Place::Task(task) };
+        enter(&mut self.routines_at, wider, name, id);
+        let ctx = Ctx { routine: Some(id), ..ctx };
+        self.routines.push(RoutineEntry { ctx, name, tree, params: Vec::new() });
+        for param in &tree.params {
+            let datum = Datum {
+                ctx,
+                kind: DatumKind::Param { mode: param.mode, optional: param.optional },
+                name: self.names.intern(file.text(param.name)),
+                type_name: self.names.intern(file.text(param.type_name)),
+                array: param.dims > 0,
+                local: true,
+                init: None,
+                range: param.range,
+                name_range: param.name,
+            };
+            let datum = self.push_datum(datum, task);
+            if let Some(routine) = self.routines.last_mut() {
+                routine.params.push(datum);
+            }
+        }
+        let mut loop_variables = Vec::new();
+        let handlers = tree.handlers.iter().map(|h| &h.body);
+        for body in std::iter::once(&tree.body).chain(handlers) {
+            every_statement(body, &mut |stmt| match &stmt.kind {
+                StmtKind::Data(decl) => self.add_data(file, decl, ctx, task),
+                StmtKind::For { var, body, .. } => {
+                    let first = body.first().map_or(stmt.range.end, |first| first.range.start);
+                    loop_variables.push((*var, TextRange::new(first, stmt.range.end)));
+                }
+                StmtKind::Label(label) => {
+                    self.names.intern(file.text(*label));
+                }
+                _ => {}
+            });
+        }
+        let num = self.names.intern(b"num");
+        for (var, seen_in) in loop_variables {
+            let name = self.names.intern(file.text(var));
+            let kind = DatumKind::LoopVariable;
+            let (array, local, init) = (false, true, None);
+            let datum =
+                Datum { ctx, kind, name, type_name: num, array, local, init, range: var, name_range: var };
+            self.loop_variables.entry((id, name)).or_default().push((seen_in, self.data.len()));
+            self.data.push(datum);
+        }
+    }
+
+    /// Makes the names of predefined types and components known.
+    fn intern_predefined(&mut self, names: &[&str]) {
+        for name in names {
+            self.names.intern(name.as_bytes());
+            for (component, type_name) in super::record::components(name).unwrap_or_default() {
+                self.names.intern(component.as_bytes());
+                self.names.intern(type_name.as_bytes());
+            }
+        }
+    }
+}
+
+/// Calls `see` with every statement, the outer before the inner, in source order.
+pub(super) fn every_statement<'a>(body: &'a [Stmt], see: &mut impl FnMut(&'a Stmt)) {
+    for stmt in body {
+        see(stmt);
+        for inner in inner_bodies(stmt) {
+            every_statement(inner, see);
+        }
+    }
+}
+
+/// The bodies inside a statement, in source order.
+pub(super) fn inner_bodies(stmt: &Stmt) -> Vec<&[Stmt]> {
+    match &stmt.kind {
+        StmtKind::If { arms, otherwise } => {
+            arms.iter().map(|(_, b)| b.as_slice()).chain(otherwise.as_deref()).collect()
+        }
+        StmtKind::CompactIf { then, .. } => vec![std::slice::from_ref(&**then)],
+        StmtKind::For { body, .. } | StmtKind::While { body, .. } => vec![body.as_slice()],
+        StmtKind::Test { cases, default, .. } => {
+            cases.iter().map(|(_, b)| b.as_slice()).chain(default.as_deref()).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn enter(at: &mut HashMap<(Place, Sym), Found>, place: Place, name: Sym, id: usize) {
+    at.entry((place, name))
+        .and_modify(|found| {
+            found.second.get_or_insert(id);
+        })
+        .or_insert(Found { first: id, second: None });
+}
+
+/// The part of a path that names its task: up to a folder `TASKn`, as in a controller's backup.
+fn task_of(path: &str) -> String {
+    let mut upto = 0;
+    for part in path.split_inclusive('/') {
+        upto += part.len();
+        let digits = part.trim_end_matches('/').as_bytes();
+        let is_task = part.ends_with('/')
+            && digits.len() > 4
+            && lower_case(&digits[..4]) == "task"
+            && digits[4..].iter().all(u8::is_ascii_digit);
+        if is_task {
+            return path[..upto].to_owned();
+        }
+    }
+    String::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::task_of;
+
+    #[test]
+    fn a_task_folder_is_a_task_of_its_own() {
+        assert_eq!(task_of("b/RAPID/TASK1/PROGMOD/a.mod"), "b/RAPID/TASK1/");
+        assert_eq!(task_of("b/RAPID/task12/SYSMOD/a.sys"), "b/RAPID/task12/");
+        assert_eq!(task_of("TASKS/a.mod"), "");
+        assert_eq!(task_of("TASK1"), "");
+        assert_eq!(task_of("a.mod"), "");
+    }
+}

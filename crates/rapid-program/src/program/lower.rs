@@ -1,0 +1,244 @@
+//! From the statements of a routine to the ways through it.
+
+mod calls;
+mod instruction;
+
+use super::draft::Drafts;
+use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
+use super::expressions::expressions_of;
+use super::flow::{Node, Step, Ways, every_step};
+use super::fold::{Constant, Folder};
+use super::followed::FollowedData;
+use super::index::{Ctx, Index, Resolved};
+use super::motion::Keep;
+use super::names::Sym;
+use super::value::{Value, Why};
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::{DataKind, Expr, ExprKind, Stmt, StmtKind};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The ways through all routines.
+#[derive(Debug, Default)]
+pub(super) struct Lowered<'a> {
+    /// One for each of the index's routines.
+    pub(super) ways: Vec<Ways<'a>>,
+    /// Routines that are called and not given, by name in lower case, with the first call.
+    pub(super) not_given: BTreeMap<String, Span>,
+}
+
+impl<'a> Lowered<'a> {
+    /// The ways through all routines of a program.
+    pub(super) fn new(folder: &mut Folder<'a>, drafts: &Drafts<'a>, followed: &FollowedData) -> Self {
+        let mut out = Self::default();
+        let index = folder.index;
+        let fallible = any_handled(index);
+        for routine in &index.routines {
+            let (ctx, folder) = (routine.ctx, &mut *folder);
+            let recovery = Recovery::of(index, ctx, routine.tree);
+            let mut lower = Lower { folder, drafts, followed, ctx, fallible, recovery, out: &mut out };
+            let body = lower.body(&routine.tree.body);
+            lower.recovery = Recovery::default(); // an error in a handler goes to the caller
+            let handlers = routine.tree.handlers.iter().map(|h| lower.body(&h.body)).collect();
+            out.ways.push(Ways { body, handlers, recovery });
+        }
+        out
+    }
+}
+
+impl Lowered<'_> {
+    /// For each routine whether another one calls it.
+    pub(super) fn called(&self) -> Vec<bool> {
+        let mut called = vec![false; self.ways.len()];
+        for (caller, ways) in self.ways.iter().enumerate() {
+            for nodes in std::iter::once(&ways.body).chain(&ways.handlers) {
+                every_step(nodes, &mut |step| {
+                    if let Step::Call { routines, .. } = step {
+                        for &callee in routines.iter().filter(|&&callee| callee != caller) {
+                            if let Some(called) = called.get_mut(callee) {
+                                *called = true;
+                            }
+                        }
+                    }
+                });
+            }
+        }
+        called
+    }
+}
+
+struct Lower<'l, 'a> {
+    folder: &'l mut Folder<'a>,
+    drafts: &'l Drafts<'a>,
+    followed: &'l FollowedData,
+    ctx: Ctx,
+    /// Some routine handles errors: they are to be followed.
+    fallible: bool,
+    /// What becomes of an error.
+    recovery: Recovery,
+    out: &'l mut Lowered<'a>,
+}
+
+impl<'a> Lower<'_, 'a> {
+    fn index(&self) -> &'a Index<'a> {
+        self.folder.index
+    }
+
+    fn text(&self, range: TextRange) -> &'a [u8] {
+        self.index().text(self.ctx.file, range)
+    }
+
+    fn label(&self, range: TextRange) -> Option<Sym> {
+        self.index().names.find(self.text(range))
+    }
+
+    fn body(&mut self, body: &'a [Stmt]) -> Vec<Node<'a>> {
+        let mut out = Vec::new();
+        for stmt in body {
+            self.statement(stmt, &mut out);
+        }
+        out.shrink_to_fit();
+        out
+    }
+
+    fn statement(&mut self, stmt: &'a Stmt, out: &mut Vec<Node<'a>>) {
+        let at = Span { file: self.ctx.file, range: stmt.range };
+        if !matches!(stmt.kind, StmtKind::While { .. }) {
+            self.functions(&expressions_of(stmt), at, out);
+        }
+        let fails = may_fail(self.index(), self.ctx, stmt);
+        if fails {
+            self.fail(out);
+        }
+        let skipped = fails && self.recovery.next;
+        match &stmt.kind {
+            StmtKind::Data(decl) => {
+                if decl.kind != DataKind::Const
+                    && let Some(value) = &decl.init
+                {
+                    self.assign(decl.name, Vec::new(), value, at, out);
+                }
+            }
+            StmtKind::Assign { target, value } => {
+                let mut path = Vec::new();
+                if let Some(root) = self.path(target, &mut path) {
+                    self.assign(root, path, value, at, out);
+                }
+            }
+            StmtKind::Call(call) => self.call(stmt, call, at, out),
+            StmtKind::If { arms, otherwise } => {
+                let mut bodies: Vec<_> = arms.iter().map(|(_, body)| self.body(body)).collect();
+                bodies.extend(otherwise.as_ref().map(|body| self.body(body)));
+                branch(bodies, otherwise.is_none() || skipped, out);
+            }
+            StmtKind::CompactIf { then, .. } => {
+                let body = self.body(std::slice::from_ref(then));
+                branch(vec![body], true, out);
+            }
+            StmtKind::Test { cases, default, .. } => {
+                let mut bodies: Vec<_> = cases.iter().map(|(_, body)| self.body(body)).collect();
+                bodies.extend(default.as_ref().map(|body| self.body(body)));
+                branch(bodies, default.is_none() || skipped, out);
+            }
+            StmtKind::For { from, to, step, body, .. } => {
+                let at_least_once = self.runs(from, to, step.as_deref());
+                let body = self.body(body);
+                if !body.is_empty() {
+                    out.push(Node::Loop { body, at_least_once, endless: false });
+                }
+            }
+            StmtKind::While { cond, body } => self.while_loop(cond, body, at, out),
+            StmtKind::Label(name) => out.extend(self.label(*name).map(Node::Label)),
+            StmtKind::Goto(name) => out.extend(self.label(*name).map(Node::Goto)),
+            StmtKind::Return(_) if skipped => {
+                out.push(Node::Branch { arms: vec![vec![Node::Return]], otherwise: true });
+            }
+            StmtKind::Return(_) => out.push(Node::Return),
+            StmtKind::Raise(_) if self.recovery.next => {}
+            StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
+            StmtKind::Opaque => self.opaque(stmt.range, out),
+            StmtKind::Connect { .. } | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
+        }
+    }
+
+    fn fail(&self, out: &mut Vec<Node<'a>>) {
+        if self.fallible {
+            out.push(Node::Step(Step::MayFail(self.recovery)));
+        }
+    }
+
+    fn while_loop(&mut self, cond: &'a Expr, body: &'a [Stmt], at: Span, out: &mut Vec<Node<'a>>) {
+        let ctx = self.ctx;
+        let known = self.folder.fold(cond, ctx, &Constant).map(|t| t.value);
+        let endless = matches!(known, Ok(Value::Bool(true)));
+        self.functions(&[cond], at, out);
+        let mut body = self.body(body);
+        self.functions(&[cond], at, &mut body);
+        if expression_may_fail(cond) {
+            self.fail(&mut body);
+        }
+        let still = |node: &Node<'_>| matches!(node, Node::Step(Step::Wait(_) | Step::MayFail(_)));
+        if body.iter().all(still) {
+            body.push(Node::Step(Step::Wait(None))); // it waits for its condition
+        }
+        out.push(Node::Loop { body, at_least_once: endless, endless });
+    }
+
+    /// Whether constants say that a FOR runs at least once.
+    fn runs(&mut self, from: &Expr, to: &Expr, step: Option<&Expr>) -> bool {
+        let ctx = self.ctx;
+        let mut number = |expr| match self.folder.fold(expr, ctx, &Constant).ok()?.value {
+            Value::Num(n) => Some(n),
+            _ => None,
+        };
+        match (number(from), number(to), step.map(number)) {
+            (Some(_), Some(_), None) => true, // without STEP it counts towards the end
+            (Some(from), Some(to), Some(Some(step))) => step != 0.0 && (to - from) / step >= 0.0,
+            _ => false,
+        }
+    }
+
+    /// The root of `a.b.c` and the names behind it; `None` where an index stands on the way.
+    fn path(&self, target: &Expr, path: &mut Vec<Sym>) -> Option<TextRange> {
+        match &target.kind {
+            ExprKind::Name => Some(target.range),
+            ExprKind::Field { base, name } => {
+                let root = self.path(base, path)?;
+                path.push(self.label(*name)?);
+                Some(root)
+            }
+            _ => None,
+        }
+    }
+
+    fn assign(
+        &mut self,
+        root: TextRange,
+        path: Vec<Sym>,
+        value: &'a Expr,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        if let Some(slot) = self.slot(root) {
+            out.push(Node::Step(Step::Assign { slot, path, value, ctx: self.ctx, at }));
+        }
+    }
+
+    fn slot(&self, name: TextRange) -> Option<usize> {
+        match self.index().datum(name, self.ctx) {
+            Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.followed.slot(datum),
+            Resolved::Twice(..) | Resolved::Nowhere => None,
+        }
+    }
+
+    fn why(&self, at: Span, what: String) -> Why {
+        let reason = format!("{what}: {}", self.index().place(at));
+        Rc::new(Keep { code: "keep::runtime-target", reason, because: Some(at) })
+    }
+}
+
+fn branch<'a>(arms: Vec<Vec<Node<'a>>>, otherwise: bool, out: &mut Vec<Node<'a>>) {
+    if arms.iter().any(|arm| !arm.is_empty()) {
+        out.push(Node::Branch { arms, otherwise });
+    }
+}

@@ -1,0 +1,157 @@
+//! What an instruction does to what is followed: what it writes, and what it puts in force.
+
+use super::Lower;
+use crate::program::convert;
+use crate::program::data::LoadData;
+use crate::program::expressions::{root_of, words};
+use crate::program::flow::{Hold, Node, Step};
+use crate::program::fold::Constant;
+use crate::program::instructions::{harmless, is_written_option, waits, written_arguments};
+use crate::program::names::{as_text, lower_case};
+use crate::program::value::Value;
+use crate::program::writes::NotGiven;
+use nalgebra::Isometry3;
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::{Arg, ArgKind, CallStmt, Callee};
+
+impl<'a> Lower<'_, 'a> {
+    /// Followed data that an instruction writes.
+    pub(super) fn written(&self, args: &'a [Arg], call: &CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+        let Callee::Name(name) = &call.callee else { return };
+        let positions = written_arguments(&lower_case(self.text(*name)));
+        let mut position = 0;
+        for arg in args {
+            let (expr, writes) = match &arg.kind {
+                ArgKind::Positional(expr) => {
+                    position += 1;
+                    (expr, positions.contains(&(position - 1)))
+                }
+                ArgKind::Named { name, value: Some(expr) } => {
+                    (expr, is_written_option(&lower_case(self.text(*name))))
+                }
+                ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => continue,
+            };
+            if writes
+                && let Some((root, _)) = root_of(expr)
+                && let Some(slot) = self.slot(root)
+            {
+                let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
+                out.push(Node::Step(Step::Lose { slot, why, at }));
+            }
+        }
+    }
+
+    pub(super) fn instruction(
+        &mut self,
+        name: TextRange,
+        call: &'a CallStmt,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        let written = as_text(self.text(name));
+        let lower = lower_case(self.text(name));
+        let has = |option: &str| {
+            call.args.iter().any(|arg| match &arg.kind {
+                ArgKind::Named { name, .. } => lower_case(self.text(*name)) == option,
+                _ => false,
+            })
+        };
+        let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
+        let on = if conditional { None } else { Some(!has("off")) };
+        let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
+        let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
+        let step = match lower.as_str() {
+            "confl" => Step::ConfL(on),
+            "confj" => Step::ConfJ(on),
+            "gripload" => Step::Grip(self.gripped(call)),
+            "pdispset" if displaces_nothing => Step::Hold(Hold::Displacement, None),
+            "pdispon" | "pdispset" => {
+                Step::Hold(Hold::Displacement, active("a program displacement is in force"))
+            }
+            "pdispoff" => Step::Hold(Hold::Displacement, None),
+            "eoffson" | "eoffsset" => {
+                Step::Hold(Hold::ExternalOffset, active("an offset of external axes is in force"))
+            }
+            "eoffsoff" => Step::Hold(Hold::ExternalOffset, None),
+            "softact" => Step::Hold(Hold::SoftServo, active("the soft servo is active")),
+            "softdeact" => Step::Hold(Hold::SoftServo, None),
+            "syncmoveon" => Step::Hold(Hold::MultiMove, active("the robot moves together with others")),
+            "syncmoveoff" | "syncmoveundo" => Step::Hold(Hold::MultiMove, None),
+            "waittime" => {
+                let seconds = call.args.iter().find_map(|arg| match &arg.kind {
+                    ArgKind::Positional(expr) => Some(expr),
+                    _ => None,
+                });
+                let ctx = self.ctx;
+                let value = seconds.and_then(|s| self.folder.fold(s, ctx, &Constant).ok()).map(|t| t.value);
+                Step::Wait(match value {
+                    Some(Value::Num(seconds)) => Some(seconds.max(0.0)),
+                    _ => None,
+                })
+            }
+            "callbyvar" => {
+                // CallByVar "proc", n calls procn.
+                if let Some(ArgKind::Positional(expr)) = call.args.first().map(|a| &a.kind) {
+                    let start = lower_case(&self.literal(expr, true));
+                    self.by_number(&start, out);
+                }
+                Step::Away
+            }
+            "exitcycle" => return out.push(Node::Stop),
+            _ if waits(&lower) => Step::Wait(None),
+            _ if harmless(&lower) => return,
+            _ => {
+                let first = Span { file: self.ctx.file, range: name };
+                self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
+                self.out.not_given.entry(lower).or_insert(first);
+                Step::Away
+            }
+        };
+        out.push(Node::Step(step));
+    }
+
+    /// Whether the pose given to PDispSet is a constant that displaces nothing.
+    fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
+        let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        let ctx = self.ctx;
+        let pose = self.folder.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
+        matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
+    }
+
+    /// The load of a GripLoad, where it is constant.
+    fn gripped(&mut self, call: &CallStmt) -> Option<LoadData> {
+        let load = call.args.iter().find_map(|arg| match &arg.kind {
+            ArgKind::Positional(load) => Some(load),
+            _ => None,
+        })?;
+        let ctx = self.ctx;
+        let load = self.folder.fold(load, ctx, &Constant).ok()?;
+        convert::loaddata(&load.value).ok()
+    }
+
+    /// Text that was not understood: what it names is no longer known, nor where the arm is.
+    pub(super) fn opaque(&self, range: TextRange, out: &mut Vec<Node<'a>>) {
+        let at = Span { file: self.ctx.file, range };
+        for word in words(self.text(range), range.start) {
+            let lower = lower_case(self.text(word));
+            let named = || Some(self.why(at, format!("text that was not understood names {lower}")));
+            out.push(Node::Step(match lower.as_str() {
+                "confl" => Step::ConfL(None),
+                "confj" => Step::ConfJ(None),
+                "gripload" => Step::Grip(None),
+                "pdispon" | "pdispset" | "pdispoff" => Step::Hold(Hold::Displacement, named()),
+                "eoffson" | "eoffsset" | "eoffsoff" => Step::Hold(Hold::ExternalOffset, named()),
+                "softact" | "softdeact" => Step::Hold(Hold::SoftServo, named()),
+                "syncmoveon" | "syncmoveoff" => Step::Hold(Hold::MultiMove, named()),
+                _ => match self.slot(word) {
+                    Some(slot) => {
+                        let why = self.why(at, "text that was not understood names it".into());
+                        Step::Lose { slot, why, at }
+                    }
+                    None => continue,
+                },
+            }));
+        }
+        out.push(Node::Step(Step::Away));
+    }
+}

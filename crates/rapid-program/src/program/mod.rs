@@ -1,0 +1,111 @@
+//! What a RAPID program means as far as motion goes: data as typed values, names resolved, motions in
+//! their order with what is known about tool, work object and targets.
+//!
+//! Meaning starts here; text stays in [`syntax`](rapid_syntax). Knows nothing of robots' geometry or of
+//! deformation.
+
+pub mod data;
+pub mod module_facts;
+pub mod motion;
+pub mod pgf;
+
+mod built_in;
+mod convert;
+mod draft;
+mod errors;
+mod expressions;
+mod flow;
+mod fold;
+mod followed;
+mod functions;
+mod index;
+mod instructions;
+mod lower;
+pub mod made_for;
+mod names;
+mod order;
+mod outline;
+mod overrides;
+mod own_position;
+mod parts;
+mod predefined;
+mod read;
+mod record;
+mod state;
+mod touched;
+mod value;
+mod writes;
+
+pub use parts::{InParts, Part, Parts};
+pub use pgf::{modules_of_pgf, pgf_with_module};
+
+use module_facts::Facts;
+use motion::{Loop, Motion, RoutineInfo};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+
+/// Tools and work objects given from outside, for names that no given module declares: name, and value
+/// as RAPID writes it, `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Overrides {
+    /// `--tool`.
+    pub tools: Vec<(String, String)>,
+    /// `--wobj`.
+    pub wobjs: Vec<(String, String)>,
+}
+
+/// A program: all given files, read and understood together.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// The files, in the order given; [`FileId`] is the position. Of their trees only what stands outside of
+    /// routines is kept.
+    pub files: Vec<SourceFile>,
+    /// Routines that hold motion, in file order.
+    pub routines: Vec<RoutineInfo>,
+    /// Loops round motion, in file order.
+    pub loops: Vec<Loop>,
+    /// Every motion instruction, in file order.
+    pub motions: Vec<Motion>,
+    /// Modules, names that are taken, entries and so on.
+    pub facts: Facts,
+    /// What a reader of the program should know.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// The folder `TASKn` in a path: what a controller's backup holds of one task.
+#[must_use]
+pub fn task_of(path: &str) -> Option<&str> {
+    path.split('/').find(|part| {
+        let digits = part.get(..4).filter(|head| head.eq_ignore_ascii_case("task")).and(part.get(4..));
+        digits.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+    })
+}
+
+impl Program {
+    /// The file of an id.
+    #[must_use]
+    pub fn file(&self, id: FileId) -> &SourceFile {
+        &self.files[id.0 as usize]
+    }
+
+    /// A file of which only the outline is at hand.
+    #[must_use]
+    pub fn outline(&self, id: FileId) -> Option<&SourceFile> {
+        self.files.get(id.0 as usize).filter(|file| file.is_outline())
+    }
+
+    /// Whether a motion stands in a file that is there in full, not in an outline that is there to understand the others.
+    #[must_use]
+    pub fn is_own(&self, motion: &Motion) -> bool {
+        self.outline(motion.file).is_none()
+    }
+
+    /// What a reader should know of the own files; what is about none of the files is said with the first part.
+    pub fn own_diagnostics(&self, part: usize) -> impl Iterator<Item = &Diagnostic> {
+        let own = move |message: &&Diagnostic| match message.span {
+            Some(span) => self.outline(span.file).is_none(),
+            None => part == 0,
+        };
+        self.diagnostics.iter().filter(own)
+    }
+}

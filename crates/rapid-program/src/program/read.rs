@@ -1,0 +1,556 @@
+//! [`Program::read`]: from files to motions with all that the text says of them.
+
+use super::convert;
+use super::data::{ToolData, WobjData};
+use super::draft::{Draft, Drafts};
+use super::flow::HOLDS;
+use super::fold::{Constant, Folder, Followed, Found, why};
+use super::followed::FollowedData;
+use super::index::{Ctx, Index};
+use super::instructions::Special;
+use super::lower::Lowered;
+use super::module_facts::facts;
+use super::motion::{Keep, Motion, Origin, Path, RoutineInfo, Target, TargetValue};
+use super::names::{as_text, lower_case};
+use super::order::order;
+use super::own_position::OwnPositions;
+use super::predefined::guessed;
+use super::state::{State, View, states_at_motions};
+use super::value::{DataName, Value, Why};
+use super::writes::Writes;
+use super::{Overrides, Program};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
+use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+impl Program {
+    /// Reads files together: resolves names across them, follows tools and work objects, and says for
+    /// each motion whether it can be compensated as far as the text tells.
+    ///
+    /// The files' ids must be their positions. Never fails: what cannot be understood stands in
+    /// [`Motion::keep`] and in the diagnostics.
+    #[must_use]
+    pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
+        let mut diagnostics = Vec::new();
+        let given = super::overrides::given(overrides, &mut diagnostics);
+        let index = Index::new(&files);
+        let writes = Writes::new(&index);
+        let mut folder = Folder::new(&index, &writes);
+        folder.given = given;
+        super::overrides::unused(&folder, overrides, &mut diagnostics);
+        let drafts = Drafts::new(&mut folder);
+        let followed = FollowedData::new(&index, &writes, &drafts);
+        let lowered = Lowered::new(&mut folder, &drafts, &followed);
+        let states = states_at_motions(&mut folder, &drafts, &lowered, &followed);
+        let order = order(&index, &drafts, &lowered);
+        let facts = facts(&index, &lowered.called());
+        let Drafts { motions: drafts, loops, routines, .. } = drafts;
+        let mut finish = Finish {
+            folder,
+            followed: &followed,
+            own_positions: OwnPositions::new(&index),
+            found_positions: OwnPositions::of_searches(&index),
+            last_tool: None,
+            last_wobj: None,
+            kept_over: BTreeMap::new(),
+            guesses: BTreeMap::new(),
+        };
+        // Collected from the drafts themselves, the motions take their place and not as much again.
+        let finished = drafts.into_iter().zip(states).zip(order).map(|((draft, state), order)| {
+            let mut motion = finish.motion(draft, state.as_deref());
+            (motion.previous, motion.wait_before, motion.wait_since_entry) = order;
+            motion
+        });
+        let mut motions: Vec<Motion> = finished.collect();
+        motions.shrink_to_fit();
+        diagnostics.extend(external_axes(&motions, &routines));
+        diagnostics.extend(finish.folder.elsewhere_warnings());
+        diagnostics.extend(finish.kept_over.into_values());
+        diagnostics.extend(finish.guesses.into_values());
+        for (name, at) in &lowered.not_given {
+            let text = format!("{name} is not among the given files");
+            diagnostics.push(
+                Diagnostic::warning("resolve::routine-not-given", text)
+                    .at(*at)
+                    .help("it is taken to leave tools, work objects and displacements as they are"),
+            );
+        }
+        diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        files.iter_mut().for_each(SourceFile::forget_bodies);
+        Self { files, routines, loops, motions, facts, diagnostics }
+    }
+}
+
+struct Finish<'f, 'a> {
+    folder: Folder<'a>,
+    followed: &'f FollowedData,
+    own_positions: OwnPositions,
+    found_positions: OwnPositions,
+    /// The last tool and work object: most motions share them.
+    last_tool: Option<Arc<ToolData>>,
+    last_wobj: Option<Arc<WobjData>>,
+    /// PERS that motions use before the program sets them, once each.
+    kept_over: BTreeMap<usize, Diagnostic>,
+    /// Speeds and zones that are not predefined, once each.
+    guesses: BTreeMap<String, Diagnostic>,
+}
+
+type Failed = Keep;
+
+/// Reasons that a function asked at run time has not: it sees the values.
+const KNOWN_AT_RUN_TIME: [&str; 8] = [
+    "keep::runtime-target",
+    "keep::parameter",
+    "keep::loop-variable",
+    "keep::function-result",
+    "keep::no-value",
+    "keep::not-declared",
+    "keep::tool-unknown",
+    "keep::wobj-unknown",
+];
+
+/// The last one where it is the same.
+fn shared<T: PartialEq>(last: &mut Option<Arc<T>>, value: T) -> Arc<T> {
+    let kept = match last.take() {
+        Some(same) if *same == value => same,
+        _ => Arc::new(value),
+    };
+    Arc::clone(last.insert(kept))
+}
+
+impl<'a> Finish<'_, 'a> {
+    fn motion(&mut self, draft: Draft<'a>, state: Option<&State>) -> Motion {
+        let args = draft.args(self.folder.index);
+        let Draft { mut motion, ctx, form, .. } = draft;
+        let at = Span { file: ctx.file, range: motion.range };
+        let mut first: Option<Keep> = None;
+        let mut run_time = true;
+        let mut fail = |keep: Keep| {
+            run_time &= KNOWN_AT_RUN_TIME.contains(&keep.code);
+            first.get_or_insert(keep);
+        };
+        if let Some(keep) = special(form.special, form.name) {
+            fail(keep);
+        }
+        if args.targets.len() < form.targets.len() {
+            fail(keep("keep::not-read", format!("{} has too few arguments", form.name)));
+        }
+        match state {
+            None => fail(keep("keep::unreachable", "no way through the program leads here".into())),
+            Some(state) => {
+                if args.has("id") {
+                    fail(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
+                }
+                for (hold, held) in HOLDS.iter().zip(&state.holds) {
+                    if let Some(why) = held {
+                        let code = match hold {
+                            super::flow::Hold::Displacement => "keep::displacement",
+                            super::flow::Hold::ExternalOffset => "keep::external-offset",
+                            super::flow::Hold::SoftServo => "keep::soft-servo",
+                            super::flow::Hold::MultiMove => "keep::multimove",
+                        };
+                        fail(Keep { code, reason: why.reason.clone(), because: why.because });
+                    }
+                }
+            }
+        }
+        if args.has("corr") {
+            fail(keep("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
+        }
+        let known: &dyn Followed = match state {
+            Some(state) => &View { state, followed: self.followed },
+            None => &Constant,
+        };
+        let joints_wanted = motion.path == Path::AbsJoint;
+        let mut reached = Vec::new();
+        motion.from_search =
+            args.targets.iter().any(|expr| self.found_positions.is_read(self.folder.index, ctx, expr));
+        motion.targets.reserve_exact(args.targets.len());
+        for expr in &args.targets {
+            let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            let own_position = self.own_positions.is_read(self.folder.index, ctx, expr);
+            // One of an array's elements is known well enough where all of them are.
+            let indexed = args.targets.len() == 1 && !target.elements.is_empty();
+            motion.targets.push(target);
+            reached.extend(calc);
+            match failed {
+                _ if own_position => {
+                    let reason =
+                        "its target is read from where the robot stands, so that it holds the drift already";
+                    let because = failed.and_then(|keep| keep.because);
+                    fail(Keep { code: "keep::own-position", reason: reason.into(), because });
+                }
+                Some(keep) if indexed && KNOWN_AT_RUN_TIME.contains(&keep.code) => {}
+                Some(keep) => fail(keep),
+                None => {}
+            }
+        }
+        if let Some(state) = state {
+            motion.grip = state.grip;
+            motion.conf_monitored = match motion.path {
+                Path::Linear | Path::Circular => state.conf_l,
+                Path::Joint => state.conf_j,
+                Path::AbsJoint => Some(false),
+            };
+        }
+        motion.speed = self.speed(&args, ctx, known);
+        motion.zone = self.zone(&args, ctx, known);
+        let is_joint = joints_wanted;
+        match self.tool(&args, ctx, known) {
+            Ok(tool) => motion.tool = Some(shared(&mut self.last_tool, tool)),
+            Err(_) if is_joint => {}
+            Err(keep) => fail(keep),
+        }
+        match self.wobj(&args, ctx, known) {
+            Ok(wobj) => motion.wobj = Some(shared(&mut self.last_wobj, wobj)),
+            Err(_) if is_joint => {}
+            Err(keep) => fail(keep),
+        }
+        if !is_joint && let (Some(tool), Some(wobj)) = (&motion.tool, &motion.wobj) {
+            if tool.robhold == wobj.robhold {
+                let text = if tool.robhold {
+                    "the robot is said to hold both the tool and the work object"
+                } else {
+                    "the robot is said to hold neither the tool nor the work object"
+                };
+                fail(keep("keep::robhold", text.into()));
+            }
+            if !wobj.ufprog || !wobj.ufmec.is_empty() {
+                let unit = if wobj.ufmec.is_empty() { "another unit" } else { &wobj.ufmec };
+                fail(keep("keep::wobj-moved", format!("{unit} moves the work object")));
+            }
+        }
+        if !reached.is_empty() {
+            let own_tool = args.tool.and_then(|t| self.folder.data_name(t, ctx));
+            let own_wobj = match args.wobj {
+                Some(wobj) => self.folder.data_name(wobj, ctx),
+                None => Some(DataName::Predefined("wobj0".into())),
+            };
+            let same = |(tool, wobj)| Some(tool) == own_tool.as_ref() && Some(wobj) == own_wobj.as_ref();
+            if !reached.iter().all(|r| same((&r.tool, &r.wobj))) {
+                let text = "CalcRobT names another tool or work object than its motion";
+                fail(keep("keep::calc-frame", text.into()));
+            }
+        }
+        if let Some(state) = state {
+            self.note_kept_over(state, &args, ctx, at);
+        }
+        motion.run_time = first.is_some()
+            && run_time
+            && args.tool.is_some()
+            && args.conditional.is_empty()
+            && motion.targets.len() == args.targets.len();
+        motion.keep = first.map(Box::new);
+        motion
+    }
+
+    fn target(
+        &mut self,
+        expr: &'a Expr,
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> (Target, Option<Failed>, Option<Rc<super::value::Reached>>) {
+        let (origin, literal) = self.origin(expr, ctx);
+        let mut calc = None;
+        let folded = self.folder.fold(expr, ctx, &Constant).and_then(|typed| {
+            let value = typed.value;
+            let converted = match (&value, joints_wanted) {
+                (Value::Reached(reached), false) => {
+                    calc = Some(reached.clone());
+                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+                }
+                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
+                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
+            };
+            converted.map_err(|(code, reason)| {
+                let because = match &origin {
+                    Origin::Named { declaration, .. } => Some(*declaration),
+                    Origin::Inline | Origin::Expression => None,
+                };
+                Rc::new(Keep { code, reason, because })
+            })
+        });
+        let unused_axis = |v: &TargetValue| match v {
+            TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
+            TargetValue::Rob(_) => false,
+        };
+        let target = |value, literal| Target {
+            range: expr.range,
+            origin: origin.clone(),
+            value,
+            elements: Vec::new(),
+            literal,
+        };
+        match folded {
+            Ok(value) if unused_axis(&value) => {
+                let text = "an axis of the arm is written 9E9: it stays where it is";
+                (target(Some(value), literal), Some(keep("keep::axis-unused", text.into())), calc)
+            }
+            Ok(value) => (target(Some(value), literal), None, calc),
+            Err(why) => {
+                let elements = self.elements(expr, ctx, joints_wanted);
+                (Target { elements, ..target(None, None) }, Some((*why).clone()), calc)
+            }
+        }
+    }
+
+    /// All elements of the constant array that `NAME{index}` names; of a target that is handed to a function that scales its
+    /// correction (`tcAt`, as this program emits it) the original and what it is when all has settled; none where it is
+    /// something else.
+    fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
+        if let ExprKind::Call { name, args } = &expr.kind {
+            return self.scaled(*name, args, ctx, joints_wanted).unwrap_or_default();
+        }
+        let ExprKind::Index { base, indices } = &expr.kind else { return Vec::new() };
+        let ([_], ExprKind::Name) = (indices.as_slice(), &base.kind) else { return Vec::new() };
+        let Ok(Value::Parts(parts)) = self.folder.fold(base, ctx, &Constant).map(|typed| typed.value) else {
+            return Vec::new();
+        };
+        let element = |part: &Value| match joints_wanted {
+            true => convert::jointtarget(part).map(TargetValue::Joint).ok(),
+            false => convert::robtarget(part).map(TargetValue::Rob).ok(),
+        };
+        parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// The original of a target with a correction, and the settled target: the sum of all corrections where there are several
+    /// is none that the arm needs, so that only the original is told.
+    fn scaled(
+        &mut self,
+        name: TextRange,
+        args: &'a [Arg],
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> Option<Vec<TargetValue>> {
+        let name = lower_case(self.folder.index.text(ctx.file, name));
+        if !name.starts_with("tcat") {
+            return None;
+        }
+        let mut positional = args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Positional(expr) => Some(expr),
+            _ => None,
+        });
+        let original = self.folder.fold(positional.next()?, ctx, &Constant).ok()?.value;
+        let original = match (&original, joints_wanted) {
+            (Value::Reached(reached), false) => {
+                convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+            }
+            (_, true) => convert::jointtarget(&original).map(TargetValue::Joint),
+            (_, false) => convert::robtarget(&original).map(TargetValue::Rob),
+        };
+        let original = original.ok()?;
+        let (correction, more) = (positional.next()?, positional.next());
+        let correction = self.folder.fold(correction, ctx, &Constant).ok()?.value;
+        let settled = convert::corrected(&original, &correction).filter(|_| more.is_none());
+        Some(std::iter::once(original).chain(settled).collect())
+    }
+
+    fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {
+        let literal =
+            |expr: &Expr, ctx: Ctx| is_literal(expr).then_some(Span { file: ctx.file, range: expr.range });
+        match &expr.kind {
+            ExprKind::Aggregate(_) | ExprKind::Numbers => (Origin::Inline, literal(expr, ctx)),
+            ExprKind::Name => {
+                let name = as_text(self.folder.index.text(ctx.file, expr.range));
+                let here = Span { file: ctx.file, range: expr.range };
+                match self.folder.resolve(expr.range, ctx) {
+                    Ok(Found::Datum(datum)) => {
+                        let entry = &self.folder.index.data[datum];
+                        let literal = entry.init.and_then(|init| literal(init, entry.ctx));
+                        let declaration = self.folder.index.declaration(datum);
+                        (Origin::Named { name, declaration }, literal)
+                    }
+                    Ok(Found::Predefined(_)) | Err(_) => (Origin::Named { name, declaration: here }, None),
+                }
+            }
+            _ => (Origin::Expression, None),
+        }
+    }
+
+    fn tool(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Result<ToolData, Failed> {
+        let Some(expr) = args.tool else {
+            return Err(keep("keep::tool-unknown", "it names no tool".into()));
+        };
+        let written = as_text(self.folder.index.text(ctx.file, expr.range));
+        let folded = self.folder.fold(expr, ctx, known);
+        let tool = folded.and_then(|t| whole(&t.value, convert::tooldata));
+        tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
+    }
+
+    fn wobj(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Result<WobjData, Failed> {
+        if args.conditional.iter().any(|name| name == "wobj") {
+            let text = "its work object is handed to the routine, if present".into();
+            return Err(keep("keep::wobj-unknown", text));
+        }
+        let Some(expr) = args.wobj else { return Ok(WobjData::wobj0()) };
+        let written = as_text(self.folder.index.text(ctx.file, expr.range));
+        let folded = self.folder.fold(expr, ctx, known);
+        let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));
+        wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written, &why))
+    }
+
+    fn speed(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Option<super::data::SpeedData> {
+        if args.has("t") {
+            return None; // the time is given, not the speed
+        }
+        let value = self.guess(args.speed?, ctx, known, "speeddata")?;
+        let mut speed = convert::speeddata(&value).ok()?;
+        if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "v") {
+            let Value::Num(v) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            speed.v_tcp_m_s = robot_model::units::m_from_mm(v);
+        }
+        Some(speed)
+    }
+
+    fn zone(
+        &mut self,
+        args: &super::draft::MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn Followed,
+    ) -> Option<super::data::ZoneData> {
+        let value = self.guess(args.zone?, ctx, known, "zonedata")?;
+        let mut zone = convert::zonedata(&value).ok()?;
+        if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "z") {
+            let Value::Num(z) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            zone.pzone_tcp_m = robot_model::units::m_from_mm(z);
+        }
+        Some(zone)
+    }
+
+    /// A speed or zone; one such as RoboDK's `v83`, which nobody declares, is guessed from its name.
+    fn guess(&mut self, expr: &Expr, ctx: Ctx, known: &dyn Followed, type_name: &str) -> Option<Value> {
+        let why = match self.folder.fold(expr, ctx, known) {
+            Ok(typed) => return Some(typed.value),
+            Err(why) => why,
+        };
+        if why.code != "keep::not-declared" || !matches!(expr.kind, ExprKind::Name) {
+            return None;
+        }
+        let name = lower_case(self.folder.index.text(ctx.file, expr.range));
+        let (_, value) = guessed(&name).filter(|(guessed, _)| *guessed == type_name)?;
+        let at = Span { file: ctx.file, range: expr.range };
+        self.guesses.entry(name.clone()).or_insert_with(|| {
+            let text = format!("{name} is neither predefined nor declared in the given files");
+            Diagnostic::warning("resolve::not-predefined", text)
+                .at(at)
+                .help("its value is taken from its name; a controller does not load the module like this")
+        });
+        Some(value)
+    }
+
+    /// A PERS that is used before the program sets it keeps its value from run to run.
+    fn note_kept_over(&mut self, state: &State, args: &super::draft::MoveArgs<'a>, ctx: Ctx, at: Span) {
+        for expr in [args.tool, args.wobj].into_iter().flatten() {
+            let Some(DataName::Declared(datum)) = self.folder.data_name(expr, ctx) else { continue };
+            let Some(slot) = self.followed.slot(datum).and_then(|slot| state.slots.get(slot)) else {
+                continue;
+            };
+            if !slot.declared || slot.value.unknown().is_some() || self.kept_over.contains_key(&datum) {
+                continue;
+            }
+            let name = self.folder.name_of(datum);
+            let text = format!(
+                "{name} is used here before the program sets it: from the second pass on it has the value set last"
+            );
+            let mut warning = Diagnostic::warning("state::pers-kept", text).at(at).help(
+                "the figures hold for its declared value, in the first pass alone; set it before its first motion",
+            );
+            if let Some(write) = self.folder.writes.first(datum) {
+                warning = warning.label(write.at, "set here");
+            }
+            self.kept_over.insert(datum, warning);
+        }
+    }
+}
+
+/// One warning for each routine whose motions place external axes: a track carries the robot's base along.
+fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic> {
+    let moved = |motion: &&Motion| {
+        motion.keep.is_none()
+            && motion.targets.iter().filter_map(|target| target.value).any(|value| {
+                let ext = match value {
+                    TargetValue::Rob(target) => target.ext,
+                    TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+                };
+                ext.iter().flatten().any(|&place| place != 0.0)
+            })
+    };
+    let mut by_routine: BTreeMap<usize, Vec<&Motion>> = BTreeMap::new();
+    for motion in motions.iter().filter(moved) {
+        by_routine.entry(motion.routine).or_default().push(motion);
+    }
+    let warning = |(routine, motions): (usize, Vec<&Motion>)| {
+        let (first, name) = (motions.first()?, &routines.get(routine)?.name);
+        let text = match motions.len() {
+            1 => format!("a target of {name} places external axes"),
+            n => format!("targets of {n} motions of {name} place external axes"),
+        };
+        let at = Span { file: first.file, range: first.range };
+        Some(Diagnostic::warning("motion::external-axes", text).at(at).help(
+            "the correction takes the robot's base as standing still: where one of them moves the base, as a track does, it is wrong",
+        ))
+    };
+    by_routine.into_iter().filter_map(warning).collect()
+}
+
+fn special(special: Special, name: &str) -> Option<Keep> {
+    match special {
+        Special::Plain => None,
+        Special::Search => Some(keep(
+            "keep::search",
+            format!("{name} searches: where it stops is what the program wants to know"),
+        )),
+        Special::External => Some(keep("keep::external-axes", format!("{name} moves external axes only"))),
+        Special::Unsupported => Some(keep(
+            "keep::instruction",
+            format!("{name} is not among the instructions that are understood"),
+        )),
+    }
+}
+
+fn keep(code: &'static str, reason: String) -> Keep {
+    Keep { code, reason, because: None }
+}
+
+/// A value converted; the reason of a part that is not known keeps its place.
+fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -> Result<T, Why> {
+    match value.unknown() {
+        Some(why) => Err(why.clone()),
+        None => convert(value).map_err(|(code, reason)| why(code, reason)),
+    }
+}
+
+fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> Keep {
+    let reason = format!("the {what} {name} is not known: {}", why.reason);
+    Keep { code, reason, because: why.because }
+}
+
+/// Whether an expression is made of literals alone.
+fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::Numbers | ExprKind::String | ExprKind::Bool(_) => true,
+        ExprKind::Aggregate(parts) => parts.iter().all(is_literal),
+        ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => {
+            matches!(operand.kind, ExprKind::Number)
+        }
+        _ => false,
+    }
+}

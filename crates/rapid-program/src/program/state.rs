@@ -1,0 +1,391 @@
+//! What is in force where: the values of the data that are followed, ConfL and ConfJ, displacements,
+//! carried through every routine in the order of its statements and into the routines it calls.
+//!
+//! A routine is walked once for each state it is called with; a routine called with many is from then
+//! on walked with what they have in common. What a motion sees is what all its visits have in common.
+//!
+//! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
+//! on with TRYNEXT or RETRY, it goes on with that.
+
+mod steps;
+
+use super::data::LoadData;
+use super::draft::Drafts;
+use super::flow::{Carried, HOLDS, Ways, every_step, walk};
+use super::fold::{Constant, Folder, Followed};
+use super::followed::FollowedData;
+use super::index::{DatumId, DatumKind, RoutineId};
+use super::lower::Lowered;
+use super::motion::Keep;
+use super::touched::{Touched, touched};
+use super::value::{Value, Why};
+use rapid_syntax::diagnostic::Span;
+use rapid_syntax::tree::{DataKind, RoutineKind};
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// States a routine is walked with one by one; behind it only what they have in common counts.
+const MOST_STATES: usize = 16;
+/// Calls nested deeper are not followed.
+const DEEPEST_CALL: usize = 100;
+/// Steps in all, behind which everything counts as not known.
+const MOST_STEPS: u64 = 30_000_000;
+
+/// A followed datum at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SlotState {
+    pub(super) value: Value,
+    /// It is still the declared value on some way that leads here.
+    pub(super) declared: bool,
+    set_at: Option<Span>,
+}
+
+/// What is in force at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct State {
+    pub(super) slots: Vec<SlotState>,
+    pub(super) conf_l: Option<bool>,
+    pub(super) conf_j: Option<bool>,
+    /// What the last GripLoad said; `None` = not known.
+    pub(super) grip: Option<LoadData>,
+    /// In the order of [`HOLDS`]: why it is, or may be, in force.
+    pub(super) holds: [Option<Why>; 4],
+}
+
+/// A state as the values of the data that are followed.
+pub(super) struct View<'s> {
+    pub(super) state: &'s State,
+    pub(super) followed: &'s FollowedData,
+}
+
+impl Followed for View<'_> {
+    fn value(&self, datum: DatumId) -> Option<Value> {
+        let slot = self.followed.slot(datum)?;
+        self.state.slots.get(slot).map(|s| s.value.clone())
+    }
+}
+
+/// What each motion sees; `None` where no way leads to it.
+pub(super) fn states_at_motions<'a>(
+    folder: &mut Folder<'a>,
+    drafts: &Drafts<'a>,
+    lowered: &Lowered<'a>,
+    followed: &FollowedData,
+) -> Vec<Option<Rc<State>>> {
+    let routines = lowered.ways.len();
+    let mut walker = Walker {
+        at_motions: vec![None; drafts.motions.len()],
+        last_seen: None,
+        walked: vec![Vec::new(); routines],
+        common: vec![None; routines],
+        busy: Vec::new(),
+        steps: 0,
+        in_handlers: Vec::new(),
+        touched: touched(lowered),
+        folder,
+        lowered,
+        followed,
+    };
+    walker.run();
+    walker.at_motions
+}
+
+struct Walker<'w, 'a> {
+    folder: &'w mut Folder<'a>,
+    lowered: &'w Lowered<'a>,
+    followed: &'w FollowedData,
+    at_motions: Vec<Option<Rc<State>>>,
+    /// The last one seen: most motions of a routine see the same.
+    last_seen: Option<Rc<State>>,
+    walked: Vec<Vec<(State, After)>>,
+    common: Vec<Option<State>>,
+    busy: Vec<Busy>,
+    steps: u64,
+    touched: Vec<Touched>,
+    /// What the handlers of each routine and those they call may change.
+    in_handlers: Vec<Touched>,
+}
+
+/// What a routine leaves.
+#[derive(Clone, Debug, Default)]
+struct After {
+    /// At its end; `None` where it never comes back.
+    exit: Option<State>,
+    /// Where an error leaves it; `None` where none does.
+    failed: Option<State>,
+}
+
+/// A routine that is being walked.
+struct Busy {
+    routine: RoutineId,
+    /// What it was entered with, by the calls of itself further down too.
+    entry: State,
+    /// What it is known to leave so far.
+    after: After,
+    /// Where an error may have come in this walk.
+    failed: Option<State>,
+    recursive: bool,
+}
+
+impl Walker<'_, '_> {
+    fn run(&mut self) {
+        self.in_handlers = self.lowered.ways.iter().map(|ways| self.in_handlers_of(ways)).collect();
+        let index = self.folder.index;
+        let called: BTreeSet<RoutineId> = self.touched.iter().flat_map(|t| t.calls.iter().copied()).collect();
+        let declared = self.declared();
+        let trap = |id: RoutineId| index.routines[id].tree.kind == RoutineKind::Trap;
+        let ids = 0..self.lowered.ways.len();
+        for id in ids.clone() {
+            if trap(id) {
+                let anything = self.anything("a trap may run at any time");
+                self.call(id, anything);
+            } else if !called.contains(&id) {
+                self.call(id, declared.clone());
+            }
+        }
+        for id in ids {
+            if self.walked[id].is_empty() {
+                self.call(id, declared.clone()); // it is called in a circle only
+            }
+        }
+        if self.steps > MOST_STEPS {
+            let anything = self.anything("there are too many ways through the program to follow");
+            for at in 0..self.at_motions.len() {
+                self.see(at, &anything);
+            }
+        }
+        self.at_any_time();
+    }
+
+    /// ConfL and the like in traps and handlers may come into force anywhere.
+    fn at_any_time(&mut self) {
+        let index = self.folder.index;
+        let mut any = Touched::default();
+        for (id, in_handlers) in self.in_handlers.iter().enumerate() {
+            if index.routines[id].tree.kind == RoutineKind::Trap {
+                any.add(&self.touched[id]);
+            }
+            any.add(in_handlers);
+        }
+        if !any.conf_l && !any.conf_j && any.holds.is_empty() {
+            return;
+        }
+        for state in self.at_motions.iter_mut().flatten().map(Rc::make_mut) {
+            state.conf_l = state.conf_l.filter(|_| !any.conf_l);
+            state.conf_j = state.conf_j.filter(|_| !any.conf_j);
+            state.grip = state.grip.filter(|_| !any.grip);
+            for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
+                if any.holds.contains(hold) && held.is_none() {
+                    *held = Some(unknown("a trap or an error handler may put it in force"));
+                }
+            }
+        }
+    }
+
+    fn in_handlers_of(&self, ways: &Ways<'_>) -> Touched {
+        let mut own = Touched::default();
+        for handler in &ways.handlers {
+            every_step(handler, &mut |step| own.touch(step));
+        }
+        for callee in own.calls.clone() {
+            own.add(&self.touched[callee]);
+        }
+        own
+    }
+
+    /// The state a program starts with: declared values, everything else off.
+    fn declared(&mut self) -> State {
+        let mut slots = Vec::with_capacity(self.followed.data.len());
+        for &datum in &self.followed.data {
+            let kind = self.folder.index.data[datum].kind;
+            let persistent = kind == DatumKind::Declared(DataKind::Pers);
+            let value = match kind {
+                DatumKind::Declared(_) => self.folder.initial(datum),
+                DatumKind::Param { .. } | DatumKind::LoopVariable => self.folder.datum(datum, &Constant),
+            };
+            let value = value.unwrap_or_else(Value::Unknown);
+            slots.push(SlotState { value, declared: persistent, set_at: None });
+        }
+        // From its beginning a program grips nothing.
+        let grip = Some(LoadData::default());
+        State { slots, conf_l: Some(true), conf_j: Some(true), grip, holds: [const { None }; 4] }
+    }
+
+    /// A state of which nothing is known that the program changes.
+    fn anything(&mut self, reason: &str) -> State {
+        let mut state = self.declared();
+        let mut all = Touched::default();
+        for touched in &self.touched {
+            all.add(touched);
+        }
+        lose(&mut state, &all, &unknown(reason));
+        state
+    }
+
+    /// What a motion sees on one more visit.
+    fn see(&mut self, motion: usize, state: &State) {
+        let seen = self.at_motions.get_mut(motion).and_then(Option::take);
+        let seen = match seen {
+            None => match self.last_seen.take() {
+                Some(last) if *last == *state => last,
+                _ => Rc::new(state.clone()),
+            },
+            Some(mut seen) => {
+                self.join(Rc::make_mut(&mut seen), state);
+                seen
+            }
+        };
+        self.last_seen = Some(Rc::clone(&seen));
+        if let Some(at) = self.at_motions.get_mut(motion) {
+            *at = Some(seen);
+        }
+    }
+
+    /// What a routine leaves that is called in `entry`.
+    fn call(&mut self, routine: RoutineId, mut entry: State) -> After {
+        if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
+            return self.call_again(at, &entry);
+        }
+        if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+            return after.clone();
+        }
+        if self.busy.len() >= DEEPEST_CALL {
+            self.steps = MOST_STEPS + 1;
+            return After { exit: Some(entry), failed: None };
+        }
+        if self.walked[routine].len() >= MOST_STATES {
+            if let Some(mut common) = self.common[routine].take() {
+                self.join(&mut common, &entry);
+                entry = common;
+            }
+            self.common[routine] = Some(entry.clone());
+            if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+                return after.clone();
+            }
+        }
+        let known: Vec<usize> = self.walked.iter().map(Vec::len).collect();
+        let mut after = After::default();
+        loop {
+            let (entered, known_after) = (entry.clone(), after.clone());
+            self.busy.push(Busy {
+                routine,
+                entry: entered,
+                after: known_after,
+                failed: None,
+                recursive: false,
+            });
+            let exit = self.body(routine, &entry);
+            let Some(busy) = self.busy.pop() else { break };
+            let before = std::mem::take(&mut after);
+            after.exit = self.either(before.exit.clone(), exit);
+            after.failed = self.either(before.failed.clone(), busy.failed);
+            let settled = same_or_none(before.exit.as_ref(), after.exit.as_ref())
+                && same_or_none(before.failed.as_ref(), after.failed.as_ref());
+            if !busy.recursive || settled && same(&busy.entry, &entry) {
+                break;
+            }
+            // What was walked on the way rests on what this routine was taken to do.
+            for (walked, &known) in self.walked.iter_mut().zip(&known) {
+                walked.truncate(known);
+            }
+            entry = busy.entry;
+        }
+        self.walked[routine].push((entry, after.clone()));
+        after
+    }
+
+    /// A routine that calls itself: the outer call is walked again until it covers this one as well.
+    fn call_again(&mut self, at: usize, entry: &State) -> After {
+        let Some(mut covered) = self.busy.get(at).map(|busy| busy.entry.clone()) else {
+            return After::default();
+        };
+        self.join(&mut covered, entry);
+        let Some(busy) = self.busy.get_mut(at) else { return After::default() };
+        busy.entry = covered;
+        busy.recursive = true;
+        busy.after.clone()
+    }
+
+    fn body(&mut self, routine: RoutineId, entry: &State) -> Option<State> {
+        let lowered = self.lowered;
+        let ways = &lowered.ways[routine];
+        let mut exit = walk(self, &ways.body, entry);
+        let failed_in_body = self.busy.last_mut().and_then(|busy| busy.failed.take());
+        if !ways.handlers.is_empty() {
+            let mut failed = entry.clone();
+            let reason = unknown("an error may come before or after it is set");
+            lose(&mut failed, &self.touched[routine], &reason);
+            for handler in &ways.handlers {
+                let handled = walk(self, handler, &failed);
+                exit = self.either(exit, handled);
+            }
+        }
+        if let Some(failed) = failed_in_body.filter(|_| !ways.recovery.catches_all) {
+            self.fails(&failed);
+        }
+        exit
+    }
+
+    /// An error may leave what is being walked with this state.
+    fn fails(&mut self, state: &State) {
+        let known = self.busy.last_mut().and_then(|busy| busy.failed.take());
+        let failed = self.either(known, Some(state.clone()));
+        if let Some(busy) = self.busy.last_mut() {
+            busy.failed = failed;
+        }
+    }
+
+    /// The state behind the handlers of what is being walked.
+    fn handled(&self, state: &mut State) {
+        let in_handlers = self.busy.last().and_then(|busy| self.in_handlers.get(busy.routine));
+        if let Some(in_handlers) = in_handlers {
+            lose(state, in_handlers, &unknown("an error handler may change it"));
+        }
+    }
+
+    fn either(&mut self, a: Option<State>, b: Option<State>) -> Option<State> {
+        match (a, b) {
+            (Some(mut a), Some(b)) => {
+                self.join(&mut a, &b);
+                Some(a)
+            }
+            (a, b) => a.or(b),
+        }
+    }
+}
+
+fn same(a: &State, b: &State) -> bool {
+    a.conf_l == b.conf_l
+        && a.conf_j == b.conf_j
+        && a.grip == b.grip
+        && a.holds.iter().zip(&b.holds).all(|(a, b)| a.is_some() == b.is_some())
+        && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
+}
+
+fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some(a), Some(b)) => same(a, b),
+        _ => false,
+    }
+}
+
+fn lose(state: &mut State, touched: &Touched, why: &Why) {
+    for &slot in &touched.slots {
+        if let Some(slot) = state.slots.get_mut(slot) {
+            slot.value = Value::Unknown(why.clone());
+        }
+    }
+    state.conf_l = state.conf_l.filter(|_| !touched.conf_l);
+    state.conf_j = state.conf_j.filter(|_| !touched.conf_j);
+    state.grip = state.grip.filter(|_| !touched.grip);
+    for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
+        if touched.holds.contains(hold) {
+            *held = Some(why.clone());
+        }
+    }
+}
+
+fn unknown(reason: &str) -> Why {
+    Rc::new(Keep { code: "keep::runtime-target", reason: reason.into(), because: None })
+}

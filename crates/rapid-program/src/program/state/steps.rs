@@ -1,0 +1,153 @@
+//! What each step of a routine does to the state.
+
+use super::{MOST_STEPS, SlotState, State, View, Walker, same, unknown};
+use crate::program::errors::Recovery;
+use crate::program::flow::{Binding, Carried, HOLDS, Step};
+use crate::program::fold::Constant;
+use crate::program::index::{Ctx, RoutineId};
+use crate::program::motion::Keep;
+use crate::program::names::Sym;
+use crate::program::value::Value;
+use rapid_syntax::tree::Expr;
+use std::rc::Rc;
+
+impl<'a> Carried<'a> for Walker<'_, 'a> {
+    type State = State;
+
+    fn join(&mut self, into: &mut State, other: &State) -> bool {
+        let before = into.clone();
+        let index = self.folder.index;
+        for (a, b) in into.slots.iter_mut().zip(&other.slots) {
+            let at = b.set_at.max(a.set_at);
+            let why = || {
+                let place = at.map_or(String::new(), |at| format!(": {}", index.place(at)));
+                let reason = format!("it is changed on one of the ways that lead here{place}");
+                Rc::new(Keep { code: "keep::runtime-target", reason, because: at })
+            };
+            a.value = a.value.join(&b.value, &why);
+            a.declared |= b.declared;
+            a.set_at = at;
+        }
+        into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
+        into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
+        into.grip = into.grip.filter(|load| other.grip == Some(*load));
+        for (a, b) in into.holds.iter_mut().zip(&other.holds) {
+            if a.is_none() {
+                a.clone_from(b);
+            }
+        }
+        !same(&before, into)
+    }
+
+    fn step(&mut self, step: &Step<'a>, mut state: State) -> Option<State> {
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            return None;
+        }
+        match step {
+            Step::Motion(motion) => self.see(*motion, &state),
+            Step::Assign { slot, path, value, ctx, at } => {
+                let new = self.value(value, *ctx, &state);
+                let type_name =
+                    self.followed.data.get(*slot).map(|&datum| self.folder.index.data[datum].type_name);
+                if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
+                    let value = self.with_component(&old.value, type_name, path, new);
+                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                }
+            }
+            Step::Lose { slot, why, at } => {
+                if let Some(old) = state.slots.get_mut(*slot) {
+                    let value = Value::Unknown(why.clone());
+                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                }
+            }
+            Step::ConfL(on) => state.conf_l = *on,
+            Step::ConfJ(on) => state.conf_j = *on,
+            Step::Grip(load) => state.grip = *load,
+            Step::Hold(hold, why) => {
+                for (known, held) in HOLDS.iter().zip(&mut state.holds) {
+                    if known == hold {
+                        held.clone_from(why);
+                    }
+                }
+            }
+            Step::MayFail(recovery) => {
+                self.fails(&state);
+                if recovery.resumes() {
+                    self.handled(&mut state);
+                }
+            }
+            Step::Call { routines, bindings, maybe, recovery, ctx } => {
+                return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
+            }
+            Step::Away | Step::Wait(_) => {}
+        }
+        Some(state)
+    }
+}
+
+impl Walker<'_, '_> {
+    fn call_any(
+        &mut self,
+        routines: &[RoutineId],
+        bindings: &[Binding<'_>],
+        maybe: bool,
+        recovery: Recovery,
+        ctx: Ctx,
+        state: &State,
+    ) -> Option<State> {
+        let mut entry = state.clone();
+        for binding in bindings {
+            let value = match binding.value {
+                Some(expr) => self.value(expr, ctx, state),
+                None => self.folder.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
+            };
+            if let Some(slot) = entry.slots.get_mut(binding.slot) {
+                *slot = SlotState { value, declared: false, set_at: None };
+            }
+        }
+        let mut out = maybe.then(|| state.clone());
+        for &routine in routines {
+            let mut entry = entry.clone();
+            loop {
+                let after = self.call(routine, entry.clone());
+                if let Some(mut failed) = after.failed {
+                    self.fails(&failed);
+                    self.handled(&mut failed);
+                    if recovery.again && self.join(&mut entry, &failed) {
+                        continue;
+                    }
+                    if recovery.next {
+                        out = self.either(out, Some(failed));
+                    }
+                }
+                out = self.either(out, after.exit);
+                break;
+            }
+        }
+        out
+    }
+
+    fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {
+        let view = View { state, followed: self.followed };
+        self.folder.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
+    }
+
+    /// The value with the component at `path` replaced.
+    fn with_component(&self, value: &Value, type_name: Sym, path: &[Sym], new: Value) -> Value {
+        let Some((name, rest)) = path.split_first() else { return new };
+        let components = self.folder.index.components(type_name).unwrap_or_default();
+        let Some(at) = components.iter().position(|(n, _)| n == name) else {
+            return Value::Unknown(unknown("a component that its type does not have is set"));
+        };
+        let mut parts: Vec<Value> = match value {
+            Value::Parts(parts) if parts.len() == components.len() => parts.to_vec(),
+            Value::Unknown(why) => vec![Value::Unknown(why.clone()); components.len()],
+            _ => return Value::Unknown(unknown("its value is not that of its type")),
+        };
+        if let Some(part) = parts.get_mut(at) {
+            *part = self.with_component(part, components[at].1, rest, new);
+        }
+        Value::parts(parts)
+    }
+}

@@ -1,0 +1,178 @@
+//! Gravity's loads on an arm at rest: torque about each joint, force and moment at each joint's origin.
+//!
+//! Gravity points along -z of the base. Masses come from the robot file; without them a guess by size
+//! gives the shape, and effects of gravity let each link's share float.
+
+use crate::robot::{Link, Robot};
+use nalgebra::{Isometry3, Vector3};
+
+/// Standard gravity, m/s2 (CGPM 1901).
+pub const GRAVITY_M_S2: f64 = 9.80665;
+/// Mass of the moving links guessed for an arm of 1 m reach, kg; it grows with the cube of the reach.
+const GUESS_KG: f64 = 100.0;
+/// How that mass is shared over the links.
+const GUESS_SHARES: [f64; 6] = [0.36, 0.26, 0.2, 0.1, 0.05, 0.03];
+
+/// Loads at one station.
+#[derive(Clone, Debug, Default)]
+pub struct Loads {
+    /// Torque about each joint's axis from all links beyond it and the payload, N.m.
+    pub torque_n_m: [f64; 6],
+    /// The part of each link k on each joint j: `parts[j][k]`, N.m.
+    pub link_torque_n_m: [[f64; 6]; 6],
+    /// The payload's part on each joint, N.m.
+    pub payload_torque_n_m: [f64; 6],
+    /// What one kilogram at the payload's place would add on each joint, N.m.
+    pub unit_torque_n_m: [f64; 6],
+    /// What the same kilogram adds on joint j per metre further along the flange's axis k: `levers[j][k]`, N.
+    pub unit_lever_n: [[f64; 3]; 6],
+    /// Load beyond each joint, about that joint's origin: of all links and the payload.
+    pub beyond: [Pull; 6],
+    /// The part of each link k in it: `parts[j][k]`.
+    pub link_beyond: [[Pull; 6]; 6],
+    /// Moment of the whole moving arm about the base's origin, N.m.
+    pub base_moment_n_m: Vector3<f64>,
+    /// The part of each link, N.m.
+    pub link_base_moment_n_m: [Vector3<f64>; 6],
+}
+
+/// A load that gravity pulls down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pull {
+    /// About a joint's origin, base axes, N.m.
+    pub moment_n_m: Vector3<f64>,
+    /// Downward, along -z, N.
+    pub weight_n: f64,
+}
+
+/// How a cantilever bends under gravity, per unit of its L/EI (Gere and Timoshenko, Mechanics of Materials, appendix G).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bend {
+    /// Turn of its end, base axes, N.m: M + F L / 2.
+    pub turn_n_m: Vector3<f64>,
+    /// Sinking of its end, N.m times metres: M L / 2 + F L^2 / 3.
+    pub sink_m_n_m: Vector3<f64>,
+}
+
+impl Pull {
+    /// How the link between two joints' origins (base frame) bends when this pulls at its end: an even one, and
+    /// the change where it gives more near its root than near its tip.
+    #[must_use]
+    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [Bend; 2] {
+        let along = to_m - from_m;
+        let across = |v: Vector3<f64>| {
+            if along.norm() > 1e-6 { v - along * (v.dot(&along) / along.norm_squared()) } else { v }
+        };
+        let moment = across(self.moment_n_m);
+        let lever = along.cross(&Vector3::new(0.0, 0.0, -self.weight_n));
+        let even =
+            Bend { turn_n_m: moment + lever * 0.5, sink_m_n_m: (moment * 0.5 + lever / 3.0).cross(&along) };
+        [even, Bend { turn_n_m: lever, sink_m_n_m: (moment + lever).cross(&along) }]
+    }
+
+    fn add(&mut self, moment_n_m: &Vector3<f64>, weight_n: f64) {
+        self.moment_n_m += moment_n_m;
+        self.weight_n += weight_n;
+    }
+}
+
+/// Length of the arm stretched out, metres.
+fn reach_m(robot: &Robot) -> f64 {
+    robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum::<f64>()
+        + robot.joint6_from_flange.translation.vector.norm()
+}
+
+/// The robot's links, or a guess from its size.
+#[must_use]
+pub fn links(robot: &Robot) -> [Link; 6] {
+    robot.links.unwrap_or_else(|| {
+        let total_kg = GUESS_KG * reach_m(robot).powi(3);
+        std::array::from_fn(|i| {
+            let next = robot.joints.get(i + 1).map_or(&robot.joint6_from_flange, |j| &j.previous_from_joint);
+            let middle_m = next.translation.vector * 0.5;
+            Link { mass_kg: total_kg * GUESS_SHARES[i], com_m: middle_m.into() }
+        })
+    })
+}
+
+/// Loads of the arm whose joint frames (then flange) are `frames`, with `payload_kg` at `point_m`.
+#[must_use]
+pub fn loads_at(
+    robot: &Robot,
+    frames: &[Isometry3<f64>; 7],
+    axes: &[Vector3<f64>; 6],
+    point_m: Vector3<f64>,
+    payload_kg: f64,
+) -> Loads {
+    let down = Vector3::new(0.0, 0.0, -GRAVITY_M_S2);
+    let mut loads = Loads::default();
+    let mut add = |k: usize, mass_kg: f64, at_m: Vector3<f64>, payload: bool| {
+        let force = down * mass_kg;
+        loads.base_moment_n_m += at_m.cross(&force);
+        if !payload {
+            loads.link_base_moment_n_m[k] += at_m.cross(&force);
+        }
+        for j in 0..=k {
+            let moment = (at_m - frames[j].translation.vector).cross(&force);
+            let torque = axes[j].dot(&moment);
+            loads.torque_n_m[j] += torque;
+            if payload {
+                loads.payload_torque_n_m[j] += torque;
+            } else {
+                loads.link_torque_n_m[j][k] += torque;
+                loads.link_beyond[j][k].add(&moment, mass_kg * GRAVITY_M_S2);
+            }
+            loads.beyond[j].add(&moment, mass_kg * GRAVITY_M_S2);
+        }
+    };
+    for (k, link) in links(robot).iter().enumerate() {
+        // The centre of mass is given in the joint's frame at the zero pose: it turns with the joint.
+        let at_m = frames[k].transform_point(&Vector3::from(link.com_m).into()).coords;
+        add(k, link.mass_kg, at_m, false);
+    }
+    if payload_kg > 0.0 {
+        add(5, payload_kg, point_m, true);
+    }
+    for j in 0..6 {
+        let moment = (point_m - frames[j].translation.vector).cross(&down);
+        loads.unit_torque_n_m[j] = axes[j].dot(&moment);
+        for (k, lever) in loads.unit_lever_n[j].iter_mut().enumerate() {
+            let further: Vector3<f64> = frames[6].rotation * Vector3::ith(k, 1.0);
+            *lever = axes[j].dot(&further.cross(&down));
+        }
+    }
+    loads
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::Chain;
+
+    #[test]
+    fn a_stretched_irb140_loads_joint_2_by_its_levers() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let q_rad = [0.0, std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
+        let frames = Chain::nominal(&robot).frames(&q_rad);
+        let axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let point_m = frames[6].translation.vector;
+        let loads = loads_at(&robot, &frames, &axes, point_m, 2.0);
+        // Upper arm level, forearm level: levers from joint 2 are each centre's x minus 0.07 m.
+        let links = robot.links.unwrap();
+        let levers_m = [0.18, 0.36 + 0.015, 0.36 + 0.24, 0.36 + 0.38 + 0.015, 0.36 + 0.38 + 0.05];
+        let torque: f64 = links[1..].iter().zip(levers_m).map(|(l, x)| l.mass_kg * x * 9.80665).sum::<f64>()
+            + 2.0 * 9.80665 * (0.36 + 0.38 + 0.065);
+        assert!((loads.torque_n_m[1] - torque).abs() < 1e-9, "{} {torque}", loads.torque_n_m[1]);
+        assert!(loads.torque_n_m[0].abs() < 1e-9);
+        // Level, straight ahead: a kilogram one metre further along the flange's z.
+        assert!((loads.unit_lever_n[1][2] - 9.80665).abs() < 1e-9, "{:?}", loads.unit_lever_n[1]);
+        // The upper arm under the weight and the moment of all beyond the elbow.
+        let [even, _] = loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
+        let weight = 9.80665 * (links[2..].iter().map(|l| l.mass_kg).sum::<f64>() + 2.0);
+        let moment = loads.torque_n_m[2];
+        assert!((even.turn_n_m.y - moment - 0.36 * weight / 2.0).abs() < 1e-9, "{even:?}");
+        let sink = moment * 0.36 / 2.0 + 0.36 * 0.36 * weight / 3.0;
+        assert!((even.sink_m_n_m.z + sink).abs() < 1e-9, "{even:?}");
+        assert!((loads.payload_torque_n_m[1] - 2.0 * loads.unit_torque_n_m[1]).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,392 @@
+//! The model's file: TOML in mm, degrees and ppm, twelve digits, so that what is read and written again is the same.
+
+use super::keys::Keys;
+use super::{Hangs, Identified, Kind, Mounting, Seen, Shape, Term, Value};
+use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
+use std::fmt::Write as _;
+use thiserror::Error;
+
+/// Why a model cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ModelError {
+    /// No TOML.
+    #[error("model, line {line}: {message}")]
+    Toml {
+        /// From 1.
+        line: usize,
+        /// What the TOML reader says.
+        message: String,
+    },
+    /// A key or value that makes no model.
+    #[error("model, {place}: {problem}")]
+    Value {
+        /// Which table and key.
+        place: String,
+        /// What is wrong.
+        problem: String,
+    },
+}
+
+impl From<ModelError> for Diagnostic {
+    fn from(error: ModelError) -> Self {
+        let code = match error {
+            ModelError::Toml { .. } => "model::toml",
+            ModelError::Value { .. } => "model::value",
+        };
+        Self::error(code, error.to_string()).help("docs/MODEL.md describes the file")
+    }
+}
+
+/// The layout that is written.
+const FORMAT: i64 = 1;
+
+impl Identified {
+    /// Reads a model file; see `docs/MODEL.md`.
+    ///
+    /// # Errors
+    /// [`ModelError`] with line, or table and key.
+    pub fn from_toml(text: &str) -> Result<Self, ModelError> {
+        let table: toml::Table = toml::from_str(text).map_err(|e| ModelError::Toml {
+            line: text.get(..e.span().map_or(0, |s| s.start)).unwrap_or(text).matches('\n').count() + 1,
+            message: e.message().to_owned(),
+        })?;
+        let mut top = Keys::new("top", table);
+        match top.integer("format")? {
+            Some(FORMAT) => {}
+            Some(other) => return Err(top.wrong("format", format!("{other} is not known, {FORMAT} is"))),
+            None => return Err(top.wrong("format", "missing: is this an identified model?".to_owned())),
+        }
+        let mut model = Self {
+            robot: top.text("robot")?.unwrap_or_default(),
+            verdict: top.text("verdict")?.unwrap_or_default(),
+            ..Self::default()
+        };
+        if let Some(mut data) = top.table("data")? {
+            model.data = data.text("file")?.unwrap_or_default();
+            model.data_sha256 = data.text("sha256")?.unwrap_or_default();
+            model.seen.rows = data.integer("rows")?.and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
+            model.sigma_m = data.number("sigma_mm")?.map(m_from_mm);
+            data.finish()?;
+        }
+        if let Some(seen) = top.table("seen")? {
+            read_seen(seen, &mut model.seen)?;
+        }
+        if let Some(mounting) = top.table("mounting")? {
+            model.mounting = Some(read_mounting(mounting)?);
+        }
+        for (i, effect) in top.tables("effect")?.into_iter().enumerate() {
+            model.terms.push(read_term(Keys::new(format!("[[effect]] {}", i + 1), effect))?);
+        }
+        top.finish()?;
+        Ok(model)
+    }
+
+    /// The model as a file.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        let mut out =
+            String::from("# An identified robot: docs/MODEL.md describes this file. mm, degrees, minutes.\n");
+        let _ = writeln!(out, "format = {FORMAT}\nrobot = {}", quoted(&self.robot));
+        if !self.verdict.is_empty() {
+            let _ = writeln!(out, "verdict = {}", quoted(&self.verdict));
+        }
+        let _ =
+            writeln!(out, "\n[data]\nfile = {}\nsha256 = {}", quoted(&self.data), quoted(&self.data_sha256));
+        let _ = writeln!(out, "rows = {}", self.seen.rows);
+        if let Some(sigma_m) = self.sigma_m {
+            let _ = writeln!(out, "sigma_mm = {}", number(mm_from_m(sigma_m)));
+        }
+        out += "\n[seen]  # ranges of the measurement; outside of them the model is a guess\n";
+        let _ = writeln!(out, "q_deg = {}", ranges(&self.seen.q_rad.map(|r| r.map(deg_from_rad))));
+        if let Some(range) = self.seen.t_min {
+            let _ = writeln!(out, "t_min = {}", list(&range));
+        }
+        if let Some(all) = &self.seen.joint_temperature_c {
+            let _ = writeln!(out, "joint_temperature_c = {}", ranges(all));
+        }
+        if let Some(range) = self.seen.payload_kg {
+            let _ = writeln!(out, "payload_kg = {}", list(&range));
+        }
+        if let Some(mounting) = &self.mounting {
+            write_mounting(&mut out, mounting);
+        }
+        for term in &self.terms {
+            write_term(&mut out, term);
+        }
+        out
+    }
+
+    /// The model with the numbers that its file holds: what is written and read again is this.
+    ///
+    /// # Errors
+    /// Where a value is not finite.
+    pub fn as_written(&self) -> Result<Self, ModelError> {
+        Self::from_toml(&self.to_toml())
+    }
+}
+
+fn read_seen(mut keys: Keys, seen: &mut Seen) -> Result<(), ModelError> {
+    let q_deg: Option<[[f64; 2]; 6]> = keys.ranges("q_deg")?;
+    seen.q_rad = q_deg.unwrap_or_default().map(|r| r.map(rad_from_deg));
+    seen.t_min = keys.numbers("t_min")?;
+    seen.joint_temperature_c = keys.ranges("joint_temperature_c")?;
+    seen.payload_kg = keys.numbers("payload_kg")?;
+    keys.finish()
+}
+
+fn read_mounting(mut keys: Keys) -> Result<Mounting, ModelError> {
+    let base_mm: [f64; 3] = keys.required("base_mm")?;
+    let [w, x, y, z] = keys.required("base_wxyz")?;
+    let turn = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-6)
+        .ok_or_else(|| keys.wrong("base_wxyz", "has no length".to_owned()))?;
+    let tools: Vec<f64> = keys.list("tools_mm")?;
+    if tools.is_empty() || !tools.len().is_multiple_of(3) {
+        return Err(keys.wrong("tools_mm", "three numbers for each target are needed".to_owned()));
+    }
+    let tools_m = tools.chunks_exact(3).map(|t| Vector3::from_column_slice(t).map(m_from_mm)).collect();
+    keys.finish()?;
+    let at = Translation3::from(Vector3::from(base_mm).map(m_from_mm));
+    Ok(Mounting { instrument_from_base: Isometry3::from_parts(at, turn), tools_m })
+}
+
+fn write_mounting(out: &mut String, mounting: &Mounting) {
+    let base = &mounting.instrument_from_base;
+    let at: Vec<f64> = base.translation.vector.iter().map(|m| mm_from_m(*m)).collect();
+    let q = base.rotation.quaternion();
+    let tools: Vec<f64> = mounting.tools_m.iter().flat_map(|t| t.iter().map(|m| mm_from_m(*m))).collect();
+    out.push_str(
+        "\n[mounting]  # how the robot stood in the instrument's frame, and the targets on its flange\n",
+    );
+    let _ = writeln!(
+        out,
+        "base_mm = {}\nbase_wxyz = {}\ntools_mm = {}",
+        list(&at),
+        list(&[q.w, q.i, q.j, q.k]),
+        list(&tools)
+    );
+}
+
+fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
+    let name = keys.text("effect")?.ok_or_else(|| keys.wrong("effect", "missing".to_owned()))?;
+    let kind = Kind::named(&name).ok_or_else(|| keys.wrong("effect", format!("`{name}` is not known")))?;
+    let joint = keys.joint("joint")?;
+    if kind.takes_joint() && joint.is_none() && !kind.may_be_of_all() {
+        return Err(keys.wrong("joint", format!("{name} needs one, 1 to 6")));
+    }
+    let joint_b = keys.joint("joint_b")?;
+    if (kind == Kind::JointCoupling) != joint_b.is_some() {
+        return Err(keys.wrong("joint_b", "joint_coupling needs it, no other effect takes it".to_owned()));
+    }
+    let n = keys.integer("n")?.and_then(|n| u32::try_from(n).ok());
+    let n = match (kind, n) {
+        (Kind::GearEccentricity, _) => Some(1),
+        (Kind::GearSecondHarmonic, _) => Some(2),
+        (Kind::GearMesh, None) => return Err(keys.wrong("n", "gear_mesh needs periods per turn".to_owned())),
+        (_, n) => n,
+    };
+    let mut values = Vec::new();
+    for (key, unit) in kind.parameters() {
+        let value = unit.si(keys.number(key)?.unwrap_or(0.0));
+        let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
+        values.push(Value { value, sigma });
+    }
+    if kind == Kind::GearSpectrum {
+        values = read_spectrum(&mut keys)?;
+    }
+    let cause = keys.boolean("cause")?.unwrap_or(true);
+    let held_above_n_m = keys.number("held_above_n_m")?;
+    let hangs = read_hangs(&mut keys)?;
+    let shape = read_shape(&mut keys)?;
+    keys.finish()?;
+    Ok(Term { kind, joint, joint_b, n, shape, held_above_n_m, hangs, cause, values })
+}
+
+/// Lists of sines and cosines, sigmas beside them or not.
+fn read_spectrum(keys: &mut Keys) -> Result<Vec<Value>, ModelError> {
+    let parts = SPECTRUM.map(|key| (key, format!("sigma_{key}")));
+    let mut lists = Vec::new();
+    for (key, sigma_key) in &parts {
+        lists.push((keys.list(key)?, keys.list(sigma_key)?));
+    }
+    let n = lists.first().map_or(0, |(values, _)| values.len());
+    for ((values, sigmas), (key, sigma_key)) in lists.iter().zip(&parts) {
+        if values.len() != n || n == 0 {
+            return Err(keys.wrong(key, "sines and cosines are needed, as many of each".to_owned()));
+        }
+        if !sigmas.is_empty() && sigmas.len() != n {
+            return Err(keys.wrong(sigma_key, format!("{n} numbers are needed, there are {}", sigmas.len())));
+        }
+    }
+    let value = |k: usize, (values, sigmas): &(Vec<f64>, Vec<f64>)| Value {
+        value: rad_from_deg(values[k]),
+        sigma: sigmas.get(k).map(|s| rad_from_deg(*s)),
+    };
+    Ok((0..n).flat_map(|k| lists.iter().map(move |list| value(k, list))).collect())
+}
+
+fn write_spectrum(out: &mut String, values: &[Value]) {
+    for (first, key) in SPECTRUM.iter().enumerate() {
+        let part: Vec<Value> = values.iter().skip(first).step_by(2).copied().collect();
+        let degrees: Vec<f64> = part.iter().map(|v| deg_from_rad(v.value)).collect();
+        let _ = writeln!(out, "{key} = {}", list(&degrees));
+        let sigmas: Option<Vec<f64>> = part.iter().map(|v| v.sigma.map(deg_from_rad)).collect();
+        if let Some(sigmas) = sigmas {
+            let _ = writeln!(out, "sigma_{key} = {}", list(&sigmas));
+        }
+    }
+}
+
+/// Keys of a spectrum's values.
+const SPECTRUM: [&str; 2] = ["sin_deg", "cos_deg"];
+/// Names of [`Hangs`] in the file.
+const HANGS: [(&str, Hangs); 3] =
+    [("where-loaded", Hangs::WhereLoaded), ("always", Hangs::Always), ("per-kilogram", Hangs::PerKilogram)];
+
+fn read_hangs(keys: &mut Keys) -> Result<Hangs, ModelError> {
+    let Some(name) = keys.text("hangs")? else { return Ok(Hangs::default()) };
+    let known = HANGS.iter().find(|(known, _)| *known == name).map(|(_, hangs)| *hangs);
+    known
+        .ok_or_else(|| keys.wrong("hangs", format!("`{name}` is none of where-loaded, always, per-kilogram")))
+}
+
+fn read_shape(keys: &mut Keys) -> Result<Shape, ModelError> {
+    let Some(name) = keys.text("growth")? else { return Ok(Shape::Always) };
+    let positive = |keys: &mut Keys, key: &str| match keys.number(key)? {
+        Some(value) if value > 0.0 => Ok(value),
+        _ => Err(keys.wrong(key, format!("growth `{name}` needs it, more than 0"))),
+    };
+    match name.as_str() {
+        "exp" => Ok(Shape::Exponential { tau_min: positive(keys, "tau_min")? }),
+        "two-stage" => Ok(Shape::TwoLags { tau_min: positive(keys, "tau_min")? }),
+        "linear" => {
+            let from_min = keys.number("from_min")?.unwrap_or(0.0);
+            let to_min = keys.number("to_min")?.unwrap_or(0.0);
+            if to_min <= from_min {
+                return Err(keys.wrong("to_min", "must come after from_min".to_owned()));
+            }
+            Ok(Shape::Linear { from_min, to_min })
+        }
+        "step" => {
+            let t0_min = keys.number("t0_min")?;
+            let t0_min = t0_min.ok_or_else(|| keys.wrong("t0_min", "growth `step` needs it".to_owned()))?;
+            Ok(Shape::Step { t0_min })
+        }
+        "temperature" => {
+            let from_c = keys.required("from_c")?;
+            Ok(Shape::Temperature { from_c, to_c: keys.required("to_c")? })
+        }
+        _ => {
+            Err(keys
+                .wrong("growth", format!("`{name}` is none of exp, two-stage, linear, step, temperature")))
+        }
+    }
+}
+
+fn write_term(out: &mut String, term: &Term) {
+    let _ = writeln!(out, "\n[[effect]]\neffect = {}", quoted(term.kind.name()));
+    if !term.cause {
+        out.push_str("cause = false\n");
+    }
+    for (key, joint) in [("joint", term.joint), ("joint_b", term.joint_b)] {
+        if let Some(joint) = joint {
+            let _ = writeln!(out, "{key} = {}", joint + 1);
+        }
+    }
+    if let (Kind::GearMesh, Some(n)) = (term.kind, term.n) {
+        let _ = writeln!(out, "n = {n}");
+    }
+    for ((key, unit), value) in term.kind.parameters().iter().zip(&term.values) {
+        let optional = ["link", "joint", "uneven"].iter().any(|correction| key.starts_with(correction));
+        if optional && value.value == 0.0 && value.sigma.is_none() {
+            continue;
+        }
+        let _ = writeln!(out, "{key} = {}", number(unit.file(value.value)));
+        if let Some(sigma) = value.sigma {
+            let _ = writeln!(out, "sigma_{key} = {}", number(unit.file(sigma)));
+        }
+    }
+    if term.kind == Kind::GearSpectrum {
+        write_spectrum(out, &term.values);
+    }
+    if let Some(limit) = term.held_above_n_m {
+        let _ = writeln!(out, "held_above_n_m = {}", number(limit));
+    }
+    if let Some((name, _)) = HANGS.iter().skip(1).find(|(_, hangs)| *hangs == term.hangs) {
+        let _ = writeln!(out, "hangs = {}", quoted(name));
+    }
+    let _ = match term.shape {
+        Shape::Always => Ok(()),
+        Shape::Exponential { tau_min } => writeln!(out, "growth = \"exp\"\ntau_min = {}", number(tau_min)),
+        Shape::TwoLags { tau_min } => writeln!(out, "growth = \"two-stage\"\ntau_min = {}", number(tau_min)),
+        Shape::Linear { from_min, to_min } => {
+            writeln!(out, "growth = \"linear\"\nfrom_min = {}\nto_min = {}", number(from_min), number(to_min))
+        }
+        Shape::Step { t0_min } => writeln!(out, "growth = \"step\"\nt0_min = {}", number(t0_min)),
+        Shape::Temperature { from_c, to_c } => {
+            writeln!(out, "growth = \"temperature\"\nfrom_c = {}\nto_c = {}", list(&from_c), list(&to_c))
+        }
+    };
+}
+
+/// Twelve digits and always a number that TOML reads as a float.
+fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
+    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded:?}")
+    }
+}
+
+fn list(values: &[f64]) -> String {
+    format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "))
+}
+
+fn ranges(all: &[[f64; 2]; 6]) -> String {
+    format!("[{}]", all.iter().map(|r| list(r)).collect::<Vec<_>>().join(", "))
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = include_str!("../../../../../fixtures/model/every_effect.toml");
+
+    #[test]
+    fn every_effect_is_read_and_written_without_loss() {
+        let model = Identified::from_toml(TEXT).unwrap();
+        assert_eq!(model.terms.len(), super::super::kind::ALL.len());
+        let written = model.to_toml();
+        let again = Identified::from_toml(&written).unwrap();
+        assert_eq!(again, model);
+        assert_eq!(again.to_toml(), written);
+        // By hand: 0.057 deg, 4.1e-6 rad/(N.m), 120 ppm.
+        assert_eq!(model.terms[0].values[0].value, 0.057_f64.to_radians());
+        assert_eq!(model.terms[2].values[0].value, 4.1e-6);
+        assert!((model.terms[11].values[0].value - 1.2e-4).abs() < 1e-18);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_place() {
+        let error = |from: &str, to: &str| {
+            assert!(TEXT.contains(from), "{from}");
+            Identified::from_toml(&TEXT.replacen(from, to, 1)).unwrap_err().to_string()
+        };
+        assert_eq!(error("format = 1", "format = 2"), "model, top, format: 2 is not known, 1 is");
+        assert_eq!(
+            error("offset_deg = 0.057", "offset_mm = 0.057"),
+            "model, [[effect]] 1, offset_mm: is not known here"
+        );
+        assert_eq!(error("joint = 3", "joint = 7"), "model, [[effect]] 1, joint: 7 is not 1 to 6");
+        assert!(error("format = 1", "format =").starts_with("model, line "));
+        let unknown = error("effect = \"joint_offset\"", "effect = \"joint_ofset\"");
+        assert_eq!(unknown, "model, [[effect]] 1, effect: `joint_ofset` is not known");
+    }
+}

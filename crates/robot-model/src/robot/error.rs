@@ -1,0 +1,70 @@
+//! What can be wrong with a robot: which place of the file, and what to do.
+
+use rapid_syntax::diagnostic::Diagnostic;
+use thiserror::Error;
+
+/// Why there is no robot.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RobotError {
+    /// The text is not TOML, a key is unknown or missing, or a value has the wrong type.
+    #[error("robot file, line {line}, column {column}: {message}")]
+    Toml {
+        /// From 1.
+        line: usize,
+        /// From 1, in characters.
+        column: usize,
+        /// What the TOML reader says.
+        message: String,
+    },
+    /// The numbers make no robot.
+    #[error("robot file, {place}: {problem}; {remedy}")]
+    Value {
+        /// Which table and key, e.g. `[[joint]] 3, axis`.
+        place: String,
+        /// What is wrong.
+        problem: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// A robot this program refuses to guess, known by name.
+    #[error("`{name}` is refused: {reason}")]
+    Refused {
+        /// As asked for.
+        name: String,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// No built-in robot of that name.
+    #[error(
+        "no built-in robot is called `{name}`{}; built in are {}. For another robot give the path of a robot file (TOML)",
+        nearest.as_ref().map_or(String::new(), |n| format!(", did you mean `{n}`?")),
+        known.join(", ")
+    )]
+    Unknown {
+        /// As asked for.
+        name: String,
+        /// The built-in name that is least different, when one is near.
+        nearest: Option<&'static str>,
+        /// All built-in names.
+        known: &'static [&'static str],
+    },
+}
+
+impl RobotError {
+    /// Stable code, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Toml { .. } => "robot::toml",
+            Self::Value { .. } => "robot::value",
+            Self::Refused { .. } => "robot::coupled",
+            Self::Unknown { .. } => "robot::unknown",
+        }
+    }
+}
+
+impl From<RobotError> for Diagnostic {
+    fn from(error: RobotError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
+}

@@ -1,0 +1,423 @@
+//! From the tree of a routine to the flat form it is executed in.
+
+use super::ir::{Arg, Call, Callee, Code, Expr, ExprKind, LocalDecl, Name, Op, Param, Step};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree;
+use rapid_syntax::{SourceFile, parts_of_numbers};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The bytes of a range as text, one character a byte (ISO 8859-1).
+pub(super) fn latin1(file: &SourceFile, range: TextRange) -> String {
+    file.text(range).iter().map(|&b| char::from(b)).collect()
+}
+
+/// A name in lower case.
+pub(super) fn name_of(file: &SourceFile, range: TextRange) -> Name {
+    latin1(file, range).to_lowercase().into()
+}
+
+/// An expression outside of a routine.
+pub(super) fn constant(file: &SourceFile, expr: &tree::Expr) -> Expr {
+    Compiler::new(file).expr(expr)
+}
+
+/// A whole routine.
+pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
+    let mut c = Compiler::new(file);
+    let params: Vec<Param> = routine
+        .params
+        .iter()
+        .map(|p| {
+            let name = name_of(file, p.name);
+            let slot = c.slot();
+            c.scope.insert(name.clone(), slot);
+            Param {
+                name,
+                optional: p.optional,
+                mode: p.mode,
+                type_name: name_of(file, p.type_name),
+                dims: usize::from(p.dims),
+            }
+        })
+        .collect();
+    c.block(&routine.body);
+    c.push(Op::End, TextRange::empty(routine.range.end));
+    let mut handlers = Vec::new();
+    let mut backward = None;
+    for handler in &routine.handlers {
+        let at = c.steps.len();
+        match &handler.kind {
+            tree::HandlerKind::Error(numbers) => {
+                handlers.push((numbers.iter().map(|n| c.expr(n)).collect(), at));
+            }
+            tree::HandlerKind::Backward => backward = Some(at),
+            tree::HandlerKind::Undo => continue,
+        }
+        c.block(&handler.body);
+        c.push(Op::End, TextRange::empty(handler.range.end));
+    }
+    c.resolve_gotos();
+    Code { params, decls: c.decls, slots: c.slots, steps: c.steps, handlers, backward }
+}
+
+struct Compiler<'f> {
+    file: &'f SourceFile,
+    /// Names of parameters, locals and loop variables now in sight.
+    scope: BTreeMap<Name, usize>,
+    slots: usize,
+    decls: Vec<LocalDecl>,
+    steps: Vec<Step>,
+    labels: BTreeMap<Name, usize>,
+    gotos: Vec<(usize, Name, bool)>,
+    /// How many statements stand round the present one.
+    depth: usize,
+}
+
+impl<'f> Compiler<'f> {
+    fn new(file: &'f SourceFile) -> Self {
+        Self {
+            file,
+            scope: BTreeMap::new(),
+            slots: 0,
+            decls: Vec::new(),
+            steps: Vec::new(),
+            labels: BTreeMap::new(),
+            gotos: Vec::new(),
+            depth: 0,
+        }
+    }
+
+    fn slot(&mut self) -> usize {
+        self.slots += 1;
+        self.slots - 1
+    }
+
+    fn push(&mut self, op: Op, range: TextRange) -> usize {
+        let at = self.steps.len();
+        let counts = !matches!(
+            op,
+            Op::Jump(_)
+                | Op::LoopBack(_)
+                | Op::ForInit { .. }
+                | Op::ForStep { .. }
+                | Op::JumpIfIn(..)
+                | Op::End
+        );
+        self.steps.push(Step { op, range, next: at + 1, counts });
+        at
+    }
+
+    /// Let the jump at `at` go to where the next operation will be.
+    fn land(&mut self, at: usize) {
+        let here = self.steps.len();
+        match self.steps.get_mut(at).map(|s| &mut s.op) {
+            Some(Op::Jump(to) | Op::JumpUnless(_, to) | Op::JumpIfIn(_, _, to)) => *to = here,
+            Some(Op::ForTest { exit, .. }) => *exit = here,
+            _ => {}
+        }
+    }
+
+    fn block(&mut self, body: &[tree::Stmt]) {
+        self.depth += 1;
+        for stmt in body {
+            let first = self.steps.len();
+            self.statement(stmt);
+            let after = self.steps.len();
+            // An error in a condition leaves its whole statement; inner statements have set theirs.
+            if !matches!(stmt.kind, tree::StmtKind::Label(_))
+                && let Some(step) = self.steps.get_mut(first)
+            {
+                step.next = after;
+            }
+        }
+        self.depth -= 1;
+    }
+
+    #[allow(clippy::too_many_lines)]
+    fn statement(&mut self, stmt: &tree::Stmt) {
+        use tree::StmtKind as S;
+        let range = stmt.range;
+        match &stmt.kind {
+            S::Data(decl) => self.declaration(decl),
+            S::Assign { target, value } => {
+                let op = Op::Assign(self.expr(target), self.expr(value));
+                self.push(op, range);
+            }
+            S::Call(call) => {
+                let callee = match &call.callee {
+                    tree::Callee::Name(n) => {
+                        Callee::Name(name_of(self.file, *n), latin1(self.file, *n).into())
+                    }
+                    tree::Callee::Late(e) => Callee::Late(self.expr(e)),
+                };
+                let args = self.args(&call.args);
+                self.push(Op::Call(Rc::new(Call { callee, args })), range);
+            }
+            S::If { arms, otherwise } => {
+                let mut ends = Vec::new();
+                for (cond, body) in arms {
+                    let cond_range = cond.range;
+                    let cond = self.expr(cond);
+                    let test = self.push(Op::JumpUnless(cond, 0), cond_range);
+                    self.block(body);
+                    ends.push(self.push(Op::Jump(0), range));
+                    self.land(test);
+                }
+                if let Some(body) = otherwise {
+                    self.block(body);
+                }
+                ends.into_iter().for_each(|at| self.land(at));
+            }
+            S::CompactIf { cond, then } => {
+                let cond = self.expr(cond);
+                let test = self.push(Op::JumpUnless(cond, 0), range);
+                self.block(std::slice::from_ref(then));
+                self.land(test);
+            }
+            S::For { var, from, to, step, body } => {
+                self.for_loop(range, *var, from, to, step.as_deref(), body);
+            }
+            S::While { cond, body } => {
+                let endless = matches!(unparen(cond).kind, tree::ExprKind::Bool(true));
+                let top = self.steps.len();
+                let cond = self.expr(cond);
+                let test = self.push(Op::JumpUnless(cond, 0), range);
+                self.block(body);
+                self.push(if endless { Op::LoopBack(top) } else { Op::Jump(top) }, range);
+                self.land(test);
+            }
+            S::Test { value, cases, default } => {
+                let kept = self.slot();
+                let value = self.expr(value);
+                self.push(Op::Keep(kept, value), range);
+                let mut ends = Vec::new();
+                for (values, body) in cases {
+                    let values: Vec<Expr> = values.iter().map(|v| self.expr(v)).collect();
+                    let hit = self.push(Op::JumpIfIn(kept, values, 0), range);
+                    let miss = self.push(Op::Jump(0), range);
+                    self.land(hit);
+                    self.block(body);
+                    ends.push(self.push(Op::Jump(0), range));
+                    self.land(miss);
+                }
+                if let Some(body) = default {
+                    self.block(body);
+                }
+                ends.into_iter().for_each(|at| self.land(at));
+            }
+            S::Label(name) => {
+                let at = self.steps.len();
+                self.labels.insert(name_of(self.file, *name), at);
+            }
+            S::Goto(name) => {
+                let at = self.push(Op::Jump(usize::MAX), range);
+                if let Some(step) = self.steps.get_mut(at) {
+                    step.counts = true;
+                }
+                self.gotos.push((at, name_of(self.file, *name), self.depth == 1));
+            }
+            S::Return(value) => {
+                let value = value.as_ref().map(|v| self.expr(v));
+                self.push(Op::Return(value), range);
+            }
+            S::Raise(number) => {
+                let number = number.as_ref().map(|n| self.expr(n));
+                self.push(Op::Raise(number), range);
+            }
+            S::Retry => drop(self.push(Op::Retry, range)),
+            S::TryNext => drop(self.push(Op::TryNext, range)),
+            S::Exit => drop(self.push(Op::Exit, range)),
+            S::Connect { interrupt, trap } => {
+                let op = Op::Connect(self.expr(interrupt), name_of(self.file, *trap));
+                self.push(op, range);
+            }
+            S::Opaque | S::Placeholder => {
+                let text: String = latin1(self.file, range).chars().take(60).collect();
+                self.push(Op::Unknown(text.trim().into()), range);
+            }
+            S::Empty | S::Comment => {}
+        }
+    }
+
+    fn declaration(&mut self, decl: &tree::DataDecl) {
+        // The initial value sees the names outside, not the new one.
+        let init = decl.init.as_ref().map(|e| self.expr(e));
+        let dims = decl.dims.iter().map(|e| self.expr(e)).collect();
+        let slot = self.slot();
+        self.scope.insert(name_of(self.file, decl.name), slot);
+        let type_name = name_of(self.file, decl.type_name);
+        self.decls.push(LocalDecl { slot, kind: decl.kind, type_name, dims, init });
+    }
+
+    fn for_loop(
+        &mut self,
+        range: TextRange,
+        var: TextRange,
+        from: &tree::Expr,
+        to: &tree::Expr,
+        step: Option<&tree::Expr>,
+        body: &[tree::Stmt],
+    ) {
+        let (slot, end, by) = (self.slot(), self.slot(), self.slot());
+        let init = Op::ForInit {
+            var: slot,
+            end,
+            step: by,
+            from: self.expr(from),
+            to: self.expr(to),
+            by: step.map(|s| self.expr(s)),
+        };
+        self.push(init, range);
+        let name = name_of(self.file, var);
+        let hidden = self.scope.insert(name.clone(), slot);
+        let top = self.push(Op::ForTest { var: slot, end, step: by, exit: 0 }, range);
+        self.block(body);
+        self.push(Op::ForStep { var: slot, step: by, top }, range);
+        self.land(top);
+        match hidden {
+            Some(outer) => self.scope.insert(name, outer),
+            None => self.scope.remove(&name),
+        };
+    }
+
+    fn resolve_gotos(&mut self) {
+        for (at, label, unconditional) in std::mem::take(&mut self.gotos) {
+            let Some(step) = self.steps.get_mut(at) else { continue };
+            step.op = match self.labels.get(&label) {
+                Some(&to) if to <= at && unconditional => Op::LoopBack(to),
+                Some(&to) => Op::Jump(to),
+                None => Op::Unknown(format!("GOTO {label}").into()),
+            };
+        }
+    }
+
+    fn args(&self, args: &[tree::Arg]) -> Vec<Arg> {
+        args.iter()
+            .map(|arg| match &arg.kind {
+                tree::ArgKind::Positional(e) => Arg::Positional(self.expr(e)),
+                tree::ArgKind::Named { name, value: Some(e) } => {
+                    Arg::Named(name_of(self.file, *name), self.expr(e))
+                }
+                tree::ArgKind::Named { name, value: None } => Arg::Switch(name_of(self.file, *name)),
+                tree::ArgKind::Conditional { name, param } => {
+                    Arg::Conditional(name_of(self.file, *name), self.name(*param))
+                }
+            })
+            .collect()
+    }
+
+    fn name(&self, range: TextRange) -> Expr {
+        let spelt = latin1(self.file, range);
+        let lower: Name = spelt.to_lowercase().into();
+        let kind = match self.scope.get(&lower) {
+            Some(&slot) => ExprKind::Local(slot),
+            None => ExprKind::Name(lower, spelt.into()),
+        };
+        Expr { kind }
+    }
+
+    fn expr(&self, expr: &tree::Expr) -> Expr {
+        use tree::ExprKind as E;
+        let kind = match &expr.kind {
+            E::Number => match number(self.file.text(expr.range)) {
+                Some(x) => ExprKind::Number(x),
+                None => ExprKind::Opaque,
+            },
+            E::String => ExprKind::Str(string(&latin1(self.file, expr.range)).into()),
+            E::Bool(b) => ExprKind::Bool(*b),
+            E::Name => return self.name(expr.range),
+            E::Field { base, name } => ExprKind::Field(Box::new(self.expr(base)), name_of(self.file, *name)),
+            E::Index { base, indices } => {
+                ExprKind::Index(Box::new(self.expr(base)), indices.iter().map(|i| self.expr(i)).collect())
+            }
+            E::Numbers => {
+                let parts = parts_of_numbers(&self.file.bytes, expr.range);
+                ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect())
+            }
+            E::Aggregate(parts) => ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect()),
+            E::Call { name, args } => ExprKind::Call(Rc::new(Call {
+                callee: Callee::Name(name_of(self.file, *name), latin1(self.file, *name).into()),
+                args: self.args(args),
+            })),
+            E::Unary { op, operand } => ExprKind::Unary(*op, Box::new(self.expr(operand))),
+            E::Binary { op, lhs, rhs } => {
+                ExprKind::Binary(*op, Box::new(self.expr(lhs)), Box::new(self.expr(rhs)))
+            }
+            E::Paren(inner) => return self.expr(inner),
+            E::Placeholder | E::Opaque => ExprKind::Opaque,
+        };
+        Expr { kind }
+    }
+}
+
+fn unparen(expr: &tree::Expr) -> &tree::Expr {
+    let mut e = expr;
+    while let tree::ExprKind::Paren(inner) = &e.kind {
+        e = inner;
+    }
+    e
+}
+
+/// The value of a number as written.
+fn number(text: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(text).ok()?.trim();
+    let prefix = text.get(..2).map(str::to_ascii_lowercase);
+    let radix = match prefix.as_deref() {
+        Some("0x") => Some(16),
+        Some("0o") => Some(8),
+        Some("0b") => Some(2),
+        _ => None,
+    };
+    match radix {
+        Some(radix) => u64::from_str_radix(text.get(2..)?, radix).ok().map(|n| n as f64),
+        None => text.parse().ok().filter(|x: &f64| x.is_finite()),
+    }
+}
+
+/// The characters of a string as written: `""` is a quote, `\\` a backslash, `\0D` a character by number.
+fn string(written: &str) -> String {
+    let inner = written.strip_prefix('"').unwrap_or(written);
+    let inner = inner.strip_suffix('"').unwrap_or(inner);
+    let mut out = String::with_capacity(inner.len());
+    let mut rest = inner.chars();
+    while let Some(c) = rest.next() {
+        match c {
+            '"' => {
+                rest.next();
+                out.push('"');
+            }
+            '\\' => {
+                let tail = rest.as_str();
+                let hex = tail.get(..2).and_then(|h| u8::from_str_radix(h, 16).ok());
+                if let Some(code) = hex {
+                    out.push(char::from(code));
+                    rest = tail[2..].chars();
+                } else {
+                    out.push('\\');
+                    if tail.starts_with('\\') {
+                        rest.next();
+                    }
+                }
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_strings_are_worth_what_they_say() {
+        let n = |t: &str| number(t.as_bytes());
+        assert_eq!(
+            [n("1"), n("1."), n(".5"), n("1.E+2"), n("9E+09"), n("0x1F"), n("0o7"), n("0b11")],
+            [1.0, 1.0, 0.5, 100.0, 9e9, 31.0, 7.0, 3.0].map(Some)
+        );
+        assert_eq!((n("1e999"), n("nan"), n("x")), (None, None, None));
+        assert_eq!(string(r#""a""b\\c\41!""#), "a\"b\\cA!");
+    }
+}

@@ -1,0 +1,376 @@
+//! Expressions: values of names, operators with RAPID's rules, aggregates by the type that is wanted.
+
+use super::controller::{Bound, Controller};
+use super::ir::{Callee, Expr, ExprKind};
+use super::outcome::{Fault, fatal, raise};
+use super::predefined;
+use super::value::{Type, Value};
+use rapid_syntax::tree::{BinaryOp, UnaryOp};
+use std::rc::Rc;
+
+/// Expressions and function calls inside one another, all told.
+const DEEPEST: usize = 400;
+
+impl Controller {
+    /// The value of an expression; `want` is the type of what it is for, which gives aggregates their
+    /// type and numbers as written their precision.
+    pub(super) fn eval(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+        self.nesting += 1;
+        let value = if self.nesting > DEEPEST {
+            fatal("expressions or function calls nested too deep")
+        } else {
+            self.eval_inner(expr, want)
+        };
+        self.nesting -= 1;
+        value
+    }
+
+    fn eval_inner(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+        match &expr.kind {
+            ExprKind::Number(x) => Ok(match want {
+                Some(Type::Num) => Value::num(*x),
+                _ => Value::Literal(*x),
+            }),
+            ExprKind::Str(text) => Ok(Value::Str(text.clone())),
+            ExprKind::Bool(b) => Ok(Value::Bool(*b)),
+            ExprKind::Local(slot) => self.local(*slot),
+            ExprKind::Name(name, spelt) => self.name(name, spelt),
+            ExprKind::Field(..) | ExprKind::Index(..) => self.part(expr),
+            ExprKind::Aggregate(parts) => self.aggregate(parts, want),
+            ExprKind::Call(call) => match &call.callee {
+                Callee::Name(name, spelt) => self.call_function(name, spelt, call, want),
+                Callee::Late(_) => fatal("a function cannot be called by late binding"),
+            },
+            ExprKind::Unary(op, operand) => self.unary(*op, operand, want),
+            ExprKind::Binary(op, lhs, rhs) => self.binary(*op, lhs, rhs, want),
+            ExprKind::Opaque => fatal("an expression that is not understood"),
+        }
+    }
+
+    /// The value of an expression as a type.
+    pub(super) fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
+        let value = self.eval(expr, Some(ty))?;
+        let given = value.type_name();
+        match value.coerced(ty) {
+            Some(value) => Ok(value),
+            None => fatal(format!("a {given} where a {} is asked for", ty.name())),
+        }
+    }
+
+    /// The value of a `num` expression (a `dnum` is not one).
+    pub(super) fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
+        match self.eval_as(expr, &Type::Num)? {
+            Value::Num(x) => Ok(x),
+            _ => fatal("no number"),
+        }
+    }
+
+    /// The value of a condition.
+    pub(super) fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
+        match self.eval(expr, Some(&Type::Bool))? {
+            Value::Bool(b) => Ok(b),
+            other => fatal(format!("a {} where a condition is asked for", other.type_name())),
+        }
+    }
+
+    fn local(&mut self, slot: usize) -> Result<Value, Fault> {
+        match self.stack.get(self.scope.1 + slot).map(|s| &s.bound) {
+            Some(Bound::Own(value)) => Ok(value.clone()),
+            Some(Bound::Ref(place)) => {
+                let place = place.clone();
+                self.read(&place)
+            }
+            Some(Bound::Signal(name)) => {
+                let name = name.clone();
+                self.signal_value(&name)
+            }
+            Some(Bound::Absent) => fatal("an optional argument that was not given is used"),
+            None => fatal("no such local"),
+        }
+    }
+
+    /// The data a name means here. Data that are LOCAL to another module are taken from there, and that is
+    /// said: RoboDK's pages use what the first one declares; no controller loads them.
+    pub(super) fn visible(&mut self, name: &str, spelt: &str) -> Option<usize> {
+        if let Some(datum) = self.memory.datum(self.scope.0, name) {
+            return Some(datum);
+        }
+        let predefined = matches!(name, "errno" | "intno" | "c_progdisp") || self.signals.contains_key(name);
+        if predefined || predefined::constant(&self.types, name).is_some() {
+            return None;
+        }
+        let elsewhere = self.memory.datum_anywhere(name)?;
+        if !self.from_elsewhere.contains(name) {
+            self.from_elsewhere.insert(name.to_owned());
+            self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+        }
+        Some(elsewhere)
+    }
+
+    fn name(&mut self, name: &Rc<str>, spelt: &str) -> Result<Value, Fault> {
+        if let Some(datum) = self.visible(name, spelt) {
+            return self.read(&super::place::Place::data(datum));
+        }
+        match &**name {
+            "errno" => return Ok(Value::Num(self.errno)),
+            "intno" => return Ok(Value::Num(self.intno)),
+            "c_progdisp" => return Ok(self.progdisp()),
+            _ => {}
+        }
+        if let Some(value) = predefined::constant(&self.types, name) {
+            return Ok(value);
+        }
+        if self.signals.contains_key(name) {
+            return self.signal_value(name);
+        }
+        if self.memory.routine(self.scope.0, name).is_some() {
+            return fatal(format!("{spelt} is a routine, not data"));
+        }
+        // A name that nothing declares is a signal of the cell, as far as this controller can know.
+        self.tell("controller", format!("{spelt} is declared nowhere: taken as a signal that is 0"));
+        self.signal_value(name)
+    }
+
+    /// The value of a signal; a unit that is down raises an error.
+    pub(super) fn signal_value(&mut self, name: &Rc<str>) -> Result<Value, Fault> {
+        if self.units_down.contains(name) {
+            return raise("err_norununit", format!("no contact with the unit of signal {name}"));
+        }
+        Ok(Value::Num(self.signals.get(name).copied().unwrap_or(0.0)))
+    }
+
+    /// A component or element of something.
+    fn part(&mut self, expr: &Expr) -> Result<Value, Fault> {
+        if let Some((place, _)) = self.place(expr)? {
+            return self.read(&place);
+        }
+        match &expr.kind {
+            ExprKind::Field(base, field) => match self.eval(base, None)? {
+                Value::Record(record, parts) => match record.field(field).and_then(|(at, _)| parts.get(at)) {
+                    Some(part) => Ok(part.clone()),
+                    None => fatal(format!("{} has no component {field}", record.name)),
+                },
+                other => fatal(format!("a {} has no component {field}", other.type_name())),
+            },
+            _ => fatal("an index into something that is no array"),
+        }
+    }
+
+    fn aggregate(&mut self, parts: &[Expr], want: Option<&Type>) -> Result<Value, Fault> {
+        match want {
+            Some(Type::Record(record)) => {
+                if parts.len() != record.fields.len() {
+                    return fatal(format!(
+                        "a {} of {} components; it has {}",
+                        record.name,
+                        parts.len(),
+                        record.fields.len()
+                    ));
+                }
+                let mut values = Vec::with_capacity(parts.len());
+                for (part, (_, ty)) in parts.iter().zip(&record.fields) {
+                    values.push(self.eval_as(part, ty)?);
+                }
+                Ok(Value::Record(record.clone(), values))
+            }
+            Some(Type::Array(inner)) => {
+                let values = parts.iter().map(|p| self.eval_as(p, inner)).collect::<Result<_, _>>()?;
+                Ok(Value::Array(values))
+            }
+            _ => {
+                let values = parts.iter().map(|p| self.eval(p, None)).collect::<Result<_, _>>()?;
+                Ok(Value::Array(values))
+            }
+        }
+    }
+
+    fn unary(&mut self, op: UnaryOp, operand: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+        let value = self.eval(operand, want)?;
+        self.effort.arithmetic += u64::from(op == UnaryOp::Neg);
+        match (op, value) {
+            (UnaryOp::Not, Value::Bool(b)) => Ok(Value::Bool(!b)),
+            (UnaryOp::Neg, Value::Num(x)) => Ok(Value::Num(-x)),
+            (UnaryOp::Neg, Value::Dnum(x)) => Ok(Value::Dnum(-x)),
+            (UnaryOp::Neg, Value::Literal(x)) => Ok(Value::Literal(-x)),
+            (UnaryOp::Neg, Value::Record(r, parts)) if &*r.name == "pos" => {
+                let parts = parts.iter().map(|p| Value::num(-p.number().unwrap_or(0.0))).collect();
+                Ok(Value::Record(r, parts))
+            }
+            (UnaryOp::Plus, v @ (Value::Num(_) | Value::Dnum(_) | Value::Literal(_))) => Ok(v),
+            (_, other) => fatal(format!("a sign or NOT before a {}", other.type_name())),
+        }
+    }
+
+    fn binary(&mut self, op: BinaryOp, l: &Expr, r: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+        match op {
+            // The right side is evaluated only where the left one does not decide.
+            BinaryOp::And => Ok(Value::Bool(self.eval_bool(l)? && self.eval_bool(r)?)),
+            BinaryOp::Or => Ok(Value::Bool(self.eval_bool(l)? || self.eval_bool(r)?)),
+            BinaryOp::Xor => Ok(Value::Bool(self.eval_bool(l)? ^ self.eval_bool(r)?)),
+            BinaryOp::Lt | BinaryOp::Le | BinaryOp::Gt | BinaryOp::Ge | BinaryOp::Eq | BinaryOp::Ne => {
+                self.compare(op, l, r)
+            }
+            _ => {
+                let hint = want.filter(|t| matches!(t, Type::Num | Type::Dnum));
+                let (l, r) = (self.eval(l, hint)?, self.eval(r, hint)?);
+                self.effort.arithmetic += u64::from(!matches!(l, Value::Str(_)));
+                arithmetic(op, l, r, hint)
+            }
+        }
+    }
+
+    fn compare(&mut self, op: BinaryOp, l: &Expr, r: &Expr) -> Result<Value, Fault> {
+        // An aggregate takes the type of the other side.
+        let is_aggregate = |e: &Expr| matches!(e.kind, ExprKind::Aggregate(_));
+        let (left, right) = if is_aggregate(l) {
+            let right = self.eval(r, None)?;
+            let ty = type_of(&right);
+            (self.eval(l, ty.as_ref())?, right)
+        } else {
+            let left = self.eval(l, None)?;
+            let ty = if is_aggregate(r) { type_of(&left) } else { None };
+            let right = self.eval(r, ty.as_ref())?;
+            (left, right)
+        };
+        if let (Some(a), Some(b)) = (left.number(), right.number()) {
+            let (a, b) = match (&left, &right) {
+                (Value::Num(_), Value::Dnum(_)) | (Value::Dnum(_), Value::Num(_)) => {
+                    return fatal("a num compared with a dnum");
+                }
+                (Value::Dnum(a), Value::Literal(b)) | (Value::Literal(a), Value::Dnum(b)) => (*a, *b),
+                _ => (a, b),
+            };
+            return Ok(Value::Bool(match op {
+                BinaryOp::Lt => a < b,
+                BinaryOp::Le => a <= b,
+                BinaryOp::Gt => a > b,
+                BinaryOp::Ge => a >= b,
+                BinaryOp::Ne => a != b,
+                _ => a == b,
+            }));
+        }
+        if left.type_name() != right.type_name() {
+            return fatal(format!("a {} compared with a {}", left.type_name(), right.type_name()));
+        }
+        match op {
+            BinaryOp::Eq => Ok(Value::Bool(left == right)),
+            BinaryOp::Ne => Ok(Value::Bool(left != right)),
+            _ => fatal(format!("which {} is larger is not defined", left.type_name())),
+        }
+    }
+}
+
+/// The type an aggregate beside this value has.
+fn type_of(value: &Value) -> Option<Type> {
+    match value {
+        Value::Record(r, _) => Some(Type::Record(r.clone())),
+        Value::Array(parts) => Some(Type::Array(Rc::new(parts.first().and_then(type_of)?))),
+        Value::Num(_) | Value::Literal(_) => Some(Type::Num),
+        Value::Dnum(_) => Some(Type::Dnum),
+        Value::Bool(_) => Some(Type::Bool),
+        Value::Str(_) => Some(Type::Str),
+        Value::Clock(_) => None,
+    }
+}
+
+/// `+ - * / DIV MOD` on values.
+fn arithmetic(op: BinaryOp, l: Value, r: Value, want: Option<&Type>) -> Result<Value, Fault> {
+    use Value::{Dnum, Literal, Num, Record, Str};
+    match (l, r) {
+        (Str(a), Str(b)) if op == BinaryOp::Add => {
+            let text = format!("{a}{b}");
+            if text.chars().count() > 80 {
+                return raise("err_strtoolng", "a string of more than 80 characters");
+            }
+            Ok(Value::text(&text))
+        }
+        (Num(a), Num(b)) => single(op, a, b).map(Num),
+        (Num(a), Literal(b)) => single(op, a, b as f32).map(Num),
+        (Literal(a), Num(b)) => single(op, a as f32, b).map(Num),
+        (Dnum(a), Dnum(b) | Literal(b)) | (Literal(a), Dnum(b)) => double(op, a, b).map(Dnum),
+        (Literal(a), Literal(b)) if matches!(want, Some(Type::Dnum)) => double(op, a, b).map(Dnum),
+        // Two numbers as written: the type is still open where nothing asks for one, but what a num
+        // could not hold must not survive.
+        (Literal(a), Literal(b)) => single(op, a as f32, b as f32).map(Num),
+        (Num(_), Dnum(_)) | (Dnum(_), Num(_)) => fatal("a num and a dnum in one operation"),
+        (Record(a, x), Record(b, y)) if a.name == b.name => records(op, &a, &x, &y),
+        (Record(a, x), k @ (Num(_) | Literal(_))) | (k @ (Num(_) | Literal(_)), Record(a, x))
+            if &*a.name == "pos" && op == BinaryOp::Mul =>
+        {
+            let k = k.number().unwrap_or(0.0) as f32;
+            let parts = x.iter().map(|v| Num(v.number().unwrap_or(0.0) as f32 * k)).collect();
+            Ok(Record(a, parts))
+        }
+        (Record(a, x), k @ (Num(_) | Literal(_))) if &*a.name == "pos" && op == BinaryOp::Div => {
+            let k = k.number().unwrap_or(0.0) as f32;
+            let parts = x
+                .iter()
+                .map(|v| single(BinaryOp::Div, v.number().unwrap_or(0.0) as f32, k).map(Num))
+                .collect::<Result<_, _>>()?;
+            Ok(Record(a, parts))
+        }
+        (a, b) => fatal(format!("an operator between a {} and a {}", a.type_name(), b.type_name())),
+    }
+}
+
+/// `pos + pos`, `pos - pos`, the cross product `pos * pos`, and `orient * orient`.
+fn records(
+    op: BinaryOp,
+    ty: &Rc<super::value::RecordType>,
+    x: &[Value],
+    y: &[Value],
+) -> Result<Value, Fault> {
+    let a: Vec<f32> = x.iter().map(|v| v.number().unwrap_or(0.0) as f32).collect();
+    let b: Vec<f32> = y.iter().map(|v| v.number().unwrap_or(0.0) as f32).collect();
+    let out: Vec<f32> = match (&*ty.name, op, a.as_slice(), b.as_slice()) {
+        ("pos", BinaryOp::Add, a, b) => a.iter().zip(b).map(|(a, b)| a + b).collect(),
+        ("pos", BinaryOp::Sub, a, b) => a.iter().zip(b).map(|(a, b)| a - b).collect(),
+        ("pos", BinaryOp::Mul, &[ax, ay, az], &[bx, by, bz]) => {
+            vec![ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+        }
+        ("orient", BinaryOp::Mul, &[aw, ax, ay, az], &[bw, bx, by, bz]) => vec![
+            aw * bw - ax * bx - ay * by - az * bz,
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+        ],
+        _ => return fatal(format!("an operator between two {}", ty.name)),
+    };
+    Ok(Value::Record(ty.clone(), out.into_iter().map(Value::Num).collect()))
+}
+
+/// Whole numbers of a DIV or MOD; RAPID wants whole operands.
+fn whole(op: BinaryOp, a: f64, b: f64) -> Result<f64, Fault> {
+    if a != a.trunc() || b != b.trunc() {
+        return fatal(format!("{a} DIV or MOD {b}: only whole numbers"));
+    }
+    if b == 0.0 {
+        return raise("err_divzero", "division by zero");
+    }
+    let quotient = (a / b).trunc();
+    Ok(if op == BinaryOp::IntDiv { quotient } else { a - quotient * b })
+}
+
+fn single(op: BinaryOp, a: f32, b: f32) -> Result<f32, Fault> {
+    let out = match op {
+        BinaryOp::Add => a + b,
+        BinaryOp::Sub => a - b,
+        BinaryOp::Mul => a * b,
+        BinaryOp::Div if b == 0.0 => return raise("err_divzero", "division by zero"),
+        BinaryOp::Div => a / b,
+        _ => whole(op, f64::from(a), f64::from(b))? as f32,
+    };
+    if out.is_finite() { Ok(out) } else { raise("err_overflow", "a number too large for a num") }
+}
+
+fn double(op: BinaryOp, a: f64, b: f64) -> Result<f64, Fault> {
+    let out = match op {
+        BinaryOp::Add => a + b,
+        BinaryOp::Sub => a - b,
+        BinaryOp::Mul => a * b,
+        BinaryOp::Div if b == 0.0 => return raise("err_divzero", "division by zero"),
+        BinaryOp::Div => a / b,
+        _ => whole(op, a, b)?,
+    };
+    if out.is_finite() { Ok(out) } else { raise("err_overflow", "a number too large for a dnum") }
+}

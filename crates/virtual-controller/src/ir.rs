@@ -1,0 +1,150 @@
+//! Routines in the form in which they are executed: a flat list of operations with jumps.
+//!
+//! Flat, so that GOTO, RETRY and TRYNEXT are a change of one number and hostile nesting cannot overflow
+//! the stack.
+
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{BinaryOp, UnaryOp};
+use std::rc::Rc;
+
+/// A name in lower case.
+pub(super) type Name = Rc<str>;
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub(super) struct Expr {
+    pub kind: ExprKind,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum ExprKind {
+    Number(f64),
+    Str(Rc<str>),
+    Bool(bool),
+    /// A parameter, local or loop variable of the routine, by its position.
+    Local(usize),
+    /// Anything else with a name, with its spelling.
+    Name(Name, Rc<str>),
+    Field(Box<Expr>, Name),
+    Index(Box<Expr>, Vec<Expr>),
+    Aggregate(Vec<Expr>),
+    Call(Rc<Call>),
+    Unary(UnaryOp, Box<Expr>),
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// Text that is no expression.
+    Opaque,
+}
+
+/// A call of a procedure, function or instruction.
+#[derive(Clone, Debug)]
+pub(super) struct Call {
+    pub callee: Callee,
+    pub args: Vec<Arg>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Callee {
+    /// In lower case, and as spelt.
+    Name(Name, Rc<str>),
+    /// Late binding.
+    Late(Expr),
+}
+
+/// One argument.
+#[derive(Clone, Debug)]
+pub(super) enum Arg {
+    Positional(Expr),
+    Switch(Name),
+    Named(Name, Expr),
+    /// `\Name?param`
+    Conditional(Name, Expr),
+}
+
+/// One operation.
+#[derive(Clone, Debug)]
+pub(super) enum Op {
+    Assign(Expr, Expr),
+    Call(Rc<Call>),
+    Jump(usize),
+    /// The end of an endless loop's body: jump back and count a pass.
+    LoopBack(usize),
+    JumpUnless(Expr, usize),
+    /// Start a FOR: variable, end value and step in hidden locals.
+    ForInit {
+        var: usize,
+        end: usize,
+        step: usize,
+        from: Expr,
+        to: Expr,
+        by: Option<Expr>,
+    },
+    ForTest {
+        var: usize,
+        end: usize,
+        step: usize,
+        exit: usize,
+    },
+    ForStep {
+        var: usize,
+        step: usize,
+        top: usize,
+    },
+    /// Keep a value in a hidden local.
+    Keep(usize, Expr),
+    /// Jump where the hidden local equals one of the values.
+    JumpIfIn(usize, Vec<Expr>, usize),
+    Return(Option<Expr>),
+    Raise(Option<Expr>),
+    Retry,
+    TryNext,
+    Exit,
+    Connect(Expr, Name),
+    /// A statement that was not understood, or a GOTO to a label that is not there.
+    Unknown(Rc<str>),
+    /// The end of an ERROR handler or of the routine.
+    End,
+}
+
+/// An operation with its place.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub op: Op,
+    pub range: TextRange,
+    /// Where TRYNEXT goes on after an error in this operation.
+    pub next: usize,
+    /// Counts as an executed statement; the jumps between statements do not.
+    pub counts: bool,
+}
+
+/// A parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Param {
+    pub name: Name,
+    pub optional: bool,
+    pub mode: rapid_syntax::tree::ParamMode,
+    pub type_name: Name,
+    pub dims: usize,
+}
+
+/// A declaration inside a routine.
+#[derive(Clone, Debug)]
+pub(super) struct LocalDecl {
+    pub slot: usize,
+    pub kind: rapid_syntax::tree::DataKind,
+    pub type_name: Name,
+    pub dims: Vec<Expr>,
+    pub init: Option<Expr>,
+}
+
+/// A compiled routine.
+#[derive(Debug)]
+pub(super) struct Code {
+    pub params: Vec<Param>,
+    pub decls: Vec<LocalDecl>,
+    pub slots: usize,
+    pub steps: Vec<Step>,
+    /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
+    pub handlers: Vec<(Vec<Expr>, usize)>,
+    /// Where the BACKWARD section begins.
+    pub backward: Option<usize>,
+}

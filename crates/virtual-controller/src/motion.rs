@@ -1,0 +1,365 @@
+//! The arm as the controller knows it: nominal kinematics, where it stands, and every move it made.
+//!
+//! Knows nothing of deformation: where the TCP really is, is found from the joints of the moves (`truth`).
+
+use super::frame::{self, Setup};
+use super::outcome::{Fault, Place, raise};
+use super::path::{PathKind, Way};
+use super::value::{Type, Value};
+use nalgebra::Isometry3;
+use robot_model::deform::Conditions;
+use robot_model::kinematics::{Chain, ClosedForm, Configuration};
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, rad_from_deg};
+use std::collections::HashMap;
+
+/// Numbers from here on mean "not used" in RAPID (9E9).
+const NOT_USED: f64 = 8.9e9;
+/// Joints that turn by less have not moved, radians.
+const STILL_RAD: f64 = 1e-7;
+/// Samples on a linear way: one for so many metres, or so many radians.
+const SAMPLE_M: f64 = 0.02;
+const SAMPLE_RAD: f64 = 0.1;
+
+/// A move that was executed.
+#[derive(Clone, Debug)]
+pub struct Move {
+    /// Where in the program.
+    pub at: Place,
+    /// The routine it stands in; for a module that the program loaded itself, the one that called it.
+    pub routine: String,
+    /// The instruction, lower case.
+    pub instruction: String,
+    /// The target as written.
+    pub target: String,
+    /// How the TCP goes.
+    pub path: PathKind,
+    /// Tool and work object.
+    pub setup: Setup,
+    /// Joints before it, radians, where they are known.
+    pub start_q_rad: Option<[f64; 6]>,
+    /// Joints at the circle point of an arc, radians.
+    pub via_q_rad: Option<[f64; 6]>,
+    /// Joints at its end, radians; `None` where the controller could not go there.
+    pub q_rad: Option<[f64; 6]>,
+    /// The steady clock at its beginning, seconds.
+    pub began_s: f64,
+    /// The steady clock at its end, seconds.
+    pub steady_s: f64,
+    /// Sign of each joint's last motion up to its end; 0 = not known.
+    pub direction: [i8; 6],
+}
+
+impl Move {
+    /// Load and direction at its end.
+    #[must_use]
+    pub fn conditions(&self) -> Conditions {
+        Conditions { payload: self.setup.payload, direction: self.direction }
+    }
+}
+
+/// The arm of a controller.
+#[derive(Debug)]
+pub struct Arm {
+    robot: Robot,
+    closed: ClosedForm,
+    chain: Chain,
+    q_rad: Option<[f64; 6]>,
+    pub(super) conf_l: bool,
+    pub(super) conf_j: bool,
+    pub(super) displacement: Isometry3<f64>,
+    /// Offsets of the external axes, mm or degrees: shown, but no axis of this arm.
+    pub(super) axis_offsets: [f64; 6],
+    last: Option<(Setup, Value, Value)>,
+    moves: Vec<Move>,
+    direction: [i8; 6],
+    solved: HashMap<Vec<u64>, Solved>,
+}
+
+/// Solved moves kept for when the same move is made again from the same joints.
+const REMEMBERED: usize = 20_000;
+
+/// What a solved move is.
+#[derive(Clone, Debug)]
+pub(super) struct Solved {
+    pub via_q_rad: Option<[f64; 6]>,
+    pub q_rad: [f64; 6],
+    pub length_m: f64,
+    pub turn_rad: f64,
+    /// What the controller complains about, although it goes there.
+    pub complaint: Option<String>,
+}
+
+impl Arm {
+    pub(super) fn new(robot: &Robot) -> Result<Self, String> {
+        let closed = ClosedForm::new(robot).map_err(|e| e.to_string())?;
+        Ok(Self {
+            robot: robot.clone(),
+            closed,
+            chain: Chain::nominal(robot),
+            q_rad: None,
+            conf_l: true,
+            conf_j: true,
+            displacement: Isometry3::identity(),
+            axis_offsets: [0.0; 6],
+            last: None,
+            moves: Vec::new(),
+            direction: [0; 6],
+            solved: HashMap::new(),
+        })
+    }
+
+    /// What PP to main resets.
+    pub(super) fn restart(&mut self) {
+        self.conf_l = true;
+        self.conf_j = true;
+        self.displacement = Isometry3::identity();
+        self.axis_offsets = [0.0; 6];
+    }
+
+    /// The joints it stands at, radians, once it has moved.
+    #[must_use]
+    pub fn q_rad(&self) -> Option<[f64; 6]> {
+        self.q_rad
+    }
+
+    /// Let it stand somewhere, or nowhere known.
+    pub fn stand_at(&mut self, q_rad: Option<[f64; 6]>) {
+        self.q_rad = q_rad;
+    }
+
+    /// The moves since the last time this was asked for.
+    pub fn take_moves(&mut self) -> Vec<Move> {
+        std::mem::take(&mut self.moves)
+    }
+
+    pub(super) fn record(&mut self, mut done: Move, tool: Value, wobj: Value) {
+        if let Some(q) = done.q_rad {
+            if let Some(from) = done.via_q_rad.or(self.q_rad) {
+                for (sign, (to, from)) in self.direction.iter_mut().zip(q.iter().zip(from)) {
+                    if (to - from).abs() > STILL_RAD {
+                        *sign = if *to > from { 1 } else { -1 };
+                    }
+                }
+            }
+            self.q_rad = Some(q);
+        }
+        done.direction = self.direction;
+        self.last = Some((done.setup.clone(), tool, wobj));
+        self.moves.push(done);
+    }
+
+    pub(super) fn last_setup(&self) -> Setup {
+        self.last.as_ref().map_or_else(Setup::plain, |l| l.0.clone())
+    }
+
+    pub(super) fn last_data(&self, tool: bool) -> Option<Value> {
+        self.last.as_ref().map(|l| if tool { l.1.clone() } else { l.2.clone() })
+    }
+
+    /// The present joints as the numbers of a jointtarget.
+    pub(super) fn present_joints(&self) -> Vec<f64> {
+        let mut numbers: Vec<f64> = self.q_rad.unwrap_or_default().iter().map(|&q| deg_from_rad(q)).collect();
+        numbers.extend([9e9; 6]);
+        numbers
+    }
+
+    fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
+        self.chain.forward(q_rad)
+    }
+
+    /// Where the TCP stands in the object, whatever displacement is on; metres.
+    pub(super) fn stands(&self, setup: &Setup) -> Isometry3<f64> {
+        setup.object_from_tcp(&self.forward(&self.q_rad.unwrap_or_default()))
+    }
+
+    /// CalcRobT: the numbers of a jointtarget as robtarget.
+    pub(super) fn robtarget_of(&self, joints: &[f64], setup: &Setup, ty: &Type) -> Result<Value, Fault> {
+        let q_rad = self.joints_from(joints);
+        let pose = self.displacement.inverse() * setup.object_from_tcp(&self.forward(&q_rad));
+        let c = self.closed.configuration(&q_rad);
+        let mut numbers = frame::pose_numbers(&pose).to_vec();
+        numbers.extend([c.cf1, c.cf4, c.cf6, c.cfx].map(f64::from));
+        numbers.extend(joints.iter().skip(6));
+        Ok(frame::value(ty, &numbers))
+    }
+
+    /// CalcJointT: joints of a robtarget, by confdata.
+    pub(super) fn joints_of(&self, target: &[f64], setup: &Setup) -> Result<[f64; 6], Fault> {
+        let base_from_flange = setup.base_from_flange(&(self.displacement * frame::isometry_of(target)?));
+        let solutions = self.closed.solutions(&base_from_flange);
+        let conf = configuration(target);
+        let found = solutions.iter().find(|s| self.closed.agrees(&conf, &s.q_rad));
+        match found {
+            Some(s) => Ok(s.q_rad),
+            None if solutions.is_empty() && self.reached(&base_from_flange) => {
+                raise("err_roblimit", "a joint outside its range")
+            }
+            None if solutions.is_empty() => raise("err_outside_reach", "the pose cannot be reached"),
+            None => raise("err_roblimit", "the pose cannot be reached with this configuration"),
+        }
+    }
+
+    fn reached(&self, base_from_flange: &Isometry3<f64>) -> bool {
+        self.closed.branches(base_from_flange).iter().any(Option::is_some)
+    }
+
+    /// Joints in radians of a jointtarget's numbers; an axis written 9E9 stays where it is.
+    fn joints_from(&self, numbers: &[f64]) -> [f64; 6] {
+        let here = self.q_rad.unwrap_or_default();
+        std::array::from_fn(|i| match numbers.get(i) {
+            Some(&deg) if deg.abs() < NOT_USED => rad_from_deg(deg),
+            _ => here[i],
+        })
+    }
+
+    /// As [`Arm::solve`], from memory where the same move was solved before: programs repeat themselves.
+    pub(super) fn solve_again(
+        &mut self,
+        path: PathKind,
+        targets: &[Vec<f64>],
+        setup: &Setup,
+    ) -> Result<Result<Solved, String>, Fault> {
+        let frames = [&setup.frame_from_tcp, &setup.frame_from_object, &self.displacement];
+        let flags = [setup.tool_held, self.conf_l, self.conf_j, self.q_rad.is_some()].map(u64::from);
+        let key: Vec<u64> = targets
+            .iter()
+            .flatten()
+            .copied()
+            .chain(frames.iter().flat_map(|f| frame::pose_numbers(f)))
+            .chain(self.q_rad.unwrap_or_default())
+            .map(f64::to_bits)
+            .chain(flags)
+            .chain([path as u64, targets.len() as u64])
+            .collect();
+        if let Some(known) = self.solved.get(&key) {
+            return Ok(Ok(known.clone()));
+        }
+        let solved = self.solve(path, targets, setup)?;
+        if let Ok(solved) = &solved
+            && self.solved.len() < REMEMBERED
+        {
+            self.solved.insert(key, solved.clone());
+        }
+        Ok(solved)
+    }
+
+    /// Solve a move; `Err` says why the controller cannot go there.
+    fn solve(
+        &self,
+        path: PathKind,
+        targets: &[Vec<f64>],
+        setup: &Setup,
+    ) -> Result<Result<Solved, String>, Fault> {
+        let Some(target) = targets.last() else { return raise("err_path", "a move without target") };
+        if path == PathKind::AbsJoint {
+            let q_rad = self.joints_from(target);
+            let complaint = self.robot.within_range(&q_rad).err().map(|e| e.to_string());
+            return Ok(Ok(self.solved(None, q_rad, setup, complaint)));
+        }
+        let object_from_tcp = self.displacement * frame::isometry_of(target)?;
+        let conf = configuration(target);
+        if path == PathKind::Joint || self.q_rad.is_none() {
+            return Ok(self.solve_joint(&object_from_tcp, &conf, setup));
+        }
+        let start = self.q_rad.unwrap_or_default();
+        let from = setup.object_from_tcp(&self.forward(&start));
+        let (way, via_share) = match targets {
+            [via, _] => {
+                let via = self.displacement * frame::isometry_of(via)?;
+                let way = Way::arc(from, &via, object_from_tcp);
+                let total = way.length_m();
+                let part = Way::arc(from, &way.at(1e-3), via).length_m();
+                (way, Some(if total > 0.0 { (part / total).clamp(0.0, 1.0) } else { 0.5 }))
+            }
+            _ => (Way::line(from, object_from_tcp), None),
+        };
+        let samples = (way.length_m() / SAMPLE_M).max(way.turn_rad() / SAMPLE_RAD).ceil().clamp(1.0, 200.0);
+        let mut q_rad = start;
+        let mut via_q_rad = None;
+        for k in 1..=(samples as u32) {
+            let share = f64::from(k) / samples;
+            if let Some(s) = via_share.filter(|s| via_q_rad.is_none() && *s <= share) {
+                via_q_rad = self.closed.nearest(&setup.base_from_flange(&way.at(s)), &q_rad).map(|s| s.q_rad);
+            }
+            let base_from_flange = setup.base_from_flange(&way.at(share));
+            match self.closed.nearest(&base_from_flange, &q_rad) {
+                Some(s) => q_rad = s.q_rad,
+                None if self.reached(&base_from_flange) => {
+                    return Ok(Err("a joint comes to the end of its range on the way".into()));
+                }
+                None => return Ok(Err("the way leaves what the arm can reach".into())),
+            }
+        }
+        let complaint =
+            (self.conf_l && !self.closed.agrees(&conf, &q_rad)).then(|| self.mismatch(&conf, &q_rad));
+        let mut solved = self.solved(via_q_rad, q_rad, setup, complaint);
+        solved.length_m = way.length_m();
+        Ok(Ok(solved))
+    }
+
+    fn solve_joint(
+        &self,
+        object_from_tcp: &Isometry3<f64>,
+        conf: &Configuration,
+        setup: &Setup,
+    ) -> Result<Solved, String> {
+        let base_from_flange = setup.base_from_flange(object_from_tcp);
+        let mut solutions = self.closed.solutions(&base_from_flange);
+        if solutions.is_empty() {
+            return Err(if self.reached(&base_from_flange) {
+                "a joint would stand outside its range".into()
+            } else {
+                "the pose cannot be reached".into()
+            });
+        }
+        // Without a place to come from, confdata alone can tell the solutions apart.
+        let by_conf = self.conf_j || self.q_rad.is_none();
+        if by_conf && solutions.iter().any(|s| self.closed.agrees(conf, &s.q_rad)) {
+            solutions.retain(|s| self.closed.agrees(conf, &s.q_rad));
+        }
+        let here = self.q_rad.unwrap_or_default();
+        let far = |q: &[f64; 6]| -> f64 { q.iter().zip(&here).map(|(a, b)| (a - b).powi(2)).sum() };
+        let best = solutions.into_iter().min_by(|a, b| far(&a.q_rad).total_cmp(&far(&b.q_rad)));
+        let Some(best) = best else { return Err("the pose cannot be reached".into()) };
+        let complaint =
+            (self.conf_j && !self.closed.agrees(conf, &best.q_rad)).then(|| self.mismatch(conf, &best.q_rad));
+        Ok(self.solved(None, best.q_rad, setup, complaint))
+    }
+
+    fn solved(
+        &self,
+        via_q_rad: Option<[f64; 6]>,
+        q_rad: [f64; 6],
+        setup: &Setup,
+        complaint: Option<String>,
+    ) -> Solved {
+        let way = self.q_rad.map(|start| {
+            Way::line(
+                setup.object_from_tcp(&self.forward(&start)),
+                setup.object_from_tcp(&self.forward(&q_rad)),
+            )
+        });
+        Solved {
+            via_q_rad,
+            q_rad,
+            length_m: way.as_ref().map_or(0.0, Way::length_m),
+            turn_rad: way.as_ref().map_or(0.0, Way::turn_rad),
+            complaint,
+        }
+    }
+
+    fn mismatch(&self, conf: &Configuration, q_rad: &[f64; 6]) -> String {
+        let own = self.closed.configuration(q_rad);
+        format!(
+            "the arm gets there as [{},{},{},{}], the target says [{},{},{},{}]",
+            own.cf1, own.cf4, own.cf6, own.cfx, conf.cf1, conf.cf4, conf.cf6, conf.cfx
+        )
+    }
+}
+
+/// confdata out of a robtarget's numbers.
+fn configuration(target: &[f64]) -> Configuration {
+    let cf = |i: usize| target.get(7 + i).map_or(0, |&x| x as i32);
+    Configuration { cf1: cf(0), cf4: cf(1), cf6: cf(2), cfx: cf(3) }
+}

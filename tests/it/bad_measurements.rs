@@ -1,0 +1,164 @@
+//! Measurement files that nobody should believe, given to the program itself: never a panic, never a confident answer.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::fs;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+struct Said {
+    code: i32,
+    text: String,
+    json: Option<Value>,
+}
+
+impl Said {
+    fn verdict(&self) -> &str {
+        self.json.as_ref().map_or("", |json| json["verdict"].as_str().unwrap())
+    }
+
+    fn causes(&self) -> Vec<&str> {
+        let causes = self.json.as_ref().unwrap()["causes"].as_array().unwrap();
+        causes.iter().map(|cause| cause["effect"].as_str().unwrap()).collect()
+    }
+}
+
+fn diagnose(csv: &[u8], arguments: &[&str]) -> Said {
+    let folder = TempDir::new().unwrap();
+    let (path, json) = (folder.path().join("m.csv"), folder.path().join("out.json"));
+    fs::write(&path, csv).unwrap();
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    let output =
+        command.arg("diagnose").arg(&path).arg("--json").arg(&json).args(arguments).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!text.contains("panicked"), "{text}");
+    let json = fs::read(&json).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap());
+    Said { code: output.status.code().unwrap(), text, json }
+}
+
+/// 60 poses of a virtual arm whose second joint gives way.
+static SOUND: LazyLock<String> = LazyLock::new(|| {
+    let folder = TempDir::new().unwrap();
+    let sets = folder.path().join("sets");
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("synth").arg(&sets);
+    command.args(["--effects", "joint_compliance:2", "--n", "60", "--seed", "5"]).assert().success();
+    fs::read_to_string(sets.join("set_0000/measurements.csv")).unwrap()
+});
+
+/// The sound file with every cell of the columns whose name passes `column` rewritten.
+fn rewritten(column: impl Fn(&str) -> bool, cell: impl Fn(&str) -> String) -> String {
+    let mut lines = SOUND.lines();
+    let header = lines.next().unwrap();
+    let names: Vec<&str> = header.split(',').collect();
+    let row = |line: &str| {
+        let cells = line.split(',').zip(&names);
+        let cells: Vec<String> =
+            cells.map(|(c, name)| if column(name) { cell(c) } else { c.to_owned() }).collect();
+        cells.join(",") + "\n"
+    };
+    header.to_owned() + "\n" + &lines.map(row).collect::<String>()
+}
+
+fn times(factor: f64) -> impl Fn(&str) -> String {
+    move |cell| format!("{:.9}", cell.parse::<f64>().unwrap() * factor)
+}
+
+#[test]
+fn the_sound_file_is_answered_however_its_text_is_written() {
+    let plain = diagnose(SOUND.as_bytes(), &[]);
+    assert_eq!((plain.code, plain.causes()[0]), (0, "joint_compliance"), "{}", plain.text);
+    let windows = [b"\xef\xbb\xbf".as_slice(), SOUND.replace('\n', "\r\n").as_bytes()].concat();
+    assert_eq!(diagnose(&windows, &[]).json, plain.json, "a byte order mark and CR LF");
+    let blank = SOUND.replace('\n', "\n\n") + "\n# end\n";
+    assert_eq!(diagnose(blank.as_bytes(), &[]).causes(), plain.causes(), "empty lines and a comment");
+    let shouted = SOUND.lines().next().unwrap().to_uppercase() + &SOUND[SOUND.find('\n').unwrap()..];
+    assert_eq!(diagnose(shouted.as_bytes(), &[]).json, plain.json, "capitals in the header");
+}
+
+#[test]
+fn what_cannot_be_read_is_refused_by_line_and_column() {
+    let header = SOUND.lines().next().unwrap();
+    let cut = &SOUND[..SOUND.len() * 2 / 3];
+    let torn = cut.rsplit_once(',').unwrap().0;
+    let wild = rewritten(|name| name == "x_mm", |_| "1e12".into());
+    let wild = wild.lines().nth(1).unwrap().to_owned() + "\n";
+    let decimal_comma = rewritten(|name| name == "x_mm", |cell| format!("\"{}\"", cell.replace('.', ",")));
+    let semicolons = SOUND.replace(',', ";").replace('.', ",");
+    let cases: [(&str, String, &[&str]); 10] = [
+        ("empty", String::new(), &["no header"]),
+        ("white space alone", " \n\n \n".into(), &["no header"]),
+        ("header alone", format!("{header}\n"), &["no rows"]),
+        ("a column twice", SOUND.replacen("y_mm", "x_mm", 1), &["x_mm", "twice"]),
+        ("a column missing", SOUND.replacen("q3_deg", "q3", 1), &["q3_deg", "missing"]),
+        ("torn in the middle of a row", torn.into(), &["cells", "header"]),
+        ("a decimal comma", decimal_comma, &["line 2", "x_mm"]),
+        ("semicolons", semicolons, &["separated by ';'"]),
+        ("a point far out", SOUND.clone() + &wild, &["line 62", "x_mm", "1e12"]),
+        ("an overflow", rewritten(|n| n == "z_mm", |_| "1e999".into()), &["line 2", "z_mm"]),
+    ];
+    for (what, text, words) in cases {
+        let said = diagnose(text.as_bytes(), &[]);
+        assert!(said.code == 2 && said.json.is_none(), "{what}: {}", said.text);
+        for word in words {
+            assert!(said.text.contains(word), "{what}: {word} is not in {}", said.text);
+        }
+    }
+    for sigma in ["-0.02", "0", "nan", "inf", "1e999"] {
+        let said = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
+        assert!(said.code == 2 && said.json.is_none(), "{sigma}: {}", said.text);
+        assert!(said.text.contains("--sigma-mm"), "{sigma}: {}", said.text);
+    }
+}
+
+#[test]
+fn wrong_units_are_a_fault_of_the_file() {
+    let point = |name: &str| name.ends_with("_mm");
+    let joint = |name: &str| name.ends_with("_deg");
+    let cases = [
+        ("metres", rewritten(point, times(1e-3))),
+        ("inches", rewritten(point, times(1.0 / 25.4))),
+        ("radians", rewritten(joint, times(std::f64::consts::PI / 180.0))),
+        ("joint 2 turned round", rewritten(|name| name == "q2_deg", times(-1.0))),
+        ("a mirrored instrument", rewritten(|name| name == "z_mm", times(-1.0))),
+    ];
+    for (what, text) in cases {
+        let said = diagnose(text.as_bytes(), &[]);
+        assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{what}: {}", said.text);
+    }
+}
+
+#[test]
+fn rows_that_tell_nothing_are_insufficient() {
+    let lines: Vec<&str> = SOUND.lines().collect();
+    let one = format!("{}\n{}\n", lines[0], lines[1]);
+    let again = lines[0].to_owned() + "\n" + &(lines[1].to_owned() + "\n").repeat(60);
+    let few = lines[..9].join("\n");
+    let nowhere = rewritten(|name| name.ends_with("_mm"), |_| "500".into());
+    for (what, text) in
+        [("one pose", one), ("one row copied", again), ("eight rows", few), ("one point", nowhere)]
+    {
+        let said = diagnose(text.as_bytes(), &[]);
+        assert_eq!((said.code, said.verdict()), (0, "insufficient_data"), "{what}: {}", said.text);
+        assert!(said.causes().is_empty(), "{what}");
+    }
+}
+
+#[test]
+fn many_rows_are_thinned_and_said_to_be() {
+    let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
+    let rows: Vec<&str> = SOUND.lines().skip(1).collect();
+    for k in 0..21_000 {
+        let (_, rest) = rows[k % rows.len()].split_once(',').unwrap();
+        let (_, rest) = rest.split_once(',').unwrap();
+        let (_, rest) = rest.split_once(',').unwrap();
+        text += &format!("{k},{k},{},{rest}\n", 0.01 * k as f64);
+    }
+    // Mirrored: found before any physics. The poses come round again and again: a step through the rows that is a multiple
+    // of their number would see but a few of them, which anything fits.
+    let swapped = text.replacen("x_mm,y_mm", "y_mm,x_mm", 1);
+    let said = diagnose(swapped.as_bytes(), &[]);
+    assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{}", said.text);
+    assert_eq!(said.causes(), ["swapped_axes"]);
+    assert!(said.text.contains("warning[measure::many-rows]"), "{}", said.text);
+}

@@ -1,0 +1,265 @@
+//! What `compensate` writes, and what it leaves alone.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use serde_json::Value;
+use std::fs;
+
+#[test]
+fn one_file_goes_beside_itself_and_comes_back_byte_for_byte() {
+    let bench = Bench::default();
+    let source = fs::read(CUBE).unwrap();
+    let cube = bench.file("Cube45.mod", &source);
+    let output = driftpost(&["compensate", &cube, "--tolerance-mm", "0.02"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cube45.mod", "Cube45_tc.mod"]);
+    assert_eq!(fs::read(&cube).unwrap(), source);
+    assert!(out(&output).contains("46 motions: 46 compensated"), "{}", out(&output));
+    assert!(out(&output).contains("\n+++ "), "the diff follows the table");
+    let clash = "no other module with a clock of its own loads beside it";
+    assert!(err(&output).contains(clash), "{}", err(&output));
+    let emitted = bench.path("Cube45_tc.mod").display().to_string();
+    let back = bench.path("back.mod").display().to_string();
+    let output = driftpost(&["restore", &emitted, "-o", &back]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(fs::read(&back).unwrap(), source);
+}
+
+#[test]
+fn a_folder_is_written_whole_under_the_same_names() {
+    let bench = Bench::default();
+    let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
+    bench.file("cell/RAPID/TASK1/Cell.MOD", &module);
+    bench.file("cell/RAPID/TASK1/Idle.sys", "MODULE Idle\n  VAR num n;\nENDMODULE");
+    bench.file("cell/old_tc.mod", "no module at all");
+    bench.file("cell/notes.txt", b"\xff\x00");
+    let folder = bench.path("cell").display().to_string();
+    let output = driftpost(&["compensate", &folder, "--core", "separate", "--tolerance-mm", "0.05"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let made: Vec<String> = bench.files().into_iter().filter(|f| f.starts_with("cell_tc/")).collect();
+    let expected = ["RAPID/TASK1/Cell.MOD", "RAPID/TASK1/Idle.sys", "RAPID/TASK1/tcCore.mod", "notes.txt"];
+    assert_eq!(made, expected.map(|f| format!("cell_tc/{f}")));
+    assert!(!err(&output).contains("loads beside it"), "{}", err(&output));
+    assert_eq!(fs::read(bench.path("cell_tc/notes.txt")).unwrap(), b"\xff\x00");
+    assert_eq!(bench.text("cell_tc/RAPID/TASK1/Idle.sys"), bench.text("cell/RAPID/TASK1/Idle.sys"));
+}
+
+#[test]
+fn a_pgf_is_read_in_its_order() {
+    let bench = Bench::default();
+    let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
+    bench.file("Cell.mod", module);
+    let pgf = bench.file("cell.pgf", "<Program><Module>Cell.mod</Module></Program>");
+    let output = driftpost(&["compensate", &pgf, "--tolerance-mm", "0.05", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cell.mod", "cell.pgf", "cell_tc/Cell.mod", "cell_tc/cell.pgf"]);
+    assert!(!out(&output).contains("+++"), "no diff was wanted");
+}
+
+#[test]
+fn an_input_is_overwritten_only_in_place() {
+    let bench = Bench::default();
+    let cube = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
+    let output = driftpost(&["compensate", &cube, "--in-place", "--tolerance-mm", "0.05"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cube45.mod"]);
+    assert!(bench.text("Cube45.mod").contains("tcUpdate"));
+}
+
+#[test]
+fn json_has_the_keys_of_the_contract_and_is_alone_on_standard_output() {
+    let bench = Bench::default();
+    let result = bench.path("o.mod").display().to_string();
+    let output = driftpost(&["compensate", CUBE, "-o", &result, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let motions = value["motions"].as_array().unwrap();
+    assert_eq!(motions.len(), 46);
+    let keys = [
+        "file",
+        "line",
+        "routine",
+        "index",
+        "kind",
+        "target",
+        "status",
+        "reason",
+        "max_correction_mm",
+        "max_correction_deg",
+        "mid_path_mm",
+    ];
+    assert!(keys.iter().all(|key| motions[1].get(key).is_some()), "{}", motions[1]);
+    assert_eq!((&motions[1]["kind"], &motions[1]["status"]), (&"MoveL".into(), &"compensated".into()));
+    assert_eq!((&motions[1]["target"], &motions[1]["reason"]), (&Value::Null, &Value::Null));
+    let buckets = value["buckets"].as_array().unwrap();
+    assert_eq!(buckets[0]["from_min"], 0.0);
+    assert_eq!(buckets.last().unwrap()["to_min"], Value::Null);
+    // before: 0.193 mm in the end (Table 2 of the paper, applied in full); after: the tolerance
+    assert!((value["worst_before_mm"].as_f64().unwrap() - 0.193).abs() < 0.001);
+    assert!(value["worst_after_mm"].as_f64().unwrap() <= 0.0055);
+}
+
+#[test]
+fn joints_at_every_minute_have_the_columns_of_the_contract() {
+    let bench = Bench::default();
+    let csv = bench.path("j.csv").display().to_string();
+    let result = bench.path("o.mod").display().to_string();
+    let arguments = ["compensate", CUBE, "-o", &result, "--until", "180", "--joints-csv", &csv];
+    let output = driftpost(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let text = bench.text("j.csv");
+    let header =
+        "target,file,line,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,residual_mm";
+    assert_eq!(text.lines().next(), Some(header));
+    assert_eq!(text.lines().count(), 1 + 46 * 181);
+    let residual = |line: &str| line.rsplit(',').next().unwrap().parse::<f64>().unwrap();
+    assert!(text.lines().skip(1).all(|line| residual(line) <= 1e-9));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes_on_any_number_of_threads() {
+    let bench = Bench::default();
+    let run = |threads: &str, name: &str| {
+        let path = bench.path(name).display().to_string();
+        let mut command = assert_cmd::Command::cargo_bin("driftpost").unwrap();
+        command.current_dir(env!("CARGO_MANIFEST_DIR")).env("RAYON_NUM_THREADS", threads);
+        let output = command.args(["compensate", CUBE, "-o", &path, "--json", "-"]).output().unwrap();
+        (output.stdout, fs::read(&path).unwrap())
+    };
+    assert_eq!(run("1", "a.mod"), run("5", "b.mod"));
+}
+
+#[test]
+fn the_list_of_modules_names_the_core_too() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    let second = cube
+        .replace("MOD_Cube45", "MOD_Second")
+        .replace("Cube45()", "Second()")
+        .replace("rdkSpeed", "rdkFast");
+    assert_ne!(cube, second);
+    bench.file("cell/A.mod", &cube);
+    bench.file("cell/sub/B.mod", &second);
+    let list = "<Program>\n\t<Module>A.mod</Module>\n\t<Module>sub\\B.mod</Module>\n</Program>\n";
+    let pgf = bench.file("cell/cell.pgf", list);
+    let output = driftpost(&["compensate", &pgf, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let with_core = list.replace("\n</Program>", "\n\t<Module>tcCore.mod</Module>\n</Program>");
+    assert_eq!(bench.text("cell/cell_tc/cell.pgf"), with_core);
+    let minutes = bench.path("cell/cell_tc/cell.pgf").display().to_string();
+    let output =
+        driftpost(&["simulate", &minutes, "--original", &pgf, "--minutes", "0,61", "--entry", "Cube45"]);
+    assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+    let output = driftpost(&["compensate", &pgf, "--in-place", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(bench.text("cell/cell.pgf"), with_core);
+}
+
+#[test]
+fn a_controllers_backup_goes_through_whole() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    let main = "MODULE Main\n  PROC main()\n    Cube45;\n  ENDPROC\nENDMODULE\n";
+    bench.file("backup/RAPID/TASK1/PROGMOD/Cube45.mod", &cube);
+    bench.file("backup/RAPID/TASK1/PROGMOD/Main.mod", main);
+    bench.file(
+        "backup/RAPID/TASK1/SYSMOD/user.sys",
+        "MODULE user(SYSMODULE)\n  PERS num nUser:=1;\nENDMODULE\n",
+    );
+    // Another task has the same names, and the disk a copy of the program.
+    bench.file(
+        "backup/RAPID/TASK2/PROGMOD/Main.mod",
+        "MODULE Main\n  PROC main()\n    WaitTime 1;\n  ENDPROC\nENDMODULE\n",
+    );
+    bench.file("backup/HOME/old/Cube45.mod", &cube);
+    bench.file("backup/BACKINFO/backinfo.txt", "IRC5");
+    let backup = bench.path("backup").display().to_string();
+    for form in ["schedule", "ramp"] {
+        let to = bench.path(form).display().to_string();
+        let output = driftpost(&["compensate", &backup, "-o", &to, "--form", form, "--diff", "none"]);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        assert_eq!(bench.text(&format!("{form}/HOME/old/Cube45.mod")), cube);
+        assert_eq!(bench.text(&format!("{form}/BACKINFO/backinfo.txt")), "IRC5");
+        let output = driftpost(&["simulate", &to, "--original", &backup, "--minutes", "0,61,420"]);
+        assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+        assert!(out(&output).contains("138 moves executed"), "{}", out(&output));
+    }
+}
+
+#[test]
+fn two_robots_of_a_backup_are_compensated_one_by_one() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    for task in ["TASK1", "TASK2"] {
+        bench.file(&format!("backup/RAPID/{task}/PROGMOD/Cube45.mod"), &cube);
+    }
+    let backup = bench.path("backup").display().to_string();
+    let to = bench.path("out").display().to_string();
+    let output = driftpost(&["compensate", &backup, "-o", &to, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("emit::several-tasks") && err(&output).contains("TASK1, TASK2"));
+    let one = bench.path("backup/RAPID/TASK2").display().to_string();
+    let output = driftpost(&["compensate", &one, "-o", &to, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let output = driftpost(&["simulate", &to, "--original", &one, "--minutes", "0,61"]);
+    assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+}
+
+const SLOW: &str = "MODULE m
+  PERS tooldata tGrip:=[TRUE,[[0,0,90],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST robtarget p1:=[[450,-100,300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p2:=[[450,100,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num d:=0;
+  PROC main()
+    WHILE TRUE DO
+@    ENDWHILE
+  ENDPROC
+ENDMODULE
+";
+
+/// The largest error of the corrected moves after five hours of work, mm; `speed` is what the program is run
+/// at in place of v10.
+fn after_five_hours(body: &str, speed: &str, more: &[&str]) -> f64 {
+    let bench = Bench::default();
+    let original = bench.file("p.mod", SLOW.replace('@', body));
+    let emitted = bench.path("p_tc.mod").display().to_string();
+    let run = driftpost(&[&["compensate", &original, "-o", &emitted, "--diff", "none"][..], more].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", err(&run));
+    for path in [&original, &emitted] {
+        let text = fs::read_to_string(path).unwrap().replace("v10,", speed);
+        fs::write(path, text).unwrap();
+    }
+    let scenario = bench.file("s.toml", "steps = [\"call tcColdStart\", \"run 300\"]\n");
+    let run =
+        driftpost(&["simulate", &emitted, "--original", &original, "--scenario", &scenario, "--json", "-"]);
+    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let minutes = json["minutes"].as_array().unwrap();
+    assert!(minutes.len() > 2, "{minutes:?}");
+    minutes.iter().map(|m| m["corrected"]["max_mm"].as_f64().unwrap()).fold(0.0, f64::max)
+}
+
+#[test]
+fn slow_work_is_not_taken_for_a_pause() {
+    let there_and_back = "      MoveL p1,v10,fine,tGrip;\n      MoveL p2,v10,fine,tGrip;\n".repeat(10);
+    // A bucket is right to its tolerance, and the drift goes on while the arm moves to its target.
+    for (speed, more, limit) in [
+        ("v10,", &[][..], 0.0075),
+        ("v5,", &["--tolerance-mm", "0.01"], 0.015),
+        ("v5,", &["--gap-min", "2"], 0.0075),
+    ] {
+        let worst_mm = after_five_hours(&there_and_back, speed, more);
+        assert!(worst_mm < limit, "{speed} {more:?}: {worst_mm} mm");
+    }
+    // One corrected move among many that are kept.
+    let kept = "      MoveL p1,v10,fine,tGrip;\n      FOR i FROM 1 TO 10 DO\n        d:=i;\n        MoveL Offs(p2,0,0,d),v10,fine,tGrip;\n        MoveL Offs(p1,0,0,d),v10,fine,tGrip;\n      ENDFOR\n";
+    // Kept motion does not ask: that is said, and the program may ask itself.
+    let worst_mm = after_five_hours(&kept.replace("d:=i;", "d:=i;tcUpdate;"), "v10,", &[]);
+    assert!(worst_mm < 0.0075, "{worst_mm} mm");
+    let bench = Bench::default();
+    let original = bench.file("p.mod", SLOW.replace('@', kept));
+    let output = driftpost(&["compensate", &original, "--diff", "none"]);
+    assert!(
+        err(&output).contains("clock::long-motion") && err(&output).contains("tcUpdate"),
+        "{}",
+        err(&output)
+    );
+}

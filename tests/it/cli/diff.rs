@@ -1,0 +1,268 @@
+//! `diff`: what a reviewer is told of two programs.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use serde_json::Value;
+
+fn compensated(bench: &Bench) -> String {
+    let to = bench.path("tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &to, "--diff", "none"]).status.success());
+    to
+}
+
+/// Numbers of the first bracketed triple of a line.
+fn position(line: &str) -> [f64; 3] {
+    let inner = line.trim_start_matches(|c| c != '[').trim_start_matches('[').split(']').next().unwrap();
+    let numbers: Vec<f64> = inner.split(',').map(|n| n.trim().parse().unwrap()).collect();
+    numbers.try_into().unwrap()
+}
+
+#[test]
+fn a_compensated_program_differs_in_its_targets_alone() {
+    let bench = Bench::default();
+    let to = compensated(&bench);
+    let output = driftpost(&["diff", CUBE, &to, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(1));
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&json["same"], &json["same_elsewhere"]), (&Value::Bool(false), &Value::Bool(true)));
+    let motions = json["motions"].as_array().unwrap();
+    assert_eq!(motions.len(), 46);
+    // The distance of the second motion's last element from its first, by the text of the array.
+    let text = bench.text("tc.mod");
+    let mut rows = text.lines().skip_while(|l| !l.contains("robtarget tc31{"));
+    let rows: Vec<[f64; 3]> = rows.by_ref().skip(1).take_while(|l| l.contains("[[")).map(position).collect();
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    let far = first.iter().zip(&last).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let buckets = motions[1]["buckets"].as_array().unwrap();
+    assert_eq!(buckets.len(), rows.len());
+    assert_eq!((&buckets[0]["index"], &buckets[0]["dp_mm"]), (&Value::Null, &Value::from(0.0)));
+    let told = buckets[buckets.len() - 1]["dp_mm"].as_f64().unwrap();
+    assert!(far > 0.1 && (told - far).abs() < 2e-5, "{told} {far}");
+    let worst = |key: &str| json["worst"][key].as_f64().unwrap();
+    let most = motions.iter().flat_map(|m| m["buckets"].as_array().unwrap());
+    let most = most.map(|b| b["dp_mm"].as_f64().unwrap()).fold(0.0, f64::max);
+    assert!((worst("dp_mm") - most).abs() < 1e-12 && worst("limit_margin_deg") > 2.0);
+    // At most twice the tolerance, and single precision.
+    assert!((0.008..0.0101).contains(&worst("bucket_step_mm")), "{}", worst("bucket_step_mm"));
+    assert_eq!(json["worst"]["same_configuration"], Value::Bool(true));
+    for bucket in motions.iter().flat_map(|m| m["buckets"].as_array().unwrap()) {
+        assert_eq!(
+            (&bucket["same_branch"], &bucket["same_configuration"]),
+            (&Value::Bool(true), &Value::Bool(true))
+        );
+        assert!(bucket["limit_margin_deg"].as_f64().unwrap() > 2.0);
+    }
+}
+
+#[test]
+fn the_same_program_has_no_difference() {
+    let bench = Bench::default();
+    let to = compensated(&bench);
+    for path in [CUBE, &to] {
+        assert_eq!(driftpost(&["diff", path, path]).status.code(), Some(0), "{path}");
+    }
+}
+
+#[test]
+fn a_changed_speed_tool_or_move_is_told() {
+    let bench = Bench::default();
+    let to = compensated(&bench);
+    let text = std::fs::read_to_string(&to).unwrap();
+    let told = |from: &str, by: &str| {
+        let changed = text.replacen(from, by, 1);
+        assert_ne!(changed, text, "{from}");
+        let output = driftpost(&["diff", CUBE, &bench.file("changed.mod", changed)]);
+        assert_eq!(output.status.code(), Some(1));
+        out(&output)
+    };
+    let speed = told("tc40{tcK()},rdkSpeed,z1", "tc40{tcK()},rdkSpeed,z5");
+    assert!(
+        speed.contains("Beside the targets the text differs, first at fixtures/robodk/irc5/Cube45.mod:40"),
+        "{speed}"
+    );
+    let tool = told("tc40{tcK()},rdkSpeed,z1,rdkTool", "tc40{tcK()},rdkSpeed,z1,tool0");
+    assert!(tool.contains("1 with another instruction, tool or work object"), "{tool}");
+    let dropped = told("        MoveL tc40{tcK()}", "        ! MoveL tc40{tcK()}");
+    assert!(dropped.contains("Only in the first program"), "{dropped}");
+}
+
+#[test]
+fn a_ramp_is_told_by_its_settled_correction() {
+    let bench = Bench::default();
+    let schedule = compensated(&bench);
+    let to = bench.path("ramp.mod").display().to_string();
+    let made = driftpost(&["compensate", CUBE, "-o", &to, "--form", "ramp", "--diff", "none"]);
+    assert!(made.status.success());
+    let figures = |to: &str| {
+        let output = driftpost(&["diff", CUBE, to, "--json", "-"]);
+        assert_eq!(output.status.code(), Some(1));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (json["same_elsewhere"].clone(), json["motions"].as_array().unwrap().clone())
+    };
+    let ((same, ramp), (_, arrays)) = (figures(&to), figures(&schedule));
+    assert_eq!((same, ramp.len()), (Value::Bool(true), 46));
+    for (a, b) in ramp.iter().zip(&arrays) {
+        let last = |m: &Value| m["buckets"].as_array().unwrap().last().unwrap()["dp_mm"].as_f64().unwrap();
+        assert_eq!(a["buckets"].as_array().unwrap().len(), 2);
+        // The last bucket is right a little before all has settled.
+        assert!((0.96..1.0).contains(&(last(b) / last(a))), "{} {}", last(a), last(b));
+    }
+    let text = std::fs::read_to_string(&to).unwrap();
+    let correction = text.lines().find(|l| l.contains("pose tc40:=")).unwrap();
+    for (from, by) in
+        [("tc40),rdkSpeed,z1", "tc40),rdkSpeed,z5"), (correction, &correction.replacen("[[0.", "[[0.9", 1))]
+    {
+        let edited = text.replacen(from, by, 1);
+        assert_ne!(edited, text);
+        assert_eq!(figures(&bench.file("edited.mod", edited)).0, Value::Bool(false), "{by}");
+    }
+}
+
+#[test]
+fn three_touched_up_points_go_through_restore_and_a_new_run() {
+    let bench = Bench::default();
+    compensated(&bench);
+    // ModPos on the controller changes element 1: half a millimetre up, for three targets.
+    let mut text = bench.text("tc.mod");
+    for line in ["tc35{", "tc48{", "tc60{"] {
+        let array = text.find(&format!("robtarget {line}")).unwrap();
+        let at = array + text[array..].find("[[").unwrap();
+        let end = at + text[at..].find(']').unwrap();
+        let [x, y, z] = position(&text[at..=end]);
+        text.replace_range(at..end, &format!("[[{x},{y},{}", z + 0.5));
+    }
+    let touched = bench.file("touched.mod", &text);
+    let restored = bench.path("restored.mod").display().to_string();
+    assert_eq!(driftpost(&["restore", &touched, "-o", &restored]).status.code(), Some(1));
+    let json: Value =
+        serde_json::from_slice(&driftpost(&["diff", CUBE, &restored, "--json", "-"]).stdout).unwrap();
+    assert_eq!(json["same_elsewhere"], Value::Bool(true));
+    let moved: Vec<(u64, f64)> = json["motions"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|m| (m["line"].as_u64().unwrap(), m["buckets"][0]["dp_mm"].as_f64().unwrap()))
+        .filter(|(_, dp)| *dp > 0.0)
+        .collect();
+    assert_eq!(moved.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [35, 48, 60]);
+    assert!(moved.iter().all(|(_, dp)| (dp - 0.5).abs() < 1e-4), "{moved:?}");
+    let again = bench.path("again.mod").display().to_string();
+    assert!(driftpost(&["compensate", &restored, "-o", &again, "--diff", "none"]).status.success());
+    let run = |program: &str, original: &str| {
+        driftpost(&["simulate", program, "--original", original, "--minutes", "0,37.5,120"]).status.code()
+    };
+    assert_eq!(run(&again, &restored), Some(0));
+    // Until then the touched-up program runs the buckets of the old points.
+    assert_eq!(run(&touched, CUBE), Some(0));
+}
+
+/// A compensated program in both cores, and where its clock stands.
+fn with_clock(bench: &Bench, core: &str) -> (String, String) {
+    let to = bench.path(&format!("{core}/Cube45.mod")).display().to_string();
+    let made = driftpost(&["compensate", CUBE, "-o", &to, "--core", core, "--diff", "none"]);
+    assert!(made.status.success(), "{}", err(&made));
+    let clock =
+        if core == "separate" { bench.path("separate/tcCore.mod").display().to_string() } else { to.clone() };
+    (to, clock)
+}
+
+#[test]
+fn an_edit_of_what_was_added_is_told() {
+    let bench = Bench::default();
+    for core in ["embedded", "separate"] {
+        let (to, clock) = with_clock(&bench, core);
+        let program = bench.path(core).display().to_string();
+        let original = bench.file(&format!("original_{core}/Cube45.mod"), std::fs::read(CUBE).unwrap());
+        let original = original.trim_end_matches("/Cube45.mod").to_owned();
+        let elsewhere = || {
+            let json = driftpost(&["diff", &original, &program, "--json", "-"]).stdout;
+            let json: Value = serde_json::from_slice(&json).unwrap();
+            (json["same_elsewhere"].as_bool().unwrap(), json["elsewhere"].to_string())
+        };
+        assert!(elsewhere().0, "{core}: {}", elsewhere().1);
+        let text = std::fs::read_to_string(&clock).unwrap();
+        // As a controller saves it: another layout, another spelling, PERS moved on.
+        let saved = text
+            .replace("RETURN 3600*tcNumber(", "RETURN 3600 * TCNUMBER(")
+            .replace("PERS num tcMinute:=0;", "PERS num tcMinute:=61.5;");
+        assert_ne!(saved, text);
+        std::fs::write(&clock, &saved).unwrap();
+        assert!(elsewhere().0, "{core}: {}", elsewhere().1);
+        for (from, by, name) in [
+            ("tcSec1-tcSec0", "tcSec1+tcSec0", "tcSpan"),
+            ("VAR num tcI:=1;", "VAR num tcI:=2;", "tcI"),
+            ("tcMode<>-2", "tcMode<>-3", "tcChoose"),
+        ] {
+            let edited = text.replacen(from, by, 1);
+            assert_ne!(edited, text, "{from}");
+            std::fs::write(&clock, edited).unwrap();
+            let (same, said) = elsewhere();
+            assert!(
+                !same && said.contains(name) && said.contains("not as it was made"),
+                "{core} {from}: {said}"
+            );
+        }
+        std::fs::write(&clock, &text).unwrap();
+        let module = std::fs::read_to_string(&to).unwrap();
+        std::fs::write(&to, module.replacen("{tcK()}", "{3}", 1)).unwrap();
+        assert!(!elsewhere().0, "{core}: {}", elsewhere().1);
+    }
+}
+
+#[test]
+fn what_restore_does_not_take_over_is_said() {
+    let bench = Bench::default();
+    compensated(&bench);
+    let text = bench.text("tc.mod");
+    let run = |name: &str, text: &str| {
+        let file = bench.file(name, text);
+        let to = bench.path(&format!("{name}.restored")).display().to_string();
+        let output = driftpost(&["restore", &file, "-o", &to, "--json", "-"]);
+        assert_ne!(output.status.code(), Some(2), "{}", err(&output));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (err(&output), json["files"][0].clone(), std::fs::read(to).unwrap())
+    };
+    let (said, json, bytes) = run("as_made.mod", &text);
+    assert!(!said.contains("warning") && bytes == std::fs::read(CUBE).unwrap(), "{said}");
+    assert_eq!(json["altered"], Value::Array(Vec::new()));
+
+    // Elements 3 and 5 of one target, as ModPos does while a bucket is in use: both a quarter of a millimetre up.
+    let array = text.find("robtarget tc35{").unwrap();
+    let mut lines: Vec<String> = text[array..].lines().map(str::to_owned).collect();
+    for element in [3, 5] {
+        let [x, y, z] = position(&lines[element]);
+        let end = lines[element].find(']').unwrap();
+        lines[element] = format!("        [[{x},{y},{}{}", z + 0.25, &lines[element][end..]);
+    }
+    let edited = format!("{}{}\n", &text[..array], lines.join("\n"));
+    let (said, json, bytes) = run("elements.mod", &edited);
+    assert!(said.contains("was touched up on the controller by 0.25"), "{said}");
+    assert_eq!((&json["altered"], &json["exact"]), (&Value::Array(Vec::new()), &false.into()));
+    let value = json["touched"][0]["value"].as_str().unwrap().to_owned();
+    let [x, y, z] = position(&value);
+    // The original is [400, -300, 250].
+    assert!((x - 400.0).abs() < 1e-3 && (y + 300.0).abs() < 1e-3 && (z - 250.25).abs() < 1e-3, "{value}");
+    assert!(String::from_utf8_lossy(&bytes).contains(&value));
+    // Each otherwise: nobody can say which is meant.
+    lines[5] = lines[5].replacen("[[", "[[1", 1);
+    let file = bench.file("both.mod", format!("{}{}\n", &text[..array], lines.join("\n")));
+    let output = driftpost(&["restore", &file, "-o", &bench.path("none.mod").display().to_string()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        err(&output).contains("restore::disagree") && err(&output).contains("250.25"),
+        "{}",
+        err(&output)
+    );
+    assert!(!bench.path("none.mod").exists());
+
+    // A comment line damaged or lost is no touched-up point.
+    let check = text.lines().find(|l| l.contains("! driftpost targets: ")).unwrap();
+    let at = text.find(check).unwrap() + check.len() - 4;
+    let damaged =
+        format!("{}{}{}", &text[..at], if &text[at..=at] == "A" { "B" } else { "A" }, &text[at + 1..]);
+    for edited in [damaged, text.replacen(&format!("{check}\n"), "", 1)] {
+        let (said, json, bytes) = run("header.mod", &edited);
+        assert!(said.contains("comment block"), "{said}");
+        assert!(!said.contains("was touched up"), "{said}");
+        assert!(json["touched"].as_array().unwrap().is_empty() && bytes == std::fs::read(CUBE).unwrap());
+    }
+}

@@ -1,0 +1,85 @@
+//! Standard output, standard error, closed pipes, folders that cannot be written to.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use std::io::Read;
+use std::process::{Command, Stdio};
+
+#[test]
+fn results_and_messages_do_not_mix() {
+    let output = driftpost(&["inspect", CUBE]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(out(&output).contains("46 motions"), "{}", out(&output));
+    assert!(!out(&output).contains("warning["), "{}", out(&output));
+    let output = driftpost(&["inspect", "fixtures/robodk/s4c/RichProg.prg"]);
+    assert!(err(&output).contains("warning["), "{}", err(&output));
+    assert!(!out(&output).contains("warning["), "{}", out(&output));
+}
+
+#[test]
+fn inspect_writes_json_and_csv() {
+    let output = driftpost(&["inspect", CUBE, "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(value["motions"].as_array().unwrap().len(), 46);
+    let output = driftpost(&["inspect", CUBE, "--format", "csv"]);
+    assert_eq!(out(&output).lines().count(), 47);
+}
+
+#[test]
+fn a_closed_pipe_is_not_an_error() {
+    let bench = Bench::default();
+    let result = bench.path("o.mod");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(["compensate", CUBE, "-o"])
+        .arg(&result)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut one = [0];
+    drop(child.stdout.take().map(|mut out| out.read(&mut one)));
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(0));
+    assert!(result.exists());
+}
+
+#[test]
+fn a_long_diff_is_cut_with_a_count_and_whole_in_a_file() {
+    let bench = Bench::default();
+    let result = bench.path("o.mod").display().to_string();
+    let diff = bench.path("o.diff").display().to_string();
+    let cut = driftpost(&["compensate", CUBE, "-o", &result, "--tolerance-mm", "0.002"]);
+    let last = out(&cut).lines().last().unwrap().to_owned();
+    let more: usize = last.strip_prefix("... and ").unwrap().split(' ').next().unwrap().parse().unwrap();
+    driftpost(&["compensate", CUBE, "-o", &result, "--tolerance-mm", "0.002", "--diff", &diff]);
+    assert_eq!(bench.text("o.diff").lines().count(), 2000 + more);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_cannot_be_written_to_is_found_before_the_work() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = Bench::default();
+    let folder = bench.path("locked");
+    std::fs::create_dir(&folder).unwrap();
+    std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o555)).unwrap();
+    if std::fs::write(folder.join("probe"), "").is_ok() {
+        std::fs::remove_file(folder.join("probe")).unwrap();
+        eprintln!("skipped: this user may write everywhere");
+        return;
+    }
+    let result = folder.join("o.mod").display().to_string();
+    let output = driftpost(&["compensate", CUBE, "-o", &result]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("output::unwritable"), "{}", err(&output));
+}
+
+#[test]
+fn help_and_version_are_results() {
+    for arguments in [["--help"].as_slice(), &["--version"], &["compensate", "--help"]] {
+        let output = driftpost(arguments);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(!out(&output).is_empty() && err(&output).is_empty());
+    }
+    assert_eq!(driftpost(&[]).status.code(), Some(2));
+}

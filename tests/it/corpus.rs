@@ -1,0 +1,100 @@
+//! Real RAPID: every file of the folder `DRIFTPOST_CORPUS` names, and of `../shared/robodk` where it stands,
+//! comes back byte for byte, its moves are read, and what was not understood is shown.
+
+use rapid_syntax::diagnostic::FileId;
+use rapid_syntax::tree::{FileItem, ModuleItem};
+use rapid_syntax::{SourceFile, walk};
+use std::path::{Path, PathBuf};
+
+fn folders() -> Vec<PathBuf> {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
+    let named = std::env::var_os("DRIFTPOST_CORPUS").map(PathBuf::from);
+    named.into_iter().chain([beside]).filter(|f| f.is_dir()).collect()
+}
+
+fn files_below(folder: &Path, files: &mut Vec<PathBuf>) {
+    let mut entries: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() { files_below(&path, files) } else { files.push(path) }
+    }
+}
+
+#[test]
+fn real_files_come_back_and_are_understood() {
+    let folders = folders();
+    if folders.is_empty() {
+        println!("skipped: neither DRIFTPOST_CORPUS nor ../shared/robodk is there");
+        return;
+    }
+    let mut paths = Vec::new();
+    folders.iter().for_each(|f| files_below(f, &mut paths));
+    let (mut opaque, mut warned, mut moves) = (0, 0, 0);
+    for path in &paths {
+        let file = SourceFile::read(FileId(0), path.display().to_string(), std::fs::read(path).unwrap());
+        crate::tree_check::check(&file.bytes).unwrap_or_else(|e| panic!("{}: {e}", file.path));
+        let unread = print_unread(&file);
+        if unread == 0 || file.bytes.windows(6).any(|w| w == b"RoboDK") {
+            assert_eq!(moves_read(&file), moves_seen(&file), "{}", file.path);
+        }
+        moves += moves_read(&file);
+        opaque += unread;
+        warned += usize::from(!file.warnings.is_empty());
+    }
+    println!("{} files, {moves} moves, {opaque} opaque nodes, {warned} files with warnings", paths.len());
+}
+
+fn print_unread(file: &SourceFile) -> usize {
+    let unread: Vec<_> = walk::leaves(&file.tree).into_iter().filter(|n| n.what == "opaque").collect();
+    for node in &unread {
+        let text: String = String::from_utf8_lossy(file.text(node.range)).chars().take(120).collect();
+        println!("{}:{}: opaque {text:?}", file.path, file.line(node.range));
+    }
+    for w in &file.warnings {
+        println!("{}:{}: {w}", file.path, w.span.map_or(0, |s| file.line(s.range)));
+    }
+    unread.len()
+}
+
+const MOVES: [&[u8]; 4] = [b"movel", b"movej", b"movec", b"moveabsj"];
+
+/// Lines of the modules that begin with a move, by their text alone.
+fn moves_seen(file: &SourceFile) -> usize {
+    let in_routine = |at: u32| {
+        file.tree.items.iter().any(|item| match item {
+            FileItem::Module(m) => m.items.iter().any(|i| {
+                matches!(i, ModuleItem::Routine(_)) && (i.range().start..i.range().end).contains(&at)
+            }),
+            _ => false,
+        })
+    };
+    let mut at = 0;
+    let mut seen = 0;
+    for line in file.bytes.split_inclusive(|&b| b == b'\n' || b == b'\r') {
+        let text = line.trim_ascii_start().to_ascii_lowercase();
+        let word = text.split(|b| !b.is_ascii_alphanumeric() && *b != b'_').next().unwrap_or_default();
+        let after = text.get(word.len()).copied();
+        seen += usize::from(
+            MOVES.contains(&word) && matches!(after, Some(b' ' | b'\t' | b'\\')) && in_routine(at),
+        );
+        at += line.len() as u32;
+    }
+    seen
+}
+
+/// Calls of the tree that begin a line and name a move.
+fn moves_read(file: &SourceFile) -> usize {
+    let nodes = walk::nodes(&file.tree);
+    let begins_line = |at: u32| {
+        let before = &file.bytes[..at as usize];
+        let blanks = before.iter().rev().take_while(|b| **b == b' ' || **b == b'\t').count();
+        before[..before.len() - blanks].last().is_none_or(|b| *b == b'\n' || *b == b'\r')
+    };
+    nodes
+        .windows(2)
+        .filter(|w| {
+            w[0].what == "call" && w[0].range.start == w[1].range.start && begins_line(w[0].range.start)
+        })
+        .filter(|w| MOVES.contains(&&*file.text(w[1].range).to_ascii_lowercase()))
+        .count()
+}

@@ -1,0 +1,39 @@
+//! The tests of the whole: one binary, one module for each thing that is promised.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test stops where something is missing, and its figures are there to be read"
+)]
+
+mod architecture;
+mod bad_measurements;
+mod cli;
+mod clock;
+mod compensate_robodk;
+mod controller;
+mod corpus;
+mod deformed_inverse;
+mod diagnose;
+mod emit;
+mod executed;
+mod fit;
+mod golden;
+mod grammar;
+mod hostile;
+mod kinematics;
+mod live;
+mod lossless;
+mod measuring;
+mod messages;
+mod model;
+mod oracle;
+mod paper;
+mod plan;
+mod program;
+mod real;
+mod shop;
+mod simulate;
+mod tabulate;
+mod tree_check;
+mod virtual_controller;

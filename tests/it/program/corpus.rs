@@ -1,0 +1,73 @@
+//! Real RAPID: every repository below the folder that `DRIFTPOST_CORPUS` names is read as one program.
+
+use rapid_program::program::motion::Path as How;
+use rapid_program::program::{Overrides, Program};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::FileId;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+fn files_below(folder: &Path, out: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files_below(&path, out);
+        } else {
+            out.push(path);
+        }
+    }
+}
+
+#[test]
+fn every_motion_of_real_programs_is_known_or_has_a_reason() {
+    let Some(folder) = std::env::var_os("DRIFTPOST_CORPUS").map(PathBuf::from) else {
+        println!("skipped: DRIFTPOST_CORPUS names no folder");
+        return;
+    };
+    let mut tally = BTreeMap::<&str, usize>::new();
+    let mut warned = BTreeMap::<&str, usize>::new();
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let mut paths = Vec::new();
+        files_below(&entry.unwrap().path(), &mut paths);
+        // Each folder with files is a program of its own.
+        let mut programs = BTreeMap::<PathBuf, Vec<PathBuf>>::new();
+        for path in paths {
+            programs.entry(path.parent().unwrap().to_owned()).or_default().push(path);
+        }
+        for paths in programs.values() {
+            let read = |(id, path): (usize, &PathBuf)| {
+                let name = path.display().to_string();
+                SourceFile::read(FileId(id as u32), name, std::fs::read(path).unwrap())
+            };
+            let files: Vec<SourceFile> = paths.iter().enumerate().map(read).collect();
+            let start = std::time::Instant::now();
+            let program = Program::read(files, &Overrides::default());
+            assert!(start.elapsed().as_secs() < 20, "{paths:?}");
+            for motion in &program.motions {
+                let code = motion.keep.as_ref().map_or("-", |k| k.code);
+                *tally.entry(code).or_default() += 1;
+                if let Some(keep) = &motion.keep {
+                    assert!(!keep.reason.is_empty());
+                    if std::env::var_os("DRIFTPOST_SHOW").is_some_and(|show| show == code) {
+                        let file = program.file(motion.file);
+                        let text = String::from_utf8_lossy(file.text(motion.range)).into_owned();
+                        println!("{}:{}: {text}\n    {}", file.path, motion.line, keep.reason);
+                    }
+                } else {
+                    assert!(motion.targets.iter().all(|t| t.value.is_some()));
+                    assert!(!motion.targets.is_empty());
+                    let framed = motion.tool.is_some() && motion.wobj.is_some();
+                    assert!(motion.path == How::AbsJoint || framed);
+                }
+            }
+            for diagnostic in &program.diagnostics {
+                *warned.entry(diagnostic.code).or_default() += 1;
+                if std::env::var_os("DRIFTPOST_SHOW").is_some_and(|show| show == diagnostic.code) {
+                    println!("{}", diagnostic.message);
+                }
+            }
+        }
+    }
+    println!("{} motions: {tally:#?}\nwarnings: {warned:#?}", tally.values().sum::<usize>());
+}

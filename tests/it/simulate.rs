@@ -1,0 +1,147 @@
+//! `driftpost simulate` on the command line: what it writes and how it ends.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+
+const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
+
+fn driftpost(args: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.current_dir(env!("CARGO_MANIFEST_DIR")).args(args);
+    command
+}
+
+fn compensated(folder: &Path) -> String {
+    let out = folder.join("Cube45_tc.mod").display().to_string();
+    driftpost(&["compensate", CUBE, "-o", &out, "--diff", "none"]).assert().success();
+    out
+}
+
+#[test]
+fn a_compensated_cube_is_within_and_its_original_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = compensated(folder.path());
+    let csv = folder.path().join("passes.csv").display().to_string();
+    let run = driftpost(&[
+        "simulate",
+        &program,
+        "--original",
+        CUBE,
+        "--minutes",
+        "0,7,37.5,180",
+        "--json",
+        "-",
+        "--csv",
+        &csv,
+    ])
+    .assert()
+    .success();
+    let json: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    let minutes = json["minutes"].as_array().unwrap();
+    assert_eq!(
+        minutes.iter().map(|m| m["t_min"].as_f64().unwrap()).collect::<Vec<_>>(),
+        [0.0, 7.0, 37.5, 180.0]
+    );
+    assert!(minutes.iter().all(|m| m["n"] == 46));
+    assert!(minutes[3]["after"]["max_mm"].as_f64().unwrap() < 0.0055);
+    // The reference paper's table leaves 0.174 mm at 180 minutes.
+    assert!((minutes[3]["before"]["max_mm"].as_f64().unwrap() - 0.174).abs() < 0.0005);
+    assert!(minutes[3]["path_after_mm"].as_f64().unwrap() < 0.01);
+    // Minutes 0 and 7 lie in one bucket.
+    assert_eq!(json["switches"].as_array().unwrap().len(), 2);
+    assert_eq!(json["unknown_instructions"].as_array().unwrap().len(), 0);
+    assert_eq!(std::fs::read_to_string(csv).unwrap().lines().count(), 5);
+    // Not compensated: out of tolerance.
+    driftpost(&["simulate", CUBE, "--minutes", "180"]).assert().code(1);
+}
+
+#[test]
+fn a_scenario_is_played() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = compensated(folder.path());
+    let file = folder.path().join("lunch.toml");
+    std::fs::write(
+        &file,
+        "steps = [\"call tcColdStart\", \"run 20\", \"stand 45\", \"pp_to_main\", \"run 5\"]",
+    )
+    .unwrap();
+    let scenario = file.display().to_string();
+    let args =
+        ["simulate", &program, "--original", CUBE, "--scenario", &scenario, "--tolerance-mm", "0.0065"];
+    driftpost(&args).assert().success();
+    std::fs::write(&file, "steps = [\"sleep 5\"]").unwrap();
+    driftpost(&args).assert().code(2);
+}
+
+/// A cell that works while a signal is on and asks for it while it is not.
+const POLLS: &str = "MODULE Cell
+  CONST jointtarget home:=[[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget there:=[[10,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  FUNC jointtarget asked(jointtarget j)
+    RETURN j;
+  ENDFUNC
+  PROC main()
+    WHILE TRUE DO
+      IF DInput(di1)=1 THEN
+        MoveAbsJ home,v500,fine,tool0;
+        WaitTime 30;
+        MoveAbsJ asked(there),v500,fine,tool0;
+      ELSE
+        WaitTime 1;
+      ENDIF
+    ENDWHILE
+  ENDPROC
+ENDMODULE
+";
+
+#[test]
+fn what_warms_the_robot_is_an_option_and_a_field_of_the_scenario() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let cell = written("cell.mod", POLLS);
+    let night =
+        "steps = [\"signal di1 1\", \"run 90\", \"signal di1 0\", \"run 60\", \"signal di1 1\", \"pass\"]";
+    let [plain, running] = ["", "warming = \"running\"\n"]
+        .map(|head| written(&format!("night{}.toml", head.len()), &format!("{head}{night}")));
+    let last = |options: &[&str]| {
+        let args = [&["simulate", &cell, "--original", &cell, "--tolerance-mm", "1", "--json", "-"], options];
+        let run = driftpost(&args.concat()).assert().success();
+        let json: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+        let functions = json["functions"].as_array().unwrap().clone();
+        assert_eq!((functions.len(), &functions[0]["name"]), (1, &Value::from("asked")));
+        assert_eq!(functions[0]["statements"], serde_json::json!([1, 1]));
+        let minutes = json["minutes"].as_array().unwrap();
+        // Passes that only ask the signal are not listed.
+        assert!(minutes.len() < 200 && minutes.iter().all(|m| m["n"] == 2), "{}", minutes.len());
+        minutes.last().unwrap()["t_min"].as_f64().unwrap()
+    };
+    let warm = last(&["--scenario", &running]);
+    assert!((warm - 150.0).abs() < 2.0, "{warm}");
+    let cooled = last(&["--scenario", &plain]);
+    // x1 = 0.859 and x2 = 0.582 after 90 minutes, x2 = 0.462 an hour later: as after 72 minutes.
+    assert!((cooled - 72.0).abs() < 2.0, "{cooled}");
+    assert_eq!(last(&["--scenario", &plain, "--warming", "running"]), warm);
+    assert_eq!(last(&["--scenario", &running, "--warming", "moving"]), cooled);
+    assert!((last(&["--scenario", &plain, "--gap-min", "90"]) - warm).abs() < 1e-6);
+    for wrong in [&["--warming", "resting"][..], &["--gap-min", "0"], &["--gap-min", "nan"]] {
+        driftpost(&[&["simulate", &cell, "--scenario", &plain], wrong].concat()).assert().code(2);
+    }
+}
+
+#[test]
+fn what_cannot_be_run_is_refused() {
+    for args in [
+        &["simulate", "nowhere.mod"][..],
+        &["simulate", CUBE, "--entry", "Nobody"],
+        &["simulate", CUBE, "--tolerance-mm", "0"],
+        &["simulate", CUBE, "--robot", "irb9"],
+        &["simulate", CUBE, "--minutes", "-1"],
+    ] {
+        driftpost(args).assert().code(2);
+    }
+}
