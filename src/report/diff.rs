@@ -1,12 +1,16 @@
 //! Unified diffs: from known edits without searching, or of two texts.
 
 use rapid_syntax::Edit;
-use similar::TextDiff;
+use similar::{Algorithm, DiffTag, capture_diff_slices_deadline, group_diff_ops};
 use std::io::{self, BufRead, Seek, Write};
-use std::time::Duration;
+use std::ops::Range;
+use std::time::{Duration, Instant};
 
 /// Unchanged lines shown round a change.
 const CONTEXT: usize = 3;
+
+/// How long the shortest difference of two texts is looked for; then one that is longer does.
+const SEARCH: Duration = Duration::from_secs(20);
 
 /// The diff of `source` and what `edits` make of it, for a tool like `patch`.
 ///
@@ -97,9 +101,27 @@ pub fn write_texts(
     if old == new {
         return Ok(());
     }
-    let diff: TextDiff<'_, '_, [u8]> =
-        TextDiff::configure().timeout(Duration::from_secs(20)).diff_lines(old, new);
-    diff.unified_diff().context_radius(CONTEXT).header(old_path, new_path).to_writer(out)
+    let (old_lines, new_lines) = (Lines::new(old).all(old), Lines::new(new).all(new));
+    let deadline = Instant::now().checked_add(SEARCH);
+    let ops = capture_diff_slices_deadline(Algorithm::Myers, &old_lines, &new_lines, deadline);
+    writeln!(out, "--- {old_path}\n+++ {new_path}")?;
+    for hunk in group_diff_ops(ops, CONTEXT) {
+        let (Some(first), Some(last)) = (hunk.first(), hunk.last()) else { continue };
+        let side =
+            |from: Range<usize>, to: Range<usize>| Side { start: from.start, lines: to.end - from.start };
+        let old_side = side(first.old_range(), last.old_range());
+        let new_side = side(first.new_range(), last.new_range());
+        writeln!(out, "@@ -{old_side} +{new_side} @@")?;
+        for op in hunk {
+            if op.tag() == DiffTag::Equal {
+                write_lines(out, b' ', old_lines[op.old_range()].iter().copied())?;
+                continue;
+            }
+            write_lines(out, b'-', old_lines[op.old_range()].iter().copied())?;
+            write_lines(out, b'+', new_lines[op.new_range()].iter().copied())?;
+        }
+    }
+    Ok(())
 }
 
 /// `start,lines` as a hunk's header writes it: lines are counted from 1, an empty side names the line before.
@@ -182,6 +204,10 @@ impl Lines {
             starts.pop();
         }
         Self { starts, end: text.len() }
+    }
+
+    fn all<'t>(&self, text: &'t [u8]) -> Vec<&'t [u8]> {
+        (0..self.count()).map(|line| self.of(text, line)).collect()
     }
 
     fn count(&self) -> usize {

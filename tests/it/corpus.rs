@@ -1,36 +1,29 @@
-//! Real RAPID: every file of the folder `DRIFTPOST_CORPUS` names, and of `../shared/robodk` where it stands,
-//! comes back byte for byte, its moves are read, and what was not understood is shown.
+//! Real RAPID comes back byte for byte, its moves are read, and what was not understood is shown.
 
+use crate::folders;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{FileItem, ModuleItem};
 use rapid_syntax::{SourceFile, walk};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-fn folders() -> Vec<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
-    let named = std::env::var_os("DRIFTPOST_CORPUS").map(PathBuf::from);
-    named.into_iter().chain([beside]).filter(|f| f.is_dir()).collect()
-}
-
-fn files_below(folder: &Path, files: &mut Vec<PathBuf>) {
-    let mut entries: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() { files_below(&path, files) } else { files.push(path) }
-    }
+#[test]
+fn fixtures_come_back_and_are_understood() {
+    let (moves, opaque) = check(&folders::modules_below(&folders::fixtures()));
+    assert!(moves > 400, "{moves} moves");
+    assert!(opaque < 20, "{opaque} opaque nodes");
 }
 
 #[test]
+#[ignore = "needs a folder of RAPID programs in DRIFTPOST_CORPUS"]
 fn real_files_come_back_and_are_understood() {
-    let folders = folders();
-    if folders.is_empty() {
-        println!("skipped: neither DRIFTPOST_CORPUS nor ../shared/robodk is there");
-        return;
-    }
-    let mut paths = Vec::new();
-    folders.iter().for_each(|f| files_below(f, &mut paths));
+    let (moves, _) = check(&folders::files_below(&folders::corpus()));
+    assert!(moves > 0);
+}
+
+/// Number of moves and of places that were not understood.
+fn check(paths: &[PathBuf]) -> (usize, usize) {
     let (mut opaque, mut warned, mut moves) = (0, 0, 0);
-    for path in &paths {
+    for path in paths {
         let file = SourceFile::read(FileId(0), path.display().to_string(), std::fs::read(path).unwrap());
         crate::tree_check::check(&file.bytes).unwrap_or_else(|e| panic!("{}: {e}", file.path));
         let unread = print_unread(&file);
@@ -42,6 +35,7 @@ fn real_files_come_back_and_are_understood() {
         warned += usize::from(!file.warnings.is_empty());
     }
     println!("{} files, {moves} moves, {opaque} opaque nodes, {warned} files with warnings", paths.len());
+    (moves, opaque)
 }
 
 fn print_unread(file: &SourceFile) -> usize {

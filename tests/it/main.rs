@@ -18,6 +18,7 @@ mod diagnose;
 mod emit;
 mod executed;
 mod fit;
+mod folders;
 mod golden;
 mod grammar;
 mod hostile;

@@ -2,7 +2,7 @@
 //! generator knows but the cause itself: every effect's true signature and share of the mixture, the noise, the
 //! distribution of the background's geometry. Only the size, between 0.3 and 5 times the noise, is open.
 //!
-//! `cargo test --release --test oracle -- --ignored --nocapture` prints the figures that stand in docs/EXAM.md.
+//! `cargo test --release --test it oracle:: -- --ignored --nocapture` prints the figures that stand in docs/EXAM.md.
 
 use exam::arm::{Arm, Disturbance};
 use exam::draw::Draw;
@@ -263,7 +263,7 @@ fn ranked(
 }
 
 #[test]
-#[ignore = "two minutes optimised: cargo test --release --test oracle -- --ignored --nocapture"]
+#[ignore = "two minutes optimised: cargo test --release --test it oracle:: -- --ignored --nocapture"]
 fn what_could_be_known_of_weak_effects() {
     let robot = Robot::built_in("irb140").unwrap();
     let (mut asked, mut first, mut two) = (0.0, 0.0, 0.0);

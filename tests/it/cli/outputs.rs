@@ -55,18 +55,18 @@ fn a_long_diff_is_cut_with_a_count_and_whole_in_a_file() {
     assert_eq!(bench.text("o.diff").lines().count(), 2000 + more);
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_cannot_be_written_to_is_found_before_the_work() {
     use std::os::unix::fs::PermissionsExt;
     let bench = Bench::default();
-    let folder = bench.path("locked");
+    let mut folder = bench.path("locked");
     std::fs::create_dir(&folder).unwrap();
     std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o555)).unwrap();
     if std::fs::write(folder.join("probe"), "").is_ok() {
         std::fs::remove_file(folder.join("probe")).unwrap();
-        eprintln!("skipped: this user may write everywhere");
-        return;
+        // root may write everywhere but where the kernel alone does.
+        folder = "/proc".into();
     }
     let result = folder.join("o.mod").display().to_string();
     let output = driftpost(&["compensate", CUBE, "-o", &result]);

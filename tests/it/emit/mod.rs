@@ -5,6 +5,7 @@ mod real;
 mod tokens;
 pub(crate) mod toy;
 
+use crate::folders;
 use rapid_program::compensate::FormChoice;
 use rapid_program::compensate::plan::Plan;
 use rapid_program::emit::{
@@ -15,7 +16,7 @@ use rapid_program::program::motion::Motion;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{SourceFile, apply, walk};
 use robot_model::deform::GrowthLaw;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const NAMED: &[u8] = include_bytes!("../../../fixtures/emit/named.mod");
 
@@ -94,22 +95,6 @@ fn variants() -> Vec<(String, Vec<u8>)> {
     all
 }
 
-/// Every program under `../shared/robodk`, and the folder that `DRIFTPOST_CORPUS` names, file by file.
-fn exports() -> Vec<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/robodk");
-    let named = std::env::var_os("DRIFTPOST_CORPUS").map(PathBuf::from);
-    let mut files = Vec::new();
-    let mut open: Vec<PathBuf> = named.into_iter().chain([beside]).filter(|f| f.is_dir()).collect();
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() { open.push(path) } else { files.push(path) }
-        }
-    }
-    files.sort();
-    files
-}
-
 fn check_all_but_targets(name: &str, source: &[u8], program: &Program, plan: &Plan, emitted: &[u8]) {
     let targets: Vec<_> = program
         .motions
@@ -154,21 +139,33 @@ fn the_original_comes_back_byte_for_byte() {
 }
 
 #[test]
-fn exports_of_robodk_keep_all_else_and_come_back() {
-    let exports = exports();
-    if exports.is_empty() {
-        println!("skipped: neither DRIFTPOST_CORPUS nor ../shared/robodk is there");
-    }
-    for path in exports {
-        let source = std::fs::read(&path).unwrap();
+fn fixtures_keep_all_else_and_come_back() {
+    let mut programs = folders::modules_below(&folders::fixtures());
+    programs.retain(|path| !path.components().any(|part| part.as_os_str() == "expected"));
+    assert!(check_files(&programs) > 20);
+}
+
+#[test]
+#[ignore = "needs a folder of RAPID programs in DRIFTPOST_CORPUS"]
+fn real_programs_keep_all_else_and_come_back() {
+    assert!(check_files(&folders::files_below(&folders::corpus())) > 0);
+}
+
+/// Emits each file for itself; how many were compensated.
+fn check_files(paths: &[PathBuf]) -> usize {
+    let mut compensated = 0;
+    for path in paths {
+        let source = std::fs::read(path).unwrap();
         let name = path.display().to_string();
         let (program, plan, out) = emitted(&[(&name, &source)], &[]);
         let Some(file) = out.first() else { continue };
+        compensated += 1;
         check_all_but_targets(&name, &source, &program, &plan, &file.bytes);
         check_lines(&name, &source, file);
         let restored = restore(&file.bytes).unwrap();
         assert!(restored.bytes == source && restored.exact, "{name}");
     }
+    compensated
 }
 
 fn check_lines(name: &str, source: &[u8], file: &EmittedFile) {
