@@ -217,9 +217,9 @@ impl Writing {
     pub fn finish(mut self, to: &Destination, given: &Given) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
         to.check_new(given, &self.emitted)?;
         if to.whole {
-            for (id, path) in to.modules.iter().enumerate() {
+            for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {
                 if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
-                    self.put(path, &mut &*given.content(id)?)?;
+                    self.put(path, &mut &**bytes)?;
                 }
             }
         }

@@ -167,7 +167,7 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Pl
         .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
     let mut places = Vec::new();
     for (motion, planned) in program.motions.iter().zip(&plan.motions) {
-        let tool = motion.tool.as_ref().filter(|tool| tool.robhold);
+        let tool = motion.setup.tool.as_ref().filter(|tool| tool.robhold);
         for target in &planned.targets {
             places.push(Place {
                 name: format!("line {}", motion.line),

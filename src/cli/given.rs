@@ -5,7 +5,7 @@ use rapid_program::program::modules_of_pgf;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::FileItem;
-use sha2::{Digest, Sha256};
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -37,14 +37,8 @@ pub struct Given {
     pub paths: Vec<PathBuf>,
     /// Its place in the result: relative to the folder that all stand in.
     pub places: Vec<PathBuf>,
-    /// Its bytes; of a program that is read part by part none are held.
+    /// The bytes of each file.
     pub bytes: Vec<Arc<[u8]>>,
-    /// Programs of more bytes than this are read part by part, in parts of about so many.
-    part_bytes: usize,
-    /// How many bytes all files have.
-    all_bytes: usize,
-    /// SHA-256 of each file, where its bytes are read again when they are wanted.
-    digests: Vec<[u8; 32]>,
     /// Files that are no modules: path and place. They are copied as they are.
     pub others: Vec<(PathBuf, PathBuf)>,
 }
@@ -55,96 +49,28 @@ impl Given {
     /// # Errors
     /// `input::*`, naming the file.
     pub fn read(arguments: &[PathBuf]) -> Result<Self, Diagnostic> {
-        Self::read_up_to(arguments, usize::MAX)
-    }
-
-    /// The same; of regular files that have more than `part_bytes` in all only digests are kept, by which they are known when they are read
-    /// again.
-    ///
-    /// # Errors
-    /// `input::*`, naming the file.
-    pub fn read_up_to(arguments: &[PathBuf], part_bytes: usize) -> Result<Self, Diagnostic> {
         let mut given = match arguments {
             [one] if one.is_dir() => Self::folder(one)?,
             [one] if has_extension(one, &["pgf"]) => Self::pgf(one)?,
             [one] => Self::list(Shape::One, one, std::slice::from_ref(one)),
             several => Self::several(several)?,
         };
-        // A pipe gives its bytes once.
-        let again = given.paths.iter().all(|path| path.is_file());
-        given.part_bytes = part_bytes;
         for path in &given.paths {
             let bytes = files::read(path, "program")?;
             check(path, &bytes)?;
-            given.all_bytes += bytes.len();
-            given.digests.push(Sha256::digest(&bytes).into());
             given.bytes.push(bytes.into());
-            if given.all_bytes > part_bytes && given.paths.len() > 1 && again {
-                given.bytes.clear();
-            }
-        }
-        if given.bytes.len() < given.paths.len() {
-            given.bytes = Vec::new();
         }
         Ok(given)
     }
 
-    /// Whether its bytes are read again whenever they are wanted.
-    #[must_use]
-    pub fn is_large(&self) -> bool {
-        self.bytes.is_empty()
-    }
-
-    /// How many bytes all files have.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.all_bytes
-    }
-
-    /// How many bytes a part has, about.
-    #[must_use]
-    pub fn part_bytes(&self) -> usize {
-        self.part_bytes
-    }
-
-    /// The bytes of a file.
-    ///
-    /// # Errors
-    /// `input::*` where it cannot be read again, or has changed.
-    pub fn content(&self, file: usize) -> Result<Arc<[u8]>, Diagnostic> {
-        let (Some(path), Some(digest)) = (self.paths.get(file), self.digests.get(file)) else {
-            return Ok(Arc::default());
-        };
-        if let Some(bytes) = self.bytes.get(file) {
-            return Ok(Arc::clone(bytes));
-        }
-        let bytes = files::read(path, "program")?;
-        if <[u8; 32]>::from(Sha256::digest(&bytes)) == *digest {
-            return Ok(bytes.into());
-        }
-        let text = format!("{} was changed while it was being read", path.display());
-        Err(Diagnostic::error("input::changed", text).help("start again when nobody writes to it any more"))
-    }
-
-    /// A file, parsed, which must hold whole modules.
-    ///
-    /// # Errors
-    /// As [`content`](Self::content) and [`check_modules`].
-    pub fn source(&self, file: usize) -> Result<SourceFile, Diagnostic> {
-        let path = self.paths.get(file).map(|path| slashed(path)).unwrap_or_default();
-        let read = SourceFile::read(FileId(file as u32), path, self.content(file)?);
-        check_modules(std::slice::from_ref(&read))?;
-        Ok(read)
-    }
-
-    /// The files, parsed; one that cannot be read any more is empty.
+    /// The files, parsed on all cores.
     #[must_use]
     pub fn sources(&self) -> Vec<SourceFile> {
-        let named = self.paths.iter().map(|path| slashed(path)).enumerate();
-        let read = |(id, path): (usize, String)| {
-            SourceFile::read(FileId(id as u32), path, self.content(id).unwrap_or_default())
+        let files = self.paths.par_iter().zip(&self.bytes).enumerate();
+        let read = |(id, (path, bytes)): (usize, (&PathBuf, &Arc<[u8]>))| {
+            SourceFile::read(FileId(id as u32), slashed(path), Arc::clone(bytes))
         };
-        named.map(read).collect()
+        files.map(read).collect()
     }
 
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
@@ -175,9 +101,6 @@ impl Given {
             places: real.iter().map(place).collect(),
             paths: paths.to_vec(),
             bytes: Vec::new(),
-            part_bytes: usize::MAX,
-            all_bytes: 0,
-            digests: Vec::new(),
             others: Vec::new(),
         }
     }
@@ -219,9 +142,6 @@ impl Given {
             others: others.iter().map(|path| (path.clone(), place(path))).collect(),
             paths: modules,
             bytes: Vec::new(),
-            part_bytes: usize::MAX,
-            all_bytes: 0,
-            digests: Vec::new(),
         })
     }
 

@@ -117,10 +117,10 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         Ok(())
     };
     let job = Job::new(&args)?;
-    let messages = match job.make(&given, true, &mut take) {
+    let messages = match job.make(&given, &mut take) {
         Ok(made) => {
             let mut text = Vec::new();
-            made.write_review(&mut text)?;
+            made.write_review(&mut text, true)?;
             result.insert("review.txt".to_owned(), text);
             result.insert("changes.diff".to_owned(), diff);
             made.messages

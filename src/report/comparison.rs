@@ -54,7 +54,7 @@ impl Compared<'_> {
             [(&c.only_before, self.before, "first"), (&c.only_after, self.after, "second")]
         {
             for motion in motions.iter().filter_map(|&i| program.motions.get(i)) {
-                let (kind, line) = (motion.kind, motion.line);
+                let (kind, line) = (motion.setup.kind, motion.line);
                 let file = &program.file(motion.file).path;
                 writeln!(out, "Only in the {which} program: {kind} in {file}:{line}")?;
             }
@@ -162,8 +162,11 @@ impl Compared<'_> {
         vec![
             before.line.to_string(),
             after.line.to_string(),
-            self.before.routines.get(before.routine).map_or_else(String::new, |r| r.name.clone()),
-            after.kind.to_owned(),
+            self.before
+                .routines
+                .get(before.setup.routine.index())
+                .map_or_else(String::new, |r| r.name.clone()),
+            after.setup.kind.to_owned(),
             target_name(before).unwrap_or_default().to_owned(),
             bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
             step.map_or_else(String::new, |s| number(mm_from_m(s.distance_m), 4)),
@@ -216,8 +219,11 @@ impl Compared<'_> {
                     self.before.file(before.file).path.clone(),
                     before.line.to_string(),
                     after.line.to_string(),
-                    self.before.routines.get(before.routine).map_or_else(String::new, |r| r.name.clone()),
-                    after.kind.to_owned(),
+                    self.before
+                        .routines
+                        .get(before.setup.routine.index())
+                        .map_or_else(String::new, |r| r.name.clone()),
+                    after.setup.kind.to_owned(),
                     target_name(before).unwrap_or_default().to_owned(),
                     bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
                     rounded(mm_from_m(step.distance_m)).to_string(),
@@ -309,7 +315,9 @@ impl Serialize for Compared<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let place = |program: &Program, i: &usize| {
             let motion = program.motions.get(*i)?;
-            Some(json!({"file": program.file(motion.file).path, "line": motion.line, "kind": motion.kind}))
+            Some(
+                json!({"file": program.file(motion.file).path, "line": motion.line, "kind": motion.setup.kind}),
+            )
         };
         let places = |program: &Program, list: &[usize]| -> Vec<Value> {
             list.iter().filter_map(|i| place(program, i)).collect()
@@ -340,8 +348,8 @@ impl Serialize for Motions<'_> {
                 "line": old.line,
                 "file_after": after.file(new.file).path,
                 "line_after": new.line,
-                "routine": before.routines.get(old.routine).map(|r| &r.name),
-                "kind": new.kind,
+                "routine": before.routines.get(old.setup.routine.index()).map(|r| &r.name),
+                "kind": new.setup.kind,
                 "target": target_name(old),
                 "same_frames": compared.same_frames,
                 "buckets": buckets,

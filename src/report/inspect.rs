@@ -24,12 +24,12 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
     for entry in &program.facts.entries {
         writeln!(out, "entry {} of {}", entry.name, entry.module)?;
     }
-    write_counts(out, "moves", program.motions.iter().map(|m| m.kind))?;
-    write_counts(out, "tools", program.motions.iter().filter_map(|m| m.tool_name.as_deref()))?;
+    write_counts(out, "moves", program.motions.iter().map(|m| m.setup.kind))?;
+    write_counts(out, "tools", program.motions.iter().filter_map(|m| m.setup.tool_name.as_deref()))?;
     write_counts(
         out,
         "work objects",
-        program.motions.iter().map(|m| m.wobj_name.as_deref().unwrap_or("wobj0")),
+        program.motions.iter().map(|m| m.setup.wobj_name.as_deref().unwrap_or("wobj0")),
     )?;
     let kept = program.motions.iter().filter(|m| m.keep.is_some()).count();
     writeln!(
@@ -61,11 +61,11 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         table.row([
             line,
             routine(program, motion).to_owned(),
-            motion.kind.to_owned(),
+            motion.setup.kind.to_owned(),
             motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
-            motion.tool_name.as_deref().unwrap_or_default().to_owned(),
-            motion.wobj_name.as_deref().unwrap_or_default().to_owned(),
-            motion.targets.last().and_then(|t| t.value.as_ref()).map_or_else(String::new, numbers),
+            motion.setup.tool_name.as_deref().unwrap_or_default().to_owned(),
+            motion.setup.wobj_name.as_deref().unwrap_or_default().to_owned(),
+            motion.targets.last().and_then(|t| t.value()).map_or_else(String::new, |value| numbers(&value)),
             motion.keep.as_ref().map_or_else(String::new, |why| format!("{} ({})", why.reason, why.code)),
         ]);
     }
@@ -92,10 +92,10 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
             &motion.line.to_string(),
             routine(program, motion),
             &index.to_string(),
-            motion.kind,
+            motion.setup.kind,
             &motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
-            motion.tool_name.as_deref().unwrap_or(""),
-            motion.wobj_name.as_deref().unwrap_or(""),
+            motion.setup.tool_name.as_deref().unwrap_or(""),
+            motion.setup.wobj_name.as_deref().unwrap_or(""),
             if keep.is_none() { "compensate" } else { "keep" },
             keep.map_or("", |why| why.code),
             keep.map_or("", |why| &why.reason),
@@ -118,10 +118,10 @@ pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
                 "line": motion.line,
                 "routine": routine(program, motion),
                 "index": index,
-                "kind": motion.kind,
+                "kind": motion.setup.kind,
                 "targets": targets,
-                "tool": motion.tool_name.as_deref(),
-                "wobj": motion.wobj_name.as_deref(),
+                "tool": motion.setup.tool_name.as_deref(),
+                "wobj": motion.setup.wobj_name.as_deref(),
                 "can": motion.keep.is_none(),
                 "code": motion.keep.as_ref().map(|why| why.code),
                 "reason": motion.keep.as_ref().map(|why| &why.reason),
@@ -164,11 +164,11 @@ fn form(program: &Program) -> (&'static str, String) {
 }
 
 fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {
-    program.routines.get(motion.routine).map_or("", |r| &r.name)
+    program.routines.get(motion.setup.routine.index()).map_or("", |r| &r.name)
 }
 
 fn spelling(target: &Target) -> String {
-    match &target.origin {
+    match target.origin() {
         Origin::Named { name, .. } => name.clone(),
         Origin::Inline => "[...]".to_owned(),
         Origin::Expression => "expression".to_owned(),
@@ -176,11 +176,11 @@ fn spelling(target: &Target) -> String {
 }
 
 fn target(target: &Target) -> Value {
-    let name = match &target.origin {
+    let name = match target.origin() {
         Origin::Named { name, .. } => Some(name),
         Origin::Inline | Origin::Expression => None,
     };
-    let (position_mm, joints_deg) = match &target.value {
+    let (position_mm, joints_deg) = match &target.value() {
         Some(TargetValue::Rob(rob)) => (
             Some(
                 rob.object_from_tcp

@@ -4,7 +4,7 @@ use super::motion_rows::target_name;
 use super::rounded;
 use rapid_program::compensate::MinuteJoints;
 use rapid_program::program::Program;
-use rapid_program::program::motion::Origin;
+use rapid_program::program::motion::{Origin, Target};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -49,8 +49,8 @@ impl<'a> JointRow<'a> {
     /// A row of a program's motion. A target without a name is called by its line.
     #[must_use]
     pub fn of_program(program: &'a Program, row: &MinuteJoints) -> Option<Self> {
-        let motion = program.motions.get(row.motion)?;
-        let target = match motion.targets.get(row.target).map(|t| &t.origin) {
+        let motion = program.motions.get(row.motion.index())?;
+        let target = match motion.targets.get(row.target).map(Target::origin) {
             Some(Origin::Named { name, .. }) => name.as_str().into(),
             _ => target_name(motion).map_or_else(|| format!("L{}", motion.line).into(), Cow::Borrowed),
         };

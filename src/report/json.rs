@@ -2,15 +2,14 @@
 
 use super::message::Told;
 use super::motion_rows::target_name;
-use rapid_program::compensate::plan::{Plan, PlannedMotion, Status, Summary};
+use rapid_program::compensate::plan::{Plan, PlannedMotion, Status};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Keep, Motion};
-use rapid_program::schedule::Schedule;
-use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use rapid_syntax::diagnostic::Severity;
 use robot_model::units::{deg_from_rad, mm_from_m};
-use serde::ser::{Error as _, Serialize, SerializeMap, SerializeSeq, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
-use std::cell::RefCell;
+use std::sync::Arc;
 
 /// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
 #[must_use]
@@ -20,36 +19,22 @@ pub fn rounded(value: f64) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-/// Shows a program and its plan, or one part after the other with its own.
-pub type Each<'e> = dyn FnMut(&mut dyn FnMut(&Program, &Plan)) -> Result<(), Diagnostic> + 'e;
-
 /// What `compensate` found and did.
 ///
 /// Is made row by row while it is written: a program may have many motions.
-pub struct Compensation<'a, 'e> {
-    schedule: &'a Schedule,
-    temperature_c: Option<[f64; 2]>,
-    summary: &'a Summary,
-    messages: &'a [Told],
-    each: RefCell<&'a mut Each<'e>>,
+pub struct Compensation<'a> {
+    /// The program as it was read.
+    pub program: &'a Program,
+    /// What becomes of its motions.
+    pub plan: &'a Plan,
+    /// What there is to be said of both.
+    pub messages: &'a [Told],
 }
 
-impl<'a, 'e> Compensation<'a, 'e> {
-    /// `each` shows the motions; the summary and the messages are those of all of them.
-    pub fn new(
-        schedule: &'a Schedule,
-        temperature_c: Option<[f64; 2]>,
-        summary: &'a Summary,
-        messages: &'a [Told],
-        each: &'a mut Each<'e>,
-    ) -> Self {
-        Self { schedule, temperature_c, summary, messages, each: RefCell::new(each) }
-    }
-}
-
-impl Serialize for Compensation<'_, '_> {
+impl Serialize for Compensation<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { schedule, temperature_c, summary: s, messages, .. } = self;
+        let Self { plan, messages, .. } = self;
+        let Plan { schedule, temperature_c, summary: s, .. } = plan;
         let mm = |m: f64| rounded(mm_from_m(m));
         let buckets: Vec<Value> = schedule
             .buckets
@@ -86,26 +71,13 @@ impl Serialize for Compensation<'_, '_> {
 }
 
 /// Its rows of motions.
-struct Motions<'m, 'a, 'e>(&'m Compensation<'a, 'e>);
+struct Motions<'m>(&'m Compensation<'m>);
 
-impl Serialize for Motions<'_, '_, '_> {
+impl Serialize for Motions<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut seq = serializer.serialize_seq(None)?;
-        let (mut index, mut failed) = (0, None);
-        let shown = (self.0.each.borrow_mut())(&mut |program, plan| {
-            let own = program.motions.iter().zip(&plan.motions).filter(|(motion, _)| program.is_own(motion));
-            for (motion, planned) in own {
-                if failed.is_none() {
-                    failed = seq.serialize_element(&planned_row(program, index, motion, planned)).err();
-                }
-                index += 1;
-            }
-        });
-        shown.map_err(|message| S::Error::custom(message.message))?;
-        match failed {
-            Some(error) => Err(error),
-            None => seq.end(),
-        }
+        let Compensation { program, plan, .. } = self.0;
+        let rows = program.motions.iter().zip(&plan.motions).enumerate();
+        serializer.collect_seq(rows.map(|(i, (motion, planned))| planned_row(program, i, motion, planned)))
     }
 }
 
@@ -135,9 +107,9 @@ fn motion_row(
     json!({
         "file": program.file(motion.file).path,
         "line": motion.line,
-        "routine": program.routines.get(motion.routine).map(|r| &r.name),
+        "routine": program.routines.get(motion.setup.routine.index()).map(|r| &r.name),
         "index": index,
-        "kind": motion.kind,
+        "kind": motion.setup.kind,
         "target": target_name(motion),
         "status": status,
         "form": null,
@@ -152,8 +124,8 @@ fn motion_row(
 /// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
 /// are.
 #[must_use]
-pub fn refusal(program: &Program, kept: &[Keep], list: &[Told]) -> Value {
-    let row = |(index, (motion, why)): (usize, (&Motion, &Keep))| {
+pub fn refusal(program: &Program, kept: &[Arc<Keep>], list: &[Told]) -> Value {
+    let row = |(index, (motion, why)): (usize, (&Motion, &Arc<Keep>))| {
         motion_row(program, index, motion, ("kept", Some(why)), [0.0; 2], None)
     };
     json!({

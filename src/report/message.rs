@@ -148,9 +148,7 @@ fn excerpt(file: &SourceFile, line: u32, marks: Vec<(Span, &str, AnnotationKind)
     let start = file.lines.start_of(line);
     let rest = file.bytes.get(start as usize..)?;
     let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len()) as u32;
-    // of an outline, the text of a later line may follow without a line's end
-    let next = Some(file.lines.start_of(line + 1)).filter(|next| *next > start);
-    let end = next.map_or(start + length, |next| next.min(start + length));
+    let end = start + length;
     let first = marks.iter().map(|(span, ..)| span.range.start).min()?;
     let from = first.saturating_sub(REACH).max(start);
     let last = marks.iter().map(|(span, ..)| span.range.end).max()?;
@@ -233,28 +231,6 @@ mod tests {
         write_message(&mut out, &told, Look::Plain).unwrap();
         let expected = "warning[keep::x]: no value\n --> cell/prog.mod:2:8\n  |\n2 |  MoveL p1,v5;\n  |        ^^\n  |\n ::: cell/data.sys:2:18\n  |\n2 |  CONST robtarget p1;\n  |                  -- declared here\n";
         assert_eq!(String::from_utf8(out).unwrap(), expected);
-    }
-
-    #[test]
-    fn of_an_outline_a_line_is_shown_under_its_number_without_what_was_left_out() {
-        let text = b"MODULE m\n MoveL p1,v5;\n MoveL p2,v5; ! \xc3\xbc\n MoveL p3,v5;\nENDMODULE";
-        let at = |word: &[u8]| text.windows(word.len()).position(|w| w == word).unwrap() as u32;
-        // left out: from within line 2 into line 3, and from the middle of a character there into line 4
-        let cut = [TextRange::new(at(b"p1"), at(b"p2")), TextRange::new(at(b"\xbc"), at(b"p3"))];
-        let outline = file(text).without(&cut);
-        let place = |word: &[u8]| {
-            let start = outline.bytes.windows(word.len()).position(|w| w == word).unwrap() as u32;
-            outline.span(TextRange::new(start, start + word.len() as u32))
-        };
-        let files = std::slice::from_ref(&outline);
-        for (word, line, shown) in [
-            (&b"MoveL"[..], "2:2", "2 |  MoveL \n"),
-            (b"p2", "3:1", "3 | p2,v5; ! \u{c3}\n"),
-            (b"p3", "4:1", "4 | p3,v5;\n"),
-        ] {
-            let text = plain(&Diagnostic::error("a::b", "m").at(place(word)), files);
-            assert!(text.contains(&format!("prog.mod:{line}\n")) && text.contains(shown), "{text}");
-        }
     }
 
     #[test]

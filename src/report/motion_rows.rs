@@ -1,6 +1,4 @@
-//! The rows of a review's table of motions, collected from one part of a program after the other.
-//!
-//! Of a large program few are shown, and no more are held than may be.
+//! The rows of a review's table of motions: all of a short program, the worst of a long one.
 
 use super::{Align, Table};
 use rapid_program::compensate::plan::{Form, Plan, PlannedMotion, Status};
@@ -31,72 +29,38 @@ const COLUMNS: [(&str, Align); 10] = [
 /// The motions that a review shows.
 #[derive(Clone, Debug)]
 pub struct MotionRows {
-    /// Every motion is shown.
-    all: bool,
-    /// Motions there are.
-    motions: usize,
-    /// In the order of the program, or the worst first where [`is_cut`](Self::is_cut).
-    rows: Vec<Row>,
-}
-
-#[derive(Clone, Debug)]
-struct Row {
-    correction_m: f64,
-    cells: [String; COLUMNS.len()],
+    /// In the order of the program, or the worst first where some are left out.
+    rows: Vec<[String; COLUMNS.len()]>,
+    /// How many motions are left out, where only the worst are shown.
+    left_out: Option<usize>,
 }
 
 impl MotionRows {
-    /// No rows yet; `all` = every motion is shown, however many there are.
+    /// The rows of a planned program; `all` = every motion is shown, however many there are.
     #[must_use]
-    pub fn new(all: bool) -> Self {
-        Self { all, motions: 0, rows: Vec::new() }
-    }
-
-    /// Adds a program's own motions, which come after those of the parts added before.
-    pub fn add(&mut self, program: &Program, plan: &Plan) {
-        for (motion, planned) in program.motions.iter().zip(&plan.motions) {
-            if program.is_own(motion) {
-                self.add_motion(program, motion, planned);
-            }
+    pub fn new(program: &Program, plan: &Plan, all: bool) -> Self {
+        let motions = program.motions.iter().zip(&plan.motions);
+        let mut shown: Vec<(&Motion, &PlannedMotion)> = motions.collect();
+        let is_cut = !all && shown.len() > SHORT;
+        if is_cut {
+            // of equal ones the earlier comes first
+            shown.sort_by(|(_, a), (_, b)| b.max_correction_m.total_cmp(&a.max_correction_m));
+            shown.truncate(WORST);
         }
-    }
-
-    fn add_motion(&mut self, program: &Program, motion: &Motion, planned: &PlannedMotion) {
-        let was_cut = self.is_cut();
-        self.motions += 1;
-        let correction_m = planned.max_correction_m;
-        let row = || Row { correction_m, cells: cells(program, motion, planned) };
-        if !self.is_cut() {
-            self.rows.push(row());
-            return;
-        }
-        if !was_cut {
-            self.rows.sort_by(|a, b| b.correction_m.total_cmp(&a.correction_m));
-            self.rows.truncate(WORST);
-        }
-        // of equal ones the earlier comes first
-        let at = self.rows.partition_point(|other| other.correction_m.total_cmp(&correction_m).is_ge());
-        if at < WORST {
-            self.rows.truncate(WORST - 1);
-            self.rows.insert(at, row());
-        }
-    }
-
-    /// Whether only the worst are shown.
-    fn is_cut(&self) -> bool {
-        !self.all && self.motions > SHORT
+        let rows = shown.iter().map(|(motion, planned)| cells(program, motion, planned)).collect();
+        Self { rows, left_out: is_cut.then(|| program.motions.len() - WORST) }
     }
 
     /// Writes the table, and how many motions it leaves out.
     pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut table = Table::new(&COLUMNS);
-        self.rows.iter().for_each(|row| table.row(row.cells.iter().cloned()));
-        if self.is_cut() {
+        self.rows.iter().for_each(|row| table.row(row.iter().cloned()));
+        if self.left_out.is_some() {
             writeln!(out, "the {WORST} motions that are corrected most:")?;
         }
         table.write(out, "")?;
-        if self.is_cut() {
-            writeln!(out, "... and {} more motions; --all shows every one", self.motions - self.rows.len())?;
+        if let Some(left_out) = self.left_out {
+            writeln!(out, "... and {left_out} more motions; --all shows every one")?;
         }
         writeln!(out)
     }
@@ -114,8 +78,8 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
     };
     [
         line,
-        program.routines.get(motion.routine).map_or_else(String::new, |r| r.name.clone()),
-        motion.kind.to_owned(),
+        program.routines.get(motion.setup.routine.index()).map_or_else(String::new, |r| r.name.clone()),
+        motion.setup.kind.to_owned(),
         target_name(motion).unwrap_or_default().to_owned(),
         figure(mm(planned.max_correction_m)),
         figure(format!("{:.5}", deg_from_rad(planned.max_correction_rad))),
@@ -133,7 +97,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
 
 /// The name of a motion's end point, where it is written as a name.
 pub(super) fn target_name(motion: &Motion) -> Option<&str> {
-    match &motion.targets.last()?.origin {
+    match motion.targets.last()?.origin() {
         Origin::Named { name, .. } => Some(name),
         Origin::Inline | Origin::Expression => None,
     }
@@ -146,22 +110,12 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rapid_program::compensate::plan::{Corrected, Corrector, Summary};
+    use rapid_program::compensate::plan::Summary;
     use rapid_program::program::Overrides;
     use rapid_program::schedule::Schedule;
     use rapid_syntax::SourceFile;
-    use rapid_syntax::diagnostic::{FileId, TextRange};
+    use rapid_syntax::diagnostic::FileId;
     use robot_model::units::m_from_mm;
-    use std::sync::Arc;
-
-    #[derive(Debug)]
-    struct Nothing;
-
-    impl Corrector for Nothing {
-        fn corrected(&self, _: &Motion, _: &PlannedMotion, _: usize) -> Option<Vec<Corrected>> {
-            None
-        }
-    }
 
     /// A module of `count` motions, the first on line 3.
     fn file(id: u32, count: usize) -> SourceFile {
@@ -171,23 +125,17 @@ mod tests {
         SourceFile::read(FileId(id), format!("f{id}.mod"), text.into_bytes())
     }
 
-    /// The file without what stands after its first motion.
-    fn outline(file: &SourceFile) -> SourceFile {
-        let at = |word: &[u8]| file.bytes.windows(word.len()).position(|w| w == word).unwrap() as u32;
-        file.without(&[TextRange::new(at(b"MoveL a1,"), at(b"ENDPROC"))])
-    }
-
     /// Every seventh line is corrected by 0 mm, the others by 1 to 6 mm.
     fn correction_mm(line: u32) -> u32 {
         line % 7
     }
 
-    fn add(rows: &mut MotionRows, files: [SourceFile; 2]) {
+    fn rows(files: [SourceFile; 2], all: bool) -> MotionRows {
         let program = Program::read(files.to_vec(), &Overrides::default());
         let planned = |motion: &Motion| PlannedMotion {
             status: Status::Compensated,
             form: Form::Schedule,
-            targets: Vec::new(),
+            targets: Box::default(),
             max_correction_m: m_from_mm(f64::from(correction_mm(motion.line))),
             max_correction_rad: 0.0,
             mid_path_m: None,
@@ -199,11 +147,10 @@ mod tests {
             motions: program.motions.iter().map(planned).collect(),
             functions: None,
             live: None,
-            corrector: Arc::new(Nothing),
             summary: Summary::default(),
             diagnostics: Vec::new(),
         };
-        rows.add(&program, &plan);
+        MotionRows::new(&program, &plan, all)
     }
 
     fn text(rows: &MotionRows) -> String {
@@ -212,16 +159,9 @@ mod tests {
         String::from_utf8(out).unwrap()
     }
 
-    /// What is written of two files of so many motions: read at once, which is the same as part by part.
+    /// What is written of two files of so many motions.
     fn written(counts: [usize; 2], all: bool) -> String {
-        let [a, b] = [file(0, counts[0]), file(1, counts[1])];
-        let [mut at_once, mut in_parts] = [MotionRows::new(all), MotionRows::new(all)];
-        add(&mut at_once, [a.clone(), b.clone()]);
-        add(&mut in_parts, [a.clone(), outline(&b)]);
-        add(&mut in_parts, [outline(&a), b]);
-        assert_eq!(text(&in_parts), text(&at_once));
-        assert!(all || in_parts.rows.len() <= SHORT);
-        text(&at_once)
+        text(&rows([file(0, counts[0]), file(1, counts[1])], all))
     }
 
     fn rows_of(text: &str) -> Vec<&str> {

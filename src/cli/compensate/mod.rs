@@ -1,13 +1,13 @@
 //! `driftpost compensate`: the main job.
 
 mod args;
-mod made;
+mod compensated;
 mod work;
 
 pub(in crate::cli) use args::temperatures;
 pub use args::{Args, ClockName, CoreName, FormName, Models, Temperatures};
-use made::Made;
-pub(in crate::cli) use made::Refusal;
+use compensated::Compensated;
+pub(in crate::cli) use compensated::Refusal;
 pub(in crate::cli) use work::{Job, write_diff};
 
 use super::destination::{Destination, Writing};
@@ -18,12 +18,8 @@ use crate::report;
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::fs::File;
-use std::io::{BufWriter, Seek, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
-
-/// RAPID that is read at one go: a larger program is read, planned and emitted in parts of about so many bytes.
-const PART_BYTES: usize = 4_000_000;
 
 /// A diff on standard output is cut after so many lines.
 const DIFF_LINES: usize = 2000;
@@ -52,7 +48,7 @@ fn work(
     json: &mut Option<Output>,
 ) -> Result<anyhow::Result<()>, Box<Refusal>> {
     args.check()?;
-    let given = Given::read_up_to(&args.program, PART_BYTES)?;
+    let given = Given::read(&args.program)?;
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
     let job = Job::new(args)?;
     destination.keep_apart(&[args.json.as_deref(), args.diff.as_deref(), args.joints_csv.as_deref()])?;
@@ -72,85 +68,56 @@ fn work(
         None => None,
     };
     let mut diff = diff.map(|out| BufWriter::with_capacity(1 << 16, out));
-    let mut take = |program: &Program, file: EmittedFile| {
+    let mut accept = |program: &Program, file: EmittedFile| {
         if let Some(diff) = &mut diff {
             write_diff(diff, program, &file, &given, &destination).map_err(|cause| no_output(&cause))?;
         }
         writing.add(&destination, &given, file)
     };
-    let mut made = console.while_busy("compensating", || job.make(&given, args.all, &mut take))?;
-    let whole = diff.map_or(Ok(()), |mut diff| diff.flush().map_err(|cause| no_output(&cause)));
-    whole.map_err(|message| made.refuse(message))?;
+    let made = console.while_busy("compensating", || job.make(&given, &mut accept))?;
+    let flushed = diff.map_or(Ok(()), |mut diff| diff.flush().map_err(|cause| no_output(&cause)));
     let dropped = cut.dropped;
-
-    if args.joints_csv.is_some() {
-        made.check_joints().map_err(|message| made.refuse(message))?;
-    }
-    // A large program is read again for these, and where it is changed in place that must be before.
-    let early = args.in_place && given.is_large();
-    let table = aside(early && args.joints_csv.is_some(), |out| made.write_joints(out));
-    let table = table.map_err(|message| made.refuse(message))?;
-    let facts = aside(early && args.json.is_some(), |out| made.write_json(out));
-    let facts = facts.map_err(|message| made.refuse(message))?;
-    console.explain(&made.messages, args.all);
-    let written = writing.finish(&destination, &given).map_err(|message| made.refuse(message))?;
-    if let Some(diff) = diff_file {
-        diff.write(&[]).map_err(|message| made.refuse(message))?;
-    }
-    let kept = joints_file.stream(console, |out| match table {
-        Some(table) => copy(table, out),
-        None => made.write_joints(out),
+    let finished = flushed.and_then(|()| {
+        if args.joints_csv.is_some() {
+            made.check_joints()?;
+        }
+        console.explain(&made.messages, args.all);
+        let written = writing.finish(&destination, &given)?;
+        if let Some(diff) = diff_file {
+            diff.write(&[])?;
+        }
+        let streamed = joints_file.stream(console, |out| made.write_joints(out));
+        streamed.map_err(|error| no_output(&std::io::Error::other(error)))?;
+        if !quiet {
+            show(console, (&made, args.all), &head, dropped).map_err(|cause| no_output(&cause))?;
+        }
+        Ok(written)
     });
-    kept.map_err(|error| made.refuse(no_output(&std::io::Error::other(error))))?;
-    if !quiet {
-        show(console, &made, &head, dropped).map_err(|cause| made.refuse(no_output(&cause)))?;
-    }
-    if let Some(text) = made.about_size() {
+    let written = match finished {
+        Ok(written) => written,
+        Err(message) => return Err(made.refuse(message)),
+    };
+    if let Some(text) = made.size_note() {
         console.say(text);
     }
-    if let Some(text) = made.about_core() {
+    if let Some(text) = made.embedded_clock_note() {
         console.say(text);
     }
     for (path, size) in written {
         console.say(format_args!("wrote {} ({size} bytes)", path.display()));
     }
     let json = json.take().unwrap_or(Output::Nowhere);
-    Ok(json.stream(console, |out| match facts {
-        Some(facts) => copy(facts, out),
-        None => made.write_json(out),
-    }))
-}
-
-/// A result in a file of its own until all others are in their places, where that is wanted.
-fn aside(
-    wanted: bool,
-    write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
-) -> Result<Option<File>, Diagnostic> {
-    let failed = |error: anyhow::Error| {
-        error.downcast().unwrap_or_else(|error| {
-            let text = format!("a result cannot be kept in a file until the others are written: {error}");
-            Diagnostic::error("output::unwritable", text)
-                .help("make room in the folder for temporary files, or name one in TMPDIR")
-        })
-    };
-    let write = || -> anyhow::Result<File> {
-        let mut out = BufWriter::with_capacity(1 << 16, tempfile::tempfile()?);
-        write(&mut out)?;
-        let mut file = out.into_inner()?;
-        file.rewind()?;
-        Ok(file)
-    };
-    wanted.then(write).transpose().map_err(failed)
-}
-
-fn copy(mut file: File, out: &mut dyn Write) -> anyhow::Result<()> {
-    std::io::copy(&mut file, out)?;
-    Ok(())
+    Ok(json.stream(console, |out| made.write_json(out)))
 }
 
 /// The review and the diff, on standard output.
-fn show(console: &mut Console, made: &Made<'_>, diff: &[u8], dropped: usize) -> std::io::Result<()> {
-    made.write_review(console.out())?;
+fn show(
+    console: &mut Console,
+    (made, all): (&Compensated<'_>, bool),
+    diff: &[u8],
+    dropped: usize,
+) -> std::io::Result<()> {
+    made.write_review(console.out(), all)?;
     console.out().write_all(diff)?;
     if dropped > 0 {
         writeln!(console.out(), "... and {dropped} more lines; --diff FILE writes all of them")?;

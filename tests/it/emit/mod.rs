@@ -1,6 +1,6 @@
 //! What every emitted program keeps to, and the way back to the original.
 
-mod parts;
+mod pages;
 mod real;
 mod tokens;
 pub(crate) mod toy;

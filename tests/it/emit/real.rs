@@ -88,7 +88,7 @@ fn check_numbers(program: &Program, plan: &Plan, file: &EmittedFile) -> usize {
         .filter(|(_, (m, p))| Some(m.file) == file.source && p.status == Status::Compensated)
         .flat_map(|(i, (m, _))| {
             let buckets = 0..plan.schedule.buckets.len();
-            let each: Vec<_> = buckets.map(|k| plan.corrected(program, i, k).unwrap()).collect();
+            let each: Vec<_> = buckets.map(|k| plan.motions[i].corrected(k).unwrap()).collect();
             (0..m.targets.len()).map(move |t| each.iter().map(|of| of[t]).collect::<Vec<_>>())
         })
         .collect();

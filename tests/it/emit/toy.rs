@@ -3,11 +3,13 @@
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use rapid_program::compensate::plan::{
-    Corrected, Corrector, Form, Plan, PlannedMotion, PlannedTarget, Status, Summary,
+    Corrected, Corrections, Form, Plan, PlannedMotion, PlannedTarget, Status, Summary,
 };
 use rapid_program::program::Program;
 use rapid_program::program::data::{ConfData, JointTarget, RobTarget};
-use rapid_program::program::motion::{Loop, Motion, Origin, Path, RoutineInfo, Target, TargetValue, Wait};
+use rapid_program::program::motion::{
+    Loop, Motion, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
+};
 use rapid_program::schedule::{Bucket, Schedule};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
@@ -15,9 +17,7 @@ use rapid_syntax::tree::{
     ArgKind, CallStmt, Callee, DataDecl, Expr, ExprKind, FileItem, Module, ModuleItem, Routine, Stmt,
     StmtKind,
 };
-use robot_model::deform::Conditions;
 use robot_model::units::{m_from_mm, rad_from_deg};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Reads the files.
@@ -81,7 +81,7 @@ impl Reader<'_> {
                     self.loops.push(self.program.loops.len());
                     self.program.loops.push(Loop {
                         file: self.file.id,
-                        routine: self.program.routines.len() - 1,
+                        routine: RoutineId(self.program.routines.len() as u32 - 1),
                         unconditional: cond.kind == ExprKind::Bool(true),
                         passes: None,
                     });
@@ -109,65 +109,62 @@ impl Reader<'_> {
         });
         let joint = path == Path::AbsJoint;
         let targets = args.take(count).map(|expr| self.target(expr, joint)).collect();
-        self.program.motions.push(Motion {
-            file: self.file.id,
-            line: self.file.line(stmt.range),
-            routine: self.program.routines.len() - 1,
+        let setup = MotionSetup {
+            routine: RoutineId(self.program.routines.len() as u32 - 1),
             loops: self.loops.clone(),
-            range: stmt.range,
             kind,
             path,
-            targets,
             tool_name: None,
             tool: None,
             wobj_name: None,
             wobj: None,
+            frame_arguments: [None, None],
             speed: None,
             zone: None,
             conf_monitored: None,
             grip: None,
+        };
+        self.program.motions.push(Motion {
+            file: self.file.id,
+            line: self.file.line(stmt.range),
+            range: stmt.range,
+            setup: Arc::new(setup),
+            targets,
             previous: None,
-            wait_before: Wait::None,
-            wait_since_entry: None,
             keep: None,
             run_time: false,
             from_search: false,
-            tool_range: None,
-            wobj_range: None,
         });
     }
 
     fn target(&self, expr: &Expr, joint: bool) -> Target {
-        let mut target = Target {
-            range: expr.range,
-            origin: Origin::Expression,
-            value: None,
-            elements: Vec::new(),
-            literal: None,
-        };
+        let (mut origin, mut literal) = (Origin::Expression, None);
         match &expr.kind {
             ExprKind::Aggregate(_) | ExprKind::Numbers => {
-                target.origin = Origin::Inline;
-                target.literal = Some(self.file.span(expr.range));
+                origin = Origin::Inline;
+                literal = Some(self.file.span(expr.range));
             }
             ExprKind::Name => {
                 let name = self.file.text(expr.range);
                 if let Some((file, data)) = self.declaration(name) {
                     let name = String::from_utf8_lossy(name).into_owned();
-                    target.origin = Origin::Named { name, declaration: file.span(data.range) };
+                    origin = Origin::Named { name, declaration: file.span(data.range) };
                     let init = data
                         .init
                         .as_ref()
                         .filter(|i| matches!(i.kind, ExprKind::Aggregate(_) | ExprKind::Numbers));
-                    target.literal = init.map(|i| file.span(i.range));
+                    literal = init.map(|i| file.span(i.range));
                 }
             }
             _ => {}
         }
-        let numbers =
-            target.literal.map(|span| numbers(span.range.of(&self.files[span.file.0 as usize].bytes)));
-        target.value = Some(value(&numbers.unwrap_or_default(), joint));
-        target
+        let numbers = literal.map(|span| numbers(span.range.of(&self.files[span.file.0 as usize].bytes)));
+        let value = value(&numbers.unwrap_or_default(), joint);
+        let target = Target::new(expr.range, origin).with_value(&value);
+        match literal {
+            Some(literal) => target.with_literal(literal),
+            None => target,
+        }
     }
 
     fn declaration(&self, name: &[u8]) -> Option<(&SourceFile, &DataDecl)> {
@@ -222,7 +219,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
         let mut planned = PlannedMotion {
             status: Status::Compensated,
             form: Form::Schedule,
-            targets: Vec::new(),
+            targets: Box::default(),
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
             mid_path_m: None,
@@ -234,24 +231,21 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
                 reason: "the test says so".into(),
                 because: None,
             };
-            planned.status = Status::Kept(Box::new(keep));
+            planned.status = Status::Kept(Arc::new(keep));
         } else {
-            let target = PlannedTarget {
+            let by = |k: usize| 0.01 * (k as f64 + 1.0) + tool(motion);
+            let target = |target: &Target| PlannedTarget {
                 pose: None,
                 nominal_q_rad: [0.0; 6],
-                conditions: Conditions::default(),
-                corrections: Vec::new(),
+                conditions: None,
+                corrections: Corrections::InBuckets((0..buckets).map(|k| moved(target, by(k))).collect()),
             };
-            planned.targets = vec![target; motion.targets.len()];
+            planned.targets = motion.targets.iter().map(target).collect();
         }
         planned
     });
     Plan {
         motions: motions.collect(),
-        corrector: Arc::new(Steps {
-            buckets,
-            more: program.motions.iter().map(|motion| (place(motion), tool(motion))).collect(),
-        }),
         schedule: schedule(buckets),
         temperature_c: None,
         functions: None,
@@ -270,27 +264,9 @@ pub fn schedule(buckets: usize) -> Schedule {
     Schedule { buckets: (0..buckets).map(bucket).collect(), parts_per_min: 1 }
 }
 
-/// What the plan's buckets do, and by how much more for each motion, by its place.
-#[derive(Debug)]
-struct Steps {
-    buckets: usize,
-    more: HashMap<(FileId, u32), f64>,
-}
-
-fn place(motion: &Motion) -> (FileId, u32) {
-    (motion.file, motion.range.start)
-}
-
-impl Corrector for Steps {
-    fn corrected(&self, motion: &Motion, _: &PlannedMotion, k: usize) -> Option<Vec<Corrected>> {
-        let by = 0.01 * (k as f64 + 1.0) + self.more[&place(motion)];
-        (k < self.buckets).then(|| motion.targets.iter().map(|target| moved(target, by)).collect())
-    }
-}
-
 /// A target so many mm further up, or so many degrees further on.
 fn moved(target: &Target, by: f64) -> Corrected {
-    match target.value.unwrap() {
+    match target.value().unwrap() {
         TargetValue::Rob(rob) => {
             let q = rob.object_from_tcp.rotation;
             let mut position_m: [f64; 3] = rob.object_from_tcp.translation.vector.into();

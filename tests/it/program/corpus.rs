@@ -42,10 +42,10 @@ fn every_motion_of_real_programs_is_known_or_has_a_reason() {
                         println!("{}:{}: {text}\n    {}", file.path, motion.line, keep.reason);
                     }
                 } else {
-                    assert!(motion.targets.iter().all(|t| t.value.is_some()));
+                    assert!(motion.targets.iter().all(|t| t.value().is_some()));
                     assert!(!motion.targets.is_empty());
-                    let framed = motion.tool.is_some() && motion.wobj.is_some();
-                    assert!(motion.path == How::AbsJoint || framed);
+                    let framed = motion.setup.tool.is_some() && motion.setup.wobj.is_some();
+                    assert!(motion.setup.path == How::AbsJoint || framed);
                 }
             }
             for diagnostic in &program.diagnostics {

@@ -66,7 +66,7 @@ fn a_loops_variable_hides_others_of_its_name_inside_the_loop_alone() {
     let body = "MoveL ps{i},v100,fine,t;\n";
     let read = main_of(&data, &format!("{body}FOR i FROM 1 TO 2 DO\n{body}ENDFOR\n{body}"));
     // In the loop any of the elements may be meant.
-    let known: Vec<_> = read.motions.iter().map(|m| m.targets[0].values().len()).collect();
+    let known: Vec<_> = read.motions.iter().map(|m| m.targets[0].values().count()).collect();
     assert_eq!((known, codes(&read)), (vec![1, 2, 1], vec!["-"; 3]));
 }
 

@@ -5,7 +5,7 @@ mod corpus;
 mod errors;
 mod names;
 mod order;
-mod parts;
+mod pages;
 mod robodk;
 mod state;
 mod targets;
@@ -45,7 +45,7 @@ fn codes(program: &Program) -> Vec<&'static str> {
 
 /// x of every motion's tool in mm, rounded; `None` where the tool is not known.
 fn tools_mm(program: &Program) -> Vec<Option<i32>> {
-    let x = |m: &Motion| m.tool.as_ref().map(|t| (t.frame_from_tcp.translation.x * 1e3).round() as i32);
+    let x = |m: &Motion| m.setup.tool.as_ref().map(|t| (t.frame_from_tcp.translation.x * 1e3).round() as i32);
     program.motions.iter().map(x).collect()
 }
 

@@ -7,7 +7,7 @@ use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 
 fn xs_mm(program: &Program) -> Vec<Option<i32>> {
-    let x = |m: &rapid_program::program::motion::Motion| match m.targets[0].value {
+    let x = |m: &rapid_program::program::motion::Motion| match m.targets[0].value() {
         Some(TargetValue::Rob(p)) => Some((p.object_from_tcp.translation.x * 1e3).round() as i32),
         _ => None,
     };
@@ -103,7 +103,7 @@ fn tools_and_work_objects_from_outside() {
     let table = "[FALSE,TRUE,\"\",[[100,0,0],[1,0,0,0]],[[0,20,0],[1,0,0,0]]]";
     let both = read(&[("gun", &tool(50))], &[("TABLE", table)]);
     assert_eq!((codes(&both), tools_mm(&both)), (vec!["-"], vec![Some(50)]));
-    let frame = both.motions[0].wobj.as_ref().unwrap().frame_from_object();
+    let frame = both.motions[0].setup.wobj.as_ref().unwrap().frame_from_object();
     assert_eq!(frame.translation.vector.as_slice(), [0.1, 0.02, 0.0]);
     assert_eq!(codes(&read(&[], &[("Table", table)])), ["keep::tool-unknown"]);
     assert_eq!(codes(&read(&[("Gun", &tool(50))], &[])), ["keep::wobj-unknown"]);

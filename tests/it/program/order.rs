@@ -1,15 +1,15 @@
-//! Which motion comes before which, loops, waits, and where statements can be put in.
+//! Which motion comes before which, and loops.
 
 use super::{at, main_of, module};
 use rapid_program::program::Program;
-use rapid_program::program::motion::Wait;
+use rapid_program::program::motion::{MotionId, RoutineId};
 
 fn mv() -> String {
     format!("MoveL {},v100,fine,tool0;\n", at(1, 2, 3))
 }
 
 fn previous(program: &Program) -> Vec<Option<usize>> {
-    program.motions.iter().map(|m| m.previous).collect()
+    program.motions.iter().map(|m| m.previous.map(MotionId::index)).collect()
 }
 
 #[test]
@@ -20,8 +20,6 @@ fn straight_on_and_over_waits() {
         &format!("{m}{m}WaitTime 1.5;\nWaitTime\\InPos,2;\nSetDO do1,1;\n{m}WaitDI di1,1;\n{m}Stop;\n{m}"),
     );
     assert_eq!(previous(&read), [None, Some(0), Some(1), Some(2), Some(3)]);
-    let waits: Vec<Wait> = read.motions.iter().map(|m| m.wait_before).collect();
-    assert_eq!(waits, [Wait::Unbounded, Wait::None, Wait::Seconds(3.5), Wait::Unbounded, Wait::Unbounded]);
 }
 
 #[test]
@@ -35,9 +33,9 @@ fn where_ways_meet_only_a_common_motion_comes_before() {
     let read = main_of("", &format!("FOR i FROM 1 TO 3 DO\n{m}ENDFOR\n{m}"));
     assert_eq!(previous(&read), [None, Some(0)]);
     let read = main_of("", &format!("{m}FOR i FROM 1 TO n DO\nWaitTime 1;\nENDFOR\n{m}"));
-    assert_eq!((previous(&read), read.motions[1].wait_before), (vec![None, Some(0)], Wait::Unbounded));
+    assert_eq!(previous(&read), [None, Some(0)]);
     let read = main_of("", &format!("{m}WHILE DI1=0 DO\nENDWHILE\n{m}"));
-    assert_eq!((previous(&read), read.motions[1].wait_before), (vec![None, Some(0)], Wait::Unbounded));
+    assert_eq!(previous(&read), [None, Some(0)]);
 }
 
 #[test]
@@ -49,10 +47,6 @@ PROC sub()\n{m}WaitTime 1;\n{m}WaitTime 1;\nENDPROC\nPROC empty()\nSetDO do1,1;\
     ));
     // main: 0, 1, 2, 3 | sub: 4, 5 | sub2: 6
     assert_eq!(previous(&read), [None, Some(5), Some(1), None, Some(0), Some(4), Some(2)]);
-    let waits: Vec<Wait> = read.motions.iter().map(|m| m.wait_before).collect();
-    assert_eq!(waits[1], Wait::Seconds(1.0));
-    assert_eq!(waits[5], Wait::Seconds(1.0));
-    assert_eq!(waits[6], Wait::Seconds(3.0));
     assert!(read.diagnostics.iter().any(|d| d.code == "resolve::routine-not-given"));
     // Called from two places: what comes before is not the same.
     let read = module(&format!("PROC main()\n{m}sub;\n{m}sub;\nENDPROC\nPROC sub()\n{m}ENDPROC"));
@@ -78,7 +72,7 @@ fn loops_round_motion() {
     let read = main_of("", &body);
     let loops: Vec<_> = read.loops.iter().map(|l| (l.unconditional, l.passes)).collect();
     assert_eq!(loops, [(true, None), (false, Some(5)), (false, None), (false, None)]);
-    let of: Vec<_> = read.motions.iter().map(|m| m.loops.clone()).collect();
+    let of: Vec<_> = read.motions.iter().map(|m| m.setup.loops.clone()).collect();
     assert_eq!(of, [vec![0], vec![0, 1], vec![0, 2], vec![3]]);
 }
 
@@ -88,7 +82,7 @@ fn loops_by_goto() {
     let read = main_of("", &format!("{m}back:\n! c\n{m}again:\n{m}IF DI1=1 GOTO again;\n{m}GOTO back;\n{m}"));
     let loops: Vec<_> = read.loops.iter().map(|l| (l.unconditional, l.passes)).collect();
     assert_eq!(loops, [(true, None), (false, None)]);
-    let of: Vec<_> = read.motions.iter().map(|m| m.loops.clone()).collect();
+    let of: Vec<_> = read.motions.iter().map(|m| m.setup.loops.clone()).collect();
     assert_eq!(of, [vec![], vec![0], vec![0, 1], vec![0], vec![]]);
     assert_eq!(read.motions[4].keep.as_ref().map(|k| k.code), Some("keep::unreachable"));
     let forward = main_of("", &format!("GOTO over;\nover:\n{m}"));
@@ -104,5 +98,5 @@ fn routines_with_motion_are_known_by_name() {
     let read = module(&text);
     assert_eq!(read.routines.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(read.routines[0].module, "M");
-    assert_eq!(read.motions[1].routine, 1);
+    assert_eq!(read.motions[1].setup.routine, RoutineId(1));
 }

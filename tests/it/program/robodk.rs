@@ -1,6 +1,6 @@
 //! RoboDK's own exports, as they are: every motion understood, tool and work object followed.
 
-use rapid_program::program::motion::{Origin, Path, TargetValue, Wait};
+use rapid_program::program::motion::{MotionId, Origin, Path, TargetValue};
 use rapid_program::program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
@@ -29,18 +29,17 @@ fn the_cube_of_45_is_understood_in_every_dialect() {
         let program = fixture(name);
         assert_eq!(program.motions.len(), 46, "{name}");
         for (i, motion) in program.motions.iter().enumerate() {
-            assert_eq!(motion.keep, None, "{name}:{}", motion.line);
-            assert_eq!(motion.previous, i.checked_sub(1), "{name}:{}", motion.line);
-            assert_eq!(motion.wait_before, if i == 0 { Wait::Unbounded } else { Wait::None });
-            assert_eq!(motion.targets[0].origin, Origin::Inline);
-            let literal = motion.targets[0].literal.unwrap();
+            assert!(motion.keep.is_none(), "{name}:{}", motion.line);
+            assert_eq!(motion.previous.map(MotionId::index), i.checked_sub(1), "{name}:{}", motion.line);
+            assert_eq!(*motion.targets[0].origin(), Origin::Inline);
+            let literal = motion.targets[0].literal(motion.file).unwrap();
             assert_eq!(literal.range, motion.targets[0].range);
-            assert_eq!(motion.speed.unwrap().v_tcp_m_s, 0.25);
-            assert!(motion.wobj.is_some());
-            assert_eq!(motion.tool.as_ref().unwrap().load.mass_kg, 2.0);
+            assert_eq!(motion.setup.speed.unwrap().v_tcp_m_s, 0.25);
+            assert!(motion.setup.wobj.is_some());
+            assert_eq!(motion.setup.tool.as_ref().unwrap().load.mass_kg, 2.0);
         }
-        assert_eq!(program.motions[0].path, Path::AbsJoint);
-        let Some(TargetValue::Rob(p)) = program.motions[1].targets[0].value else { panic!("a robtarget") };
+        assert_eq!(program.motions[0].setup.path, Path::AbsJoint);
+        let Some(TargetValue::Rob(p)) = program.motions[1].targets[0].value() else { panic!("a robtarget") };
         let at = p.object_from_tcp.translation.vector;
         assert!((at - nalgebra::Vector3::new(0.4, 0.3, 0.25)).norm() < 1e-12, "{name}: {at}");
         assert_eq!(program.facts.entries.len(), 1);
@@ -56,9 +55,9 @@ fn calcrobt_gives_the_joints_that_reach_the_pose() {
         let program = fixture(name);
         assert_eq!(program.motions.len(), 45);
         let motion = &program.motions[1];
-        assert_eq!(motion.keep, None);
-        assert_eq!(motion.targets[0].origin, Origin::Expression);
-        let Some(TargetValue::FromJoints(j)) = motion.targets[0].value else { panic!("joints") };
+        assert!(motion.keep.is_none());
+        assert_eq!(*motion.targets[0].origin(), Origin::Expression);
+        let Some(TargetValue::FromJoints(j)) = motion.targets[0].value() else { panic!("joints") };
         assert!((j.q_rad[0].unwrap().to_degrees() - 24.120983).abs() < 1e-9);
     }
 }
@@ -69,8 +68,9 @@ fn the_rich_program_has_two_tools_two_frames_and_a_subroutine() {
     let keeps: Vec<_> = program.motions.iter().filter_map(|m| m.keep.as_ref()).collect();
     assert!(keeps.is_empty(), "{keeps:?}");
     assert_eq!(program.motions.len(), 8);
-    let tcp_z = |i: usize| program.motions[i].tool.as_ref().unwrap().frame_from_tcp.translation.z;
-    let frame_x = |i: usize| program.motions[i].wobj.as_ref().unwrap().frame_from_object().translation.x;
+    let tcp_z = |i: usize| program.motions[i].setup.tool.as_ref().unwrap().frame_from_tcp.translation.z;
+    let frame_x =
+        |i: usize| program.motions[i].setup.wobj.as_ref().unwrap().frame_from_object().translation.x;
     for i in 0..5 {
         assert_eq!((tcp_z(i), frame_x(i)), (0.12, 0.4));
     }
@@ -79,16 +79,15 @@ fn the_rich_program_has_two_tools_two_frames_and_a_subroutine() {
     }
     // The subroutine inherits what its caller has set last.
     assert_eq!((tcp_z(7), frame_x(7)), (0.095, 0.0));
-    assert_eq!(program.motions[7].previous, Some(6));
-    let speeds: Vec<f64> = program.motions.iter().map(|m| m.speed.unwrap().v_tcp_m_s).collect();
+    assert_eq!(program.motions[7].previous, Some(MotionId::new(6)));
+    let speeds: Vec<f64> = program.motions.iter().map(|m| m.setup.speed.unwrap().v_tcp_m_s).collect();
     assert_eq!(speeds[..3], [0.2; 3]);
     assert_eq!(speeds[3..], [0.08333; 5]);
-    assert_eq!(program.motions[3].wait_before, Wait::Unbounded);
-    assert_eq!(program.motions[4].kind, "MoveC");
+    assert_eq!(program.motions[4].setup.kind, "MoveC");
     assert_eq!(program.motions[4].targets.len(), 2);
-    assert!(program.motions[3].zone.unwrap().pzone_tcp_m == 0.001);
-    assert!(program.motions[2].zone.unwrap().finep);
-    assert_eq!(program.motions[1].conf_monitored, Some(false));
+    assert!(program.motions[3].setup.zone.unwrap().pzone_tcp_m == 0.001);
+    assert!(program.motions[2].setup.zone.unwrap().finep);
+    assert_eq!(program.motions[1].setup.conf_monitored, Some(false));
     assert_eq!(program.facts.entries.len(), 1);
 }
 
@@ -96,7 +95,7 @@ fn the_rich_program_has_two_tools_two_frames_and_a_subroutine() {
 fn an_undefined_speed_is_guessed_with_a_warning() {
     let program = fixture("irc5_simplified/RichProg.mod");
     assert!(program.motions.iter().all(|m| m.keep.is_none()));
-    assert_eq!(program.motions[3].speed.unwrap().v_tcp_m_s, 0.083);
+    assert_eq!(program.motions[3].setup.speed.unwrap().v_tcp_m_s, 0.083);
     assert_eq!(codes(&program).iter().filter(|c| **c == "resolve::not-predefined").count(), 1);
 }
 
@@ -104,7 +103,7 @@ fn an_undefined_speed_is_guessed_with_a_warning() {
 fn s4c_sets_the_tool_whole_and_bakes_the_frame_in() {
     let program = fixture("s4c/RichProg.prg");
     let tcp: Vec<f64> =
-        program.motions.iter().map(|m| m.tool.as_ref().unwrap().frame_from_tcp.translation.z).collect();
+        program.motions.iter().map(|m| m.setup.tool.as_ref().unwrap().frame_from_tcp.translation.z).collect();
     assert_eq!(tcp, [0.12, 0.12, 0.12, 0.12, 0.12, 0.095, 0.095, 0.095]);
     // Its PERS tool is set on the way: the next run begins with what this one left.
     assert_eq!(codes(&program).iter().filter(|c| **c == "state::pers-kept").count(), 1);
@@ -123,9 +122,9 @@ fn twenty_thousand_moves_in_six_files() {
     let program = read_files(&folder, &names);
     assert_eq!(program.motions.len(), 20_000);
     for motion in &program.motions {
-        assert_eq!(motion.keep, None, "line {}", motion.line);
-        assert_eq!(motion.tool.as_ref().unwrap().frame_from_tcp.translation.z, 0.15);
-        assert_eq!(motion.wobj.as_ref().unwrap().uframe.translation.x, 0.45);
+        assert!(motion.keep.is_none(), "line {}", motion.line);
+        assert_eq!(motion.setup.tool.as_ref().unwrap().frame_from_tcp.translation.z, 0.15);
+        assert_eq!(motion.setup.wobj.as_ref().unwrap().uframe.translation.x, 0.45);
     }
     let unlinked = program.motions.iter().filter(|m| m.previous.is_none()).count();
     assert_eq!(unlinked, 1, "one page follows the other");

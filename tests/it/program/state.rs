@@ -21,8 +21,8 @@ fn assignments_count_from_their_line_on() {
     );
     let read = main_of(&data(), &body);
     assert_eq!(tools_mm(&read), [Some(1), Some(2), Some(3), Some(4), Some(4)]);
-    assert_eq!(read.motions[4].wobj.as_ref().unwrap().uframe.translation.z, 0.01);
-    assert_eq!(read.motions[3].wobj.as_ref().unwrap().uframe.translation.z, 0.0);
+    assert_eq!(read.motions[4].setup.wobj.as_ref().unwrap().uframe.translation.z, 0.01);
+    assert_eq!(read.motions[3].setup.wobj.as_ref().unwrap().uframe.translation.z, 0.0);
     // Both are used before the program sets them: a PERS remembers the last run.
     assert_eq!(warnings(&read), ["state::pers-kept"; 2]);
 }
@@ -180,7 +180,7 @@ fn confl_and_confj() {
         "{MOVE}ConfL\\Off;\n{MOVE}MoveJ p,v100,fine,t;\nConfJ \\Off;\nMoveJ p,v100,fine,t;\nConfL\\On;\n{MOVE}IF DI1=1 ConfL\\Off;\n{MOVE}"
     );
     let read = main_of(&data(), &body);
-    let conf: Vec<_> = read.motions.iter().map(|m| m.conf_monitored).collect();
+    let conf: Vec<_> = read.motions.iter().map(|m| m.setup.conf_monitored).collect();
     assert_eq!(conf, [Some(true), Some(false), Some(true), Some(false), Some(true), None]);
 }
 
@@ -193,10 +193,10 @@ fn what_is_gripped() {
     let text =
         format!("{}\n{load}\nVAR num n;\nPROC main()\n{body}\nENDPROC\nPROC hold()\n{MOVE}ENDPROC", data());
     let read = module(&text);
-    let kg: Vec<_> = read.motions.iter().map(|m| m.grip.map(|load| load.mass_kg)).collect();
+    let kg: Vec<_> = read.motions.iter().map(|m| m.setup.grip.map(|load| load.mass_kg)).collect();
     // load0 weighs a gram. The last motion is that of hold, called with the part in the gripper.
     assert_eq!(kg, [Some(0.0), Some(4.5), Some(4.5), Some(0.001), None, None, Some(4.5)]);
-    assert_eq!(read.motions[1].grip.map(|load| load.cog_m), Some([0.01, 0.0, 0.08]));
+    assert_eq!(read.motions[1].setup.grip.map(|load| load.cog_m), Some([0.01, 0.0, 0.08]));
 }
 
 #[test]

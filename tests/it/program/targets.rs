@@ -7,7 +7,7 @@ use rapid_program::program::motion::{Origin, TargetValue};
 /// Position of a motion's last target in mm.
 fn position_mm(program: &Program, motion: usize) -> [f64; 3] {
     let target = program.motions[motion].targets.last().unwrap();
-    let Some(TargetValue::Rob(p)) = target.value else { panic!("motion {motion} has no robtarget") };
+    let Some(TargetValue::Rob(p)) = target.value() else { panic!("motion {motion} has no robtarget") };
     let v = p.object_from_tcp.translation.vector * 1e3;
     [v.x, v.y, v.z].map(|n| (n * 1e6).round() / 1e6)
 }
@@ -52,13 +52,16 @@ CONST robtarget again:=p10;",
         assert_eq!(code(&program.motions[i]), None, "{form}: {:?}", program.motions[i].keep);
         assert_eq!(position_mm(&program, i), *expected, "{form}");
     }
-    let origin = |i: usize| &program.motions[i].targets[0].origin;
+    let origin = |i: usize| program.motions[i].targets[0].origin();
     assert!(matches!(origin(1), Origin::Named { name, .. } if name == "P20"));
     assert_eq!(*origin(4), Origin::Expression);
     assert_eq!(*origin(10), Origin::Inline);
     // Only what is made of literals alone can be copied as text.
-    let literal =
-        |i: usize| program.motions[i].targets[0].literal.map(|s| program.file(s.file).text(s.range).to_vec());
+    let literal = |i: usize| {
+        program.motions[i].targets[0]
+            .literal(program.motions[i].file)
+            .map(|s| program.file(s.file).text(s.range).to_vec())
+    };
     assert_eq!(literal(0), Some(at(10, 0, 0).into_bytes()));
     assert_eq!(literal(3), None);
     assert_eq!(literal(10), None);
@@ -181,10 +184,10 @@ MoveAbsJ [[10,20,30,40,50,9E9],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;
 MoveAbsJ [[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,notGiven;",
     );
     assert_eq!(codes(&program), ["-", "keep::axis-unused", "-"]);
-    let Some(TargetValue::Joint(j)) = program.motions[0].targets[0].value else { panic!("joints") };
+    let Some(TargetValue::Joint(j)) = program.motions[0].targets[0].value() else { panic!("joints") };
     assert_eq!(j.ext, [Some(100.0), None, None, None, None, None]);
     assert_eq!(j.q_rad[2], Some(30_f64.to_radians()));
-    assert_eq!(program.motions[2].tool, None);
+    assert_eq!(program.motions[2].setup.tool, None);
 }
 
 #[test]
@@ -214,7 +217,7 @@ MoveAbsJ CalcRobT(j,tool0),v100,fine,tool0;"
             "keep::wrong-type"
         ]
     );
-    let Some(TargetValue::FromJoints(j)) = program.motions[1].targets[0].value else { panic!("joints") };
+    let Some(TargetValue::FromJoints(j)) = program.motions[1].targets[0].value() else { panic!("joints") };
     assert_eq!(j.q_rad[1], Some(10_f64.to_radians()));
 }
 
@@ -250,16 +253,16 @@ fn every_kind_of_motion_finds_its_arguments() {
     let program = main_of(&data, &body);
     assert_eq!(program.motions.len(), moves.len());
     for (motion, (text, kind, expected)) in program.motions.iter().zip(moves) {
-        assert_eq!((motion.kind, code(motion).unwrap_or("-")), (kind, expected), "{text}");
+        assert_eq!((motion.setup.kind, code(motion).unwrap_or("-")), (kind, expected), "{text}");
         if expected == "-" {
-            let Some(TargetValue::Rob(p)) = motion.targets.last().unwrap().value else { panic!("{text}") };
+            let Some(TargetValue::Rob(p)) = motion.targets.last().unwrap().value() else { panic!("{text}") };
             assert_eq!(p.object_from_tcp.translation.x, 0.005, "{text}");
-            assert!(motion.zone.is_some(), "{text}");
+            assert!(motion.setup.zone.is_some(), "{text}");
             assert_eq!(motion.targets.len(), if text.contains("c,p") { 2 } else { 1 });
         }
     }
-    assert_eq!(program.motions[2].speed, None, "a time is given, not a speed");
-    assert_eq!(program.motions[0].speed.unwrap().v_tcp_m_s, 0.1);
+    assert_eq!(program.motions[2].setup.speed, None, "a time is given, not a speed");
+    assert_eq!(program.motions[0].setup.speed.unwrap().v_tcp_m_s, 0.1);
 }
 
 #[test]
@@ -281,10 +284,12 @@ MoveL p,v83,fine,tool0;
 MoveL p,other,other,tool0;",
     );
     assert!(codes(&program).iter().all(|c| *c == "-"));
-    let v: Vec<_> = program.motions.iter().map(|m| m.speed.map(|s| (s.v_tcp_m_s * 1e3).round())).collect();
+    let v: Vec<_> =
+        program.motions.iter().map(|m| m.setup.speed.map(|s| (s.v_tcp_m_s * 1e3).round())).collect();
     assert_eq!(v, [Some(20.0), Some(30.0), Some(33.0), Some(83.0), Some(83.0), None]);
-    let z: Vec<_> = program.motions.iter().map(|m| m.zone.map(|z| (z.pzone_tcp_m * 1e3).round())).collect();
+    let z: Vec<_> =
+        program.motions.iter().map(|m| m.setup.zone.map(|z| (z.pzone_tcp_m * 1e3).round())).collect();
     assert_eq!(z, [Some(0.0), Some(3.0), Some(200.0), Some(2.0), Some(0.0), None]);
     assert_eq!(warnings(&program), ["resolve::not-predefined"; 2], "v83 and z2, once each");
-    assert!((program.motions[0].speed.unwrap().v_ori_rad_s - 10_f64.to_radians()).abs() < 1e-15);
+    assert!((program.motions[0].setup.speed.unwrap().v_ori_rad_s - 10_f64.to_radians()).abs() < 1e-15);
 }

@@ -3,7 +3,6 @@
 //!
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
-use super::exits::Exits;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::resolve;
@@ -89,7 +88,7 @@ pub struct ArmStep {
 pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Comparison, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
-    let resolved = resolve(before, &model, &Exits::default(), &mut Messages::default());
+    let resolved = resolve(before, &model, &mut Messages::default());
     let mut out = Comparison::default();
     let mut others = by_routine(after);
     for (key, own) in by_routine(before) {
@@ -97,9 +96,14 @@ pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Compa
         out.only_before.extend(own.iter().skip(other.len()));
         out.only_after.extend(other.iter().skip(own.len()));
         for (&i, &j) in own.iter().zip(&other) {
-            let q_rad = resolved[i].points.as_ref().map(|points| points.iter().map(|p| p.q_rad).collect());
-            let q_rad: Vec<[f64; 6]> = q_rad.unwrap_or_default();
-            out.motions.push(motion(&before.motions[i], i, &after.motions[j], j, &q_rad, &model));
+            out.motions.push(motion(
+                &before.motions[i],
+                i,
+                &after.motions[j],
+                j,
+                resolved[i].q_rad(),
+                &model,
+            ));
         }
     }
     out.only_after.extend(others.into_values().flatten());
@@ -113,7 +117,7 @@ pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Compa
 fn by_routine(program: &Program) -> BTreeMap<(String, String), Vec<usize>> {
     let mut all: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
     for (i, motion) in program.motions.iter().enumerate() {
-        let Some(routine) = program.routines.get(motion.routine) else { continue };
+        let Some(routine) = program.routines.get(motion.setup.routine.index()) else { continue };
         let key = (routine.module.to_ascii_lowercase(), routine.name.to_ascii_lowercase());
         all.entry(key).or_default().push(i);
     }
@@ -128,20 +132,21 @@ fn motion(
     q_rad: &[[f64; 6]],
     model: &Model,
 ) -> ComparedMotion {
-    let same_frames = before.kind == after.kind
+    let (a, b) = (&before.setup, &after.setup);
+    let lower = |name: &Option<String>| name.as_deref().map(str::to_ascii_lowercase);
+    let same_frames = a.kind == b.kind
         && before.targets.len() == after.targets.len()
-        && before.tool == after.tool
-        && before.tool_name.as_deref().map(str::to_ascii_lowercase)
-            == after.tool_name.as_deref().map(str::to_ascii_lowercase)
-        && before.wobj == after.wobj;
+        && a.tool == b.tool
+        && lower(&a.tool_name) == lower(&b.tool_name)
+        && a.wobj == b.wobj;
     let placements = (Placement::of(before), Placement::of(after));
     let mut steps = Vec::new();
     if let (Ok(from), Ok(to)) = placements {
-        for (n, (a, b)) in before.targets.iter().zip(&after.targets).enumerate() {
-            let (a, b) = (a.values(), b.values());
-            let compared = b.iter().enumerate().filter_map(|(k, b)| {
+        for (n, (a, b)) in before.targets.iter().zip(after.targets.iter()).enumerate() {
+            let a: Vec<TargetValue> = a.values().collect();
+            let compared = b.values().enumerate().filter_map(|(k, b)| {
                 let a = a.get(k).or(a.first())?;
-                step(a, from, b, to, q_rad.get(n), model)
+                step(a, from, &b, to, q_rad.get(n), model)
             });
             let compared: Vec<Step> = compared.collect();
             steps = if n == 0 { compared } else { steps.into_iter().zip(compared).map(worse).collect() };

@@ -1,12 +1,11 @@
 //! What an identified model asks of each motion besides its joints: the load from the tool, the direction from the
 //! program's own order of motions; and warnings where a motion leaves the ranges in which the model was found.
 
-use super::exits::Exits;
 use super::messages::{Messages, place};
 use super::model::Model;
-use super::nominal::{Point, Resolved};
+use super::nominal::Resolved;
 use crate::program::Program;
-use crate::program::motion::Motion;
+use crate::program::motion::{Motion, MotionId};
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -26,39 +25,26 @@ const SLACK_C: f64 = 1.0;
 const SLACK_KG: f64 = 0.1;
 
 /// Fills in load and direction of every point, where the model depends on them.
-pub(super) fn fill(program: &Program, model: &Model<'_>, exits: &Exits, resolved: &mut [Resolved]) {
+pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let Some(identified) = &model.identified else { return };
     let needs_load = identified.needs_load() || identified.terms.iter().any(|t| t.held_above_n_m.is_some());
-    let directions =
-        if identified.needs_direction() { directions(program, exits, resolved) } else { Vec::new() };
-    for (i, resolved) in resolved.iter_mut().enumerate() {
-        let Some(motion) = program.motions.get(i) else { continue };
-        if exits.of_motion(program, motion).is_some() {
-            continue;
-        }
+    let directions = if identified.needs_direction() { directions(program, resolved) } else { Vec::new() };
+    for (i, (motion, resolved)) in program.motions.iter().zip(resolved).enumerate() {
         let payload = if needs_load { payload(motion, model.payload_kg) } else { Payload::default() };
-        let of_motion = directions.get(i).map_or(&[][..], Vec::as_slice);
-        for (k, point) in resolved.points.iter_mut().flatten().enumerate() {
-            point.conditions =
-                Conditions { payload, direction: of_motion.get(k).copied().unwrap_or_default() };
-        }
-        if let Some(end) = resolved.kept_end_mut() {
-            end.conditions = Conditions { payload, direction: of_motion.last().copied().unwrap_or_default() };
-        }
-        resolved.direction = of_motion.last().copied().unwrap_or_default();
+        resolved.set_conditions(payload, directions.get(i).map_or(&[][..], Vec::as_slice));
     }
 }
 
 /// What hangs on the flange in a motion: the tool's load data (RAPID gives its centre in the flange's frame) and what is
 /// gripped (its centre in the tool's frame), where that is known.
 fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
-    let tool = motion.tool.as_ref();
+    let tool = motion.setup.tool.as_ref();
     let load = tool.map(|tool| tool.load).unwrap_or_default();
     if let Some(mass_kg) = given_kg {
         return Payload { mass_kg, cog_m: load.cog_m };
     }
     let own_kg = if load.mass_kg > NO_LOAD_KG { load.mass_kg } else { 0.0 };
-    let grip = motion.grip.unwrap_or_default();
+    let grip = motion.setup.grip.unwrap_or_default();
     let Some(tool) = tool.filter(|tool| tool.robhold && grip.mass_kg > NO_LOAD_KG) else {
         return Payload { mass_kg: own_kg, cog_m: load.cog_m };
     };
@@ -69,37 +55,37 @@ fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
 }
 
 /// For each motion and each of its points the sign of each joint's last motion; 0 where nothing says it.
-fn directions(program: &Program, exits: &Exits, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
-    let known = |motion: &Motion| exits.of_motion(program, motion).map(|exit| vec![exit.direction]);
-    let mut done: Vec<Option<Vec<[i8; 6]>>> = program.motions.iter().map(known).collect();
-    done.resize(resolved.len(), None);
+fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
+    let previous =
+        |i: usize| program.motions.get(i)?.previous.map(MotionId::index).filter(|&p| p < resolved.len());
+    let mut done: Vec<Option<Vec<[i8; 6]>>> = vec![None; resolved.len()];
     for first in 0..resolved.len() {
         if done[first].is_some() {
             continue;
         }
         // Back along the motions before, then forward again.
         let mut way = vec![first];
-        while let Some(previous) = way.last().and_then(|&i| program.motions.get(i)?.previous)
+        while let Some(previous) = way.last().and_then(|&i| previous(i))
             && done.get(previous).is_some_and(Option::is_none)
             && !way.contains(&previous)
         {
             way.push(previous);
         }
         for &i in way.iter().rev() {
-            let before = program.motions.get(i).and_then(|m| m.previous).filter(|&p| p < resolved.len());
+            let before = previous(i);
             let mut last =
                 before.and_then(|p| done[p].as_ref()).and_then(|d| d.last()).copied().unwrap_or_default();
             let mut from = before.and_then(|p| resolved[p].exit_q_rad());
             let mut of_motion = Vec::new();
-            for point in resolved[i].points.iter().flatten() {
+            for q_rad in resolved[i].q_rad() {
                 if let Some(from) = from {
-                    for (sign, (to, from)) in last.iter_mut().zip(point.q_rad.iter().zip(from)) {
+                    for (sign, (to, from)) in last.iter_mut().zip(q_rad.iter().zip(from)) {
                         if (to - from).abs() > STILL_RAD {
                             *sign = if *to > from { 1 } else { -1 };
                         }
                     }
                 }
-                from = Some(point.q_rad);
+                from = Some(*q_rad);
                 of_motion.push(last);
             }
             if of_motion.is_empty() {
@@ -121,22 +107,22 @@ fn directions(program: &Program, exits: &Exits, resolved: &[Resolved]) -> Vec<Ve
     done.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// Warns of what the model does not know of a part's own motions.
+/// Warns of what the model does not know of a program's motions.
 pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     let playing: Vec<usize> =
         identified.terms.iter().filter(|t| t.kind == Kind::Backlash).filter_map(|t| t.joint).collect();
-    for (motion, resolved) in program.motions.iter().zip(resolved).filter(|(m, _)| program.is_own(m)) {
-        if unknown_grip && motion.grip.is_none() && resolved.points.iter().flatten().next().is_some() {
+    for (motion, resolved) in program.motions.iter().zip(resolved) {
+        if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
             let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
             let message = Diagnostic::warning("model::gripload", text).at(place(motion));
             let help =
                 "the tool's own load data are taken; --payload-kg KG names the whole load on the flange";
-            messages.add(Some(motion.routine), message.help(help));
+            messages.add(Some(motion.setup.routine), message.help(help));
         }
-        for point in resolved.points.iter().flatten() {
-            check_point(motion, point, model, &playing, messages);
+        for (k, q_rad) in resolved.q_rad().iter().enumerate() {
+            check_point(motion, (q_rad, &resolved.conditions_at(k)), model, &playing, messages);
         }
     }
 }
@@ -170,7 +156,7 @@ fn warmer(model: &Model<'_>, messages: &mut Messages) {
 
 fn check_point(
     motion: &Motion,
-    point: &Point,
+    (q_rad, conditions): (&[f64; 6], &Conditions),
     model: &Model<'_>,
     playing: &[usize],
     messages: &mut Messages,
@@ -179,12 +165,12 @@ fn check_point(
     let seen = &identified.seen;
     let mut say = |code, text: String, help: &'static str| {
         let message = Diagnostic::warning(code, format!("line {}: {text}", motion.line));
-        messages.add(Some(motion.routine), message.at(place(motion)).help(help));
+        messages.add(Some(motion.setup.routine), message.at(place(motion)).help(help));
     };
     let slack_rad = rad_from_deg(SLACK_DEG);
     let outside = (0..6).find(|&j| {
         let [low, high] = seen.q_rad[j];
-        high > low && (point.q_rad[j] < low - slack_rad || point.q_rad[j] > high + slack_rad)
+        high > low && (q_rad[j] < low - slack_rad || q_rad[j] > high + slack_rad)
     });
     if let Some(j) = outside {
         let [low, high] = seen.q_rad[j].map(deg_from_rad);
@@ -193,12 +179,12 @@ fn check_point(
             format!(
                 "axis {} stands at {:.1} deg; the model was found between {low:.1} and {high:.1} deg",
                 j + 1,
-                deg_from_rad(point.q_rad[j])
+                deg_from_rad(q_rad[j])
             ),
             "outside of what was measured the model is a guess: measure there too",
         );
     }
-    let kg = point.conditions.payload.mass_kg;
+    let kg = conditions.payload.mass_kg;
     let [low, high] = seen.payload_kg.unwrap_or([0.0, 0.0]);
     if identified.needs_load() && (kg < low - SLACK_KG || kg > high + SLACK_KG) {
         say(
@@ -207,7 +193,7 @@ fn check_point(
             "measure with that load too, or name the load with --payload-kg",
         );
     }
-    if let Some(j) = playing.iter().find(|&&j| point.conditions.direction[j] == 0) {
+    if let Some(j) = playing.iter().find(|&&j| conditions.direction[j] == 0) {
         say(
             "model::direction",
             format!("from which side axis {} comes is not known; its play is taken at the middle", j + 1),

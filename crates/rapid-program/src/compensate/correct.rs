@@ -3,22 +3,23 @@
 
 use super::Options;
 use super::model::{Model, WarmBucket};
-use super::nominal::Point;
+use super::nominal::{Point, Resolved};
 use super::placement::keep;
-use super::plan::{Form, PlannedMotion, PlannedTarget, Status};
+use super::plan::{Corrected, Corrections, Form, PlannedMotion, PlannedTarget, Status};
 use super::ramp::Ramp;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
-use crate::program::motion::{Keep, Motion, TargetValue};
-use nalgebra::Vector3;
-use robot_model::deform::DeformedArm;
+use crate::program::motion::{Keep, Motion, Target, TargetValue};
+use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::{Conditions, DeformedArm};
 use robot_model::kinematics::{Configuration, solve};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use std::sync::Arc;
 
 /// A joint that would change by more is near a singularity, degrees.
 pub(super) const JOINT_CHANGE_DEG: f64 = 1.0;
 
 /// A motion's plan and what the summary needs of it.
-pub(super) struct Made {
+pub(super) struct MotionCorrection {
     pub(super) planned: PlannedMotion,
     /// For each bucket the worst distance of the TCP from the programmed pose anywhere in it,
     /// `[uncompensated, compensated]`, metres.
@@ -30,83 +31,70 @@ pub(super) struct Made {
 }
 
 /// The plan of a motion that stays as it is.
-pub(super) fn kept(why: Keep) -> Made {
-    let planned = PlannedMotion { status: Status::Kept(Box::new(why)), ..no_figures() };
-    Made { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
+pub(super) fn kept(why: Arc<Keep>) -> MotionCorrection {
+    MotionCorrection::without_figures(PlannedMotion { status: Status::Kept(why), ..no_figures() })
 }
 
 /// Corrects a motion's points for all buckets, or for all nodes of time functions.
 pub(super) fn correct(
-    motion: &Motion,
-    points: &[Point],
+    (motion, resolved): (&Motion, &Resolved),
     at: &Moments,
     model: &Model,
     options: &Options,
-) -> Made {
+) -> MotionCorrection {
     let warm = at.warm();
-    let mut made = Made {
-        planned: PlannedMotion { targets: Vec::with_capacity(points.len()), ..no_figures() },
+    let count = resolved.q_rad().len();
+    let mut made = MotionCorrection {
+        planned: PlannedMotion { form: options.form.of_known(), ..no_figures() },
         error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
     };
-    made.planned.form = options.form.of_known();
     let mut refusal = None;
-    let values = motion.targets.iter().flat_map(|target| target.values());
-    for (point, value) in points.iter().zip(values) {
-        let joints = match joints_per_bucket(point, warm, model) {
+    let mut targets = Vec::with_capacity(count);
+    let values = motion.targets.iter().flat_map(Target::values);
+    for (point, value) in resolved.points(motion, model).zip(values) {
+        let joints = match joints_per_bucket(&point, warm, model) {
             Ok(joints) => joints,
-            Err(Stop::Keep(why)) => return kept(why),
-            Err(Stop::Refuse(why)) => {
+            Err(NoJoints::Keep(why)) => return kept(Arc::new(why)),
+            Err(NoJoints::Refuse(why)) => {
                 refusal.get_or_insert(why);
                 continue;
             }
         };
-        made.add_corrections(point, &joints, model);
-        let mut planned = planned_target(point, value, model);
-        match at {
-            Moments::Buckets(warm) => made.add_errors(point, &joints, warm),
+        let meant = point.object_from_tcp();
+        let told: Vec<Isometry3<f64>> =
+            joints.iter().map(|q| point.placement.object_from_tcp(&model.nominal.forward(q))).collect();
+        made.add_corrections(&meant, &told);
+        let by_joints = matches!(value, TargetValue::Joint(_));
+        let corrections = match at {
+            Moments::Buckets(warm) => {
+                made.add_errors(&point, &joints, warm);
+                Corrections::InBuckets(match by_joints {
+                    true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
+                    false => told.iter().map(|told| as_written(told, &meant)).collect(),
+                })
+            }
             Moments::Nodes(ramp) => {
-                planned.corrections =
-                    ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
-                let error_m = ramp.errors_m(point, &planned.corrections, model);
+                let corrections = ramp.corrections(&point, by_joints, &joints, model);
+                let error_m = ramp.errors_m(&point, &corrections, model);
                 let worst = &mut made.error_m[0];
                 *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
+                Corrections::AtNodes(corrections.into())
             }
-        }
-        made.planned.targets.push(planned);
+        };
+        targets.push(planned_target(&point, &value, corrections, model));
     }
     let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
     made.planned.error_m = Some([over(0), over(1)]);
     if let Some(why) = refusal.or_else(|| over_cap(&made.planned, options)) {
-        made.planned.status = Status::Refused(Box::new(why));
-        if made.planned.targets.len() < points.len() {
-            made.planned.targets.clear();
+        made.planned.status = Status::Refused(Arc::new(why));
+        if targets.len() < count {
+            targets.clear();
         }
     }
+    made.planned.targets = targets.into();
     made
-}
-
-/// The plan of a motion that is known to be compensated; its figures are left out.
-pub(super) fn compensated(
-    motion: &Motion,
-    points: &[Point],
-    (at, model): (&Moments, &Model),
-    options: &Options,
-) -> PlannedMotion {
-    let values = motion.targets.iter().flat_map(|target| target.values());
-    let one = |(point, value): (&Point, &TargetValue)| {
-        let mut planned = planned_target(point, value, model);
-        if let Some(ramp) = at.ramp() {
-            let joints: Vec<[f64; 6]> =
-                at.warm().iter().filter_map(|node| warm_joints(point, &node.at).ok()).collect();
-            planned.corrections =
-                ramp.corrections(point, matches!(value, TargetValue::Joint(_)), &joints, model);
-        }
-        planned
-    };
-    let targets = points.iter().zip(values).map(one).collect();
-    PlannedMotion { status: Status::Compensated, form: options.form.of_known(), targets, ..no_figures() }
 }
 
 /// The moments for which corrections are made.
@@ -140,7 +128,7 @@ pub(super) fn no_figures() -> PlannedMotion {
     PlannedMotion {
         status: Status::Compensated,
         form: Form::default(),
-        targets: Vec::new(),
+        targets: Box::default(),
         max_correction_m: 0.0,
         max_correction_rad: 0.0,
         mid_path_m: None,
@@ -148,13 +136,30 @@ pub(super) fn no_figures() -> PlannedMotion {
     }
 }
 
-fn planned_target(point: &Point, value: &TargetValue, model: &Model) -> PlannedTarget {
+fn planned_target(
+    point: &Point,
+    value: &TargetValue,
+    corrections: Corrections,
+    model: &Model,
+) -> PlannedTarget {
     let pose = match value {
         TargetValue::FromJoints(joints) => Some(Box::new(pose_of(point, joints, model))),
         TargetValue::Rob(_) | TargetValue::Joint(_) => None,
     };
-    let Point { q_rad: nominal_q_rad, conditions, .. } = *point;
-    PlannedTarget { pose, nominal_q_rad, conditions, corrections: Vec::new() }
+    let conditions = (point.conditions != Conditions::default()).then(|| Box::new(point.conditions));
+    PlannedTarget { pose, nominal_q_rad: point.q_rad, conditions, corrections }
+}
+
+/// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
+/// targets do not flip.
+fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>) -> Corrected {
+    let q = object_from_tcp.rotation.quaternion();
+    let sign = if q.dot(meant.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
+    let t = &object_from_tcp.translation.vector;
+    Corrected::Pose {
+        position_m: [t.x, t.y, t.z],
+        orientation_wxyz: [sign * q.w, sign * q.i, sign * q.j, sign * q.k],
+    }
 }
 
 /// The pose that joints mean, with the configuration that it is reached in.
@@ -165,18 +170,20 @@ fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
 }
 
 /// Why a target has no corrected joints.
-enum Stop {
+enum NoJoints {
+    /// The motion stays as it is.
     Keep(Keep),
+    /// The program is refused.
     Refuse(Keep),
 }
 
 /// The deformed arm's joints for each bucket.
-fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Result<Vec<[f64; 6]>, Stop> {
+fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);
     let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
     let mut refusal = None;
     for bucket in warm {
-        let q_rad = warm_joints(point, &bucket.at).map_err(Stop::Keep)?;
+        let q_rad = warm_joints(point, &bucket.at).map_err(NoJoints::Keep)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -189,7 +196,7 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
         }
         joints.push(q_rad);
     }
-    refusal.map_or(Ok(joints), |why| Err(Stop::Refuse(why)))
+    refusal.map_or(Ok(joints), |why| Err(NoJoints::Refuse(why)))
 }
 
 /// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
@@ -239,17 +246,15 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
     })
 }
 
-impl Made {
+impl MotionCorrection {
     /// Of a motion of which nothing more is known.
     pub(super) fn without_figures(planned: PlannedMotion) -> Self {
         Self { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
     }
 
     /// How far the nominal controller is told to go from the original target.
-    fn add_corrections(&mut self, point: &Point, joints: &[[f64; 6]], model: &Model) {
-        let meant = point.object_from_tcp();
-        for (k, q_rad) in joints.iter().enumerate() {
-            let object_from_tcp = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+    fn add_corrections(&mut self, meant: &Isometry3<f64>, told: &[Isometry3<f64>]) {
+        for (k, object_from_tcp) in told.iter().enumerate() {
             let moved_m = (object_from_tcp.translation.vector - meant.translation.vector).norm();
             let turned_rad = meant.rotation.angle_to(&object_from_tcp.rotation);
             if moved_m > self.planned.max_correction_m {

@@ -3,11 +3,10 @@
 use super::Options;
 use super::correct::{JOINT_CHANGE_DEG, no_figures};
 use super::model::Model;
-use super::nominal::Point;
 use super::placement::keep;
 use super::plan::{Form, PlannedMotion, Status};
 use crate::program::Program;
-use crate::program::motion::{Keep, Motion, Path, TargetValue};
+use crate::program::motion::{Keep, Motion, Path, Target, TargetValue};
 use crate::schedule::TimeFunctions;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::{Configuration, FrameOffsets};
@@ -68,7 +67,7 @@ pub(super) fn run_time(
     }
     let why_not = of_controller(program, motion).or_else(|| live.lacks()).or_else(|| {
         // Then the controller goes to the solution that is nearest, whatever confdata says.
-        (motion.path != Path::AbsJoint && motion.conf_monitored != Some(true)).then(|| {
+        (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
             keep(
                 "keep::live-configuration",
                 "its target is known at run time alone, and where ConfL or ConfJ is off its configuration may not be the one \
@@ -86,20 +85,20 @@ pub(super) fn run_time(
 /// `ramp`, and so does one for which the controller or the model lacks something.
 pub(super) fn form_of_known(
     program: &Program,
-    (motion, points): (&Motion, &[Point]),
+    (motion, joints): (&Motion, &[[f64; 6]]),
     live: &LiveBasis,
     model: &Model,
 ) -> Form {
-    let values = motion.targets.iter().flat_map(|target| target.values());
-    let agrees = points.iter().zip(values).all(|(point, value)| match value {
+    let values = motion.targets.iter().flat_map(Target::values);
+    let agrees = joints.iter().zip(values).all(|(q_rad, value)| match value {
         TargetValue::Rob(target) => {
             let conf = target.conf;
             let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
-            model.closed.agrees(&written, &point.q_rad)
+            model.closed.agrees(&written, q_rad)
         }
         TargetValue::Joint(_) | TargetValue::FromJoints(_) => true,
     });
-    let held_by_robot = motion.tool.as_ref().is_none_or(|tool| tool.robhold);
+    let held_by_robot = motion.setup.tool.as_ref().is_none_or(|tool| tool.robhold);
     let fits = agrees && held_by_robot && of_controller(program, motion).is_none() && live.lacks().is_none();
     if fits { Form::Live } else { Form::Ramp }
 }

@@ -3,7 +3,7 @@
 use super::Options;
 use super::plan::{Form, PlannedMotion, Status, Summary};
 use crate::program::Program;
-use crate::program::motion::{Keep, Motion, Origin, Path};
+use crate::program::motion::{Keep, Motion, Origin, Path, RoutineId, Target};
 use crate::schedule::{Chosen, Width};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
@@ -11,12 +11,12 @@ use std::collections::BTreeMap;
 
 /// Messages by routine and code.
 #[derive(Clone, Default)]
-pub(super) struct Messages(BTreeMap<(Option<usize>, &'static str), (Diagnostic, usize)>);
+pub(super) struct Messages(BTreeMap<(Option<RoutineId>, &'static str), (Diagnostic, usize)>);
 
 impl Messages {
     /// Adds one; of several with the same code in the same routine the first in the file is told, with
     /// their number.
-    pub(super) fn add(&mut self, routine: Option<usize>, message: Diagnostic) {
+    pub(super) fn add(&mut self, routine: Option<RoutineId>, message: Diagnostic) {
         let entry = self.0.entry((routine, message.code));
         entry
             .and_modify(|(first, more)| {
@@ -30,17 +30,18 @@ impl Messages {
 
     /// Why a motion stays as it is.
     pub(super) fn add_kept(&mut self, motion: &Motion, why: &Keep) {
-        let message = format!("line {}: this {} stays as it is: {}", motion.line, motion.kind, why.reason);
+        let message =
+            format!("line {}: this {} stays as it is: {}", motion.line, motion.setup.kind, why.reason);
         let mut message = Diagnostic::warning(why.code, message).at(place(motion));
         if let Some(because) = why.because {
             message = message.label(because, "because of this");
         }
-        self.add(Some(motion.routine), message);
+        self.add(Some(motion.setup.routine), message);
     }
 
     /// What was kept and refused, and why.
     pub(super) fn add_statuses(&mut self, program: &Program, planned: &[PlannedMotion]) {
-        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
+        for (motion, planned) in program.motions.iter().zip(planned) {
             match &planned.status {
                 Status::Compensated => {}
                 Status::Kept(why) => self.add_kept(motion, why),
@@ -51,7 +52,7 @@ impl Messages {
                     if let Some(because) = why.because {
                         message = message.label(because, "because of this");
                     }
-                    self.add(Some(motion.routine), message);
+                    self.add(Some(motion.setup.routine), message);
                 }
             }
         }
@@ -59,11 +60,11 @@ impl Messages {
 
     /// Linear moves that leave their line.
     pub(super) fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
-        let mut worst: BTreeMap<usize, (f64, &Motion, usize)> = BTreeMap::new();
-        for (motion, planned) in program.motions.iter().zip(planned).filter(|(m, _)| program.is_own(m)) {
+        let mut worst: BTreeMap<RoutineId, (f64, &Motion, usize)> = BTreeMap::new();
+        for (motion, planned) in program.motions.iter().zip(planned) {
             let Some(far_m) = planned.mid_path_m else { continue };
-            if motion.path == Path::Linear && far_m > options.path_tolerance_m {
-                let entry = worst.entry(motion.routine).or_insert((far_m, motion, 0));
+            if motion.setup.path == Path::Linear && far_m > options.path_tolerance_m {
+                let entry = worst.entry(motion.setup.routine).or_insert((far_m, motion, 0));
                 entry.2 += 1;
                 if far_m > entry.0 {
                     (entry.0, entry.1) = (far_m, motion);
@@ -114,7 +115,7 @@ impl Messages {
             );
             let help = "the warm arm found it with its drift: leave the motion as it is where it must meet what was found";
             self.add(
-                Some(motion.routine),
+                Some(motion.setup.routine),
                 Diagnostic::warning("live::search-result", message).at(place(motion)).help(help),
             );
         }
@@ -131,7 +132,7 @@ impl Messages {
             let help =
                 "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
             self.add(
-                Some(motion.routine),
+                Some(motion.setup.routine),
                 Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),
             );
         }
@@ -156,9 +157,9 @@ impl Messages {
 
 /// A motion by the name of its target, where it has one.
 fn described(motion: &Motion) -> String {
-    match motion.targets.last().map(|target| &target.origin) {
-        Some(Origin::Named { name, .. }) => format!("{} to {name}", motion.kind),
-        _ => motion.kind.to_owned(),
+    match motion.targets.last().map(Target::origin) {
+        Some(Origin::Named { name, .. }) => format!("{} to {name}", motion.setup.kind),
+        _ => motion.setup.kind.to_owned(),
     }
 }
 

@@ -1,23 +1,27 @@
 //! The offline table: each compensated target's joints at every minute, streamed.
 
-use super::messages::Messages;
+use super::model::Model;
 use super::nominal::Point;
-use super::plan::{Plan, Status};
-use super::{CompensateError, Planner};
-use crate::program::Part;
+use super::placement::Placement;
+use super::plan::{Plan, PlannedMotion, Status};
+use super::{CompensateError, Options};
+use crate::program::Program;
+use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
 use rayon::prelude::*;
-use robot_model::deform::DeformedArm;
+use robot_model::deform::{Deformation, DeformedArm};
 use robot_model::kinematics::solve;
+use robot_model::robot::Robot;
+use std::borrow::Cow;
 
-/// Targets that are solved at one go: enough to share among cores, few enough to stay small.
+/// Motions that are solved at one go: enough to share among cores, few enough to stay small.
 const AT_ONE_GO: usize = 256;
 
 /// One target at one minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MinuteJoints {
-    /// Index into [`Program::motions`](crate::program::Program::motions).
-    pub motion: usize,
+    /// The motion that goes there.
+    pub motion: MotionId,
     /// Which of the motion's targets.
     pub target: usize,
     /// Warm-up minute.
@@ -30,55 +34,63 @@ pub struct MinuteJoints {
     pub residual_m: f64,
 }
 
-impl Planner<'_> {
-    /// Every compensated target of a part at every whole minute from 0 to `until_min`, target by target.
-    ///
-    /// A target that the warm arm does not reach at a minute has no row there.
-    ///
-    /// # Errors
-    /// [`CompensateError::Temperature`] where the schedule goes by temperature.
-    pub fn joints_every_minute(
-        &self,
-        part: Part<'_>,
-        plan: &Plan,
-        until_min: f64,
-    ) -> Result<impl Iterator<Item = MinuteJoints>, CompensateError> {
-        let model = self.model()?;
-        let minutes: Vec<(f64, DeformedArm)> = (0..=until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32)
-            .map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t)))))
-            .collect();
-        let program = part.program;
-        let compensated = |i: usize| {
-            let is_own = program.motions.get(i).is_some_and(|motion| program.is_own(motion));
-            is_own && plan.motions.get(i).is_some_and(|planned| planned.status == Status::Compensated)
-        };
-        let resolved = self
-            .resolved(part, &mut Messages::default())
-            .into_iter()
-            .enumerate()
-            .filter(|(i, _)| compensated(*i));
-        let points: Vec<(usize, usize, Point)> = resolved
-            .flat_map(|(i, resolved)| {
-                let points = resolved.points.into_iter().flatten().enumerate();
-                points.map(move |(target, point)| (i, target, point))
+/// Every compensated target of a plan, which was made with the same robot, deformation and options, at every whole minute up to
+/// the plan's last, target by target.
+///
+/// A target that the warm arm does not reach at a minute has no row there.
+///
+/// # Errors
+/// [`CompensateError::Temperature`] where the schedule goes by temperature: degrees are no minutes.
+pub fn joints_every_minute<'a>(
+    program: &'a Program,
+    plan: &'a Plan,
+    robot: &'a Robot,
+    deformation: &'a Deformation,
+    options: &Options,
+) -> Result<impl Iterator<Item = MinuteJoints> + use<'a>, CompensateError> {
+    if plan.temperature_c.is_some() {
+        return Err(CompensateError::Temperature);
+    }
+    let model = Model::new(robot, Cow::Borrowed(deformation), options, None)?;
+    let last_min = plan.summary.until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32;
+    let minutes: Vec<(f64, DeformedArm)> =
+        (0..=last_min).map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t))))).collect();
+    let starts = (0..program.motions.len()).step_by(AT_ONE_GO);
+    Ok(starts.flat_map(move |start| {
+        let end = (start + AT_ONE_GO).min(program.motions.len());
+        let rows: Vec<Vec<MinuteJoints>> = (start..end)
+            .into_par_iter()
+            .filter_map(|i| {
+                let (motion, planned) = (program.motions.get(i)?, plan.motions.get(i)?);
+                Some(of_motion(MotionId::new(i), motion, planned, (&model, &minutes)))
             })
             .collect();
-        let starts = (0..points.len()).step_by(AT_ONE_GO);
-        Ok(starts.flat_map(move |start| {
-            let end = (start + AT_ONE_GO).min(points.len());
-            let rows: Vec<Vec<MinuteJoints>> = points[start..end]
-                .par_iter()
-                .map(|(motion, target, point)| over_minutes(*motion, *target, point, &minutes))
-                .collect();
-            rows.into_iter().flatten()
-        }))
-    }
+        rows.into_iter().flatten()
+    }))
+}
+
+fn of_motion(
+    id: MotionId,
+    motion: &Motion,
+    planned: &PlannedMotion,
+    (model, minutes): (&Model<'_>, &[(f64, DeformedArm)]),
+) -> Vec<MinuteJoints> {
+    let Some(placement) = Placement::of(motion).ok().filter(|_| planned.status == Status::Compensated) else {
+        return Vec::new();
+    };
+    let values = motion.targets.iter().flat_map(Target::values);
+    let of_target = |(k, (value, target)): (usize, (_, &super::plan::PlannedTarget))| {
+        let conditions = target.conditions.as_deref().copied().unwrap_or_default();
+        let point = Point::new(&placement, &value, target.nominal_q_rad, conditions, model);
+        over_minutes(id, k, &point, minutes)
+    };
+    values.zip(&planned.targets).enumerate().flat_map(of_target).collect()
 }
 
 fn over_minutes(
-    motion: usize,
+    motion: MotionId,
     target: usize,
-    point: &Point,
+    point: &Point<'_>,
     minutes: &[(f64, DeformedArm)],
 ) -> Vec<MinuteJoints> {
     let mut start = point.q_rad;

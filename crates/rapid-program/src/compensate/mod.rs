@@ -5,9 +5,7 @@
 pub mod compare;
 mod conditions;
 mod correct;
-mod corrector;
 mod drift;
-mod exits;
 mod figures;
 mod live;
 mod messages;
@@ -22,24 +20,20 @@ mod planner;
 mod ramp;
 mod rigid;
 mod silence;
-mod survey;
 pub mod tabulate;
 pub mod targets;
 mod track;
 
 pub use live::LiveBasis;
-pub use minutes::MinuteJoints;
+pub use minutes::{MinuteJoints, joints_every_minute};
 pub use options::{FormChoice, Options};
-pub use planner::Planner;
+pub use planner::plan;
 
-use crate::program::Program;
 use crate::program::motion::Keep;
 use crate::schedule::ScheduleError;
-use plan::Plan;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::Deformation;
 use robot_model::kinematics::StructureError;
-use robot_model::robot::Robot;
+use std::sync::Arc;
 
 /// Why there is no plan at all.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -58,9 +52,6 @@ pub enum CompensateError {
     /// No schedule.
     #[error("no schedule: {0}")]
     Schedule(#[from] ScheduleError),
-    /// A part of the program could not be read again.
-    #[error("{}", .0.message)]
-    Part(Box<Diagnostic>),
     /// There is no motion.
     #[error("the program holds no motion")]
     NoMotion,
@@ -75,9 +66,9 @@ pub enum CompensateError {
         /// Line of the first.
         line: u32,
         /// Its reason.
-        first: Keep,
+        first: Arc<Keep>,
         /// The reasons of all, by motion.
-        kept: Vec<Keep>,
+        kept: Vec<Arc<Keep>>,
         /// What there is to be said about all of them.
         diagnostics: Vec<Diagnostic>,
     },
@@ -92,35 +83,10 @@ impl CompensateError {
             Self::Temperature => "schedule::temperature",
             Self::ModelTemperature => "model::temperature",
             Self::Schedule(error) => error.code(),
-            Self::Part(failed) => failed.code,
             Self::NoMotion => "compensate::no-motion",
             Self::NothingToCompensate { .. } => "compensate::nothing",
         }
     }
-}
-
-/// What becomes of each of a program's motions when the arm deforms as it warms up.
-///
-/// A plan with a diagnostic of [`Severity::Error`](rapid_syntax::diagnostic::Severity::Error) must not be emitted.
-///
-/// # Errors
-/// [`CompensateError`] where no motion can be compensated or no schedule meets the request.
-pub fn plan(
-    program: &Program,
-    robot: &Robot,
-    deformation: &Deformation,
-    options: &Options,
-) -> Result<Plan, CompensateError> {
-    let mut whole = program;
-    let mut planner = Planner::survey(&mut whole, robot, deformation, options)?;
-    let mut plan = None;
-    let shown = planner.each(&mut whole, &mut |_, made| plan = Some(made.clone()));
-    shown.map_err(|failed| CompensateError::Part(Box::new(failed)))?;
-    let mut plan = plan.ok_or(CompensateError::NoMotion)?;
-    let (summary, diagnostics) = planner.conclude()?;
-    plan.summary = summary;
-    plan.diagnostics.splice(..0, diagnostics);
-    Ok(plan)
 }
 
 #[cfg(test)]

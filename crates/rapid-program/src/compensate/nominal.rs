@@ -2,16 +2,15 @@
 //! comes from.
 
 use super::conditions;
-use super::exits::Exits;
 use super::messages::{Messages, place};
 use super::model::Model;
 use super::placement::{Placement, keep};
 use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget};
-use crate::program::motion::{Keep, Motion, Path, TargetValue};
+use crate::program::motion::{Keep, Motion, MotionId, Path, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
-use robot_model::deform::Conditions;
+use robot_model::deform::{Conditions, Payload};
 use robot_model::kinematics::{Configuration, Solution};
 use robot_model::units::rad_from_deg;
 use std::sync::Arc;
@@ -22,72 +21,150 @@ const WRIST_DEG: f64 = 2.0;
 const SAME_RAD: f64 = 1e-6;
 
 /// One target of a motion, placed.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Point {
-    pub(super) placement: Arc<Placement>,
+#[derive(Clone, Debug)]
+pub(super) struct Point<'r> {
+    pub(super) placement: &'r Placement,
     pub(super) base_from_flange: Isometry3<f64>,
     /// The point carried by the flange, in the flange frame, and where in the base it is meant to be, metres.
-    pub(super) carried_m: Vector3<f64>,
-    pub(super) meant_m: Vector3<f64>,
+    pub(super) flange_point_m: Vector3<f64>,
+    pub(super) target_point_m: Vector3<f64>,
     /// Nominal joints on the branch that is meant, radians.
     pub(super) q_rad: [f64; 6],
     /// Load and direction, where a model asks for them.
     pub(super) conditions: Conditions,
 }
 
-impl Point {
+impl<'r> Point<'r> {
+    /// The target of a value; `q_rad` are its nominal joints.
+    pub(super) fn new(
+        placement: &'r Placement,
+        value: &TargetValue,
+        q_rad: [f64; 6],
+        conditions: Conditions,
+        model: &Model,
+    ) -> Self {
+        let (object_from_tcp, base_from_flange) = match value {
+            TargetValue::Rob(pose) => {
+                (pose.object_from_tcp, placement.base_from_flange(&pose.object_from_tcp))
+            }
+            TargetValue::Joint(_) | TargetValue::FromJoints(_) => {
+                let base_from_flange = model.nominal.forward(&q_rad);
+                (placement.object_from_tcp(&base_from_flange), base_from_flange)
+            }
+        };
+        let (flange_point_m, target_point_m) = placement.points(&object_from_tcp);
+        Self { placement, base_from_flange, flange_point_m, target_point_m, q_rad, conditions }
+    }
+
     /// Where the TCP is meant to be in the work object.
     pub(super) fn object_from_tcp(&self) -> Isometry3<f64> {
         self.placement.object_from_tcp(&self.base_from_flange)
     }
 }
 
-/// A motion as far as the nominal arm goes.
-#[derive(Clone, Debug, PartialEq)]
+/// A motion as far as the nominal arm goes: little more than its joints, as a program may hold a million.
+#[derive(Clone, Debug)]
 pub(super) struct Resolved {
-    /// Its targets, or why it stays as it is.
-    pub(super) points: Result<Vec<Point>, Keep>,
-    /// Nominal joints after a motion that stays as it is, where they are known well enough to tell the branch.
-    kept_exit_q_rad: Option<Box<[f64; 6]>>,
-    /// Where a motion that stays as it is ends, where that is known exactly: not so after program displacements,
-    /// searches and the like.
-    kept_end: Option<Box<Point>>,
-    /// The sign of each joint's last motion when it ends, where a model asks for it; 0 where nothing says it.
-    pub(super) direction: [i8; 6],
-    /// Its points are the elements of an array, and only run time tells which of them it goes to.
+    /// Where tool and work object are; `None` where that is not known.
+    placement: Option<Arc<Placement>>,
+    /// Nominal joints at each of its targets' values on the branch that is meant, radians; none where they are not known.
+    joints: Joints,
+    /// Why it stays as it is.
+    kept: Option<Arc<Keep>>,
+    /// For each value load and direction, where a model asks for them.
+    conditions: Option<Box<[Conditions]>>,
+    /// Its values are the elements of an array, and only run time tells which of them it goes to.
     indexed: bool,
+    /// It ends where its target says: not so after program displacements, searches and the like.
+    ends_at_target: bool,
+}
+
+/// Joints at each of a motion's targets, radians; most motions have one.
+#[derive(Clone, Debug)]
+enum Joints {
+    One([f64; 6]),
+    Several(Box<[[f64; 6]]>),
+}
+
+impl Joints {
+    fn new(q_rad: Vec<[f64; 6]>) -> Self {
+        match q_rad.as_slice() {
+            [one] => Self::One(*one),
+            _ => Self::Several(q_rad.into()),
+        }
+    }
+
+    fn as_slice(&self) -> &[[f64; 6]] {
+        match self {
+            Self::One(q_rad) => std::slice::from_ref(q_rad),
+            Self::Several(all) => all,
+        }
+    }
 }
 
 impl Resolved {
+    /// Why the motion stays as it is; `None` where it can be corrected.
+    pub(super) fn kept(&self) -> Option<&Arc<Keep>> {
+        self.kept.as_ref()
+    }
+
+    /// Nominal joints at its targets, radians; none where it stays as it is.
+    pub(super) fn q_rad(&self) -> &[[f64; 6]] {
+        if self.kept.is_none() { self.joints.as_slice() } else { &[] }
+    }
+
+    /// Its targets; none where it stays as it is.
+    pub(super) fn points<'r>(
+        &'r self,
+        motion: &'r Motion,
+        model: &'r Model<'_>,
+    ) -> impl Iterator<Item = Point<'r>> {
+        let placement = self.placement.as_deref().filter(|_| self.kept.is_none());
+        placement.into_iter().flat_map(move |placement| {
+            let values = motion.targets.iter().flat_map(Target::values);
+            let all = values.zip(self.joints.as_slice()).enumerate();
+            all.map(move |(k, (value, q_rad))| {
+                Point::new(placement, &value, *q_rad, self.conditions_at(k), model)
+            })
+        })
+    }
+
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.
     pub(super) fn exit_q_rad(&self) -> Option<[f64; 6]> {
-        match &self.points {
-            Ok(points) => points.last().filter(|_| !self.indexed).map(|point| point.q_rad),
-            Err(_) => self.kept_exit_q_rad.as_deref().copied(),
-        }
+        self.joints.as_slice().last().filter(|_| !self.indexed).copied()
     }
 
     /// Where it ends, where that is known exactly.
-    pub(super) fn end(&self) -> Option<&Point> {
-        match &self.points {
-            Ok(points) => points.last().filter(|_| !self.indexed),
-            Err(_) => self.kept_end.as_deref(),
-        }
+    pub(super) fn end<'r>(&'r self, motion: &Motion, model: &Model) -> Option<Point<'r>> {
+        let known = !self.indexed && (self.kept.is_none() || self.ends_at_target);
+        let placement = self.placement.as_deref().filter(|_| known)?;
+        let q_rad = *self.joints.as_slice().last()?;
+        let value = motion.targets.iter().flat_map(Target::values).last()?;
+        Some(Point::new(placement, &value, q_rad, self.conditions_at(usize::MAX), model))
     }
 
     /// Leaves the motion as it is; where it ends stays known.
-    pub(super) fn keep(&mut self, why: Keep) {
-        if let Ok(points) = std::mem::replace(&mut self.points, Err(why))
-            && !self.indexed
-        {
-            self.kept_exit_q_rad = points.last().map(|point| Box::new(point.q_rad));
-            self.kept_end = points.into_iter().next_back().map(Box::new);
-        }
+    pub(super) fn keep(&mut self, why: Arc<Keep>) {
+        self.kept = Some(why);
     }
 
-    /// Where a motion that stays as it is ends, to be filled in.
-    pub(super) fn kept_end_mut(&mut self) -> Option<&mut Point> {
-        self.kept_end.as_deref_mut()
+    /// Load and direction at the value with this number, or at the last one.
+    pub(super) fn conditions_at(&self, value: usize) -> Conditions {
+        let all = self.conditions.as_deref().unwrap_or_default();
+        all.get(value).or(all.last()).copied().unwrap_or_default()
+    }
+
+    /// Fills in the load, and for each value the direction it is come to in.
+    pub(super) fn set_conditions(&mut self, payload: Payload, directions: &[[i8; 6]]) {
+        let at = |k: usize| Conditions { payload, direction: directions.get(k).copied().unwrap_or_default() };
+        let count = self.joints.as_slice().len();
+        let last = directions.last().copied().unwrap_or_default();
+        let conditions: Box<[Conditions]> = match self.kept {
+            None => (0..count).map(at).collect(),
+            Some(_) => Box::new([Conditions { payload, direction: last }]),
+        };
+        let asked = conditions.iter().any(|conditions| *conditions != Conditions::default());
+        self.conditions = asked.then_some(conditions);
     }
 }
 
@@ -102,21 +179,13 @@ enum Note {
     Unset,
 }
 
-/// All motions of a program, in their order; those of outlines end where their own part has found them to end.
-pub(super) fn resolve(
-    program: &Program,
-    model: &Model,
-    exits: &Exits,
-    messages: &mut Messages,
-) -> Vec<Resolved> {
+/// All motions of a program, in their order.
+pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages) -> Vec<Resolved> {
     let motions = &program.motions;
-    let mut done: Vec<Option<Resolved>> =
-        motions.iter().map(|motion| exits.of_motion(program, motion).cloned()).collect();
-    // What there is to be said of motions in outlines is said with their own part.
-    let mut unsaid = Messages::default();
+    let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
     let mut waiting = vec![false; motions.len()];
     // The last placement seen: most motions share it.
-    let mut seen = None;
+    let mut last = None;
     let mut stack = Vec::new();
     for first in 0..motions.len() {
         stack.push(first);
@@ -125,7 +194,7 @@ pub(super) fn resolve(
                 stack.pop();
                 continue;
             }
-            let previous = motions[i].previous.filter(|&p| p < motions.len());
+            let previous = motions[i].previous.map(MotionId::index).filter(|&p| p < motions.len());
             if let Some(p) = previous
                 && done[p].is_none()
                 && !waiting[p]
@@ -135,14 +204,13 @@ pub(super) fn resolve(
                 continue;
             }
             let history = previous.and_then(|p| done[p].as_ref()).and_then(Resolved::exit_q_rad);
-            let messages = if program.is_own(&motions[i]) { &mut *messages } else { &mut unsaid };
-            done[i] = Some(resolve_motion(&motions[i], history, model, &mut seen, messages));
+            done[i] = Some(resolve_motion(&motions[i], history, model, &mut last, messages));
             stack.pop();
         }
     }
-    let mut resolved = Vec::with_capacity(done.len());
-    resolved.extend(done.into_iter().flatten());
-    conditions::fill(program, model, exits, &mut resolved);
+    // Collected in place: a second list would be as much again.
+    let mut resolved: Vec<Resolved> = done.into_iter().flatten().collect();
+    conditions::fill(program, model, &mut resolved);
     resolved
 }
 
@@ -150,104 +218,90 @@ fn resolve_motion(
     motion: &Motion,
     history: Option<[f64; 6]>,
     model: &Model,
-    seen: &mut Option<Arc<Placement>>,
+    last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Resolved {
-    let indexed = motion.targets.iter().any(|target| target.value.is_none() && !target.elements.is_empty());
-    let points = place_targets(motion, history.filter(|_| !indexed), model, seen, messages);
-    let end = points.as_ref().ok().and_then(|points| points.last()).filter(|_| !indexed);
-    let exit_q_rad = end.map(|point| point.q_rad);
-    let (points, kept_end) = match (&motion.keep, points) {
-        (Some(why), _) => (Err(Keep::clone(why)), None),
-        (None, Ok(points)) => match ill_posed(motion, &points, model) {
-            Some(why) => (Err(why), points.into_iter().next_back().filter(|_| !indexed).map(Box::new)),
-            None => (Ok(points), None),
-        },
-        (None, Err(why)) => (Err(why), None),
+    let indexed =
+        motion.targets.iter().any(|target| target.value().is_none() && !target.elements().is_empty());
+    let placed = place_targets(motion, history.filter(|_| !indexed), model, last, messages);
+    let (placement, q_rad, failed) = match placed {
+        Ok((placement, q_rad)) => (Some(placement), q_rad, None),
+        Err(why) => (None, Vec::new(), Some(why)),
     };
-    let kept_exit_q_rad = exit_q_rad.filter(|_| points.is_err()).map(Box::new);
-    Resolved { points, kept_exit_q_rad, kept_end, direction: [0; 6], indexed }
+    let kept = match (&motion.keep, failed) {
+        (Some(why), _) => Some(Arc::clone(why)),
+        (None, Some(why)) => Some(Arc::new(why)),
+        (None, None) => ill_posed(motion, &q_rad, model).map(Arc::new),
+    };
+    let ends_at_target = motion.keep.is_none();
+    Resolved { placement, joints: Joints::new(q_rad), kept, conditions: None, indexed, ends_at_target }
 }
 
 /// Why the arm cannot be corrected there at all.
-fn ill_posed(motion: &Motion, points: &[Point], model: &Model) -> Option<Keep> {
-    for point in points {
-        if let Err(out) = model.robot().within_range(&point.q_rad) {
+fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Keep> {
+    for q_rad in joints {
+        if let Err(out) = model.robot().within_range(q_rad) {
             return Some(keep("reach::range", format!("its own target is out of range: {out}")));
         }
-        if model.closed.posture(&point.q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG) {
+        if model.closed.posture(q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG) {
             return Some(keep(
                 "singular::wrist",
                 format!("axis 5 stands within {WRIST_DEG} deg of the wrist singularity"),
             ));
         }
     }
-    points
-        .is_empty()
-        .then(|| keep("keep::no-target", format!("{} has no target that could be corrected", motion.kind)))
+    joints.is_empty().then(|| {
+        keep("keep::no-target", format!("{} has no target that could be corrected", motion.setup.kind))
+    })
 }
 
 fn place_targets(
     motion: &Motion,
     history: Option<[f64; 6]>,
     model: &Model,
-    seen: &mut Option<Arc<Placement>>,
+    last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
-) -> Result<Vec<Point>, Keep> {
+) -> Result<(Arc<Placement>, Vec<[f64; 6]>), Keep> {
     let placement = Placement::of(motion)?;
-    let placement = match seen.take() {
+    let placement = match last.take() {
         Some(same) if *same == placement => same,
         _ => Arc::new(placement),
     };
-    let placement = &*seen.insert(placement);
+    let placement = &*last.insert(placement);
     let mut from = history;
-    let mut points = Vec::with_capacity(motion.targets.len());
-    let values = motion.targets.iter().map(|target| (target.value.is_some(), target.values()));
-    if motion.targets.iter().any(|target| target.values().is_empty()) {
+    let mut joints = Vec::with_capacity(motion.targets.len());
+    if motion.targets.iter().any(|target| target.values().next().is_none()) {
         return Err(keep("keep::runtime-target", "its target is only known at run time"));
     }
-    for (one, &value) in values.flat_map(|(one, values)| values.iter().map(move |value| (one, value))) {
-        let point = match value {
-            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
-                at_joints(&joints, placement, model)?
-            }
-            TargetValue::Rob(pose) => {
-                let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
-                let (q_rad, note) = branch(motion, &base_from_flange, &pose.conf, from, model)?;
-                if let Some(note) = note {
-                    say(motion, &pose.conf, note, messages);
+    for target in motion.targets.iter() {
+        for value in target.values() {
+            let q_rad = match value {
+                TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => all_axes(&joints)?,
+                TargetValue::Rob(pose) => {
+                    let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
+                    let (q_rad, note) = branch(motion, &base_from_flange, &pose.conf, from, model)?;
+                    if let Some(note) = note {
+                        report_branch(motion, &pose.conf, note, messages);
+                    }
+                    q_rad
                 }
-                point(placement, &pose.object_from_tcp, base_from_flange, q_rad)
-            }
-        };
-        // Of an array's elements none comes from the one before.
-        from = one.then_some(point.q_rad);
-        points.push(point);
+            };
+            // Of an array's elements none comes from the one before.
+            from = target.value().map(|_| q_rad);
+            joints.push(q_rad);
+        }
     }
-    Ok(points)
+    Ok((Arc::clone(placement), joints))
 }
 
-fn at_joints(joints: &JointTarget, placement: &Arc<Placement>, model: &Model) -> Result<Point, Keep> {
+fn all_axes(joints: &JointTarget) -> Result<[f64; 6], Keep> {
     let mut q_rad = [0.0; 6];
     for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
         *q_rad = joint.ok_or_else(|| {
             keep("keep::axis-unused", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
         })?;
     }
-    let base_from_flange = model.nominal.forward(&q_rad);
-    let object_from_tcp = placement.object_from_tcp(&base_from_flange);
-    Ok(point(placement, &object_from_tcp, base_from_flange, q_rad))
-}
-
-fn point(
-    placement: &Arc<Placement>,
-    object_from_tcp: &Isometry3<f64>,
-    base_from_flange: Isometry3<f64>,
-    q_rad: [f64; 6],
-) -> Point {
-    let (carried_m, meant_m) = placement.points(object_from_tcp);
-    let placement = Arc::clone(placement);
-    Point { placement, base_from_flange, carried_m, meant_m, q_rad, conditions: Conditions::default() }
+    Ok(q_rad)
 }
 
 /// The joints that are meant.
@@ -282,8 +336,8 @@ fn branch(
             ),
         )
     };
-    if matches!(motion.path, Path::Joint | Path::AbsJoint) {
-        if motion.conf_monitored == Some(false) {
+    if matches!(motion.setup.path, Path::Joint | Path::AbsJoint) {
+        if motion.setup.conf_monitored == Some(false) {
             let near = from.and_then(|from| nearest(solutions.iter(), &from));
             return near.or(by_conf).map(|q_rad| (q_rad, None)).ok_or_else(no_such);
         }
@@ -315,10 +369,10 @@ fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_RAD)
 }
 
-fn say(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Messages) {
+fn report_branch(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Messages) {
     let ConfData { cf1, cf4, cf6, cfx } = conf;
     let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
-    let held = motion.conf_monitored != Some(false);
+    let held = motion.setup.conf_monitored != Some(false);
     let span: Span = place(motion);
     let message = match note {
         Note::Disagrees if held => Diagnostic::warning(
@@ -354,5 +408,5 @@ fn say(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Messages) {
         )
         .help("it was believed, as nothing else says where the arm comes from; export with configurations, or with a joint move first"),
     };
-    messages.add(Some(motion.routine), message.at(span));
+    messages.add(Some(motion.setup.routine), message.at(span));
 }

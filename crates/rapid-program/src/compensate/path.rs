@@ -13,10 +13,10 @@ use std::f64::consts::TAU;
 pub(super) struct Leg<'a> {
     pub(super) path: Path,
     /// Where it starts: the previous motion's last point, and whether that one is corrected.
-    pub(super) start: &'a Point,
+    pub(super) start: &'a Point<'a>,
     pub(super) start_corrected: bool,
     /// Circle point and end point, or the end point.
-    pub(super) points: &'a [Point],
+    pub(super) points: &'a [Point<'a>],
 }
 
 /// Joints at the start, at the circle point and at the end, radians.
@@ -31,16 +31,17 @@ impl Leg<'_> {
     /// cannot follow.
     pub(super) fn deviation_m(&self, buckets: &[usize], warm: &[WarmBucket], model: &Model) -> Option<f64> {
         let nominal = self.ends(None)?;
-        let mut worst: Option<(f64, usize)> = None;
+        let mut worst: Option<(f64, &WarmBucket, Ends)> = None;
         for &k in buckets {
-            let far = self.far_m(&nominal, 0.5, warm.get(k)?, model)?;
-            if worst.is_none_or(|(most, _)| far > most) {
-                worst = Some((far, k));
+            let bucket = warm.get(k)?;
+            let ends = self.ends(Some(bucket))?;
+            let far = self.far_m((&nominal, &ends), 0.5, bucket, model)?;
+            if worst.as_ref().is_none_or(|(most, ..)| far > *most) {
+                worst = Some((far, bucket, ends));
             }
         }
-        let (mid, k) = worst?;
-        let bucket = warm.get(k)?;
-        let quarters = [0.25, 0.75].map(|s| self.far_m(&nominal, s, bucket, model));
+        let (mid, bucket, ends) = worst?;
+        let quarters = [0.25, 0.75].map(|s| self.far_m((&nominal, &ends), s, bucket, model));
         Some(quarters.into_iter().flatten().fold(mid, f64::max))
     }
 
@@ -63,8 +64,13 @@ impl Leg<'_> {
     }
 
     /// Distance from the programmed path at `s` of the way.
-    fn far_m(&self, nominal: &Ends, s: f64, bucket: &WarmBucket, model: &Model) -> Option<f64> {
-        let ends = self.ends(Some(bucket))?;
+    fn far_m(
+        &self,
+        (nominal, ends): (&Ends, &Ends),
+        s: f64,
+        bucket: &WarmBucket,
+        model: &Model,
+    ) -> Option<f64> {
         let Point { placement, conditions, .. } = self.points.last()?;
         let seen = |base_from_flange: Isometry3<f64>| -> Vector3<f64> {
             placement.object_from_tcp(&base_from_flange).translation.vector
@@ -79,7 +85,7 @@ impl Leg<'_> {
             let pose = |q_rad: &[f64; 6]| placement.object_from_tcp(&model.nominal.forward(q_rad));
             Track::new(pose(&ends.start), ends.via.as_ref().map(pose), pose(&ends.end))
         };
-        let told = placement.base_from_flange(&track(&ends).pose(s)?);
+        let told = placement.base_from_flange(&track(ends).pose(s)?);
         let branch = model.closed.configuration(&ends.end).cfx;
         let mut q_rad = model.closed.branches(&told).get(usize::try_from(branch).ok()?).copied().flatten()?;
         for (q_rad, near) in q_rad.iter_mut().zip(halfway) {

@@ -19,14 +19,14 @@ impl Placement {
     /// tool is not known.
     pub(super) fn of(motion: &Motion) -> Result<Self, Keep> {
         let wobj0 = WobjData::wobj0();
-        let wobj = match (&motion.wobj, &motion.wobj_name) {
-            (Some(wobj), _) => Some(&**wobj),
+        let wobj = match (&motion.setup.wobj, &motion.setup.wobj_name) {
+            (Some(wobj), _) => Some(wobj),
             (None, None) => Some(&wobj0),
             (None, Some(_)) => None,
         };
-        match (&motion.tool, wobj) {
+        match (&motion.setup.tool, wobj) {
             (Some(tool), Some(wobj)) => Self::of_data(tool, wobj),
-            _ if motion.path == Path::AbsJoint => Self::of_data(&ToolData::tool0(), &wobj0),
+            _ if motion.setup.path == Path::AbsJoint => Self::of_data(&ToolData::tool0(), &wobj0),
             (None, _) => Err(keep("keep::tool-unknown", "its tool is not known")),
             (_, None) => Err(keep("keep::wobj-unknown", "its work object is not known")),
         }

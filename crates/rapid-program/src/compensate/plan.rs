@@ -3,11 +3,10 @@
 use super::live::LiveBasis;
 use crate::program::Program;
 use crate::program::data::RobTarget;
-use crate::program::motion::{Keep, Motion, TargetValue};
+use crate::program::motion::{Keep, Motion, Target, TargetValue};
 use crate::schedule::{Schedule, TimeFunctions};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Conditions;
-use std::fmt;
 use std::sync::Arc;
 
 /// What becomes of a program's motions.
@@ -24,8 +23,6 @@ pub struct Plan {
     pub temperature_c: Option<[f64; 2]>,
     /// One for each of [`Program::motions`], in the same order.
     pub motions: Vec<PlannedMotion>,
-    /// Gives their corrected targets.
-    pub corrector: Arc<dyn Corrector>,
     /// Figures over the whole program.
     pub summary: Summary,
     /// Warnings and, where the program must be refused, errors.
@@ -41,7 +38,7 @@ pub struct PlannedMotion {
     pub form: Form,
     /// For each value of each of the motion's targets ([`Target::values`](crate::program::motion::Target::values));
     /// empty unless compensated or refused over a limit, and where values are known at run time alone.
-    pub targets: Vec<PlannedTarget>,
+    pub targets: Box<[PlannedTarget]>,
     /// Largest distance between original and corrected TCP over all buckets, metres.
     pub max_correction_m: f64,
     /// Largest angle between original and corrected TCP frame over all buckets, radians.
@@ -60,9 +57,9 @@ pub enum Status {
     /// Its targets are replaced.
     Compensated,
     /// It stays as it is.
-    Kept(Box<Keep>),
+    Kept(Arc<Keep>),
     /// The whole program is refused because of it.
-    Refused(Box<Keep>),
+    Refused(Arc<Keep>),
 }
 
 /// A target and what it becomes.
@@ -73,9 +70,19 @@ pub struct PlannedTarget {
     /// Nominal joints of the original on the branch that is meant, radians.
     pub nominal_q_rad: [f64; 6],
     /// Load and direction, where the deformation depends on them.
-    pub conditions: Conditions,
-    /// In the form `ramp` the correction at the node of each of the [`TimeFunctions`]; else empty.
-    pub corrections: Vec<Correction>,
+    pub conditions: Option<Box<Conditions>>,
+    /// What the controller is to be told.
+    pub corrections: Corrections,
+}
+
+/// What becomes of a target.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Corrections {
+    /// In the form `schedule` the target that makes the controller's nominal kinematics go to the compensated joints, for each
+    /// bucket.
+    InBuckets(Box<[Corrected]>),
+    /// In the form `ramp` the correction at the node of each of the [`TimeFunctions`].
+    AtNodes(Box<[Correction]>),
 }
 
 /// How a motion asks for its target.
@@ -127,20 +134,16 @@ impl PlannedTarget {
     }
 }
 
-/// Computes what a plan's targets become, when they are asked for: of a large program they would be most of what is held.
-pub trait Corrector: fmt::Debug + Send + Sync {
-    /// For each target of `motion`, planned as `planned`, what the controller is to be told in a bucket; `None` where there
-    /// is no such bucket.
-    fn corrected(&self, motion: &Motion, planned: &PlannedMotion, bucket: usize) -> Option<Vec<Corrected>>;
-}
-
-impl Plan {
-    /// For each target of a compensated motion, the target that makes the controller's nominal kinematics go to the
-    /// compensated joints: a robtarget's frame, or joints. `None` where the plan has no such motion or bucket.
+impl PlannedMotion {
+    /// For each target of a motion that takes its targets from arrays, what it becomes in a bucket; `None` where there is no
+    /// such bucket.
     #[must_use]
-    pub fn corrected(&self, program: &Program, number: usize, bucket: usize) -> Option<Vec<Corrected>> {
-        let (motion, planned) = (program.motions.get(number)?, self.motions.get(number)?);
-        self.corrector.corrected(motion, planned, bucket)
+    pub fn corrected(&self, bucket: usize) -> Option<Vec<Corrected>> {
+        let of_target = |target: &PlannedTarget| match &target.corrections {
+            Corrections::InBuckets(corrected) => corrected.get(bucket).copied(),
+            Corrections::AtNodes(_) => None,
+        };
+        self.targets.iter().map(of_target).collect()
     }
 }
 
@@ -183,45 +186,29 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// Over a program's own motions.
+    /// Over a program's motions.
     #[must_use]
     pub fn of(program: &Program, plan: &Plan) -> Self {
         let mut totals = Self::default();
-        for (motion, planned) in program.motions.iter().zip(&plan.motions) {
-            if program.is_own(motion) {
-                totals.add_motion(motion, planned);
-            }
-        }
+        program.motions.iter().zip(&plan.motions).for_each(|(motion, planned)| totals.add(motion, planned));
         totals
     }
 
-    fn add_motion(&mut self, motion: &Motion, planned: &PlannedMotion) {
+    fn add(&mut self, motion: &Motion, planned: &PlannedMotion) {
         self.motions += 1;
         match planned.status {
             Status::Compensated => {
                 self.compensated += 1;
                 self.by_form[planned.form as usize] += 1;
                 let is_joint = |value: &TargetValue| matches!(value, TargetValue::Joint(_));
-                let values = motion.targets.iter().flat_map(|target| target.values());
-                values.for_each(|value| self.targets[usize::from(is_joint(value))] += 1);
+                let values = motion.targets.iter().flat_map(Target::values);
+                values.for_each(|value| self.targets[usize::from(is_joint(&value))] += 1);
                 self.max_correction_m = self.max_correction_m.max(planned.max_correction_m);
                 self.max_correction_rad = self.max_correction_rad.max(planned.max_correction_rad);
             }
             Status::Kept(_) => self.kept += 1,
             Status::Refused(_) => self.refused += 1,
         }
-    }
-
-    /// Takes in those of another part of the program.
-    pub fn add(&mut self, other: &Self) {
-        self.motions += other.motions;
-        self.compensated += other.compensated;
-        self.by_form.iter_mut().zip(other.by_form).for_each(|(own, other)| *own += other);
-        self.kept += other.kept;
-        self.refused += other.refused;
-        self.targets = [self.targets[0] + other.targets[0], self.targets[1] + other.targets[1]];
-        self.max_correction_m = self.max_correction_m.max(other.max_correction_m);
-        self.max_correction_rad = self.max_correction_rad.max(other.max_correction_rad);
     }
 }
 
@@ -234,7 +221,7 @@ pub struct Summary {
     pub worst_after_m: f64,
     /// Largest step of the TCP where one bucket follows another, metres.
     pub worst_switch_jump_m: f64,
-    /// What the cheap rival, one work-object shift per bucket, would leave, metres.
+    /// What the baseline, one work-object shift per bucket, would leave, metres.
     pub rigid_shift_worst_m: f64,
     /// For each bucket: the largest distance of the TCP from the programmed pose anywhere in it,
     /// `[uncompensated, compensated]`, metres.
@@ -244,17 +231,4 @@ pub struct Summary {
     pub until_min: f64,
     /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
     pub other_tolerances: Vec<(f64, usize)>,
-}
-
-impl Summary {
-    /// Takes in the figures of another part of the program.
-    pub fn add(&mut self, other: &Self) {
-        self.worst_before_m = self.worst_before_m.max(other.worst_before_m);
-        self.worst_after_m = self.worst_after_m.max(other.worst_after_m);
-        self.worst_switch_jump_m = self.worst_switch_jump_m.max(other.worst_switch_jump_m);
-        self.rigid_shift_worst_m = self.rigid_shift_worst_m.max(other.rigid_shift_worst_m);
-        for (own, other) in self.bucket_error_m.iter_mut().zip(&other.bucket_error_m) {
-            *own = [own[0].max(other[0]), own[1].max(other[1])];
-        }
-    }
 }

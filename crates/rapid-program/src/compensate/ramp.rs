@@ -4,19 +4,20 @@
 //! come replace a staircase of corrected targets; a table with several laws in time takes a few of each.
 
 use super::correct::warm_joints;
+use super::drift::{Points, furthest_m};
 use super::model::{Model, WarmBucket};
 use super::nominal::Point;
 use super::placement::Placement;
 use super::plan::Correction;
-use super::survey::Sample;
 use super::{CompensateError, Options};
+use crate::program::data::JointTarget;
+use crate::program::motion::TargetValue;
 use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
 use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::solve;
 use robot_model::units::rad_from_deg;
-use std::sync::Arc;
 
 /// The functions may take this share of the tolerance: a staircase takes all of it.
 const SHARE_OF_TOLERANCE: f64 = 0.1;
@@ -27,6 +28,14 @@ const LEVER_M: f64 = 0.3;
 /// Targets from which functions of several laws are found, and moments at which every target is checked, at most.
 const FOUND_FROM: usize = 96;
 const CHECKS: usize = 12;
+
+/// A point by which time functions are chosen.
+#[derive(Clone, Debug)]
+pub(super) struct Sample<'r> {
+    pub(super) point: Point<'r>,
+    /// It is corrected by joints.
+    pub(super) by_joints: bool,
+}
 
 /// Functions of time with the arms at their nodes.
 pub(super) struct Ramp {
@@ -48,12 +57,17 @@ impl Ramp {
     /// The fewest functions that hold a tenth of the tolerance at `samples`.
     pub(super) fn choose(
         model: &Model,
-        mut samples: Vec<Sample>,
+        samples: Vec<Sample<'_>>,
         options: &Options,
     ) -> Result<Self, CompensateError> {
         options.request().check()?;
+        let placement = Placement::ToolOnFlange {
+            base_from_object: Isometry3::identity(),
+            flange_from_tcp: Isometry3::translation(0.0, 0.0, 0.1),
+        };
+        let mut samples: Vec<Sample<'_>> = samples;
         if samples.is_empty() || options.form.corrects_run_time() {
-            samples.extend(anywhere(model));
+            samples.extend(anywhere(model, &placement));
         }
         let samples = samples.as_slice();
         let tolerance_m = SHARE_OF_TOLERANCE * options.tolerance_m;
@@ -156,12 +170,12 @@ impl Ramp {
 
     /// The worst of all points, metres; a turn counts as the shift that it is at
     /// [`LEVER_M`].
-    fn worst_m(&self, model: &Model, points: &[Sample]) -> f64 {
-        let one = |Sample { point, joint }: &Sample| {
+    fn worst_m(&self, model: &Model, points: &[Sample<'_>]) -> f64 {
+        let one = |Sample { point, by_joints }: &Sample<'_>| {
             let joints: Option<Vec<[f64; 6]>> =
                 self.nodes.iter().map(|node| warm_joints(point, &node.at).ok()).collect();
             let joints = joints?;
-            let corrections = self.corrections(point, *joint, &joints, model);
+            let corrections = self.corrections(point, *by_joints, &joints, model);
             let misses = self.checks.iter().map(|check| {
                 let q_rad = commanded_q_rad(point, &corrections, &check.values, model)?;
                 let there = check.arm.under(&point.conditions).forward(&q_rad);
@@ -175,10 +189,7 @@ impl Ramp {
 }
 
 /// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.
-fn anywhere(model: &Model) -> Vec<Sample> {
-    let tool = Isometry3::translation(0.0, 0.0, 0.1);
-    let placement =
-        Arc::new(Placement::ToolOnFlange { base_from_object: Isometry3::identity(), flange_from_tcp: tool });
+fn anywhere<'p>(model: &Model, placement: &'p Placement) -> Vec<Sample<'p>> {
     let poses_deg = [
         [0.0, 0.0, 0.0, 0.0, 30.0, 0.0],
         [60.0, 30.0, -30.0, 40.0, 60.0, 90.0],
@@ -187,12 +198,10 @@ fn anywhere(model: &Model) -> Vec<Sample> {
     ];
     let point = |q_deg: [f64; 6]| {
         let q_rad = q_deg.map(rad_from_deg);
-        let base_from_flange = model.nominal.forward(&q_rad);
-        let (carried_m, meant_m) = placement.points(&placement.object_from_tcp(&base_from_flange));
-        let conditions = Conditions::default();
-        let placement = Arc::clone(&placement);
-        let point = Point { placement, base_from_flange, carried_m, meant_m, q_rad, conditions };
-        Sample { point, joint: false }
+        let joints = JointTarget { q_rad: q_rad.map(Some), ext: [None; 6] };
+        let value = TargetValue::FromJoints(joints);
+        let point = Point::new(placement, &value, q_rad, Conditions::default(), model);
+        Sample { point, by_joints: false }
     };
     poses_deg.into_iter().map(point).collect()
 }
@@ -241,16 +250,16 @@ fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> 
 
 /// Functions for a table with laws of its own: from the corrections of some targets at the moments of the timeline, and
 /// from the table itself, so that targets elsewhere are met as well.
-fn of_courses(model: &Model, samples: &[Sample], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
+fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
     let every = samples.len().div_ceil(FOUND_FROM).max(1);
     let moments: Vec<Moment> = found.moments().collect();
     let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
-    let rows_of = |Sample { point, .. }: &Sample| -> Option<Vec<[f64; 6]>> {
+    let rows_of = |Sample { point, .. }: &Sample<'_>| -> Option<Vec<[f64; 6]>> {
         let course = |arm: &DeformedArm| {
             let q_rad = warm_joints(point, arm).ok()?;
             let told = model.nominal.forward(&q_rad);
             let turn = (told.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;
-            let at = |frame: &Isometry3<f64>| frame * nalgebra::Point3::from(point.carried_m);
+            let at = |frame: &Isometry3<f64>| frame * nalgebra::Point3::from(point.flange_point_m);
             let shift = at(&told) - at(&point.base_from_flange);
             Some([shift.x, shift.y, shift.z, turn.x, turn.y, turn.z])
         };
@@ -275,13 +284,13 @@ fn of_courses(model: &Model, samples: &[Sample], found: &Timeline, tolerance_m: 
 /// Some points of a program as a schedule sees them.
 struct Samples<'a> {
     model: &'a Model<'a>,
-    points: &'a [Sample],
+    points: &'a [Sample<'a>],
 }
 
 impl Samples<'_> {
-    fn chosen(&self, targets: &[usize]) -> super::drift::Points<'_> {
-        let points = targets.iter().filter_map(|&target| Some(&self.points.get(target)?.point)).collect();
-        super::drift::Points { model: self.model, points }
+    fn some(&self, targets: &[usize]) -> Points<'_> {
+        let points = targets.iter().filter_map(|&target| Some(self.points.get(target)?.point.clone()));
+        Points { model: self.model, points: points.collect() }
     }
 }
 
@@ -291,19 +300,16 @@ impl Drift for Samples<'_> {
     }
 
     fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
-        self.chosen(targets).displacements_m(moment)
+        self.some(targets).displacements_m(moment)
     }
 
-    fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
-        let points = super::drift::Points {
-            model: self.model,
-            points: self.points.iter().map(|sample| &sample.point).collect(),
-        };
-        points.furthest_m2(pairs).into_iter().map(|(i, far_m2)| (i, far_m2.sqrt())).collect()
+    fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
+        let point = |i: usize| Some(self.points.get(i)?.point.clone());
+        furthest_m(self.model, pairs, self.points.len(), point)
     }
 
     fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        self.chosen(targets).errors_m(at_min, moments)
+        self.some(targets).errors_m(at_min, moments)
     }
 
     fn bends_min(&self) -> &[f64] {

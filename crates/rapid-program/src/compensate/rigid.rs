@@ -1,74 +1,35 @@
-//! The cheap rival: one shift of the work object per bucket, the same for all targets.
+//! The baseline that corrections are measured by: one shift of the work object per bucket, the same for all targets.
 
-use super::drift::Points;
+use super::drift::ProgramPoints;
 use crate::schedule::{Moment, Schedule};
 use nalgebra::Vector3;
-use rayon::prelude::*;
-use std::collections::BTreeSet;
 
-/// For each bucket displacements that hold its best shift in place: those that the shift was found by, and those that are farthest
-/// out in many directions, as with other parts' the shift is another.
-pub(super) type Supports = Vec<Vec<Vector3<f64>>>;
-
-/// What the best shift per bucket would leave of the worst target, over all buckets, metres, and what holds the shifts in place.
+/// What the best shift per bucket would leave of the worst target, over all buckets, metres.
 ///
 /// The best shift is the centre of the smallest ball round all displacements at the bucket's two ends.
-pub(super) fn worst_m(drift: &Points, schedule: &Schedule) -> (f64, Supports) {
+pub(super) fn worst_m(drift: &ProgramPoints<'_>, schedule: &Schedule) -> f64 {
     // One bucket after the other: the displacements of a large program are many.
-    let directions = directions();
     let buckets = schedule.buckets.iter().map(|bucket| [Moment::Minute(bucket.from_min), bucket.end()]);
     // Without buckets the shift is scaled as the corrections are: it is worst where all has settled.
     let settled = schedule.buckets.is_empty().then_some([Moment::Settled; 2]);
-    let each = buckets.chain(settled).map(|ends| {
-        let ends = ends.map(|moment| drift.displacements_m(moment));
-        let (radius, mut support) = smallest_ball(&ends);
-        support.extend(outermost(&ends, &directions));
-        (radius, support)
-    });
-    let (radii, supports): (Vec<f64>, Supports) = each.unzip();
-    (radii.into_iter().fold(0.0, f64::max), supports)
+    let radius = |ends: [Moment; 2]| smallest_ball(&ends.map(|moment| drift.displacements_m(moment)));
+    buckets.chain(settled).map(radius).fold(0.0, f64::max)
 }
 
-/// The same of several parts of a program, from what holds the shifts of each in place.
-pub(super) fn worst_of_parts_m(supports: &Supports) -> f64 {
-    let radius =
-        |few: &Vec<Vector3<f64>>| smallest_ball(&[few.iter().map(|p| (*p).into()).collect(), Vec::new()]).0;
-    supports.iter().map(radius).fold(0.0, f64::max)
-}
-
-/// Directions all over a cube, about 20 degrees from each other.
-fn directions() -> Vec<Vector3<f64>> {
-    let steps = || (-2..=2).map(f64::from);
-    let all = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vector3::new(x, y, z))));
-    all.filter(|v| v.amax() == 2.0).map(|v| v.normalize()).collect()
-}
-
-/// For each direction the displacement that is farthest out in it, each once.
-fn outermost(ends: &[Vec<[f64; 3]>; 2], directions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
-    let points: Vec<Vector3<f64>> = ends.iter().flatten().map(|&p| Vector3::from(p)).collect();
-    let farthest = |direction: &Vector3<f64>| {
-        let far = points.iter().enumerate().map(|(i, point)| (i, point.dot(direction)));
-        far.reduce(|best, next| if next.1 > best.1 { next } else { best })
-    };
-    let found: BTreeSet<usize> =
-        directions.par_iter().filter_map(farthest).map(|(i, _)| i).collect::<Vec<_>>().into_iter().collect();
-    found.into_iter().filter_map(|i| points.get(i).copied()).collect()
-}
-
-/// Radius of the smallest ball that holds all points, to a thousandth or so, and those of them that it was found by.
+/// Radius of the smallest ball that holds all points, to a thousandth or so.
 ///
 /// Bădoiu and Clarkson (2003): the centre goes towards the farthest point by 1/(n+1) of the way. Done on
 /// the few points that were ever farthest; whatever of the others is found outside joins them.
-fn smallest_ball(ends: &[Vec<[f64; 3]>; 2]) -> (f64, Vec<Vector3<f64>>) {
+fn smallest_ball(ends: &[Vec<[f64; 3]>; 2]) -> f64 {
     let points = || ends.iter().flatten().map(|&p| Vector3::from(p));
-    let Some(first) = points().next() else { return (0.0, Vec::new()) };
+    let Some(first) = points().next() else { return 0.0 };
     let mut center = first;
     let mut few: Vec<Vector3<f64>> = vec![center];
     let mut radius = 0.0;
     for _ in 0..32 {
         let (outermost, far) = farthest(points(), &center);
         if far <= radius * 1.001 {
-            return (far, few);
+            return far;
         }
         few.push(outermost);
         for n in 1..1000 {
@@ -77,7 +38,7 @@ fn smallest_ball(ends: &[Vec<[f64; 3]>; 2]) -> (f64, Vec<Vector3<f64>>) {
         }
         radius = farthest(few.iter().copied(), &center).1;
     }
-    (farthest(points(), &center).1, few)
+    farthest(points(), &center).1
 }
 
 fn farthest(points: impl Iterator<Item = Vector3<f64>>, from: &Vector3<f64>) -> (Vector3<f64>, f64) {
@@ -100,7 +61,7 @@ mod tests {
         // Two points: half their distance. An equilateral triangle of side 1: 1/√3. A regular tetrahedron's
         // corners on a cube of side 1: half the cube's diagonal, √3/2.
         let close = |points: &[[f64; 3]], radius: f64| {
-            let found = smallest_ball(&[points.to_vec(), Vec::new()]).0;
+            let found = smallest_ball(&[points.to_vec(), Vec::new()]);
             assert!((found / radius - 1.0).abs() < 2e-3, "{found} for {radius}");
         };
         close(&[[0.0; 3], [3.0, 4.0, 0.0]], 2.5);
@@ -109,6 +70,6 @@ mod tests {
             1.0 / 3.0_f64.sqrt(),
         );
         close(&[[0.0; 3], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]], 0.75_f64.sqrt());
-        assert_eq!(smallest_ball(&[vec![[1.0, 2.0, 3.0]; 4], Vec::new()]).0, 0.0);
+        assert_eq!(smallest_ball(&[vec![[1.0, 2.0, 3.0]; 4], Vec::new()]), 0.0);
     }
 }

@@ -1,10 +1,11 @@
 //! Motion that does not ask for its target: where a way through the program holds so much of it that the clock takes it for
 //! a pause.
 
+use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::plan::{PlannedMotion, Status};
 use crate::program::Program;
-use crate::program::motion::{Motion, Path};
+use crate::program::motion::{Motion, MotionId, Path};
 use robot_model::units::seconds_from_min;
 use std::f64::consts::FRAC_PI_2;
 
@@ -28,13 +29,17 @@ pub(super) fn too_long(
     program: &Program,
     resolved: &[Resolved],
     planned: &[PlannedMotion],
-    gap_min: Option<f64>,
+    (model, gap_min): (&Model<'_>, Option<f64>),
 ) -> Vec<usize> {
     let Some(gap_s) = gap_min.map(seconds_from_min) else { return Vec::new() };
     let asks = |i: usize| planned.get(i).is_some_and(|planned| planned.status == Status::Compensated);
+    let previous = |i: usize| {
+        let previous = program.motions.get(i)?.previous.map(MotionId::index);
+        previous.filter(|&p| p < program.motions.len())
+    };
     let mut loop_asks = vec![false; program.loops.len()];
     for (_, motion) in program.motions.iter().enumerate().filter(|(i, _)| asks(*i)) {
-        for &l in &motion.loops {
+        for &l in &motion.setup.loops {
             if let Some(asks) = loop_asks.get_mut(l) {
                 *asks = true;
             }
@@ -45,8 +50,7 @@ pub(super) fn too_long(
     let mut found = Vec::new();
     for first in 0..program.motions.len() {
         let mut way = vec![first];
-        while let Some(previous) = way.last().and_then(|&i| program.motions.get(i)?.previous)
-            && previous < program.motions.len()
+        while let Some(previous) = way.last().and_then(|&i| previous(i))
             && silent[previous].is_none()
             && !asks(previous)
             && !way.contains(&previous)
@@ -59,13 +63,14 @@ pub(super) fn too_long(
                 continue;
             }
             let motion = &program.motions[i];
-            let before = motion.previous.filter(|&p| p < silent.len() && !asks(p)).and_then(|p| silent[p]);
+            let before = previous(i).filter(|&p| !asks(p)).and_then(|p| silent[p]);
             let (since_s, begun) = before.unwrap_or((0.0, i));
-            let passes = motion.loops.iter().filter(|&&l| !loop_asks[l]);
+            let passes = motion.setup.loops.iter().filter(|&&l| !loop_asks[l]);
             let passes: f64 =
                 passes.map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64)).product();
-            let own_s = time_s(resolved, motion, i) * passes;
-            if since_s <= gap_s && since_s + own_s > gap_s && program.is_own(motion) {
+            let from = previous(i).and_then(|p| resolved.get(p)?.end(&program.motions[p], model));
+            let own_s = resolved.get(i).map_or(0.0, |own| time_s(from.as_ref(), own, motion, model)) * passes;
+            if since_s <= gap_s && since_s + own_s > gap_s {
                 found.push(begun);
             }
             silent[i] = Some((since_s + own_s, begun));
@@ -80,33 +85,33 @@ pub(super) fn too_long(
 const LONGEST_WAY: usize = 10_000;
 
 /// How long a motion takes, seconds.
-fn time_s(resolved: &[Resolved], motion: &Motion, i: usize) -> f64 {
-    let from = motion.previous.and_then(|p| resolved.get(p)).and_then(Resolved::end);
-    let to = resolved.get(i).and_then(|resolved| match &resolved.points {
-        Ok(points) => Some(points.as_slice()),
-        Err(_) => resolved.end().map(std::slice::from_ref),
-    });
+fn time_s(from: Option<&Point<'_>>, resolved: &Resolved, motion: &Motion, model: &Model<'_>) -> f64 {
+    let to: Vec<Point<'_>> = match resolved.kept() {
+        None => resolved.points(motion, model).collect(),
+        Some(_) => resolved.end(motion, model).into_iter().collect(),
+    };
+    let to = Some(to.as_slice()).filter(|to| !to.is_empty());
     let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
-    let (v, w) = match motion.speed {
+    let (v, w) = match motion.setup.speed {
         Some(speed) => {
             (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
         }
         None => (UNKNOWN_M_S, UNKNOWN_RAD_S),
     };
-    let stops =
-        motion.zone.is_none_or(|zone| zone.finep) || matches!(motion.path, Path::Joint | Path::AbsJoint);
+    let stops = motion.setup.zone.is_none_or(|zone| zone.finep)
+        || matches!(motion.setup.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };
     SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s
 }
 
 /// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.
-fn way(from: &Point, points: &[Point]) -> (f64, f64) {
+fn way(from: &Point<'_>, points: &[Point<'_>]) -> (f64, f64) {
     let mut at = from;
     let (mut way_m, mut turn_rad) = (0.0, 0.0);
     for point in points {
         let flange_m =
             (point.base_from_flange.translation.vector - at.base_from_flange.translation.vector).norm();
-        way_m += flange_m.max((point.meant_m - at.meant_m).norm());
+        way_m += flange_m.max((point.target_point_m - at.target_point_m).norm());
         turn_rad += point.base_from_flange.rotation.angle_to(&at.base_from_flange.rotation);
         at = point;
     }

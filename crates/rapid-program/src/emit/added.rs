@@ -3,18 +3,17 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
-use rayon::prelude::*;
-
+use super::context::EmitContext;
 use super::correction::CorrectionData;
-use super::module::Context;
+use super::insertion::{self, LayoutStyle};
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
-use super::place::{self, Style};
 use super::point;
 use super::target::{MAX_LINE, TargetArray, element1};
-use crate::compensate::plan::{Corrected, Correction, Form, PlannedMotion};
+use crate::compensate::plan::{Corrected, Correction, Corrections, Form, PlannedMotion, PlannedTarget};
 use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
 use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
 /// Data that are added for targets.
@@ -30,7 +29,7 @@ impl Declaration<'_> {
     ///
     /// # Errors
     /// Those of its parts.
-    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
+    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Result<Vec<u8>, EmitError> {
         match self {
             Self::Array(array) => array.write(out, style),
             Self::Correction(data) => Ok(data.write(out, style)),
@@ -60,10 +59,10 @@ impl<'p> Added<'p> {
     /// # Errors
     /// [`EmitError::NoName`], [`EmitError::PlanMismatch`].
     pub fn collect(
-        context: &Context<'p>,
-        (file, index): (&'p SourceFile, usize),
+        context: &EmitContext<'p>,
+        (file, module): (&'p SourceFile, &Module),
         motions: &[usize],
-        style: &Style,
+        style: &LayoutStyle,
     ) -> Result<Self, EmitError> {
         let mut added = Self {
             declarations: Vec::new(),
@@ -71,64 +70,64 @@ impl<'p> Added<'p> {
             was: BTreeMap::new(),
             points: Vec::new(),
             shares: Vec::new(),
-            names: context.common.names.clone(),
+            names: context.names.clone(),
             known: HashMap::new(),
         };
         let mut wrapped = Vec::new();
-        let scheduled: Vec<_> = motions.par_iter().map(|&number| all_buckets(context, number)).collect();
-        for (&number, buckets) in motions.iter().zip(scheduled) {
+        for &number in motions {
             let (Some(motion), Some(planned)) =
                 (context.program.motions.get(number), context.plan.motions.get(number))
             else {
                 return Err(mismatch(file, "a motion is missing"));
             };
             match planned.form {
-                Form::Schedule => {
-                    let buckets = buckets.ok_or_else(|| mismatch(file, "buckets are missing"))?;
-                    added.schedule(context, file, (motion, planned), buckets)?;
-                }
+                Form::Schedule => added.schedule(context, file, (motion, planned))?,
                 Form::Ramp => {
                     added.ramp(context, file, (motion, planned), style)?;
-                    wrapped.push(number);
+                    wrapped.push(motion);
                 }
                 Form::Live => {
                     added.live(context, file, motion, style)?;
-                    wrapped.push(number);
+                    wrapped.push(motion);
                 }
             }
         }
-        added.points = point::of_motions(context.program, (file.id, index), &wrapped);
+        added.points = point::of_motions((&file.bytes, module), &wrapped);
         Ok(added)
     }
 
     /// An array for each target, and what the motion takes of it.
     fn schedule(
         &mut self,
-        context: &Context<'p>,
+        context: &EmitContext<'p>,
         file: &'p SourceFile,
-        (motion, planned): (&'p Motion, &PlannedMotion),
-        buckets: Vec<Vec<Corrected>>,
+        (motion, planned): (&'p Motion, &'p PlannedMotion),
     ) -> Result<(), EmitError> {
-        let mut of_values = buckets.into_iter().zip(&planned.targets);
+        let buckets = context.plan.schedule.buckets.len();
+        let mut of_values = planned.targets.iter();
         for (k, target) in motion.targets.iter().enumerate() {
             let argument = file.text(target.range);
             let mut rows = Vec::new();
             for value in target.values() {
-                let Some((corrected, planned)) = of_values.next() else {
+                let Some(planned) = of_values.next() else {
                     return Err(mismatch(file, "a target is missing"));
                 };
-                let original = planned.original(value);
-                self.add_shares(&original, &corrected);
-                let literal = target.literal.filter(|_| target.value.is_some());
+                let corrected: &[Corrected] = match &planned.corrections {
+                    Corrections::InBuckets(corrected) if corrected.len() == buckets => corrected,
+                    _ => return Err(mismatch(file, "buckets are missing")),
+                };
+                let original = planned.original(&value);
+                self.add_shares(&original, corrected);
+                let literal = target.literal(file.id).filter(|_| target.value().is_some());
                 let literal = literal.map(|span| context.program.file(span.file).text(span.range));
                 let element1 = element1(literal, Some(&original))?;
                 rows.push((original, element1, corrected));
             }
-            let (base, index) = match target.value {
+            let (base, index) = match target.value() {
                 Some(_) => (argument, None),
                 None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
             };
-            let key = match (&target.origin, index) {
+            let key = match (target.origin(), index) {
                 (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
                 (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
                 (Origin::Inline | Origin::Expression, None) => None,
@@ -141,7 +140,7 @@ impl<'p> Added<'p> {
                 Some(array) => array,
                 None => {
                     let name = self.name(file, motion, (target, base), str::to_owned)?;
-                    let tells_itself = match &target.origin {
+                    let tells_itself = match target.origin() {
                         Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
                         Origin::Inline => rows.first().is_some_and(|(_, e, _)| *e == Cow::Borrowed(argument)),
                         Origin::Expression => {
@@ -157,7 +156,7 @@ impl<'p> Added<'p> {
             };
             let Some(Declaration::Array(array)) = self.declarations.get(array) else { continue };
             // The second point of an arc sees the moment of the first.
-            let element = context.common.names.core(if k == 0 { "tcK" } else { "tcI" });
+            let element = context.names.core(if k == 0 { "tcK" } else { "tcI" });
             let element = if k == 0 { format!("{element}()") } else { element.to_owned() };
             let mut text = format!("{}{{", array.name).into_bytes();
             if let Some(index) = index {
@@ -187,22 +186,26 @@ impl<'p> Added<'p> {
     /// A correction for each target, and the call that scales it.
     fn ramp(
         &mut self,
-        context: &Context<'p>,
+        context: &EmitContext<'p>,
         file: &'p SourceFile,
-        (motion, planned): (&'p Motion, &PlannedMotion),
-        style: &Style,
+        (motion, planned): (&'p Motion, &'p PlannedMotion),
+        style: &LayoutStyle,
     ) -> Result<(), EmitError> {
-        let joint = motion.path == Path::AbsJoint;
+        let joint = motion.setup.path == Path::AbsJoint;
         let count = context.plan.functions.as_ref().map_or(0, |functions| functions.count());
         let mut of_values = planned.targets.iter();
         for (k, target) in motion.targets.iter().enumerate() {
             let argument = file.text(target.range);
+            let at_nodes = |planned: &'p PlannedTarget| match &planned.corrections {
+                Corrections::AtNodes(corrections) => &**corrections,
+                Corrections::InBuckets(_) => &[],
+            };
             let rows: Vec<&[Correction]> =
-                of_values.by_ref().take(target.values().len()).map(|p| p.corrections.as_slice()).collect();
+                of_values.by_ref().take(target.values().count()).map(at_nodes).collect();
             if rows.is_empty() || rows.iter().any(|row| row.len() != count) {
                 return Err(mismatch(file, "corrections are missing"));
             }
-            let (base, index) = match target.value {
+            let (base, index) = match target.value() {
                 Some(_) => (argument, None),
                 None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
             };
@@ -210,7 +213,7 @@ impl<'p> Added<'p> {
             for r in 0..count {
                 let values: Vec<Correction> = rows.iter().filter_map(|row| row.get(r)).copied().collect();
                 let data = |name: String| CorrectionData { name, indexed: index.is_some(), values };
-                let key = match (&target.origin, index) {
+                let key = match (target.origin(), index) {
                     (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
                     (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
                     (Origin::Inline | Origin::Expression, None) => None,
@@ -248,20 +251,21 @@ impl<'p> Added<'p> {
     /// The call of the deformed model for each target.
     fn live(
         &mut self,
-        context: &Context<'p>,
+        context: &EmitContext<'p>,
         file: &'p SourceFile,
         motion: &'p Motion,
-        style: &Style,
+        style: &LayoutStyle,
     ) -> Result<(), EmitError> {
-        let tool = motion.tool_range.ok_or_else(|| mismatch(file, "a motion without tool"))?;
+        let [tool, wobj] = &motion.setup.frame_arguments;
+        let tool = tool.as_ref().ok_or_else(|| mismatch(file, "a motion without tool"))?;
         let mut arguments = b",".to_vec();
-        arguments.extend_from_slice(file.text(tool));
-        if let Some(wobj) = motion.wobj_range {
+        arguments.extend_from_slice(tool);
+        if let Some(wobj) = wobj {
             arguments.extend_from_slice(b"\\WObj:=");
-            arguments.extend_from_slice(file.text(wobj));
+            arguments.extend_from_slice(wobj);
         }
         for (k, target) in motion.targets.iter().enumerate() {
-            let function = match (motion.path, k) {
+            let function = match (motion.setup.path, k) {
                 (Path::AbsJoint, _) => "tcLiveJ",
                 (_, 0) => "tcLive",
                 _ => "tcLiveSame",
@@ -274,21 +278,21 @@ impl<'p> Added<'p> {
     /// Puts a call round a target: what stood there stays, to the byte.
     fn wrap(
         &mut self,
-        context: &Context,
+        context: &EmitContext<'_>,
         file: &SourceFile,
         (function, range, arguments): (&str, TextRange, &[u8]),
-        style: &Style,
+        style: &LayoutStyle,
     ) {
-        let name = context.common.names.core(function);
+        let name = context.names.core(function);
         let (start, end) = (range.start as usize, range.end as usize);
         let added = name.len() + arguments.len() + 2;
         let mut before = name.as_bytes().to_vec();
         before.push(b'(');
         let mut behind = Vec::new();
-        if place::line_length(&file.bytes, start) + added > MAX_LINE {
+        if insertion::line_length(&file.bytes, start) + added > MAX_LINE {
             before.extend_from_slice(style.eol);
         }
-        if place::line_length(&file.bytes, end) + added > MAX_LINE {
+        if insertion::line_length(&file.bytes, end) + added > MAX_LINE {
             behind.extend_from_slice(style.eol);
         }
         behind.extend_from_slice(arguments);
@@ -323,7 +327,7 @@ impl<'p> Added<'p> {
         (target, base): (&Target, &[u8]),
         spelt: impl Fn(&str) -> String,
     ) -> Result<String, EmitError> {
-        let named = matches!(target.origin, Origin::Named { .. }) || target.value.is_none();
+        let named = matches!(target.origin(), Origin::Named { .. }) || target.value().is_none();
         let own = std::str::from_utf8(base).ok().filter(|name| {
             let letters = name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
             named && letters && !name.is_empty() && name.len() + 2 <= MAX_NAME
@@ -349,20 +353,4 @@ fn split_index(argument: &[u8]) -> Option<(&[u8], Option<&[u8]>)> {
     let close = memchr::memrchr(b'}', argument)?;
     let base = argument.get(..open)?.trim_ascii();
     Some((base, Some(argument.get(open + 1..close)?)))
-}
-
-/// For each value of a motion's targets what it becomes in each bucket; `None` where one is missing, and for motions of
-/// another form.
-fn all_buckets(context: &Context, number: usize) -> Option<Vec<Vec<Corrected>>> {
-    let plan = context.plan;
-    if plan.motions.get(number)?.form != Form::Schedule {
-        return None;
-    }
-    let mut of_targets: Vec<Vec<Corrected>> = Vec::new();
-    for bucket in 0..plan.schedule.buckets.len() {
-        let corrected = plan.corrected(context.program, number, bucket)?;
-        of_targets.resize_with(corrected.len(), Vec::new);
-        of_targets.iter_mut().zip(corrected).for_each(|(of_target, corrected)| of_target.push(corrected));
-    }
-    Some(of_targets)
 }

@@ -1,17 +1,11 @@
 //! What a plan changes, module by module.
-//!
-//! Files that are there as outlines are left alone: they are another part's.
 
-use std::collections::BTreeMap;
-
+use super::context::Changes;
 use super::options::EmitError;
 use crate::compensate::plan::{Form, Plan, Status};
 use crate::program::Program;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{FileItem, Module};
-
-/// A module: its file, and its position among the file's items.
-pub type Place = (FileId, usize);
 
 /// Refuses a plan that was made for another program or is not whole.
 ///
@@ -23,15 +17,12 @@ pub fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
         return mismatch(format!("{} motions, {} planned", program.motions.len(), plan.motions.len()));
     }
     for (motion, planned) in program.motions.iter().zip(&plan.motions) {
-        if !program.is_own(motion) {
-            continue;
-        }
         let wrong = match &planned.status {
             Status::Kept(_) => None,
             Status::Refused(why) => Some(why.reason.as_str()),
             Status::Compensated if planned.form == Form::Live => None,
             Status::Compensated => {
-                let values: usize = motion.targets.iter().map(|target| target.values().len()).sum();
+                let values: usize = motion.targets.iter().map(|target| target.values().count()).sum();
                 (planned.targets.len() != values).then_some("targets are missing")
             }
         };
@@ -42,13 +33,12 @@ pub fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
     Ok(())
 }
 
-/// The compensated motions (indices into [`Program::motions`]) of each module of the files that are there in full, by file and
-/// position among the file's items.
+/// The modules that a plan changes, with their compensated motions.
 ///
 /// # Errors
 /// [`EmitError::NoModule`], [`EmitError::PlanMismatch`].
-pub fn changes(program: &Program, plan: &Plan) -> Result<BTreeMap<Place, Vec<usize>>, EmitError> {
-    let mut changes: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
+pub fn changes(program: &Program, plan: &Plan) -> Result<Changes, EmitError> {
+    let mut changes = Changes::new();
     let place = |id: FileId, offset: u32| {
         let file = program.file(id);
         let holds = |module: &Module| module.range.start <= offset && offset < module.range.end;
@@ -61,7 +51,7 @@ pub fn changes(program: &Program, plan: &Plan) -> Result<BTreeMap<Place, Vec<usi
         index.map(|i| (id, i)).ok_or_else(|| EmitError::NoModule { path: file.path.clone().into(), line })
     };
     for (index, (motion, planned)) in program.motions.iter().zip(&plan.motions).enumerate() {
-        if planned.status == Status::Compensated && program.is_own(motion) {
+        if planned.status == Status::Compensated {
             let key = place(motion.file, motion.range.start)?;
             changes.entry(key).or_default().push(index);
         }

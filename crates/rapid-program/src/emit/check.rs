@@ -4,7 +4,7 @@
 //! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
-use super::place::white;
+use super::insertion::white;
 use super::target::singles;
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";

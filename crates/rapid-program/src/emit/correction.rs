@@ -1,8 +1,8 @@
 //! Corrections of the form `ramp` as constants: a shift and a small turn, or six joint angles.
 
 use super::check;
+use super::insertion::LayoutStyle;
 use super::number::write_num;
-use super::place::Style;
 use super::target::MAX_LINE;
 use crate::compensate::plan::Correction;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -32,7 +32,7 @@ impl CorrectionData {
 
     /// Appends the declaration; gives what it is recognised by.
     #[must_use]
-    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Vec<u8> {
+    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
         let joint = matches!(self.values.first(), Some(Correction::Joints { .. }));
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
@@ -107,8 +107,8 @@ fn write_rounded<const N: usize>(out: &mut Vec<u8>, values: [f64; N], decimals: 
 mod tests {
     use super::*;
 
-    fn style() -> Style {
-        Style { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
+    fn style() -> LayoutStyle {
+        LayoutStyle { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
     }
 
     #[test]

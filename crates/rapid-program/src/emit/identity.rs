@@ -107,7 +107,7 @@ fn altered(file: &SourceFile, list: Vec<Altered>) -> impl Iterator<Item = Differ
 fn free(program: &Program, file: FileId) -> Vec<TextRange> {
     let targets = program.motions.iter().flat_map(|motion| {
         let own = motion.targets.iter().map(|target| Span { file: motion.file, range: target.range });
-        own.chain(motion.targets.iter().filter_map(|target| target.literal))
+        own.chain(motion.targets.iter().filter_map(|target| target.literal(motion.file)))
     });
     let mut free: Vec<TextRange> = targets.filter(|span| span.file == file).map(|span| span.range).collect();
     free.sort_unstable_by_key(|range| (range.start, range.end));

@@ -6,39 +6,28 @@ use sha2::{Digest, Sha256};
 
 use super::added::Added;
 use super::check;
-use super::common::Common;
+use super::context::EmitContext;
 use super::header::{self, Record};
+use super::insertion::{self, LayoutStyle};
 use super::options::{Core, EmitError};
-use super::place::{self, Style};
-use crate::compensate::plan::Plan;
-use crate::program::Program;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
-/// What a part of a program is emitted from.
-pub struct Context<'a> {
-    pub program: &'a Program,
-    pub plan: &'a Plan,
-    pub common: &'a Common<'a>,
-}
-
-/// The edits of a module; `motions`: the compensated ones, indices into [`Program::motions`].
+/// The edits of a module; `motions`: the compensated ones, positions in [`Program::motions`](crate::program::Program::motions).
 pub fn edits(
-    context: &Context,
-    file: &SourceFile,
-    (index, module): (usize, &Module),
+    context: &EmitContext<'_>,
+    (file, module): (&SourceFile, &Module),
     motions: &[usize],
 ) -> Result<Vec<Edit>, EmitError> {
-    let common = context.common;
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
-    let end = place::routines(&file.bytes, module).ok_or_else(no_end)?;
-    let style = Style::of(&file.bytes, module);
-    let mut added = Added::collect(context, (file, index), motions, &style)?;
+    let end = insertion::routines(&file.bytes, module).ok_or_else(no_end)?;
+    let style = LayoutStyle::of(&file.bytes, module);
+    let mut added = Added::collect(context, (file, module), motions, &style)?;
     let mut edits = std::mem::take(&mut added.edits);
-    let (data, routines) = match common.core {
+    let (data, routines) = match context.core {
         Core::Separate => (Vec::new(), Vec::new()),
-        Core::Embedded => (common.data(), common.routines()),
+        Core::Embedded => (context.data(), context.routines()),
     };
     let declarations = written(&added, &style)?;
     let record = Record {
@@ -48,7 +37,7 @@ pub fn edits(
         targets: added.declarations.len(),
         data: declared(&data),
         routines: heads(&routines).count(),
-        renamed: common.names.renamed().clone(),
+        renamed: context.names.renamed().clone(),
         was: added.was,
         points: added.points,
         shares: added.shares,
@@ -57,7 +46,7 @@ pub fn edits(
         is_whole: true,
     };
     let mut block = Vec::new();
-    for line in header::lines(&common.about, &record) {
+    for line in header::lines(&context.header, &record) {
         style.push(&mut block, &format!("  {line}"));
     }
     let mut text = Vec::new();
@@ -68,16 +57,16 @@ pub fn edits(
         text.extend_from_slice(&part);
     }
     let mut put = |at: u32, mut text: Vec<u8>| {
-        if !place::at_line_start(&file.bytes, at) {
-            let blanks = text.iter().position(|b| !place::white(*b)).unwrap_or(0);
+        if !insertion::at_line_start(&file.bytes, at) {
+            let blanks = text.iter().position(|b| !insertion::white(*b)).unwrap_or(0);
             text.drain(..blanks);
         }
         if !text.is_empty() {
             edits.push(Edit { range: TextRange::empty(at), text });
         }
     };
-    put(place::header(&file.bytes, module), block);
-    put(place::data(&file.bytes, module), text);
+    put(insertion::header(&file.bytes, module), block);
+    put(insertion::data(&file.bytes, module), text);
     if !routines.is_empty() {
         let mut text = style.eol.to_vec();
         for line in &routines {
@@ -119,7 +108,7 @@ fn heads(routines: &[String]) -> impl Iterator<Item = usize> + '_ {
 type Written = (Vec<u8>, Vec<u8>);
 
 /// The text of each declaration, in order, made on all cores.
-fn written(added: &Added, style: &Style) -> Result<Vec<Written>, EmitError> {
+fn written(added: &Added, style: &LayoutStyle) -> Result<Vec<Written>, EmitError> {
     added
         .declarations
         .par_chunks(64)

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::place::statements;
+use super::insertion::statements;
 use crate::program::Program;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::TextRange;
@@ -36,7 +36,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// The names that the files of `program` take, in lower case; an outline has every word of its file.
+    /// The names that the files of `program` take, in lower case.
     #[must_use]
     pub fn taken(program: &Program) -> BTreeSet<String> {
         let mut taken = BTreeSet::new();

@@ -3,11 +3,9 @@
 
 use super::check;
 use super::target::is_plain;
-use crate::program::Program;
 use crate::program::motion::Motion;
-use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{FileId, TextRange};
-use rapid_syntax::tree::{FileItem, Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{Module, ModuleItem, Routine, StmtKind};
 use std::collections::{HashMap, HashSet};
 
 /// The smallest step of a position, mm, and of a joint, degrees.
@@ -97,23 +95,18 @@ impl Points {
     }
 }
 
-/// The letters of the originals of a module's motions.
+/// The letters of the originals of motions of a module in `bytes`.
 #[must_use]
-pub fn of_motions(program: &Program, (id, index): (FileId, usize), motions: &[usize]) -> Vec<u8> {
-    let file: &SourceFile = program.file(id);
-    let tree = file.whole_tree();
-    let Some(FileItem::Module(module)) = tree.items.get(index) else { return Vec::new() };
-    let declarations = Declarations::new(&file.bytes, module);
+pub fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
+    let declarations = Declarations::new(bytes, module);
     let routines: Vec<&Routine> = module.routines().collect();
     let mut points = Points::default();
-    let motions = motions.iter().filter_map(|&number| program.motions.get(number));
-    for motion in motions {
-        let Motion { range, targets, .. } = motion;
+    for Motion { range, targets, .. } in motions {
         let after = routines.partition_point(|routine| routine.range.start <= range.start);
         let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };
-        for target in targets {
+        for target in targets.iter() {
             if let Some(original) = declarations.original(target.range, routine) {
-                points.add(&file.bytes, original);
+                points.add(bytes, original);
             }
         }
     }

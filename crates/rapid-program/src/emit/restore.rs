@@ -11,9 +11,9 @@ mod removal;
 pub use altered::{Altered, altered_core};
 
 use super::header;
+use super::insertion;
 use super::module::hex;
 use super::names::words;
-use super::place;
 use altered::altered_code;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::{FileItem, Module, ModuleItem};
@@ -139,7 +139,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
             return Err(RestoreError::IsCore);
         }
         let last = block.get(count.saturating_sub(1)).map_or(comment.end, |r| r.end);
-        edits.push(removal(place::whole_lines(bytes, TextRange::new(comment.start, last))));
+        edits.push(removal(insertion::whole_lines(bytes, TextRange::new(comment.start, last))));
         let mut remover = Remover {
             bytes,
             lines: &lines,
@@ -204,7 +204,7 @@ pub(super) fn comment_block(bytes: &[u8], start: u32) -> Vec<TextRange> {
             break;
         }
         lines.push(TextRange::new(at as u32, eol as u32));
-        at = place::past_eol(bytes, eol);
+        at = insertion::past_eol(bytes, eol);
     }
     lines
 }

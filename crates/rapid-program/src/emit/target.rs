@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use super::check::Elements;
+use super::insertion::{LayoutStyle, white};
 use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
 use super::options::EmitError;
-use super::place::{Style, white};
 use crate::compensate::plan::Corrected;
 use crate::program::data::{ExtJoint, RobTarget};
 use crate::program::motion::TargetValue;
@@ -79,7 +79,7 @@ pub struct TargetArray<'p> {
 }
 
 /// A target as programmed, the text of its element 1, and what it becomes in each bucket.
-pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, Vec<Corrected>);
+pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, &'p [Corrected]);
 
 impl TargetArray<'_> {
     /// Whether it is the array of these rows.
@@ -93,7 +93,7 @@ impl TargetArray<'_> {
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
-    pub fn write(&self, out: &mut Vec<u8>, style: &Style) -> Result<Vec<u8>, EmitError> {
+    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Result<Vec<u8>, EmitError> {
         let joint = matches!(self.rows.first(), Some((TargetValue::Joint(_), ..)));
         let buckets = self.rows.first().map_or(0, |(_, _, corrected)| corrected.len());
         let mut elements = Elements::new();
@@ -115,7 +115,7 @@ impl TargetArray<'_> {
             let from = out.len();
             out.extend_from_slice(element1);
             elements.add(out.get(from..).unwrap_or_default());
-            for corrected in corrected {
+            for corrected in *corrected {
                 end_element(out, line, b",", style);
                 line = out.len();
                 out.extend_from_slice(&style.indent);
@@ -181,7 +181,7 @@ pub fn write_corrected(
 }
 
 /// Ends the line that an element stands on, and breaks it at commas where it is too long for RAPID.
-fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &Style) {
+fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &LayoutStyle) {
     out.extend_from_slice(end);
     if out.len() - line > MAX_LINE {
         let text = out.split_off(line);
@@ -286,13 +286,9 @@ mod tests {
         name: &str,
         element1: Cow<'t, [u8]>,
         original: TargetValue,
-        corrected: &[Corrected],
+        corrected: &'t [Corrected],
     ) -> TargetArray<'t> {
-        TargetArray {
-            name: name.into(),
-            indexed: false,
-            rows: vec![(original, element1, corrected.to_vec())],
-        }
+        TargetArray { name: name.into(), indexed: false, rows: vec![(original, element1, corrected)] }
     }
 
     fn pose(x_mm: f64) -> Corrected {
@@ -302,15 +298,16 @@ mod tests {
         }
     }
 
-    fn style() -> Style {
-        Style { eol: b"\r\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
+    fn style() -> LayoutStyle {
+        LayoutStyle { eol: b"\r\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() }
     }
 
     #[test]
     fn an_array_of_robtargets() {
         let written = written();
         let element1 = element1(Some(LITERAL), Some(&written)).unwrap();
-        let array = array("tc57", element1, written, &[pose(400.125), pose(400.0625)]);
+        let corrected = [pose(400.125), pose(400.0625)];
+        let array = array("tc57", element1, written, &corrected);
         let mut out = Vec::new();
         array.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -346,7 +343,8 @@ mod tests {
             crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
         let written = TargetValue::Joint(target);
         let element1 = element1(None, Some(&written)).unwrap();
-        let joints = array("tc3", element1, written, &[Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }]);
+        let corrected = [Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }];
+        let joints = array("tc3", element1, written, &corrected);
         let mut out = Vec::new();
         joints.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -355,7 +353,8 @@ mod tests {
              [[90,90,90,90,90,90],[9E9,9E9,9E9,9E9,9E9,9E9]],\r\n    \
              [[45,45,45,45,45,45],[9E9,9E9,9E9,9E9,9E9,9E9]]];\r\n"
         );
-        let mixed = array("tc3", Cow::Borrowed(b"[[],[]]"), written, &[pose(1.0)]);
+        let corrected = [pose(1.0)];
+        let mixed = array("tc3", Cow::Borrowed(b"[[],[]]"), written, &corrected);
         assert!(mixed.write(&mut Vec::new(), &style()).is_err());
     }
 
@@ -366,9 +365,10 @@ mod tests {
         let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
         let written = written();
         let element1 = element1(Some(literal.as_bytes()), Some(&written)).unwrap();
-        let array = array("tc3", element1, written, &[pose(400.0)]);
+        let corrected = [pose(400.0)];
+        let array = array("tc3", element1, written, &corrected);
         let mut out = Vec::new();
-        let deep = Style { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
+        let deep = LayoutStyle { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
         array.write(&mut out, &deep).unwrap();
         assert!(out.split(|&b| b == b'\n').all(|line| line.len() <= MAX_LINE));
         let joined: Vec<u8> = out.iter().copied().filter(|&b| !white(b)).collect();

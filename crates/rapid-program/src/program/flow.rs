@@ -4,6 +4,7 @@
 use super::data::LoadData;
 use super::errors::Recovery;
 use super::index::{Ctx, DatumId, RoutineId};
+use super::motion::MotionId;
 use super::names::Sym;
 use super::value::Why;
 use rapid_syntax::diagnostic::Span;
@@ -43,8 +44,8 @@ pub(super) enum Node<'a> {
 /// What changes the state.
 #[derive(Debug)]
 pub(super) enum Step<'a> {
-    /// A motion, by its number.
-    Motion(usize),
+    /// So many motions that follow one another, from this one on.
+    Motions { first: MotionId, count: u32 },
     /// `slot.path := value`
     Assign { slot: Slot, path: Vec<Sym>, value: &'a Expr, ctx: Ctx, at: Span },
     /// A datum becomes unknown.
@@ -65,8 +66,6 @@ pub(super) enum Step<'a> {
     /// A routine that is not given, or text that was not understood: where the arm stands after it is
     /// not known.
     Away,
-    /// Waiting: seconds, or `None` for an unknown time.
-    Wait(Option<f64>),
 }
 
 /// What a parameter that is followed is worth in a call.

@@ -1,10 +1,10 @@
 //! Which data are followed as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
-use super::draft::Drafts;
 use super::expressions::{every_call, expressions_of, root_of};
 use super::flow::Slot;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, every_statement};
+use super::motion_site::MotionSites;
 use super::writes::{Writes, match_arguments};
 use rapid_syntax::tree::{Arg, ArgKind, Callee, DataKind, Expr, ExprKind, StmtKind};
 use std::collections::BTreeSet;
@@ -18,7 +18,7 @@ pub(super) struct FollowedData {
 
 impl FollowedData {
     /// What must be followed for the motions of a program.
-    pub(super) fn new(index: &Index<'_>, writes: &Writes, drafts: &Drafts<'_>) -> Self {
+    pub(super) fn new(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
         let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
         let can_be = |datum: DatumId| {
             let entry = &index.data[datum];
@@ -30,11 +30,11 @@ impl FollowedData {
             changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
         };
         let mut wanted = BTreeSet::new();
-        for draft in &drafts.motions {
-            let args = draft.args(index);
+        for site in &sites.motions {
+            let args = site.args(index);
             let options = args.options.iter().filter_map(|(_, value)| *value);
             for expr in [args.speed, args.zone, args.tool].into_iter().flatten().chain(options) {
-                names_in(index, draft.ctx, expr, &mut |datum| {
+                names_in(index, site.ctx(index), expr, &mut |datum| {
                     wanted.insert(datum);
                 });
             }

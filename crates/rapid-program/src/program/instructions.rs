@@ -1,5 +1,5 @@
 //! What the controller's own instructions do, as far as motion goes: which argument of a move is which,
-//! which instructions write an argument, which ones wait, and which are known not to matter.
+//! which instructions write an argument, and which are known not to matter.
 //!
 //! Names are in lower case; positions count the arguments without a backslash, from 0, as ABB's
 //! reference manual orders them.
@@ -181,29 +181,6 @@ pub(super) fn is_written_option(name: &str) -> bool {
     )
 }
 
-/// Whether an instruction waits for something of unknown length.
-pub(super) fn waits(name: &str) -> bool {
-    name.starts_with("wait")
-        || name.starts_with("tpread")
-        || name.starts_with("ui")
-        || name.starts_with("socket")
-        || matches!(
-            name,
-            "load"
-                | "stop"
-                | "break"
-                | "systemstopaction"
-                | "stopmove"
-                | "rmqreadwait"
-                | "callbyvar"
-                | "spymovement"
-                | "startmoveretry"
-                | "actunit"
-                | "deactunit"
-                | "testsigndefine"
-        )
-}
-
 /// Whether an instruction is the controller's own and leaves tool, work object and place alone.
 pub(super) fn harmless(name: &str) -> bool {
     HARMLESS_STARTS.iter().any(|start| name.starts_with(start)) || HARMLESS.binary_search(&name).is_ok()
@@ -338,6 +315,7 @@ const HARMLESS: &[&str] = &[
     "speedlimaxis",
     "speedlimcheckpoint",
     "speedrefresh",
+    "spymovement",
     "spystart",
     "spystop",
     "startload",

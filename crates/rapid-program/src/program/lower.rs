@@ -3,7 +3,6 @@
 mod calls;
 mod instruction;
 
-use super::draft::Drafts;
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
 use super::expressions::expressions_of;
 use super::flow::{Node, Step, Ways, every_step};
@@ -11,6 +10,7 @@ use super::fold::{Constant, Folder};
 use super::followed::FollowedData;
 use super::index::{Ctx, Index, Resolved};
 use super::motion::Keep;
+use super::motion_site::MotionSites;
 use super::names::Sym;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -29,14 +29,14 @@ pub(super) struct Lowered<'a> {
 
 impl<'a> Lowered<'a> {
     /// The ways through all routines of a program.
-    pub(super) fn new(folder: &mut Folder<'a>, drafts: &Drafts<'a>, followed: &FollowedData) -> Self {
+    pub(super) fn new(folder: &mut Folder<'a>, sites: &MotionSites<'a>, followed: &FollowedData) -> Self {
         let mut out = Self::default();
         let index = folder.index;
         let fallible = any_handled(index);
         for routine in &index.routines {
             let (ctx, folder) = (routine.ctx, &mut *folder);
             let recovery = Recovery::of(index, ctx, routine.tree);
-            let mut lower = Lower { folder, drafts, followed, ctx, fallible, recovery, out: &mut out };
+            let mut lower = Lower { folder, sites, followed, ctx, fallible, recovery, out: &mut out };
             let body = lower.body(&routine.tree.body);
             lower.recovery = Recovery::default(); // an error in a handler goes to the caller
             let handlers = routine.tree.handlers.iter().map(|h| lower.body(&h.body)).collect();
@@ -69,7 +69,7 @@ impl Lowered<'_> {
 
 struct Lower<'l, 'a> {
     folder: &'l mut Folder<'a>,
-    drafts: &'l Drafts<'a>,
+    sites: &'l MotionSites<'a>,
     followed: &'l FollowedData,
     ctx: Ctx,
     /// Some routine handles errors: they are to be followed.
@@ -176,10 +176,6 @@ impl<'a> Lower<'_, 'a> {
         self.functions(&[cond], at, &mut body);
         if expression_may_fail(cond) {
             self.fail(&mut body);
-        }
-        let still = |node: &Node<'_>| matches!(node, Node::Step(Step::Wait(_) | Step::MayFail(_)));
-        if body.iter().all(still) {
-            body.push(Node::Step(Step::Wait(None))); // it waits for its condition
         }
         out.push(Node::Loop { body, at_least_once: endless, endless });
     }

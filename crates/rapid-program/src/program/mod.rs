@@ -11,7 +11,6 @@ pub mod pgf;
 
 mod built_in;
 mod convert;
-mod draft;
 mod errors;
 mod expressions;
 mod flow;
@@ -22,21 +21,20 @@ mod index;
 mod instructions;
 mod lower;
 pub mod made_for;
+mod motion_site;
 mod names;
 mod order;
-mod outline;
 mod overrides;
 mod own_position;
-mod parts;
 mod predefined;
 mod read;
 mod record;
 mod state;
+mod target;
 mod touched;
 mod value;
 mod writes;
 
-pub use parts::{InParts, Part, Parts};
 pub use pgf::{modules_of_pgf, pgf_with_module};
 
 use module_facts::Facts;
@@ -57,8 +55,8 @@ pub struct Overrides {
 /// A program: all given files, read and understood together.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The files, in the order given; [`FileId`] is the position. Of their trees only what stands outside of
-    /// routines is kept.
+    /// The files, in the order given; [`FileId`] is the position. Of what stands inside routines their trees keep
+    /// nothing.
     pub files: Vec<SourceFile>,
     /// Routines that hold motion, in file order.
     pub routines: Vec<RoutineInfo>,
@@ -86,26 +84,5 @@ impl Program {
     #[must_use]
     pub fn file(&self, id: FileId) -> &SourceFile {
         &self.files[id.0 as usize]
-    }
-
-    /// A file of which only the outline is at hand.
-    #[must_use]
-    pub fn outline(&self, id: FileId) -> Option<&SourceFile> {
-        self.files.get(id.0 as usize).filter(|file| file.is_outline())
-    }
-
-    /// Whether a motion stands in a file that is there in full, not in an outline that is there to understand the others.
-    #[must_use]
-    pub fn is_own(&self, motion: &Motion) -> bool {
-        self.outline(motion.file).is_none()
-    }
-
-    /// What a reader should know of the own files; what is about none of the files is said with the first part.
-    pub fn own_diagnostics(&self, part: usize) -> impl Iterator<Item = &Diagnostic> {
-        let own = move |message: &&Diagnostic| match message.span {
-            Some(span) => self.outline(span.file).is_none(),
-            None => part == 0,
-        };
-        self.diagnostics.iter().filter(own)
     }
 }

@@ -1,8 +1,13 @@
 //! Motions: every move instruction with its targets, its tool and work object as far as they are known,
 //! and why it cannot be compensated where it cannot.
+//!
+//! A program may have a million of them: what neighbours have in common stands once, in a [`MotionSetup`].
 
-use super::data::{JointTarget, LoadData, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
+use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
+pub use super::target::{Origin, Target, TargetValue};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
+use std::num::NonZeroU32;
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// How the TCP goes to the target.
@@ -18,34 +23,71 @@ pub enum Path {
     AbsJoint,
 }
 
+/// The position of a motion in [`Program::motions`](super::Program::motions).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct MotionId(NonZeroU32);
+
+impl MotionId {
+    /// The motion at a position; a program's files hold fewer than 2³² of them.
+    #[must_use]
+    pub fn new(index: usize) -> Self {
+        let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(1);
+        Self(NonZeroU32::new(number).unwrap_or(NonZeroU32::MIN))
+    }
+
+    /// Its position, to index lists that follow the motions.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0.get() as usize - 1
+    }
+}
+
 /// One motion instruction.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Its file.
+    /// The file it stands in.
     pub file: FileId,
     /// The line of the instruction's first byte, from 1.
     pub line: u32,
-    /// The routine it stands in: index into [`Program::routines`](super::Program::routines).
-    pub routine: usize,
-    /// Loops round it, outermost first: indices into [`Program::loops`](super::Program::loops).
-    pub loops: Vec<usize>,
     /// The whole statement.
     pub range: TextRange,
+    /// Instruction, tool, work object and whatever else it shares with its neighbours.
+    pub setup: Arc<MotionSetup>,
+    /// Its targets: circle point and end point for an arc, else one.
+    pub targets: Targets,
+    /// The motion that runs just before this one, where the program's text alone says so.
+    pub previous: Option<MotionId>,
+    /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
+    pub keep: Option<Arc<Keep>>,
+    /// The only reason in `keep` is that a target, the tool or the work object is known at run time alone: a function
+    /// that is asked at run time can correct it.
+    pub run_time: bool,
+    /// Its target comes from what a search has found.
+    pub from_search: bool,
+}
+
+/// What a motion has in common with its neighbours, as a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionSetup {
+    /// The routine it stands in.
+    pub routine: RoutineId,
+    /// Loops round it, outermost first: indices into [`Program::loops`](super::Program::loops).
+    pub loops: Vec<usize>,
     /// The instruction in its usual spelling, e.g. `MoveL`.
     pub kind: &'static str,
     /// How the TCP goes.
     pub path: Path,
-    /// Its targets: circle point and end point for an arc, else one.
-    pub targets: Vec<Target>,
     /// Name of the tool argument as written.
-    pub tool_name: Option<Arc<str>>,
-    /// The tool in force; `None` where the reason in `keep` says why it is not known, or where it is a
+    pub tool_name: Option<String>,
+    /// The tool in force; `None` where the reason in [`Motion::keep`] says why it is not known, or where it is a
     /// MoveAbsJ whose tool is not known (it needs none).
-    pub tool: Option<Arc<ToolData>>,
+    pub tool: Option<ToolData>,
     /// Name of the work object argument as written; `None` is wobj0.
-    pub wobj_name: Option<Arc<str>>,
+    pub wobj_name: Option<String>,
     /// The work object in force.
-    pub wobj: Option<Arc<WobjData>>,
+    pub wobj: Option<WobjData>,
+    /// The bytes of the tool argument and of the value of `\WObj`, as the source has them.
+    pub frame_arguments: [Option<Box<[u8]>>; 2],
     /// Speed, where it is known.
     pub speed: Option<SpeedData>,
     /// Zone, where it is known.
@@ -55,36 +97,54 @@ pub struct Motion {
     pub conf_monitored: Option<bool>,
     /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
     pub grip: Option<LoadData>,
-    /// The motion that runs just before this one, where the program's text alone says so.
-    pub previous: Option<usize>,
-    /// Time that other instructions between the previous motion and this one may take.
-    pub wait_before: Wait,
-    /// Where no motion runs between the entry of its routine and this one: the time that other
-    /// instructions of the routine may take before it.
-    pub wait_since_entry: Option<Wait>,
-    /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
-    pub keep: Option<Box<Keep>>,
-    /// The only reason in `keep` is that a target, the tool or the work object is known at run time alone: a function
-    /// that is asked at run time can correct it.
-    pub run_time: bool,
-    /// Its target comes from what a search has found.
-    pub from_search: bool,
-    /// Where the tool argument stands.
-    pub tool_range: Option<TextRange>,
-    /// Where the value of the `\WObj` argument stands.
-    pub wobj_range: Option<TextRange>,
 }
 
-/// How long the program stands before a motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Wait {
-    /// No waiting instruction.
-    #[default]
-    None,
-    /// `WaitTime` of constant lengths, in all so many seconds.
-    Seconds(f64),
-    /// Waits for a signal, an operator, a stop, or a call of unknown length.
-    Unbounded,
+/// A motion's targets, as a slice; one stands in the motion itself.
+#[derive(Clone, Debug)]
+pub enum Targets {
+    /// The target of every move but an arc.
+    One(Target),
+    /// Circle point and end point; or none, where an argument is missing.
+    Several(Box<[Target]>),
+}
+
+impl Deref for Targets {
+    type Target = [Target];
+
+    fn deref(&self) -> &[Target] {
+        match self {
+            Self::One(target) => std::slice::from_ref(target),
+            Self::Several(targets) => targets,
+        }
+    }
+}
+
+impl DerefMut for Targets {
+    fn deref_mut(&mut self) -> &mut [Target] {
+        match self {
+            Self::One(target) => std::slice::from_mut(target),
+            Self::Several(targets) => targets,
+        }
+    }
+}
+
+impl<'t> IntoIterator for &'t Targets {
+    type Item = &'t Target;
+    type IntoIter = std::slice::Iter<'t, Target>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl FromIterator<Target> for Targets {
+    fn from_iter<I: IntoIterator<Item = Target>>(targets: I) -> Self {
+        let mut targets = targets.into_iter();
+        match (targets.next(), targets.next()) {
+            (Some(one), None) => Self::One(one),
+            (first, second) => Self::Several(first.into_iter().chain(second).chain(targets).collect()),
+        }
+    }
 }
 
 /// Why a motion stays as it is, as far as the program's text tells.
@@ -98,79 +158,57 @@ pub struct Keep {
     pub because: Option<Span>,
 }
 
-/// One target of a motion.
-#[derive(Clone, Debug)]
-pub struct Target {
-    /// The argument as it stands in the motion; this is what a corrected target replaces.
-    pub range: TextRange,
-    /// How it is written.
-    pub origin: Origin,
-    /// What it is worth; `None` where [`Motion::keep`] says why that is not known, and where `elements` are.
-    pub value: Option<TargetValue>,
-    /// Where it is an element of a constant array of one dimension and only run time tells which: all elements, in order.
-    pub elements: Vec<TargetValue>,
-    /// The text of the value as the source spells it: the aggregate of an inline target, or the initial
-    /// value of a named one, where that is a literal aggregate. Element 1 of a schedule copies it.
-    pub literal: Option<Span>,
-}
+/// The position of a routine in [`Program::routines`](super::Program::routines).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RoutineId(pub u32);
 
-impl Target {
-    /// Everything that it may be worth: its value, or all elements of the array that it is one of.
+impl RoutineId {
+    /// Its position, to index lists that follow the routines.
     #[must_use]
-    pub fn values(&self) -> &[TargetValue] {
-        self.value.as_ref().map_or(&self.elements, std::slice::from_ref)
+    pub fn index(self) -> usize {
+        self.0 as usize
     }
-}
-
-/// How a target is written in its motion.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Origin {
-    /// An aggregate in the motion itself.
-    Inline,
-    /// A name, in the spelling of the motion; the declaration's range tells two data of one name apart.
-    Named {
-        /// As written in the motion.
-        name: String,
-        /// The declaration.
-        declaration: Span,
-    },
-    /// An element of an array, Offs, RelTool, CalcRobT and so on: a constant expression.
-    Expression,
-}
-
-/// What a target is worth.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TargetValue {
-    /// A pose.
-    Rob(RobTarget),
-    /// Joint values.
-    Joint(JointTarget),
-    /// A pose given by the joints that reach it with the motion's own tool and work object (`CalcRobT`).
-    FromJoints(JointTarget),
 }
 
 /// A routine that holds motion.
 #[derive(Clone, Debug)]
 pub struct RoutineInfo {
-    /// Its file.
+    /// The file it stands in.
     pub file: FileId,
     /// Name of its module.
     pub module: String,
     /// Its name as written.
     pub name: String,
-    /// The whole routine.
+    /// The whole routine, from its first word to its END word.
     pub range: TextRange,
 }
 
 /// A loop round motion.
 #[derive(Clone, Debug)]
 pub struct Loop {
-    /// Its file.
+    /// The file it stands in.
     pub file: FileId,
     /// The routine it stands in.
-    pub routine: usize,
+    pub routine: RoutineId,
     /// `WHILE TRUE`, or a backward GOTO without condition: it never ends by itself.
     pub unconditional: bool,
     /// How often it runs, where constants say so.
     pub passes: Option<u64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_is_found_at_its_position() {
+        assert_eq!([0, 1, 4_000_000_000].map(|i| MotionId::new(i).index()), [0, 1, 4_000_000_000]);
+        assert!(MotionId::new(1) < MotionId::new(2));
+    }
+
+    /// A million motions are held whole; what an inline target's motion owns is all in it but for the shared setup.
+    #[test]
+    fn a_motion_is_small() {
+        assert!(size_of::<Motion>() <= 150, "{}", size_of::<Motion>());
+    }
 }

@@ -1,11 +1,11 @@
-//! Which motion runs just before which, and what waits lie between, where the text alone says so.
+//! Which motion runs just before which, where the text alone says so.
 
-use super::draft::Drafts;
 use super::flow::{Carried, Node, Step, every_step, walk};
 use super::index::{Index, RoutineId};
 use super::instructions::Special;
 use super::lower::Lowered;
-use super::motion::Wait;
+use super::motion::MotionId;
+use super::motion_site::MotionSites;
 use rapid_syntax::tree::RoutineKind;
 
 /// Where the arm comes from.
@@ -13,33 +13,23 @@ use rapid_syntax::tree::RoutineKind;
 enum From {
     /// From where the routine's caller left it.
     Entry,
-    /// From a motion.
-    Motion(usize),
-    /// Not known.
+    /// From where a motion ends.
+    Motion(MotionId),
+    /// It may come from several places, or from one that is not known.
     Anywhere,
 }
 
-/// Where the arm comes from, and the waiting since.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Came {
-    from: From,
-    wait: Wait,
-}
-
-const ANYWHERE: Came = Came { from: From::Anywhere, wait: Wait::Unbounded };
-
-/// For each motion the one before it, the waiting between, and the waiting since its routine was entered
-/// where that is where the arm comes from.
+/// For each motion the one before it.
 pub(super) fn order(
     index: &Index<'_>,
-    drafts: &Drafts<'_>,
+    sites: &MotionSites<'_>,
     lowered: &Lowered<'_>,
-) -> Vec<(Option<usize>, Wait, Option<Wait>)> {
+) -> Vec<Option<MotionId>> {
     let routines = lowered.ways.len();
     let mut walker = Walker {
-        drafts,
+        sites,
         lowered,
-        at_motions: vec![None; drafts.motions.len()],
+        at_motions: vec![None; sites.motions.len()],
         exits: vec![None; routines],
         calls: Vec::new(),
         busy: Vec::new(),
@@ -49,28 +39,24 @@ pub(super) fn order(
         walker.exit(id);
     }
     let entries = walker.entries(index);
-    let mut out = Vec::with_capacity(drafts.motions.len());
-    for (at, draft) in walker.at_motions.iter().zip(&drafts.motions) {
-        let came = at.unwrap_or(ANYWHERE);
-        let entry = draft.ctx.routine.and_then(|r| entries.get(r).copied().flatten()).unwrap_or(ANYWHERE);
-        let since_entry = (came.from == From::Entry).then_some(came.wait);
-        let came = resolve(came, entry);
-        let previous = match came.from {
+    let previous = |(at, site): (&Option<From>, &super::motion_site::MotionSite<'_>)| {
+        let from = at.unwrap_or(From::Anywhere);
+        let entry = site.ctx(index).routine.and_then(|r| entries.get(r).copied().flatten());
+        match resolve(from, entry.unwrap_or(From::Anywhere)) {
             From::Motion(previous) => Some(previous),
             From::Entry | From::Anywhere => None,
-        };
-        out.push((previous, came.wait, since_entry));
-    }
-    out
+        }
+    };
+    walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
 }
 
 struct Walker<'w, 'a> {
-    drafts: &'w Drafts<'a>,
+    sites: &'w MotionSites<'a>,
     lowered: &'w Lowered<'a>,
-    at_motions: Vec<Option<Came>>,
-    exits: Vec<Option<Option<Came>>>,
+    at_motions: Vec<Option<From>>,
+    exits: Vec<Option<Option<From>>>,
     /// Caller, callee, and where the arm comes from in terms of the caller.
-    calls: Vec<(RoutineId, RoutineId, Came)>,
+    calls: Vec<(RoutineId, RoutineId, From)>,
     busy: Vec<RoutineId>,
     /// For each routine whether its handlers may move the arm.
     moved_by_handlers: Vec<bool>,
@@ -78,22 +64,21 @@ struct Walker<'w, 'a> {
 
 impl Walker<'_, '_> {
     /// Where the arm comes from after a routine, in terms of its entry; `None`: it never comes back.
-    fn exit(&mut self, routine: RoutineId) -> Option<Came> {
+    fn exit(&mut self, routine: RoutineId) -> Option<From> {
         if let Some(known) = self.exits.get(routine).copied().flatten() {
             return known;
         }
         if self.busy.contains(&routine) || self.busy.len() > 100 {
-            return Some(ANYWHERE);
+            return Some(From::Anywhere);
         }
         self.busy.push(routine);
         let lowered = self.lowered;
-        let entry = Came { from: From::Entry, wait: Wait::None };
         let mut exit = None;
         if let Some(ways) = lowered.ways.get(routine) {
-            exit = walk(self, &ways.body, &entry);
+            exit = walk(self, &ways.body, &From::Entry);
             for handler in &ways.handlers {
-                if walk(self, handler, &ANYWHERE).is_some() {
-                    exit = Some(ANYWHERE);
+                if walk(self, handler, &From::Anywhere).is_some() {
+                    exit = Some(From::Anywhere);
                 }
             }
         }
@@ -105,14 +90,16 @@ impl Walker<'_, '_> {
     }
 
     /// Where the arm comes from when each routine is entered: what all its calls have in common.
-    fn entries(&mut self, index: &Index<'_>) -> Vec<Option<Came>> {
+    fn entries(&mut self, index: &Index<'_>) -> Vec<Option<From>> {
         let calls = std::mem::take(&mut self.calls);
         let called: std::collections::BTreeSet<RoutineId> = calls.iter().map(|c| c.1).collect();
-        let mut entries: Vec<Option<Came>> = index
+        let mut entries: Vec<Option<From>> = index
             .routines
             .iter()
             .enumerate()
-            .map(|(id, r)| (r.tree.kind == RoutineKind::Trap || !called.contains(&id)).then_some(ANYWHERE))
+            .map(|(id, r)| {
+                (r.tree.kind == RoutineKind::Trap || !called.contains(&id)).then_some(From::Anywhere)
+            })
             .collect();
         loop {
             let mut changed = false;
@@ -135,37 +122,38 @@ impl Walker<'_, '_> {
 }
 
 impl<'a> Carried<'a> for Walker<'_, 'a> {
-    type State = Came;
+    type State = From;
 
-    fn join(&mut self, into: &mut Came, other: &Came) -> bool {
+    fn join(&mut self, into: &mut From, other: &From) -> bool {
         let joined = either(*into, *other);
         let changed = joined != *into;
         *into = joined;
         changed
     }
 
-    fn step(&mut self, step: &Step<'a>, state: Came) -> Option<Came> {
+    fn step(&mut self, step: &Step<'a>, state: From) -> Option<From> {
         match step {
-            Step::Motion(motion) => {
-                if let Some(at) = self.at_motions.get_mut(*motion) {
-                    *at = Some(at.map_or(state, |seen| either(seen, state)));
-                }
-                let special = self.drafts.motions.get(*motion).map(|d| d.form.special);
-                Some(match special {
-                    Some(Special::Plain | Special::Unsupported) => {
-                        Came { from: From::Motion(*motion), wait: Wait::None }
+            Step::Motions { first, count } => {
+                let mut from = state;
+                for motion in (first.index()..first.index() + *count as usize).map(MotionId::new) {
+                    if let Some(at) = self.at_motions.get_mut(motion.index()) {
+                        *at = Some(at.map_or(from, |seen| either(seen, from)));
                     }
-                    Some(Special::External) => Came { wait: Wait::Unbounded, ..state },
-                    Some(Special::Search) | None => ANYWHERE, // it stops somewhere on its way
-                })
+                    from = match self.sites.motions.get(motion.index()).map(|site| site.form.special) {
+                        Some(Special::Plain | Special::Unsupported) => From::Motion(motion),
+                        Some(Special::External) => from,
+                        Some(Special::Search) | None => From::Anywhere, // it stops somewhere on its way
+                    };
+                }
+                Some(from)
             }
             Step::Call { routines, maybe, recovery, .. } => {
                 let caller = self.busy.last().copied();
                 let mut out = maybe.then_some(state);
                 if recovery.next {
-                    out = Some(ANYWHERE); // the call may end anywhere
+                    out = Some(From::Anywhere); // the call may end anywhere
                 }
-                let state = if recovery.again { ANYWHERE } else { state };
+                let state = if recovery.again { From::Anywhere } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
                         self.calls.push((caller, callee, state));
@@ -180,10 +168,9 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
             Step::MayFail(recovery) => {
                 let moved = self.busy.last().and_then(|&routine| self.moved_by_handlers.get(routine));
                 let away = recovery.resumes() && moved.copied().unwrap_or(false);
-                Some(if away { ANYWHERE } else { state })
+                Some(if away { From::Anywhere } else { state })
             }
-            Step::Away => Some(ANYWHERE),
-            Step::Wait(seconds) => Some(Came { wait: longer(state.wait, *seconds), ..state }),
+            Step::Away => Some(From::Anywhere),
             Step::Assign { .. }
             | Step::Lose { .. }
             | Step::ConfL(_)
@@ -197,35 +184,17 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
 fn moves(nodes: &[Node<'_>]) -> bool {
     let mut moves = false;
     every_step(nodes, &mut |step| {
-        moves |= matches!(step, Step::Motion(_) | Step::Call { .. } | Step::Away);
+        moves |= matches!(step, Step::Motions { .. } | Step::Call { .. } | Step::Away);
     });
     moves
 }
 
 /// What is said in terms of a routine's entry, with the entry known.
-fn resolve(came: Came, entry: Came) -> Came {
-    match came.from {
-        From::Entry => Came { from: entry.from, wait: together(entry.wait, came.wait) },
-        From::Motion(_) | From::Anywhere => came,
-    }
+fn resolve(from: From, entry: From) -> From {
+    if from == From::Entry { entry } else { from }
 }
 
-/// What two ways have in common: the same motion, or none; different waits count as unbounded.
-fn either(a: Came, b: Came) -> Came {
-    Came {
-        from: if a.from == b.from { a.from } else { From::Anywhere },
-        wait: if a.wait == b.wait { a.wait } else { Wait::Unbounded },
-    }
-}
-
-fn longer(wait: Wait, seconds: Option<f64>) -> Wait {
-    together(wait, seconds.map_or(Wait::Unbounded, Wait::Seconds))
-}
-
-fn together(a: Wait, b: Wait) -> Wait {
-    match (a, b) {
-        (Wait::None, other) | (other, Wait::None) => other,
-        (Wait::Seconds(a), Wait::Seconds(b)) => Wait::Seconds(a + b),
-        (Wait::Unbounded, _) | (_, Wait::Unbounded) => Wait::Unbounded,
-    }
+/// What two ways have in common: the same motion, or none.
+fn either(a: From, b: From) -> From {
+    if a == b { a } else { From::Anywhere }
 }

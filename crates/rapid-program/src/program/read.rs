@@ -2,7 +2,6 @@
 
 use super::convert;
 use super::data::{ToolData, WobjData};
-use super::draft::{Draft, Drafts};
 use super::flow::HOLDS;
 use super::fold::{Constant, Folder, Followed, Found, why};
 use super::followed::FollowedData;
@@ -10,7 +9,8 @@ use super::index::{Ctx, Index};
 use super::instructions::Special;
 use super::lower::Lowered;
 use super::module_facts::facts;
-use super::motion::{Keep, Motion, Origin, Path, RoutineInfo, Target, TargetValue};
+use super::motion::{Keep, Motion, MotionSetup, Origin, Path, RoutineInfo, Target, TargetValue, Targets};
+use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{as_text, lower_case};
 use super::order::order;
 use super::own_position::OwnPositions;
@@ -22,7 +22,7 @@ use super::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -41,36 +41,35 @@ impl Program {
         let mut folder = Folder::new(&index, &writes);
         folder.given = given;
         super::overrides::unused(&folder, overrides, &mut diagnostics);
-        let drafts = Drafts::new(&mut folder);
-        let followed = FollowedData::new(&index, &writes, &drafts);
-        let lowered = Lowered::new(&mut folder, &drafts, &followed);
-        let states = states_at_motions(&mut folder, &drafts, &lowered, &followed);
-        let order = order(&index, &drafts, &lowered);
+        let sites = MotionSites::new(&mut folder);
+        let followed = FollowedData::new(&index, &writes, &sites);
+        let mut lowered = Lowered::new(&mut folder, &sites, &followed);
+        let states = states_at_motions(&mut folder, sites.motions.len(), &lowered, &followed);
+        let order = order(&index, &sites, &lowered);
         let facts = facts(&index, &lowered.called());
-        let Drafts { motions: drafts, loops, routines, .. } = drafts;
+        let not_given = std::mem::take(&mut lowered.not_given);
+        drop(lowered); // of many motions it is as much again
+        let MotionSites { motions: sites, loops, nests, routines } = sites;
         let mut finish = Finish {
             folder,
             followed: &followed,
             own_positions: OwnPositions::new(&index),
             found_positions: OwnPositions::of_searches(&index),
-            last_tool: None,
-            last_wobj: None,
+            nests,
+            recent_setups: VecDeque::new(),
+            last_keep: None,
             kept_over: BTreeMap::new(),
             guesses: BTreeMap::new(),
         };
-        // Collected from the drafts themselves, the motions take their place and not as much again.
-        let finished = drafts.into_iter().zip(states).zip(order).map(|((draft, state), order)| {
-            let mut motion = finish.motion(draft, state.as_deref());
-            (motion.previous, motion.wait_before, motion.wait_since_entry) = order;
-            motion
-        });
-        let mut motions: Vec<Motion> = finished.collect();
-        motions.shrink_to_fit();
+        let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
+        for ((site, state), previous) in sites.into_iter().zip(states).zip(order) {
+            motions.push(Motion { previous, ..finish.motion(&site, state.as_deref()) });
+        }
         diagnostics.extend(external_axes(&motions, &routines));
         diagnostics.extend(finish.folder.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
-        for (name, at) in &lowered.not_given {
+        for (name, at) in &not_given {
             let text = format!("{name} is not among the given files");
             diagnostics.push(
                 Diagnostic::warning("resolve::routine-not-given", text)
@@ -89,9 +88,12 @@ struct Finish<'f, 'a> {
     followed: &'f FollowedData,
     own_positions: OwnPositions,
     found_positions: OwnPositions,
-    /// The last tool and work object: most motions share them.
-    last_tool: Option<Arc<ToolData>>,
-    last_wobj: Option<Arc<WobjData>>,
+    /// Loops round motions.
+    nests: Vec<Vec<usize>>,
+    /// The last setups, the last one first: most motions share one of them.
+    recent_setups: VecDeque<Arc<MotionSetup>>,
+    /// The last reason for which a motion stays as it is.
+    last_keep: Option<Arc<Keep>>,
     /// PERS that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
     /// Speeds and zones that are not predefined, once each.
@@ -112,20 +114,15 @@ const KNOWN_AT_RUN_TIME: [&str; 8] = [
     "keep::wobj-unknown",
 ];
 
-/// The last one where it is the same.
-fn shared<T: PartialEq>(last: &mut Option<Arc<T>>, value: T) -> Arc<T> {
-    let kept = match last.take() {
-        Some(same) if *same == value => same,
-        _ => Arc::new(value),
-    };
-    Arc::clone(last.insert(kept))
-}
+/// A program goes to and fro between so many setups, as a rule.
+const RECENT_SETUPS: usize = 16;
 
 impl<'a> Finish<'_, 'a> {
-    fn motion(&mut self, draft: Draft<'a>, state: Option<&State>) -> Motion {
-        let args = draft.args(self.folder.index);
-        let Draft { mut motion, ctx, form, .. } = draft;
-        let at = Span { file: ctx.file, range: motion.range };
+    fn motion(&mut self, site: &MotionSite<'a>, state: Option<&State>) -> Motion {
+        let index = self.folder.index;
+        let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
+        let range = site.stmt.range;
+        let at = Span { file: ctx.file, range };
         let mut first: Option<Keep> = None;
         let mut run_time = true;
         let mut fail = |keep: Keep| {
@@ -164,17 +161,16 @@ impl<'a> Finish<'_, 'a> {
             Some(state) => &View { state, followed: self.followed },
             None => &Constant,
         };
-        let joints_wanted = motion.path == Path::AbsJoint;
+        let joints_wanted = form.path == Path::AbsJoint;
         let mut reached = Vec::new();
-        motion.from_search =
-            args.targets.iter().any(|expr| self.found_positions.is_read(self.folder.index, ctx, expr));
-        motion.targets.reserve_exact(args.targets.len());
+        let from_search = args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr));
+        let mut targets = Vec::with_capacity(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
-            let own_position = self.own_positions.is_read(self.folder.index, ctx, expr);
+            let own_position = self.own_positions.is_read(index, ctx, expr);
             // One of an array's elements is known well enough where all of them are.
-            let indexed = args.targets.len() == 1 && !target.elements.is_empty();
-            motion.targets.push(target);
+            let indexed = args.targets.len() == 1 && !target.elements().is_empty();
+            targets.push(target);
             reached.extend(calc);
             match failed {
                 _ if own_position => {
@@ -188,28 +184,31 @@ impl<'a> Finish<'_, 'a> {
                 None => {}
             }
         }
-        if let Some(state) = state {
-            motion.grip = state.grip;
-            motion.conf_monitored = match motion.path {
-                Path::Linear | Path::Circular => state.conf_l,
-                Path::Joint => state.conf_j,
-                Path::AbsJoint => Some(false),
-            };
-        }
-        motion.speed = self.speed(&args, ctx, known);
-        motion.zone = self.zone(&args, ctx, known);
+        let conf_monitored = state.and_then(|state| match form.path {
+            Path::Linear | Path::Circular => state.conf_l,
+            Path::Joint => state.conf_j,
+            Path::AbsJoint => Some(false),
+        });
+        let speed = self.speed(&args, ctx, known);
+        let zone = self.zone(&args, ctx, known);
         let is_joint = joints_wanted;
-        match self.tool(&args, ctx, known) {
-            Ok(tool) => motion.tool = Some(shared(&mut self.last_tool, tool)),
-            Err(_) if is_joint => {}
-            Err(keep) => fail(keep),
-        }
-        match self.wobj(&args, ctx, known) {
-            Ok(wobj) => motion.wobj = Some(shared(&mut self.last_wobj, wobj)),
-            Err(_) if is_joint => {}
-            Err(keep) => fail(keep),
-        }
-        if !is_joint && let (Some(tool), Some(wobj)) = (&motion.tool, &motion.wobj) {
+        let tool = self
+            .tool(&args, ctx, known)
+            .map_err(|keep| {
+                if !is_joint {
+                    fail(keep);
+                }
+            })
+            .ok();
+        let wobj = self
+            .wobj(&args, ctx, known)
+            .map_err(|keep| {
+                if !is_joint {
+                    fail(keep);
+                }
+            })
+            .ok();
+        if !is_joint && let (Some(tool), Some(wobj)) = (&tool, &wobj) {
             if tool.robhold == wobj.robhold {
                 let text = if tool.robhold {
                     "the robot is said to hold both the tool and the work object"
@@ -238,13 +237,52 @@ impl<'a> Finish<'_, 'a> {
         if let Some(state) = state {
             self.note_kept_over(state, &args, ctx, at);
         }
-        motion.run_time = first.is_some()
-            && run_time
-            && args.tool.is_some()
-            && args.conditional.is_empty()
-            && motion.targets.len() == args.targets.len();
-        motion.keep = first.map(Box::new);
-        motion
+        let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
+        let frame_arguments = [text(args.tool), text(args.wobj)];
+        let [tool_name, wobj_name] = frame_arguments.map(|text| text.map(as_text));
+        let setup = MotionSetup {
+            routine: site.info,
+            loops: self.nests.get(site.nest as usize).cloned().unwrap_or_default(),
+            kind: form.name,
+            path: form.path,
+            tool_name,
+            tool,
+            wobj_name,
+            wobj,
+            frame_arguments: frame_arguments.map(|text| text.map(Into::into)),
+            speed,
+            zone,
+            conf_monitored,
+            grip: state.and_then(|state| state.grip),
+        };
+        Motion {
+            file: ctx.file,
+            line: index.file(ctx.file).line(range),
+            range,
+            setup: self.shared_setup(setup),
+            targets: targets.into_iter().collect::<Targets>(),
+            previous: None,
+            run_time: first.is_some() && run_time && args.tool.is_some() && args.conditional.is_empty(),
+            keep: first.map(|keep| self.shared_keep(keep)),
+            from_search,
+        }
+    }
+
+    /// A setup that is one of the last ones stands once.
+    fn shared_setup(&mut self, setup: MotionSetup) -> Arc<MotionSetup> {
+        let known = self.recent_setups.iter().position(|known| **known == setup);
+        let shared = match known.and_then(|at| self.recent_setups.remove(at)) {
+            Some(known) => known,
+            None => Arc::new(setup),
+        };
+        self.recent_setups.truncate(RECENT_SETUPS - 1);
+        self.recent_setups.push_front(Arc::clone(&shared));
+        shared
+    }
+
+    fn shared_keep(&mut self, keep: Keep) -> Arc<Keep> {
+        let known = self.last_keep.take().filter(|known| **known == keep);
+        Arc::clone(self.last_keep.insert(known.unwrap_or_else(|| Arc::new(keep))))
     }
 
     fn target(
@@ -277,23 +315,21 @@ impl<'a> Finish<'_, 'a> {
             TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
             TargetValue::Rob(_) => false,
         };
-        let target = |value, literal| Target {
-            range: expr.range,
-            origin: origin.clone(),
-            value,
-            elements: Vec::new(),
-            literal,
-        };
-        match folded {
-            Ok(value) if unused_axis(&value) => {
-                let text = "an axis of the arm is written 9E9: it stays where it is";
-                (target(Some(value), literal), Some(keep("keep::axis-unused", text.into())), calc)
-            }
-            Ok(value) => (target(Some(value), literal), None, calc),
+        let target = Target::new(expr.range, origin);
+        let value = match folded {
+            Ok(value) => value,
             Err(why) => {
                 let elements = self.elements(expr, ctx, joints_wanted);
-                (Target { elements, ..target(None, None) }, Some((*why).clone()), calc)
+                return (target.with_elements(elements), Some((*why).clone()), calc);
             }
+        };
+        let failed = unused_axis(&value).then(|| {
+            keep("keep::axis-unused", "an axis of the arm is written 9E9: it stays where it is".into())
+        });
+        let target = target.with_value(&value);
+        match literal {
+            Some(literal) => (target.with_literal(literal), failed, calc),
+            None => (target, failed, calc),
         }
     }
 
@@ -370,12 +406,7 @@ impl<'a> Finish<'_, 'a> {
         }
     }
 
-    fn tool(
-        &mut self,
-        args: &super::draft::MoveArgs<'a>,
-        ctx: Ctx,
-        known: &dyn Followed,
-    ) -> Result<ToolData, Failed> {
+    fn tool(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Result<ToolData, Failed> {
         let Some(expr) = args.tool else {
             return Err(keep("keep::tool-unknown", "it names no tool".into()));
         };
@@ -385,12 +416,7 @@ impl<'a> Finish<'_, 'a> {
         tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
     }
 
-    fn wobj(
-        &mut self,
-        args: &super::draft::MoveArgs<'a>,
-        ctx: Ctx,
-        known: &dyn Followed,
-    ) -> Result<WobjData, Failed> {
+    fn wobj(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Result<WobjData, Failed> {
         if args.conditional.iter().any(|name| name == "wobj") {
             let text = "its work object is handed to the routine, if present".into();
             return Err(keep("keep::wobj-unknown", text));
@@ -404,7 +430,7 @@ impl<'a> Finish<'_, 'a> {
 
     fn speed(
         &mut self,
-        args: &super::draft::MoveArgs<'a>,
+        args: &MoveArgs<'a>,
         ctx: Ctx,
         known: &dyn Followed,
     ) -> Option<super::data::SpeedData> {
@@ -420,12 +446,7 @@ impl<'a> Finish<'_, 'a> {
         Some(speed)
     }
 
-    fn zone(
-        &mut self,
-        args: &super::draft::MoveArgs<'a>,
-        ctx: Ctx,
-        known: &dyn Followed,
-    ) -> Option<super::data::ZoneData> {
+    fn zone(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Option<super::data::ZoneData> {
         let value = self.guess(args.zone?, ctx, known, "zonedata")?;
         let mut zone = convert::zonedata(&value).ok()?;
         if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "z") {
@@ -457,7 +478,7 @@ impl<'a> Finish<'_, 'a> {
     }
 
     /// A PERS that is used before the program sets it keeps its value from run to run.
-    fn note_kept_over(&mut self, state: &State, args: &super::draft::MoveArgs<'a>, ctx: Ctx, at: Span) {
+    fn note_kept_over(&mut self, state: &State, args: &MoveArgs<'a>, ctx: Ctx, at: Span) {
         for expr in [args.tool, args.wobj].into_iter().flatten() {
             let Some(DataName::Declared(datum)) = self.folder.data_name(expr, ctx) else { continue };
             let Some(slot) = self.followed.slot(datum).and_then(|slot| state.slots.get(slot)) else {
@@ -483,9 +504,9 @@ impl<'a> Finish<'_, 'a> {
 
 /// One warning for each routine whose motions place external axes: a track carries the robot's base along.
 fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic> {
-    let moved = |motion: &&Motion| {
+    let places_axes = |motion: &&Motion| {
         motion.keep.is_none()
-            && motion.targets.iter().filter_map(|target| target.value).any(|value| {
+            && motion.targets.iter().filter_map(Target::value).any(|value| {
                 let ext = match value {
                     TargetValue::Rob(target) => target.ext,
                     TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
@@ -493,13 +514,13 @@ fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic
                 ext.iter().flatten().any(|&place| place != 0.0)
             })
     };
-    let mut by_routine: BTreeMap<usize, Vec<&Motion>> = BTreeMap::new();
-    for motion in motions.iter().filter(moved) {
-        by_routine.entry(motion.routine).or_default().push(motion);
+    let mut by_routine: BTreeMap<_, (&Motion, usize)> = BTreeMap::new();
+    for motion in motions.iter().filter(places_axes) {
+        by_routine.entry(motion.setup.routine).or_insert((motion, 0)).1 += 1;
     }
-    let warning = |(routine, motions): (usize, Vec<&Motion>)| {
-        let (first, name) = (motions.first()?, &routines.get(routine)?.name);
-        let text = match motions.len() {
+    let warning = |(routine, (first, count)): (super::motion::RoutineId, (&Motion, usize))| {
+        let name = &routines.get(routine.index())?.name;
+        let text = match count {
             1 => format!("a target of {name} places external axes"),
             n => format!("targets of {n} motions of {name} place external axes"),
         };

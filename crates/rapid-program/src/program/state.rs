@@ -10,7 +10,7 @@
 mod steps;
 
 use super::data::LoadData;
-use super::draft::Drafts;
+
 use super::flow::{Carried, HOLDS, Ways, every_step, walk};
 use super::fold::{Constant, Folder, Followed};
 use super::followed::FollowedData;
@@ -65,16 +65,16 @@ impl Followed for View<'_> {
     }
 }
 
-/// What each motion sees; `None` where no way leads to it.
+/// What each of so many motions sees; `None` where no way leads to it.
 pub(super) fn states_at_motions<'a>(
     folder: &mut Folder<'a>,
-    drafts: &Drafts<'a>,
+    motions: usize,
     lowered: &Lowered<'a>,
     followed: &FollowedData,
 ) -> Vec<Option<Rc<State>>> {
     let routines = lowered.ways.len();
     let mut walker = Walker {
-        at_motions: vec![None; drafts.motions.len()],
+        at_motions: vec![None; motions],
         last_seen: None,
         walked: vec![Vec::new(); routines],
         common: vec![None; routines],

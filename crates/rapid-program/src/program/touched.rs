@@ -33,7 +33,7 @@ impl Touched {
                 self.calls.extend(routines);
                 self.slots.extend(bindings.iter().map(|b| b.slot));
             }
-            Step::Motion(_) | Step::Hold(_, None) | Step::Away | Step::Wait(_) | Step::MayFail(_) => {}
+            Step::Motions { .. } | Step::Hold(_, None) | Step::Away | Step::MayFail(_) => {}
         }
     }
 

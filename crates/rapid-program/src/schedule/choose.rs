@@ -144,7 +144,7 @@ impl ScheduleError {
 ///
 /// # Errors
 /// A request that makes no sense, or a drift that no allowed schedule can follow.
-pub fn choose(drift: &mut dyn Drift, request: &Request) -> Result<Chosen, ScheduleError> {
+pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleError> {
     request.check()?;
     if drift.targets() == 0 {
         return Ok(Chosen::nothing_drifts());
@@ -283,7 +283,7 @@ impl Chosen {
 }
 
 /// The targets that go furthest from cold to settled and between some minutes on the way.
-fn most_drifting(drift: &mut dyn Drift, request: &Request) -> Result<Vec<usize>, ScheduleError> {
+fn most_drifting(drift: &dyn Drift, request: &Request) -> Result<Vec<usize>, ScheduleError> {
     let (cold, settled) = (Moment::Minute(0.0), Moment::Settled);
     let bends = drift.bends_min();
     let every = bends.len().div_ceil(24).max(1);
@@ -378,7 +378,7 @@ fn held_until(curve: &Curve, request: &Request, schedule: &Schedule) -> Moment {
 
 /// For each bucket the target that is furthest off in it, where that is more than `tolerance_m`; over all
 /// targets, at the moments where the worst can stand.
-fn further_off(drift: &mut dyn Drift, schedule: &Schedule, held: Moment, tolerance_m: f64) -> Vec<usize> {
+fn further_off(drift: &dyn Drift, schedule: &Schedule, held: Moment, tolerance_m: f64) -> Vec<usize> {
     let mut pairs = Vec::new();
     let mut of_bucket = Vec::with_capacity(schedule.buckets.len());
     for bucket in &schedule.buckets {

@@ -18,9 +18,9 @@ pub trait Drift {
     /// metres; in the order of `targets`.
     fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]>;
 
-    /// For each pair of moments the target whose displacement differs most between the two, the first of equals, and by how much,
-    /// metres. [`displacements_m`](Self::displacements_m) and [`errors_m`](Self::errors_m) are asked for no other targets than such.
-    fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)>;
+    /// For each pair of moments the target whose displacement differs most between the two, the first of equals, and by how
+    /// much, metres.
+    fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)>;
 
     /// The worst distance over `moments` of each of `targets`' TCP from where it is meant to be, when it
     /// is corrected for `at_min`: exact, by forward kinematics of the deformed arm. Metres, in the order

@@ -18,7 +18,7 @@ impl<F: Fn(usize, Moment) -> [f64; 3] + Sync> Drift for Formula<F> {
         targets.iter().map(|&i| (self.displacement_m)(i, moment)).collect()
     }
 
-    fn furthest(&mut self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
+    fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
         let far = |i: usize, (a, b): (Moment, Moment)| {
             let (a, b) = ((self.displacement_m)(i, a), (self.displacement_m)(i, b));
             a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
@@ -96,7 +96,7 @@ fn is_gapless(schedule: &Schedule) {
 #[test]
 fn a_straight_drift_takes_its_length_over_two_tolerances() {
     // 0.193 mm in pieces of 2 * 0.005 mm: 19.3, so 20 buckets at the fewest.
-    let chosen = choose(&mut two_stage(3), &request(5e-6)).unwrap();
+    let chosen = choose(&two_stage(3), &request(5e-6)).unwrap();
     assert_eq!(chosen.fewest, Some(20));
     is_gapless(&chosen.schedule);
     assert!((20..=21).contains(&chosen.schedule.buckets.len()), "{}", chosen.schedule.buckets.len());
@@ -114,8 +114,8 @@ fn a_straight_drift_takes_its_length_over_two_tolerances() {
 #[test]
 fn no_target_is_off_by_more_at_any_minute() {
     for tolerance_m in [2e-6, 5e-6, 2e-5] {
-        let mut drift = two_stage(2);
-        let chosen = choose(&mut drift, &request(tolerance_m)).unwrap();
+        let drift = two_stage(2);
+        let chosen = choose(&drift, &request(tolerance_m)).unwrap();
         for bucket in &chosen.schedule.buckets {
             let to_min = bucket.to_min.unwrap_or(3000.0);
             for k in 0..=1000 {
@@ -129,8 +129,8 @@ fn no_target_is_off_by_more_at_any_minute() {
 
 #[test]
 fn no_drift_is_one_bucket() {
-    let mut drift = Formula { targets: 2, bends_min: vec![], displacement_m: |_, _| [1e-4, 0.0, 0.0] };
-    let chosen = choose(&mut drift, &request(5e-6)).unwrap();
+    let drift = Formula { targets: 2, bends_min: vec![], displacement_m: |_, _| [1e-4, 0.0, 0.0] };
+    let chosen = choose(&drift, &request(5e-6)).unwrap();
     assert_eq!(chosen.schedule.buckets, [Bucket { from_min: 0.0, to_min: None, at_min: 0.0 }]);
     assert_eq!((chosen.worst_m, chosen.until_min), (0.0, 0.0));
 }
@@ -139,34 +139,34 @@ fn no_drift_is_one_bucket() {
 fn a_fast_drift_gets_edges_on_tenths() {
     // 0.1 mm in two minutes, evenly: buckets of 0.2 minutes at a tolerance of 0.005 mm.
     let knots = vec![vec![[0.0; 3]], vec![[5e-5, 0.0, 0.0]], vec![[1e-4, 0.0, 0.0]]];
-    let chosen = choose(&mut table(knots.clone()), &request(5e-6)).unwrap();
+    let chosen = choose(&table(knots.clone()), &request(5e-6)).unwrap();
     assert_eq!(chosen.schedule.parts_per_min, 10);
     is_gapless(&chosen.schedule);
     assert!(chosen.worst_m <= 5e-6);
     // A tenth of a minute moves it by 0.005 mm: more than twice 0.002 mm.
-    assert!(matches!(choose(&mut table(knots), &request(2e-6)), Err(ScheduleError::TooFast { .. })));
+    assert!(matches!(choose(&table(knots), &request(2e-6)), Err(ScheduleError::TooFast { .. })));
 }
 
 #[test]
 fn an_explicit_end_starts_the_last_bucket_no_later_and_keeps_the_tolerance_up_to_it() {
-    let mut drift = two_stage(1);
+    let drift = two_stage(1);
     let asked = Request { until: Until::Minutes(100.0), ..request(5e-6) };
-    let chosen = choose(&mut drift, &asked).unwrap();
+    let chosen = choose(&drift, &asked).unwrap();
     let last = *chosen.schedule.buckets.last().unwrap();
     assert!(last.from_min <= 100.0);
     for t in [last.from_min, 100.0] {
         assert!(drift.errors_m(&[0], last.at_min, &[Moment::Minute(t)])[0].unwrap() <= 5e-6);
     }
     let far = Request { until: Until::Minutes(1000.0), ..request(5e-6) };
-    let natural = choose(&mut drift, &request(5e-6)).unwrap();
-    assert_eq!(choose(&mut drift, &far).unwrap().schedule, natural.schedule);
+    let natural = choose(&drift, &request(5e-6)).unwrap();
+    assert_eq!(choose(&drift, &far).unwrap().schedule, natural.schedule);
 }
 
 #[test]
 fn a_fixed_width_is_kept() {
     let asked =
         Request { until: Until::Minutes(180.0), width: Width::Fixed { width_min: 12.5 }, ..request(5e-6) };
-    let chosen = choose(&mut two_stage(1), &asked).unwrap();
+    let chosen = choose(&two_stage(1), &asked).unwrap();
     is_gapless(&chosen.schedule);
     // 14 * 12.5 = 175 starts no later than 180.
     assert_eq!(chosen.schedule.buckets.len(), 15);
@@ -191,8 +191,8 @@ fn a_target_that_only_matters_late_is_found() {
                 .collect()
         })
         .collect();
-    let mut drift = table(knots);
-    let chosen = choose(&mut drift, &request(5e-6)).unwrap();
+    let drift = table(knots);
+    let chosen = choose(&drift, &request(5e-6)).unwrap();
     let inside =
         chosen.schedule.buckets.iter().find(|b| b.from_min <= 77.0 && b.to_min.unwrap_or(1e9) > 77.0);
     let at_min = inside.unwrap().at_min;
@@ -201,21 +201,21 @@ fn a_target_that_only_matters_late_is_found() {
 
 #[test]
 fn requests_without_sense_are_named() {
-    let mut drift = two_stage(1);
+    let drift = two_stage(1);
     for tolerance_m in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(choose(&mut drift, &request(tolerance_m)), Err(ScheduleError::Tolerance { .. })));
+        assert!(matches!(choose(&drift, &request(tolerance_m)), Err(ScheduleError::Tolerance { .. })));
     }
     for until_min in [0.0, -5.0, f64::NAN] {
         let asked = Request { until: Until::Minutes(until_min), ..request(5e-6) };
-        assert!(matches!(choose(&mut drift, &asked), Err(ScheduleError::Until { .. })));
+        assert!(matches!(choose(&drift, &asked), Err(ScheduleError::Until { .. })));
     }
     for width_min in [0.0, 0.05, 0.25, f64::NAN] {
         let asked = Request { width: Width::Fixed { width_min }, ..request(5e-6) };
-        assert!(matches!(choose(&mut drift, &asked), Err(ScheduleError::Width { .. })), "{width_min}");
+        assert!(matches!(choose(&drift, &asked), Err(ScheduleError::Width { .. })), "{width_min}");
     }
     // 0.193 mm in pieces of 0.0002 mm is 965 buckets.
-    assert_eq!(choose(&mut drift, &request(1e-7)), Err(ScheduleError::TooManyBuckets));
-    let mut never = Formula {
+    assert_eq!(choose(&drift, &request(1e-7)), Err(ScheduleError::TooManyBuckets));
+    let never = Formula {
         targets: 1,
         bends_min: vec![],
         displacement_m: |_, moment| match moment {
@@ -223,7 +223,7 @@ fn requests_without_sense_are_named() {
             Moment::Settled => [1e-4, 0.0, 0.0],
         },
     };
-    assert_eq!(choose(&mut never, &request(5e-6)), Err(ScheduleError::NeverSettles));
+    assert_eq!(choose(&never, &request(5e-6)), Err(ScheduleError::NeverSettles));
 }
 
 /// The fewest buckets on whole minutes for a table over `knots.len() - 1` minutes, by trying every way to
@@ -267,7 +267,7 @@ fn no_way_to_cut_a_wandering_drift_saves_more_than_one_bucket() {
             here.iter_mut().flatten().for_each(|x| *x += step());
             knots.push(here.clone());
         }
-        let chosen = choose(&mut table(knots.clone()), &request(8e-6)).unwrap();
+        let chosen = choose(&table(knots.clone()), &request(8e-6)).unwrap();
         is_gapless(&chosen.schedule);
         if let Some(fewest) = fewest_by_trying(&knots, 8e-6 * 0.995) {
             compared += 1;

@@ -42,7 +42,7 @@ fn without_history_confdata_decides() {
     program.motions.remove(0);
     program.motions.truncate(5);
     for (i, motion) in program.motions.iter_mut().enumerate() {
-        motion.previous = i.checked_sub(1);
+        motion.previous = i.checked_sub(1).map(MotionId::new);
     }
     let plan = planned(&program);
     assert_eq!(plan.diagnostics, []);
@@ -78,7 +78,11 @@ fn a_joint_move_follows_confdata_or_the_nearest_joints() {
     let value = |conf| pose([t.x * 1e3, t.y * 1e3, t.z * 1e3], [q.w, q.i, q.j, q.k], conf);
     // Other branch: q4 = 43.53 - 180 = -136.47 (quadrant -2), q5 = 75.61, q6 = -13.29 + 180 = 166.71 (1).
     let other = value([0, -2, 1, 0]);
-    let joint = |conf_monitored, value| Motion { conf_monitored, ..motion(Path::Joint, &[value]) };
+    let joint = |conf_monitored, value| {
+        let mut joint = motion(Path::Joint, &[value]);
+        Arc::make_mut(&mut joint.setup).conf_monitored = conf_monitored;
+        joint
+    };
     let approach = || motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
 
     let told = planned(&program(vec![approach(), joint(Some(true), other)]));
@@ -97,7 +101,7 @@ fn a_joint_move_follows_confdata_or_the_nearest_joints() {
 fn a_monitored_line_keeps_its_branch_and_says_that_the_controller_will_stop() {
     let mut program = cube45(false);
     program.motions.truncate(2);
-    program.motions[1].conf_monitored = Some(true);
+    Arc::make_mut(&mut program.motions[1].setup).conf_monitored = Some(true);
     let plan = planned(&program);
     assert_eq!(codes(&plan), [("conf::disagrees", Severity::Warning)]);
     assert!(plan.diagnostics[0].help.as_ref().unwrap().contains("stops"));
@@ -110,12 +114,13 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
     let far = motion(Path::Linear, &[pose([2000.0, 0.0, 500.0], [0.5, 0.5, 0.5, 0.5], [0; 4])]);
     let beyond = motion(Path::AbsJoint, &[joints([190.0, 0.0, 0.0, 0.0, 30.0, 0.0])]);
     let mut unused = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    let Some(TargetValue::Joint(target)) = &mut unused.targets[0].value else { panic!() };
+    let Some(TargetValue::Joint(mut target)) = unused.targets[0].value() else { panic!() };
     target.q_rad[2] = None;
+    unused.targets[0] = unused.targets[0].clone().with_value(&TargetValue::Joint(target));
     let mut told = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    told.keep = Some(Box::new(placement::keep("keep::displaced", "a program displacement may be in force")));
+    told.keep = Some(Arc::new(placement::keep("keep::displaced", "a program displacement may be in force")));
     let mut homeless = motion(Path::Linear, &[pose([500.0, 0.0, 500.0], [0.0, 0.0, 1.0, 0.0], [0; 4])]);
-    homeless.tool = None;
+    Arc::make_mut(&mut homeless.setup).tool = None;
     let good = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
     let plan = planned(&program(vec![home, far, beyond, unused, told, homeless, good]));
     let found: Vec<_> = plan.motions.iter().map(|m| kept_code(&m.status)).collect();
@@ -183,7 +188,7 @@ fn a_correction_into_a_joint_limit_is_refused() {
     assert_eq!(why.code, "reach::limit");
     assert!(why.reason.contains("180.050"), "{}", why.reason);
     assert_eq!(plan.motions[1].status, Status::Compensated);
-    let plan::Corrected::Joints { q_rad } = plan.corrected(&program, 1, 0).unwrap()[0] else { panic!() };
+    let plan::Corrected::Joints { q_rad } = plan.motions[1].corrected(0).unwrap()[0] else { panic!() };
     assert!((deg_from_rad(q_rad[0]) - 10.05).abs() < 1e-9);
     // The base turned under everything: a turn of 0.05° for every pose.
     assert!((deg_from_rad(plan.motions[1].max_correction_rad) - 0.05).abs() < 1e-9);

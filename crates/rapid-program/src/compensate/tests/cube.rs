@@ -28,7 +28,7 @@ impl Controller {
 }
 
 fn meant(program: &Program, i: usize, nominal: &Chain, q_rad: &[f64; 6]) -> Vector3<f64> {
-    match program.motions[i].targets[0].value.unwrap() {
+    match program.motions[i].targets[0].value().unwrap() {
         TargetValue::Rob(pose) => pose.object_from_tcp.translation.vector,
         TargetValue::Joint(_) | TargetValue::FromJoints(_) => nominal.forward(q_rad).translation.vector,
     }
@@ -50,7 +50,7 @@ fn worst_at(
     for (i, planned) in plan.motions.iter().enumerate() {
         let target = &planned.targets[0];
         let meant = meant(program, i, &nominal, &target.nominal_q_rad);
-        let q_rad = controller.joints(&plan.corrected(program, i, k).unwrap()[0], &target.nominal_q_rad);
+        let q_rad = controller.joints(&planned.corrected(k).unwrap()[0], &target.nominal_q_rad);
         let far = |q: &[f64; 6]| (warm.forward(q).translation.vector - meant).norm();
         worst = [worst[0].max(far(&target.nominal_q_rad)), worst[1].max(far(&q_rad))];
     }
@@ -127,14 +127,16 @@ fn neighbouring_buckets_are_at_most_two_tolerances_apart() {
 fn quaternions_keep_their_sign() {
     let mut program = cube45(true);
     for motion in &mut program.motions[20..] {
-        let Some(TargetValue::Rob(pose)) = &mut motion.targets[0].value else { panic!() };
+        let target = &mut motion.targets[0];
+        let Some(TargetValue::Rob(mut pose)) = target.value() else { panic!() };
         pose.object_from_tcp.rotation =
             UnitQuaternion::new_unchecked(-pose.object_from_tcp.rotation.into_inner());
+        *target = target.clone().with_value(&TargetValue::Rob(pose));
     }
     let plan = plan(&program, &irb140(), &Deformation::paper(), &Options::default()).unwrap();
     for i in 1..plan.motions.len() {
         for k in 0..plan.schedule.buckets.len() {
-            let Corrected::Pose { orientation_wxyz, .. } = plan.corrected(&program, i, k).unwrap()[0] else {
+            let Corrected::Pose { orientation_wxyz, .. } = plan.motions[i].corrected(k).unwrap()[0] else {
                 panic!()
             };
             assert_eq!(orientation_wxyz[0] > 0.0, i < 20);
@@ -173,19 +175,12 @@ fn an_early_end_is_said_to_leave_more_than_the_tolerance() {
 #[test]
 fn every_minute_of_the_papers_three_hours_is_reached() {
     let (program, robot, deformation) = (cube45(true), irb140(), Deformation::paper());
-    let (mut whole, options) = (&program, Options::default());
-    let mut planner = Planner::survey(&mut whole, &robot, &deformation, &options).unwrap();
-    let mut plan = None;
-    planner.each(&mut whole, &mut |_, made| plan = Some(made.clone())).unwrap();
-    let mut rows = Vec::new();
-    whole
-        .visit(0, &mut |part| {
-            let minutes = planner.joints_every_minute(part, plan.as_ref().unwrap(), 180.0);
-            rows.extend(minutes.unwrap());
-        })
-        .unwrap();
+    let options = Options { until: Until::Minutes(180.0), ..Options::default() };
+    let plan = plan(&program, &robot, &deformation, &options).unwrap();
+    let rows: Vec<_> =
+        joints_every_minute(&program, &plan, &robot, &deformation, &options).unwrap().collect();
     assert_eq!(rows.len(), 46 * 181);
-    assert_eq!((rows[181].motion, rows[181].t_min, rows[361].t_min), (1, 0.0, 180.0));
+    assert_eq!((rows[181].motion.index(), rows[181].t_min, rows[361].t_min), (1, 0.0, 180.0));
     assert!(rows.iter().all(|row| mm_from_m(row.residual_m) < 1e-9));
     // Cold, nothing is corrected: the first linear target's own coordinates.
     let expected = [0.4, 0.3, 0.25];

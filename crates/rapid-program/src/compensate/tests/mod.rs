@@ -2,15 +2,19 @@
 
 mod branches;
 mod cube;
-mod parts;
+mod pages;
 
 use super::*;
-use crate::program::Parts;
+use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget, RobTarget, SpeedData, ToolData, WobjData, ZoneData};
-use crate::program::motion::{Motion, Origin, Path, RoutineInfo, Target, TargetValue, Wait};
+use crate::program::motion::{
+    Motion, MotionId, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
+};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
-use plan::{Status, Summary};
+use plan::{Plan, Status};
 use rapid_syntax::diagnostic::{FileId, Severity, TextRange};
+use robot_model::deform::Deformation;
+use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, rad_from_deg};
 use std::sync::Arc;
 
@@ -46,38 +50,32 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         Path::Circular => "MoveC",
         Path::AbsJoint => "MoveAbsJ",
     };
-    let target = |&value: &TargetValue| Target {
-        range: TextRange::new(0, 0),
-        origin: Origin::Inline,
-        value: Some(value),
-        elements: Vec::new(),
-        literal: None,
-    };
-    Motion {
-        file: FileId(0),
-        line: 0,
-        routine: 0,
+    let target = |value: &TargetValue| Target::new(TextRange::new(0, 0), Origin::Inline).with_value(value);
+    let setup = MotionSetup {
+        routine: RoutineId(0),
         loops: vec![],
-        range: TextRange::new(0, 0),
         kind,
         path,
-        targets: values.iter().map(target).collect(),
         tool_name: Some("tool0".into()),
-        tool: Some(Arc::new(ToolData::tool0())),
+        tool: Some(ToolData::tool0()),
         wobj_name: None,
-        wobj: Some(Arc::new(WobjData::wobj0())),
+        wobj: Some(WobjData::wobj0()),
+        frame_arguments: [None, None],
         speed: Some(SpeedData { v_tcp_m_s: 0.25, v_ori_rad_s: rad_from_deg(500.0) }),
         zone: Some(ZoneData { finep: false, pzone_tcp_m: 0.001 }),
         conf_monitored: Some(false),
         grip: None,
+    };
+    Motion {
+        file: FileId(0),
+        line: 0,
+        range: TextRange::new(0, 0),
+        setup: Arc::new(setup),
+        targets: values.iter().map(target).collect(),
         previous: None,
-        wait_before: Wait::None,
-        wait_since_entry: None,
         keep: None,
         run_time: false,
         from_search: false,
-        tool_range: None,
-        wobj_range: None,
     }
 }
 
@@ -93,7 +91,7 @@ fn program(motions: Vec<Motion>) -> Program {
     for (i, motion) in program.motions.iter_mut().enumerate() {
         motion.line = i as u32 + 1;
         motion.range = TextRange::new(10 * i as u32, 10 * i as u32 + 9);
-        motion.previous = i.checked_sub(1);
+        motion.previous = i.checked_sub(1).map(MotionId::new);
     }
     program
 }

@@ -6,7 +6,6 @@ use crate::emit::number::write_robjoint;
 use crate::emit::target::is_plain;
 use crate::program::Program;
 use crate::program::motion::TargetValue;
-use rapid_syntax::diagnostic::TextRange;
 use robot_model::units::mm_from_m;
 
 /// A target whose joints are known.
@@ -25,16 +24,15 @@ pub struct TestTarget {
 /// Targets of a program whose joints are known, each with the names of its tool and work object.
 pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<Item = TestTarget> + 'p {
     let motions = program.motions.iter().zip(&plan.motions);
-    let known =
-        motions.filter(|(motion, planned)| planned.status == Status::Compensated && program.is_own(motion));
+    let known = motions.filter(|(_, planned)| planned.status == Status::Compensated);
     known.filter_map(|(motion, planned)| {
         let (target, planned) = (motion.targets.last()?, planned.targets.last()?);
-        let Some(TargetValue::Rob(_)) = target.value else { return None };
-        let file = program.file(target.literal?.file);
-        let text = file.text(target.literal?.range);
-        let own = program.file(motion.file);
-        let name = |range: TextRange| String::from_utf8(own.text(range).to_vec()).ok();
-        let (tool, wobj) = (name(motion.tool_range?)?, motion.wobj_range.and_then(name));
+        let Some(TargetValue::Rob(_)) = target.value() else { return None };
+        let literal = target.literal(motion.file)?;
+        let text = program.file(literal.file).text(literal.range);
+        let name = |text: &[u8]| String::from_utf8(text.to_vec()).ok();
+        let [tool, wobj] = motion.setup.frame_arguments.each_ref().map(Option::as_deref);
+        let (tool, wobj) = (name(tool?)?, wobj.and_then(name));
         let robtarget =
             String::from_utf8(text.to_vec()).ok().filter(|_| is_plain(text) && text.len() < 160)?;
         Some(TestTarget { robtarget, tool, wobj, q_rad: planned.nominal_q_rad })

@@ -4,7 +4,7 @@ use super::arrays::{Array, Meant};
 use super::{Altered, RestoreError, Touched, TouchedInto};
 use crate::emit::check;
 use crate::emit::header::Record;
-use crate::emit::place;
+use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Points};
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
@@ -64,7 +64,7 @@ impl<'w> Remover<'w> {
             return Err(self.damaged(foreign.range, "data were put among or after those that were added"));
         }
         let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(BTreeMap::new()) };
-        self.edits.push(removal(place::whole_lines(self.bytes, first.range.cover(last.range))));
+        self.edits.push(removal(insertion::whole_lines(self.bytes, first.range.cover(last.range))));
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays = BTreeMap::new();
         let mut letters = self.record.letters.as_slice();
@@ -138,8 +138,8 @@ impl<'w> Remover<'w> {
         }
         self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
         if let (Some(first), Some(last)) = (ours.first(), ours.last()) {
-            let lines = place::whole_lines(self.bytes, first.range.cover(last.range));
-            self.edits.push(removal(place::with_empty_line_before(self.bytes, lines)));
+            let lines = insertion::whole_lines(self.bytes, first.range.cover(last.range));
+            self.edits.push(removal(insertion::with_empty_line_before(self.bytes, lines)));
         }
         Ok(all)
     }
@@ -155,7 +155,7 @@ impl<'w> Remover<'w> {
         let declarations = Declarations::new(self.bytes, self.module);
         let (mut points, mut letters) = (Points::default(), self.record.points.as_slice());
         for routine in routines {
-            for stmt in place::statements(routine) {
+            for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 for arg in &call.args {
                     let ArgKind::Positional(expr) = &arg.kind else { continue };

@@ -7,6 +7,8 @@ use crate::program::expressions::every_call;
 use crate::program::flow::{Binding, Node, Step};
 use crate::program::fold::Constant;
 use crate::program::index::{DatumKind, Resolved, RoutineId};
+use crate::program::instructions::Special;
+use crate::program::motion::MotionId;
 use crate::program::names::{as_text, lower_case};
 use crate::program::value::{self, Value};
 use crate::program::writes::{NotGiven, doubtful_arguments, match_arguments};
@@ -15,8 +17,17 @@ use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKin
 
 impl<'a> Lower<'_, 'a> {
     pub(super) fn call(&mut self, stmt: &'a Stmt, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
-        if let Some(&motion) = self.drafts.at.get(&(at.file.0, stmt.range.start)) {
-            out.push(Node::Step(Step::Motion(motion)));
+        if let Some(motion) = self.sites.motion_at(at.file, stmt) {
+            match out.last_mut() {
+                Some(Node::Step(Step::Motions { first, count }))
+                    if first.index() + *count as usize == motion.index()
+                        && self.is_plain(*first)
+                        && self.is_plain(motion) =>
+                {
+                    *count += 1;
+                }
+                _ => out.push(Node::Step(Step::Motions { first: motion, count: 1 })),
+            }
             self.written(&call.args, call, at, out);
             return;
         }
@@ -33,6 +44,12 @@ impl<'a> Lower<'_, 'a> {
                 }
             },
         }
+    }
+
+    /// Whether the arm stands at the target behind a motion.
+    fn is_plain(&self, motion: MotionId) -> bool {
+        let site = self.sites.motions.get(motion.index());
+        site.is_some_and(|site| matches!(site.form.special, Special::Plain | Special::Unsupported))
     }
 
     fn routine(&self, name: TextRange) -> Option<RoutineId> {

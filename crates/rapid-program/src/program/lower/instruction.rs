@@ -6,9 +6,8 @@ use crate::program::data::LoadData;
 use crate::program::expressions::{root_of, words};
 use crate::program::flow::{Hold, Node, Step};
 use crate::program::fold::Constant;
-use crate::program::instructions::{harmless, is_written_option, waits, written_arguments};
+use crate::program::instructions::{harmless, is_written_option, written_arguments};
 use crate::program::names::{as_text, lower_case};
-use crate::program::value::Value;
 use crate::program::writes::NotGiven;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -77,18 +76,6 @@ impl<'a> Lower<'_, 'a> {
             "softdeact" => Step::Hold(Hold::SoftServo, None),
             "syncmoveon" => Step::Hold(Hold::MultiMove, active("the robot moves together with others")),
             "syncmoveoff" | "syncmoveundo" => Step::Hold(Hold::MultiMove, None),
-            "waittime" => {
-                let seconds = call.args.iter().find_map(|arg| match &arg.kind {
-                    ArgKind::Positional(expr) => Some(expr),
-                    _ => None,
-                });
-                let ctx = self.ctx;
-                let value = seconds.and_then(|s| self.folder.fold(s, ctx, &Constant).ok()).map(|t| t.value);
-                Step::Wait(match value {
-                    Some(Value::Num(seconds)) => Some(seconds.max(0.0)),
-                    _ => None,
-                })
-            }
             "callbyvar" => {
                 // CallByVar "proc", n calls procn.
                 if let Some(ArgKind::Positional(expr)) = call.args.first().map(|a| &a.kind) {
@@ -98,7 +85,6 @@ impl<'a> Lower<'_, 'a> {
                 Step::Away
             }
             "exitcycle" => return out.push(Node::Stop),
-            _ if waits(&lower) => Step::Wait(None),
             _ if harmless(&lower) => return,
             _ => {
                 let first = Span { file: self.ctx.file, range: name };

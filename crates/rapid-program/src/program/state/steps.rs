@@ -41,11 +41,16 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
 
     fn step(&mut self, step: &Step<'a>, mut state: State) -> Option<State> {
         self.steps += 1;
+        if let Step::Motions { count, .. } = step {
+            self.steps += u64::from(count.saturating_sub(1));
+        }
         if self.steps > MOST_STEPS {
             return None;
         }
         match step {
-            Step::Motion(motion) => self.see(*motion, &state),
+            Step::Motions { first, count } => {
+                (first.index()..first.index() + *count as usize).for_each(|motion| self.see(motion, &state));
+            }
             Step::Assign { slot, path, value, ctx, at } => {
                 let new = self.value(value, *ctx, &state);
                 let type_name =
@@ -80,7 +85,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
             Step::Call { routines, bindings, maybe, recovery, ctx } => {
                 return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
             }
-            Step::Away | Step::Wait(_) => {}
+            Step::Away => {}
         }
         Some(state)
     }

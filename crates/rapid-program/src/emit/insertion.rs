@@ -8,7 +8,7 @@ use rapid_syntax::tree::{Module, ModuleItem, Routine, Stmt, StmtKind};
 
 /// How a file writes its lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Style {
+pub struct LayoutStyle {
     /// Its line end: the most frequent one.
     pub eol: &'static [u8],
     /// Blanks before what stands in a module.
@@ -17,7 +17,7 @@ pub struct Style {
     pub unit: Vec<u8>,
 }
 
-impl Style {
+impl LayoutStyle {
     /// The style of `module` in `source`.
     #[must_use]
     pub fn of(source: &[u8], module: &Module) -> Self {

@@ -1,30 +1,40 @@
-//! Motions, loops and routines as they stand in the text, before anything is known of their values.
+//! Where motions, loops and routines stand in the text, before anything is known of their values.
 
 use super::fold::{Constant, Folder};
 use super::index::{Ctx, Index, Resolved, RoutineId, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
-use super::motion::{Loop, Motion, RoutineInfo, Wait};
+use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
 use super::value::Value;
+use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, Routine, Stmt, StmtKind};
-use std::collections::HashMap;
-use std::sync::Arc;
 
-/// A motion and the expressions it is made of.
+/// A motion as it stands in the text.
 #[derive(Debug)]
-pub(super) struct Draft<'a> {
-    pub(super) motion: Motion,
-    pub(super) ctx: Ctx,
+pub(super) struct MotionSite<'a> {
+    pub(super) stmt: &'a Stmt,
     pub(super) form: &'static MoveForm,
-    /// As they stand in the text; [`args`](Self::args) says which is what.
-    pub(super) written: &'a [Arg],
+    /// The routine it stands in, among all.
+    routine: u32,
+    /// The same among those that hold motion.
+    pub(super) info: motion::RoutineId,
+    /// The loops round it: position in [`MotionSites::nests`].
+    pub(super) nest: u32,
 }
 
-impl<'a> Draft<'a> {
+impl<'a> MotionSite<'a> {
+    /// From where its names are looked up.
+    pub(super) fn ctx(&self, index: &Index<'_>) -> Ctx {
+        index.routines[self.routine as usize].ctx
+    }
+
     /// Its arguments by what they are.
     pub(super) fn args(&self, index: &Index<'_>) -> MoveArgs<'a> {
-        move_args(index, self.ctx, self.form, self.written)
+        match &self.stmt.kind {
+            StmtKind::Call(call) => move_args(index, self.ctx(index), self.form, &call.args),
+            _ => MoveArgs::default(),
+        }
     }
 }
 
@@ -51,39 +61,39 @@ impl MoveArgs<'_> {
 
 /// All motions, loops and routines of a program, in file order.
 #[derive(Debug, Default)]
-pub(super) struct Drafts<'a> {
-    pub(super) motions: Vec<Draft<'a>>,
+pub(super) struct MotionSites<'a> {
+    pub(super) motions: Vec<MotionSite<'a>>,
     pub(super) loops: Vec<Loop>,
+    /// Loops round motions, outermost first, each combination once in a row.
+    pub(super) nests: Vec<Vec<usize>>,
     pub(super) routines: Vec<RoutineInfo>,
-    /// The motion that a statement (file, first byte) is.
-    pub(super) at: HashMap<(u32, u32), usize>,
 }
 
-impl<'a> Drafts<'a> {
+impl<'a> MotionSites<'a> {
+    /// The motion that a statement is.
+    pub(super) fn motion_at(&self, file: FileId, stmt: &Stmt) -> Option<MotionId> {
+        let of = |site: &MotionSite<'_>| {
+            (self.routines.get(site.info.index()).map(|info| info.file), site.stmt.range.start)
+        };
+        let wanted = (Some(file), stmt.range.start);
+        self.motions.binary_search_by(|site| of(site).cmp(&wanted)).ok().map(MotionId::new)
+    }
+
     /// What stands in all files.
     pub(super) fn new(folder: &mut Folder<'a>) -> Self {
         let index = folder.index;
-        // Room for all at once: drafts are many, and a list that grows holds them twice.
-        let mut statements = 0;
-        for tree in index.routines.iter().map(|routine| routine.tree) {
-            let handlers = tree.handlers.iter().map(|handler| &handler.body);
-            std::iter::once(&tree.body)
-                .chain(handlers)
-                .for_each(|body| every_statement(body, &mut |_| statements += 1));
-        }
-        let mut drafts = Self { motions: Vec::with_capacity(statements), ..Self::default() };
+        let mut sites = Self::default();
         for (id, routine) in index.routines.iter().enumerate() {
             let gotos = gotos(routine.tree);
-            let (drafts, open) = (&mut drafts, Vec::new());
-            let mut walk =
-                Walk { drafts, folder: &mut *folder, id, gotos, open, info: None, last_names: [None, None] };
+            let (sites, open) = (&mut sites, Vec::new());
+            let mut walk = Walk { sites, folder: &mut *folder, id, gotos, open, info: None };
             walk.body(&routine.tree.body);
             for handler in &routine.tree.handlers {
                 walk.open.clear();
                 walk.body(&handler.body);
             }
         }
-        drafts
+        sites
     }
 }
 
@@ -95,14 +105,12 @@ struct Open {
 }
 
 struct Walk<'d, 'a> {
-    drafts: &'d mut Drafts<'a>,
+    sites: &'d mut MotionSites<'a>,
     folder: &'d mut Folder<'a>,
     id: RoutineId,
     gotos: Vec<(TextRange, u32)>,
     open: Vec<Open>,
-    info: Option<usize>,
-    /// The last names of a tool and of a work object: most motions share them.
-    last_names: [Option<Arc<str>>; 2],
+    info: Option<motion::RoutineId>,
 }
 
 impl<'a> Walk<'_, 'a> {
@@ -116,7 +124,7 @@ impl<'a> Walk<'_, 'a> {
             match &stmt.kind {
                 StmtKind::Call(call) => {
                     if let Callee::Name(name) = &call.callee {
-                        self.call(stmt, *name, &call.args);
+                        self.call(stmt, *name);
                     }
                 }
                 StmtKind::While { cond, body } => {
@@ -145,7 +153,7 @@ impl<'a> Walk<'_, 'a> {
     }
 
     fn inside(&mut self, end: u32, unconditional: bool, passes: Option<u64>) {
-        let made = Loop { file: self.ctx().file, routine: 0, unconditional, passes };
+        let made = Loop { file: self.ctx().file, routine: motion::RoutineId(0), unconditional, passes };
         self.open.push(Open { end, made, counted: None });
     }
 
@@ -183,7 +191,7 @@ impl<'a> Walk<'_, 'a> {
         (step != 0.0 && passes < 1e15).then_some(passes.max(0.0) as u64)
     }
 
-    fn call(&mut self, stmt: &'a Stmt, name: TextRange, args: &'a [Arg]) {
+    fn call(&mut self, stmt: &'a Stmt, name: TextRange) {
         let ctx = self.ctx();
         let index = self.folder.index;
         let written = index.text(ctx.file, name);
@@ -192,68 +200,37 @@ impl<'a> Walk<'_, 'a> {
         if own.is_some_and(|r| r != Resolved::Nowhere) {
             return; // a routine of the program bears the instruction's name
         }
-        let routine = self.routine();
+        let info = self.routine();
         let mut loops = Vec::with_capacity(self.open.len());
         for open in &mut self.open {
             let id = *open.counted.get_or_insert_with(|| {
-                self.drafts.loops.push(Loop { routine, ..open.made.clone() });
-                self.drafts.loops.len() - 1
+                self.sites.loops.push(Loop { routine: info, ..open.made.clone() });
+                self.sites.loops.len() - 1
             });
             loops.push(id);
         }
-        let by_role = move_args(index, ctx, form, args);
-        let name = |last: &mut Option<Arc<str>>, expr: Option<&Expr>| {
-            let name = as_text(index.text(ctx.file, expr?.range));
-            let kept = last.take().filter(|last| **last == *name);
-            Some(Arc::clone(last.insert(kept.unwrap_or_else(|| name.into()))))
-        };
-        let [last_tool, last_wobj] = &mut self.last_names;
-        let (tool_name, wobj_name) = (name(last_tool, by_role.tool), name(last_wobj, by_role.wobj));
-        let motion = Motion {
-            file: ctx.file,
-            line: index.file(ctx.file).line(stmt.range),
-            routine,
-            loops,
-            range: stmt.range,
-            kind: form.name,
-            path: form.path,
-            targets: Vec::new(),
-            tool_name,
-            tool: None,
-            wobj_name,
-            wobj: None,
-            speed: None,
-            zone: None,
-            conf_monitored: None,
-            grip: None,
-            previous: None,
-            wait_before: Wait::None,
-            wait_since_entry: None,
-            keep: None,
-            run_time: false,
-            from_search: false,
-            tool_range: by_role.tool.map(|expr| expr.range),
-            wobj_range: by_role.wobj.map(|expr| expr.range),
-        };
-        self.drafts.at.insert((ctx.file.0, stmt.range.start), self.drafts.motions.len());
-        self.drafts.motions.push(Draft { motion, ctx, form, written: args });
+        if self.sites.nests.last() != Some(&loops) {
+            self.sites.nests.push(loops);
+        }
+        let nest = self.sites.nests.len() as u32 - 1;
+        self.sites.motions.push(MotionSite { stmt, form, routine: self.id as u32, info, nest });
     }
 
     /// The routine's entry among those with motion, made with its first motion.
-    fn routine(&mut self) -> usize {
+    fn routine(&mut self) -> motion::RoutineId {
         if let Some(info) = self.info {
             return info;
         }
         let entry = &self.folder.index.routines[self.id];
         let index = self.folder.index;
         let module = index.modules.get(entry.ctx.module).map(|m| m.tree.name);
-        self.drafts.routines.push(RoutineInfo {
+        self.sites.routines.push(RoutineInfo {
             file: entry.ctx.file,
             module: module.map_or(String::new(), |m| as_text(index.text(entry.ctx.file, m))),
             name: as_text(index.text(entry.ctx.file, entry.tree.name)),
             range: entry.tree.range,
         });
-        let info = self.drafts.routines.len() - 1;
+        let info = motion::RoutineId(self.sites.routines.len() as u32 - 1);
         self.info = Some(info);
         info
     }

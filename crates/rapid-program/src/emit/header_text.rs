@@ -1,23 +1,20 @@
 //! The comment block's lines for people.
 
-use super::clock::Choice;
-use super::common::Common;
+use super::clock::{Choice, CoreText};
+use super::names::Names;
 use super::options::{Clock, Core, EmitOptions, Provenance, Sensor};
 use super::{header, target};
-use crate::compensate::plan::{Form, Totals};
-use crate::schedule::Schedule;
+use crate::compensate::plan::{Form, Plan, Totals};
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// What the comment block tells people.
-///
-/// `common` may lack these lines still. `temperature_c`: for a deformation by temperature its range.
-pub fn about(
-    common: &Common,
+pub fn header_text(
+    (names, core, text): (&Names, Core, &CoreText<'_>),
     options: &EmitOptions,
-    (schedule, temperature_c): (&Schedule, Option<[f64; 2]>),
+    plan: &Plan,
     totals: &Totals,
 ) -> Vec<String> {
-    let Common { names, core, text, .. } = common;
+    let (schedule, temperature_c) = (&plan.schedule, plan.temperature_c);
     let input =
         |what: &str, p: &Provenance| format!("{what} {}, SHA-256 {}", header::plain(&p.name), p.sha256);
     let (unit, zero) = temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));

@@ -1,0 +1,117 @@
+//! What all modules of an emitted program have in common: names, clock and functions, what the comment block says.
+
+use std::collections::BTreeMap;
+
+use super::clock::{Choice, CoreText, Law};
+use super::header_text::header_text;
+use super::live::{self, Cap, Function, LiveModel};
+use super::names::Names;
+use super::options::{Core, EmitError, EmitOptions};
+use super::scale::Scaled;
+use crate::compensate::LiveBasis;
+use crate::compensate::plan::{Form, Plan, Totals};
+use crate::program::Program;
+use rapid_syntax::diagnostic::FileId;
+use robot_model::kinematics::FrameOffsets;
+use robot_model::units::rad_from_deg;
+
+/// The self-test asks for so many targets.
+const SELF_TESTS: usize = 5;
+/// Beyond this turn a quaternion is normalised again: half its square is what single precision can tell.
+const NORMALISE_DEG: f64 = 0.05;
+
+/// The compensated motions (positions in [`Program::motions`]) of each changed module, by its file and its position among
+/// the file's items.
+pub type Changes = BTreeMap<(FileId, usize), Vec<usize>>;
+
+/// What modules are emitted from, and what they have in common.
+pub struct EmitContext<'e> {
+    /// The program as it was read.
+    pub program: &'e Program,
+    /// What becomes of its motions.
+    pub plan: &'e Plan,
+    /// Names in use.
+    pub names: Names,
+    /// Where clock and functions live.
+    pub core: Core,
+    /// Clock and functions as RAPID.
+    pub text: CoreText<'e>,
+    /// The comment block's lines for people.
+    pub header: Vec<String>,
+}
+
+impl<'e> EmitContext<'e> {
+    /// For the modules that are changed.
+    ///
+    /// # Errors
+    /// [`EmitError::PlanMismatch`] where a motion asks for a model that RAPID cannot hold.
+    pub fn new(
+        (program, plan): (&'e Program, &'e Plan),
+        options: &EmitOptions,
+        (law, core): (&'e Law, Core),
+        changes: &Changes,
+    ) -> Result<Self, EmitError> {
+        let totals = Totals::of(program, plan);
+        let text = core_text((program, plan), options, law, (&totals, changes))?;
+        let unnamed = Names::default();
+        let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
+        let names = Names::new(Names::taken(program), [lines.as_str(), "tcCore"].into_iter());
+        let header = header_text((&names, core, &text), options, plan, &totals);
+        Ok(Self { program, plan, names, core, text, header })
+    }
+
+    /// The core's data, one a line.
+    #[must_use]
+    pub fn data(&self) -> Vec<String> {
+        self.text.data(&self.names)
+    }
+
+    /// The core's routines, line by line.
+    #[must_use]
+    pub fn routines(&self) -> Vec<String> {
+        self.text.routines(&self.names)
+    }
+}
+
+/// Clock and functions for what the motions ask.
+fn core_text<'e>(
+    (program, plan): (&'e Program, &'e Plan),
+    options: &EmitOptions,
+    law: &'e Law,
+    (totals, changes): (&Totals, &Changes),
+) -> Result<CoreText<'e>, EmitError> {
+    let path = |id: &FileId| program.file(*id).path.to_ascii_lowercase();
+    let s4c = changes.keys().any(|(id, _)| path(id).ends_with(".prg"));
+    let asked = totals.by_form[Form::Live as usize] > 0;
+    let teach = !s4c && options.form.corrects_run_time();
+    let tests = || live::test_targets(program, plan).take(if options.self_test { SELF_TESTS } else { 0 });
+    let live = match plan.live.as_deref().filter(|_| asked || teach).map(live_model) {
+        Some(Ok(live)) => Some((live, tests().collect())),
+        Some(Err(names)) if asked => return Err(EmitError::PlanMismatch(names.join(", "))),
+        Some(Err(_)) | None => None,
+    };
+    let ramps = totals.by_form[Form::Ramp as usize] > 0;
+    let choice = match &plan.functions {
+        None => Choice::Bucket(&plan.schedule),
+        Some(functions) => Choice::Scale(Box::new(Scaled {
+            functions,
+            poses: ramps && totals.targets[0] > 0,
+            joints: ramps && totals.targets[1] > 0,
+            normalise: totals.max_correction_rad > rad_from_deg(NORMALISE_DEG),
+            live,
+        })),
+    };
+    Ok(CoreText { law, growth: options.growth, choice, task_data: !s4c })
+}
+
+/// The deformed model that motions ask at run time.
+fn live_model(basis: &LiveBasis) -> Result<LiveModel, Vec<String>> {
+    let function = |offsets: &FrameOffsets| Function { offsets: *offsets, shape: None };
+    let functions: Vec<Function> = basis.offsets.iter().map(function).collect();
+    let cap = Cap {
+        shift_m: basis.max_correction_m,
+        turn_rad: basis.max_correction_rad,
+        joint_rad: basis.max_joint_change_rad,
+    };
+    LiveModel::new(&basis.robot, &functions, basis.identified.as_deref(), cap)
+}

@@ -1,0 +1,181 @@
+//! A compensated program, and the reasons why there is none.
+
+use crate::report::{self, Compensation, JointRow, MotionRows, Review, Told};
+use rapid_program::compensate::plan::{Plan, Totals};
+use rapid_program::compensate::{CompensateError, FormChoice, joints_every_minute};
+use rapid_program::emit::EmitError;
+use rapid_program::program::Program;
+use rapid_program::program::motion::Keep;
+use rapid_syntax::diagnostic::Diagnostic;
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use super::Job;
+
+/// More text than this is said to be large, bytes.
+const LARGE_BYTES: usize = 8_000_000;
+/// What a correction and its call take, about, bytes.
+const CORRECTION_BYTES: usize = 105;
+
+/// A compensated program.
+pub struct Compensated<'j> {
+    /// How it was asked for.
+    pub(super) job: &'j Job,
+    /// The program as it was read.
+    pub program: Program,
+    /// What becomes of its motions.
+    pub plan: Plan,
+    /// Counts and largest corrections over all motions.
+    pub(super) totals: Totals,
+    /// All that was emitted, bytes.
+    pub(super) text_bytes: usize,
+    /// Clock and index are in the module itself.
+    pub(super) embedded: bool,
+    /// All warnings there are.
+    pub messages: Vec<Told>,
+    pub(super) provenance: Vec<(&'static str, String)>,
+}
+
+/// Why nothing is written.
+#[derive(Debug, Default)]
+pub struct Refusal {
+    /// The program as far as it was read.
+    pub program: Program,
+    /// The plan as far as it was made.
+    pub plan: Option<Plan>,
+    /// Why each motion is kept, where all are.
+    pub kept: Vec<Arc<Keep>>,
+    /// Warnings, and at least one error.
+    pub messages: Vec<Told>,
+}
+
+/// Why emitting stopped.
+pub(super) enum EmitFailure {
+    /// The program cannot be emitted.
+    Emit(EmitError),
+    /// A file could not be written.
+    Write(Diagnostic),
+}
+
+impl From<EmitFailure> for Diagnostic {
+    fn from(failure: EmitFailure) -> Self {
+        match failure {
+            EmitFailure::Emit(error) => Self::error(error.code(), error.to_string()),
+            EmitFailure::Write(message) => message,
+        }
+    }
+}
+
+impl From<EmitError> for EmitFailure {
+    fn from(error: EmitError) -> Self {
+        Self::Emit(error)
+    }
+}
+
+impl Compensated<'_> {
+    /// What happened, for scripts.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
+        let Self { program, plan, messages, .. } = self;
+        pretty(out, &Compensation { program, plan, messages })
+    }
+
+    /// Whether there is a table of joints at every minute.
+    ///
+    /// # Errors
+    /// There is none where the schedule goes by temperature.
+    pub fn check_joints(&self) -> Result<(), Diagnostic> {
+        let error = self.plan.temperature_c.map(|_| CompensateError::Temperature);
+        error.map_or(Ok(()), |error| Err(Diagnostic::error(error.code(), error.to_string())))
+    }
+
+    /// The table of joints at every minute.
+    ///
+    /// # Errors
+    /// Those of `out`; there is none where the schedule goes by temperature.
+    pub fn write_joints(&self, out: &mut dyn Write) -> anyhow::Result<()> {
+        let Job { robot, deformation, options, .. } = self.job;
+        let rows = joints_every_minute(&self.program, &self.plan, &robot.model, &deformation.model, options)
+            .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+        let mut table = report::JointTable::new(out)?;
+        for row in rows {
+            if let Some(row) = JointRow::of_program(&self.program, &row) {
+                table.add(row)?;
+            }
+        }
+        Ok(table.finish()?)
+    }
+
+    /// What `auto` would write, where arrays are large.
+    pub fn size_note(&self) -> Option<String> {
+        let form = self.job.options.form;
+        (form == FormChoice::Schedule && self.text_bytes > LARGE_BYTES).then(|| {
+            let targets: usize = self.totals.targets.iter().sum();
+            let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();
+            let auto = source_bytes + targets * CORRECTION_BYTES;
+            format!(
+                "{:.1} MB of arrays: --form auto holds the same in about {:.1} MB, one correction for each of {targets} targets",
+                self.text_bytes as f64 / 1e6,
+                auto as f64 / 1e6
+            )
+        })
+    }
+
+    /// What must be known before the module is loaded beside others, where there is something.
+    pub fn embedded_clock_note(&self) -> Option<&'static str> {
+        (self.embedded && self.totals.compensated > 0).then_some(
+            "the clock is in the module itself, under global names: no other module with a clock of its own loads beside \
+             it; compensate the modules of one task in one run",
+        )
+    }
+
+    /// The summary and the table of motions; `all`, or those that are corrected most.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        let review = Review {
+            schedule: &self.plan.schedule,
+            functions: self.plan.functions.as_ref(),
+            temperature_c: self.plan.temperature_c,
+            summary: &self.plan.summary,
+            totals: &self.totals,
+            rows: &MotionRows::new(&self.program, &self.plan, all),
+            provenance: &self.provenance,
+        };
+        report::write_review(out, &review)
+    }
+
+    /// The refusal of what is made but cannot be written.
+    pub fn refuse(self, message: Diagnostic) -> Box<Refusal> {
+        let messages = vec![Told::new(message, &self.program.files)];
+        Box::new(Refusal { program: self.program, plan: Some(self.plan), kept: Vec::new(), messages })
+    }
+}
+
+impl Refusal {
+    /// What was found, for scripts.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
+        let (program, messages) = (&self.program, self.messages.as_slice());
+        match &self.plan {
+            Some(plan) => pretty(out, &Compensation { program, plan, messages }),
+            None => pretty(out, &report::refusal(program, &self.kept, messages)),
+        }
+    }
+}
+
+fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    Ok(out.write_all(b"\n")?)
+}
+
+impl From<Diagnostic> for Box<Refusal> {
+    fn from(message: Diagnostic) -> Self {
+        Box::new(Refusal { messages: vec![Told::new(message, &[])], ..Refusal::default() })
+    }
+}
