@@ -8,7 +8,7 @@ use super::lexical::{
 };
 use super::recover::{line_end, matching_end, resync, white_on_line};
 use super::statement::{simple_statement, statement};
-use super::tree::{Expr, ExprKind, Stmt, StmtKind};
+use super::tree::{CompactIfStmt, Expr, ExprKind, ForStmt, IfStmt, Stmt, StmtKind, TestStmt, WhileStmt};
 use super::word::Word;
 use nom::Parser;
 use nom::combinator::opt;
@@ -117,7 +117,7 @@ fn compact_if<'a>(start: Text<'a>, rest: Text<'a>, cond: Expr) -> Read<'a, Stmt>
         Some((_, Word::If)) => if_statement(rest)?,
         _ => simple_statement(rest)?,
     };
-    let kind = StmtKind::CompactIf { cond, then: Box::new(then) };
+    let kind = StmtKind::CompactIf(Box::new(CompactIfStmt { cond, then }));
     Ok((rest, Stmt { range: start.until(rest), kind }))
 }
 
@@ -143,7 +143,8 @@ fn arms<'a>(start: Text<'a>, rest: Text<'a>, cond: Expr) -> (Text<'a>, Stmt) {
         otherwise = Some(body);
     }
     i = end_word(start, i, Word::EndIf, "ENDIF");
-    (i, Stmt { range: start.until(i), kind: StmtKind::If { arms, otherwise } })
+    let kind = StmtKind::If(Box::new(IfStmt { arms, otherwise }));
+    (i, Stmt { range: start.until(i), kind })
 }
 
 /// `elseif_arm = "ELSEIF" expression "THEN" block ;`
@@ -228,8 +229,8 @@ pub(super) fn for_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         let rest = last_word(i, rest, Word::Do, "DO")?;
         let (rest, body) = i.state.awaiting(&[Word::EndFor], || block(rest));
         let rest = end_word(i, rest, Word::EndFor, "ENDFOR");
-        let (from, to, step) = (Box::new(from), Box::new(to), step.map(Box::new));
-        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::For { var, from, to, step, body } }))
+        let kind = StmtKind::For(Box::new(ForStmt { var, from, to, step, body }));
+        Ok((rest, Stmt { range: i.until(rest), kind }))
     })
 }
 
@@ -259,7 +260,8 @@ pub(super) fn while_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         let (rest, cond) = head(rest, Word::Do, "DO");
         let (rest, body) = i.state.awaiting(&[Word::EndWhile], || block(rest));
         let rest = end_word(i, rest, Word::EndWhile, "ENDWHILE");
-        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::While { cond, body } }))
+        let kind = StmtKind::While(Box::new(WhileStmt { cond, body }));
+        Ok((rest, Stmt { range: i.until(rest), kind }))
     })
 }
 
@@ -283,7 +285,8 @@ pub(super) fn test_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
             rest = after;
         }
         rest = end_word(i, rest, Word::EndTest, "ENDTEST");
-        Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::Test { value, cases, default } }))
+        let kind = StmtKind::Test(Box::new(TestStmt { value, cases, default }));
+        Ok((rest, Stmt { range: i.until(rest), kind }))
     })
 }
 

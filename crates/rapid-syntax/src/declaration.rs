@@ -43,7 +43,7 @@ pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
     let (rest, name) = name_with_parentheses(rest, name);
     let (rest, dims) = match blank(rest).peek() {
         Some(b'{') => indices(rest)?,
-        _ => (rest, Vec::new()),
+        _ => (rest, Box::default()),
     };
     let (rest, init) = match blank(rest).peek() {
         Some(b':') => {

@@ -6,7 +6,9 @@ use super::lexical::{
 };
 use super::numbers::is_plain;
 use super::recover::balanced;
-use super::tree::{Arg, ArgKind, BinaryOp, Expr, ExprKind, UnaryOp};
+use super::tree::{
+    Arg, ArgKind, BinaryExpr, BinaryOp, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp,
+};
 use super::word::Word;
 use crate::diagnostic::TextRange;
 
@@ -63,7 +65,7 @@ fn operations<'a>(mut i: Text<'a>, mut lhs: Expr, least: u8) -> Read<'a, Expr> {
         raise(rest, left_height.max(state.height.get()))?;
         i = rest;
         let range = lhs.range.cover(rhs.range);
-        lhs = Expr { range, kind: ExprKind::Binary { op, lhs: Box::new(lhs), rhs: Box::new(rhs) } };
+        lhs = Expr { range, kind: ExprKind::Binary(Box::new(BinaryExpr { op, lhs, rhs })) };
     }
     Ok((i, lhs))
 }
@@ -192,14 +194,13 @@ fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
 
 /// `aggregate = "[" [ expression { "," expression } ] "]" ;`
 pub(super) fn aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
-    let (rest, mut parts) = list(i.skip(1), b']')?;
+    let (rest, parts) = list(i.skip(1), b']')?;
     let range = i.until(rest);
     let plain = !parts.is_empty() && parts.iter().all(is_plain);
     if plain && memchr::memchr(b'!', i.bytes_until(rest)).is_none() {
         return Ok((rest, Expr { range, kind: ExprKind::Numbers }));
     }
-    parts.shrink_to_fit();
-    Ok((rest, Expr { range, kind: ExprKind::Aggregate(parts) }))
+    Ok((rest, Expr { range, kind: ExprKind::Aggregate(Box::new(parts.into_boxed_slice())) }))
 }
 
 /// Expressions between commas up to the closing sign; leaves the height of the whole.
@@ -240,7 +241,8 @@ fn reference<'a>(i: Text<'a>) -> Read<'a, Expr> {
     match blank(rest).peek() {
         Some(b'(') => {
             let (rest, args) = parenthesised(rest)?;
-            postfix(rest, Expr { range: i.until(rest), kind: ExprKind::Call { name: range, args } })
+            let call = CallExpr { name: range, args };
+            postfix(rest, Expr { range: i.until(rest), kind: ExprKind::Call(Box::new(call)) })
         }
         Some(b'.' | b'{') => postfix(rest, Expr { range, kind: ExprKind::Name }),
         _ => Ok((rest, Expr { range, kind: ExprKind::Name })),
@@ -258,23 +260,20 @@ fn postfix<'a>(mut i: Text<'a>, mut base: Expr) -> Read<'a, Expr> {
     loop {
         let height = i.state.height.get();
         let next = blank(i);
+        let start = base.range.start;
         let (rest, kind) = match next.peek() {
             Some(b'.') => {
                 let (rest, name) = component(next)?;
                 i.state.height.set(height);
-                (rest, ExprKind::Field { base: Box::new(base), name })
+                (rest, ExprKind::Field(Box::new(FieldExpr { base, name })))
             }
             Some(b'{') => {
                 let (rest, indices) = indices(next)?;
-                (rest, ExprKind::Index { base: Box::new(base), indices })
+                (rest, ExprKind::Index(Box::new(IndexExpr { base, indices })))
             }
             _ => return Ok((i, base)),
         };
         raise(rest, height.max(i.state.height.get()))?;
-        let start = match &kind {
-            ExprKind::Field { base, .. } | ExprKind::Index { base, .. } => base.range.start,
-            _ => rest.at(),
-        };
         base = Expr { range: TextRange::new(start, rest.at()), kind };
         i = rest;
     }
@@ -287,10 +286,10 @@ fn component<'a>(i: Text<'a>) -> Read<'a, TextRange> {
 }
 
 /// `indices = "{" ( "*" { "," "*" } | expression { "," expression } ) "}" ;`
-pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Vec<Expr>> {
+pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Box<[Expr]>> {
     let (mut i, ()) = sign(b'{')(i)?;
     if blank(i).peek() != Some(b'*') {
-        return list(i, b'}');
+        return list(i, b'}').map(|(rest, indices)| (rest, indices.into_boxed_slice()));
     }
     i.state.height.set(0);
     loop {
@@ -298,16 +297,16 @@ pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Vec<Expr>> {
         let next = blank(i);
         match next.peek() {
             Some(b',') => i = next.skip(1),
-            Some(b'}') => return Ok((next.skip(1), Vec::new())),
+            Some(b'}') => return Ok((next.skip(1), Box::default())),
             _ => return next.unread(),
         }
     }
 }
 
-fn parenthesised<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+fn parenthesised<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     let (rest, ()) = sign(b'(')(i)?;
     if let Ok((rest, ())) = sign(b')')(rest) {
-        return Ok((rest, Vec::new()));
+        return Ok((rest, Box::default()));
     }
     let (rest, args) = arguments(rest)?;
     let (rest, ()) = sign(b')')(rest)?;
@@ -318,7 +317,7 @@ fn parenthesised<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
 /// `arguments = [ "," ] argument { "," argument | [ "," ] option } ;`
 ///
 /// The comma that may stand first is one before an option.
-pub(super) fn arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+pub(super) fn arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     let mut args = Vec::with_capacity(5); // target, speed, zone, tool, work object
     let mut height = 0;
     let mut i = blank(i);
@@ -337,7 +336,7 @@ pub(super) fn arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
             Some(b'\\') => i = next,
             _ => {
                 i.state.height.set(height);
-                return Ok((rest, args));
+                return Ok((rest, args.into_boxed_slice()));
             }
         }
     }
@@ -363,7 +362,7 @@ fn option<'a>(i: Text<'a>) -> Read<'a, Arg> {
         Some(b':') => match becomes(next) {
             Ok((value_at, ())) => {
                 let (rest, value) = expression(value_at)?;
-                (rest, ArgKind::Named { name: name_range, value: Some(value) })
+                (rest, ArgKind::Named { name: name_range, value: Some(Box::new(value)) })
             }
             Err(_) => (after, ArgKind::Named { name: name_range, value: None }),
         },

@@ -111,6 +111,7 @@ fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
         items.push(item);
         i = rest;
     };
+    items.shrink_to_fit();
     if end.is_none() {
         start.state.warn(head, "syntax::end", "the module that begins here has no ENDMODULE");
     }
@@ -158,7 +159,9 @@ fn item<'a>(i: Text<'a>) -> Read<'a, ModuleItem> {
         Word::Const | Word::Var | Word::Pers => data_declaration.map(ModuleItem::Data).parse(i),
         Word::Record => record_declaration.map(ModuleItem::Record).parse(i),
         Word::Alias => alias_declaration.map(ModuleItem::Alias).parse(i),
-        Word::Proc | Word::Func | Word::Trap => routine.map(ModuleItem::Routine).parse(i),
+        Word::Proc | Word::Func | Word::Trap => {
+            routine.map(|routine| ModuleItem::Routine(Box::new(routine))).parse(i)
+        }
         _ => i.unread(),
     }
 }

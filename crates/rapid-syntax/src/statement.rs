@@ -8,7 +8,7 @@ use super::lexical::{
     any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, white, word,
 };
 use super::recover::{begins_anew, element_end};
-use super::tree::{Arg, ArgKind, CallStmt, Callee, Expr, ExprKind, Stmt, StmtKind};
+use super::tree::{Arg, ArgKind, AssignStmt, CallStmt, Callee, ConnectStmt, Expr, ExprKind, Stmt, StmtKind};
 use super::word::Word;
 use crate::diagnostic::TextRange;
 use nom::Parser;
@@ -85,7 +85,7 @@ fn label<'a>(i: Text<'a>) -> Read<'a, Stmt> {
 /// `assignment = variable becomes expression ;`
 fn assignment<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     let (rest, (target, (), value)) = (variable, becomes, expression).parse(i)?;
-    terminated(i, rest, StmtKind::Assign { target, value })
+    terminated(i, rest, StmtKind::Assign(Box::new(AssignStmt { target, value })))
 }
 
 /// `return_statement = "RETURN" [ expression ] ;`
@@ -103,7 +103,7 @@ fn raise_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
 }
 
 /// The value of RETURN or RAISE; what begins anew on the next line is none.
-fn value_on_line<'a>(i: Text<'a>) -> Read<'a, Option<Expr>> {
+fn value_on_line<'a>(i: Text<'a>) -> Read<'a, Option<Box<Expr>>> {
     let next = blank(i);
     let none = match next.peek() {
         None | Some(b';') => true,
@@ -116,7 +116,7 @@ fn value_on_line<'a>(i: Text<'a>) -> Read<'a, Option<Expr>> {
         return Ok((i, None));
     }
     let (rest, value) = expression(next)?;
-    Ok((rest, Some(value)))
+    Ok((rest, Some(Box::new(value))))
 }
 
 /// `goto_statement = "GOTO" name ;`
@@ -128,7 +128,7 @@ fn goto_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
 /// `connect_statement = "CONNECT" variable "WITH" name ;`
 fn connect_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
     let (rest, (_, interrupt, _, trap)) = (word(Word::Connect), variable, word(Word::With), name).parse(i)?;
-    Ok((rest, StmtKind::Connect { interrupt, trap }))
+    Ok((rest, StmtKind::Connect(Box::new(ConnectStmt { interrupt, trap }))))
 }
 
 /// `call = ( name | late_name ) [ arguments ] ;`
@@ -137,7 +137,7 @@ fn connect_statement<'a>(i: Text<'a>) -> Read<'a, StmtKind> {
 fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     let (after, callee) = if i.peek() == Some(b'%') {
         let (after, name) = late_name(i)?;
-        (after, Callee::Late(name))
+        (after, Callee::Late(Box::new(name)))
     } else {
         let (after, name) = name(i)?;
         (after, Callee::Name(name))
@@ -146,7 +146,7 @@ fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     if next.peek() == Some(b';') {
         let kind = StmtKind::Call(Box::new(CallStmt {
             callee,
-            args: Vec::new(),
+            args: Box::default(),
             parenthesised: false,
             terminated: true,
         }));
@@ -156,7 +156,7 @@ fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         Ok((rest, args)) => (rest, args, false),
         Err(failure) => match parenthesised_arguments(next) {
             Ok((rest, args)) => (rest, args, true),
-            Err(_) if stands_alone(after, next, &failure) => (after, Vec::new(), false),
+            Err(_) if stands_alone(after, next, &failure) => (after, Box::default(), false),
             Err(_) => return Err(failure),
         },
     };
@@ -183,7 +183,7 @@ fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<
 }
 
 /// Arguments that the end of a statement follows.
-fn ended_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+fn ended_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     let (rest, args) = arguments(i)?;
     match end_of(rest) {
         Some(_) => Ok((rest, args)),
@@ -192,11 +192,11 @@ fn ended_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
 }
 
 /// `(a,b)` or `()` after a procedure's name; what is no argument there becomes an opaque one.
-fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
+fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     let (mut i, ()) = sign(b'(')(i)?;
     let mut args = Vec::new();
     if let Ok((rest, ())) = sign(b')')(i) {
-        return Ok((rest, args));
+        return Ok((rest, Box::default()));
     }
     loop {
         let start = blank(i);
@@ -216,7 +216,7 @@ fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Vec<Arg>> {
         i = match next.peek() {
             Some(b',') => next.skip(1),
             Some(b'\\') => next,
-            Some(b')') => return Ok((next.skip(1), args)),
+            Some(b')') => return Ok((next.skip(1), args.into_boxed_slice())),
             _ => return next.unread(),
         };
     }

@@ -3,6 +3,20 @@
 //! The tree says nothing of what a name means or what a number is worth: that starts in `program`.
 //! Ranges of children lie inside their parent's, in source order, without overlap; what lies between
 //! them is white space, comments and punctuation.
+//!
+//! Programs of a million moves are held whole, so nodes are small: a [`Stmt`] and an [`Expr`] take 24 bytes,
+//! what is larger stands in a box of its own.
+
+mod expression;
+mod statement;
+
+pub use expression::{
+    Arg, ArgKind, BinaryExpr, BinaryOp, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp,
+};
+pub use statement::{
+    AssignStmt, CallStmt, Callee, CompactIfStmt, ConnectStmt, ForStmt, IfStmt, Stmt, StmtKind, TestStmt,
+    WhileStmt,
+};
 
 use crate::diagnostic::TextRange;
 
@@ -47,7 +61,7 @@ impl Module {
     /// Its routines, in order.
     pub fn routines(&self) -> impl Iterator<Item = &Routine> {
         self.items.iter().filter_map(|item| match item {
-            ModuleItem::Routine(routine) => Some(routine),
+            ModuleItem::Routine(routine) => Some(&**routine),
             _ => None,
         })
     }
@@ -63,7 +77,7 @@ pub enum ModuleItem {
     /// `ALIAS type name;`
     Alias(AliasDecl),
     /// PROC, FUNC, TRAP.
-    Routine(Routine),
+    Routine(Box<Routine>),
     /// A comment, without its line end.
     Comment(TextRange),
     /// Text that was not understood.
@@ -121,7 +135,7 @@ pub struct DataDecl {
     /// The data's name.
     pub name: TextRange,
     /// Array dimensions; empty where it is no array.
-    pub dims: Vec<Expr>,
+    pub dims: Box<[Expr]>,
     /// The initial value.
     pub init: Option<Expr>,
 }
@@ -239,254 +253,4 @@ pub struct Handler {
     pub kind: HandlerKind,
     /// Its statements.
     pub body: Vec<Stmt>,
-}
-
-/// A statement.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stmt {
-    /// From its first byte to its semicolon or END word.
-    pub range: TextRange,
-    /// What it is.
-    pub kind: StmtKind,
-}
-
-/// What a statement is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StmtKind {
-    /// A declaration in a routine.
-    Data(Box<DataDecl>),
-    /// `target := value;`
-    Assign {
-        /// A name, a component or an element.
-        target: Expr,
-        /// What it becomes.
-        value: Expr,
-    },
-    /// A procedure call or an instruction: `MoveL p10,v100,z5,tool0;`
-    Call(Box<CallStmt>),
-    /// `IF cond THEN ... ELSEIF ... ELSE ... ENDIF`
-    If {
-        /// Conditions with their statements.
-        arms: Vec<(Expr, Vec<Stmt>)>,
-        /// After ELSE.
-        otherwise: Option<Vec<Stmt>>,
-    },
-    /// `IF cond statement;`
-    CompactIf {
-        /// The condition.
-        cond: Expr,
-        /// The statement; its range lies inside.
-        then: Box<Stmt>,
-    },
-    /// `FOR i FROM a TO b [STEP c] DO ... ENDFOR`
-    For {
-        /// The loop variable.
-        var: TextRange,
-        /// FROM.
-        from: Box<Expr>,
-        /// TO.
-        to: Box<Expr>,
-        /// STEP.
-        step: Option<Box<Expr>>,
-        /// The statements.
-        body: Vec<Stmt>,
-    },
-    /// `WHILE cond DO ... ENDWHILE`
-    While {
-        /// The condition.
-        cond: Expr,
-        /// The statements.
-        body: Vec<Stmt>,
-    },
-    /// `TEST value CASE a,b: ... DEFAULT: ... ENDTEST`
-    Test {
-        /// What is tested.
-        value: Expr,
-        /// Values and statements of each CASE.
-        cases: Vec<(Vec<Expr>, Vec<Stmt>)>,
-        /// After DEFAULT.
-        default: Option<Vec<Stmt>>,
-    },
-    /// `name:`
-    Label(TextRange),
-    /// `GOTO name;`
-    Goto(TextRange),
-    /// `RETURN [value];`
-    Return(Option<Expr>),
-    /// `RAISE [number];`
-    Raise(Option<Expr>),
-    /// `RETRY;`
-    Retry,
-    /// `TRYNEXT;`
-    TryNext,
-    /// `EXIT;`
-    Exit,
-    /// `CONNECT interrupt WITH trap;`
-    Connect {
-        /// The interrupt.
-        interrupt: Expr,
-        /// The trap's name.
-        trap: TextRange,
-    },
-    /// `;` alone.
-    Empty,
-    /// `<SMT>` and the like.
-    Placeholder,
-    /// A comment, without its line end.
-    Comment,
-    /// Text that was not understood.
-    Opaque,
-}
-
-/// A procedure call.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CallStmt {
-    /// Which procedure.
-    pub callee: Callee,
-    /// Its arguments in order.
-    pub args: Vec<Arg>,
-    /// Written with parentheses round the arguments, as RoboDK's Main page does; no controller takes it.
-    pub parenthesised: bool,
-    /// Ends in a semicolon.
-    pub terminated: bool,
-}
-
-/// Which procedure is called.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Callee {
-    /// By name.
-    Name(TextRange),
-    /// `%expr%`: late binding, the name computed at run time; the expression between the percent signs.
-    Late(Expr),
-}
-
-/// One argument of a call of a procedure or function.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Arg {
-    /// The argument alone, without commas.
-    pub range: TextRange,
-    /// What it is.
-    pub kind: ArgKind,
-}
-
-/// What an argument is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ArgKind {
-    /// A value by position.
-    Positional(Expr),
-    /// `\Name` or `\Name:=value`.
-    Named {
-        /// The name without its backslash.
-        name: TextRange,
-        /// The value; `None` for a switch.
-        value: Option<Expr>,
-    },
-    /// `\Name?param`: handed on if present.
-    Conditional {
-        /// The name without its backslash.
-        name: TextRange,
-        /// The parameter that is handed on.
-        param: TextRange,
-    },
-}
-
-/// An expression.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Expr {
-    /// Its bytes.
-    pub range: TextRange,
-    /// What it is.
-    pub kind: ExprKind,
-}
-
-/// What an expression is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ExprKind {
-    /// A number, as written, without sign.
-    Number,
-    /// A string with its quotes.
-    String,
-    /// TRUE or FALSE.
-    Bool(bool),
-    /// A name.
-    Name,
-    /// `base.component`
-    Field {
-        /// The record.
-        base: Box<Expr>,
-        /// The component's name.
-        name: TextRange,
-    },
-    /// `base{i,j}`; `{*}` gives no index.
-    Index {
-        /// The array.
-        base: Box<Expr>,
-        /// One to three indices.
-        indices: Vec<Expr>,
-    },
-    /// `[a,b,c]`
-    Aggregate(Vec<Expr>),
-    /// `[1,[2,-3]]`, nothing but numbers and no comment: [`parts_of_numbers`](super::parts_of_numbers) gives its parts.
-    Numbers,
-    /// `name(args)`: a function call.
-    Call {
-        /// The function's name.
-        name: TextRange,
-        /// Its arguments.
-        args: Vec<Arg>,
-    },
-    /// `-a`, `+a`, `NOT a`
-    Unary {
-        /// Which.
-        op: UnaryOp,
-        /// The operand.
-        operand: Box<Expr>,
-    },
-    /// `a + b` and so on.
-    Binary {
-        /// Which.
-        op: BinaryOp,
-        /// Left.
-        lhs: Box<Expr>,
-        /// Right.
-        rhs: Box<Expr>,
-    },
-    /// `(a)`
-    Paren(Box<Expr>),
-    /// `<EXP>` and the like.
-    Placeholder,
-    /// Text that was not understood, or is nested deeper than is read.
-    Opaque,
-}
-
-/// Operators with one operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnaryOp {
-    /// `-`
-    Neg,
-    /// `+`
-    Plus,
-    /// `NOT`
-    Not,
-}
-
-/// Operators with two operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "each is the operator it is named for")]
-pub enum BinaryOp {
-    Or,
-    Xor,
-    And,
-    Lt,
-    Le,
-    Eq,
-    Ge,
-    Gt,
-    Ne,
-    Add,
-    Sub,
-    Mul,
-    Div,
-    IntDiv,
-    Mod,
 }

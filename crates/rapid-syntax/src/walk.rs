@@ -137,9 +137,9 @@ impl Walk {
     fn stmt(&mut self, s: &Stmt) {
         match &s.kind {
             StmtKind::Data(d) => self.data(d),
-            StmtKind::Assign { target, value } => self.node(s.range, "assignment", |w| {
-                w.expr(target);
-                w.expr(value);
+            StmtKind::Assign(assign) => self.node(s.range, "assignment", |w| {
+                w.expr(&assign.target);
+                w.expr(&assign.value);
             }),
             StmtKind::Call(call) => self.node(s.range, "call", |w| {
                 match &call.callee {
@@ -148,41 +148,41 @@ impl Walk {
                 }
                 call.args.iter().for_each(|a| w.arg(a));
             }),
-            StmtKind::If { arms, otherwise } => self.node(s.range, "if", |w| {
-                for (cond, body) in arms {
+            StmtKind::If(branch) => self.node(s.range, "if", |w| {
+                for (cond, body) in &branch.arms {
                     w.expr(cond);
                     w.stmts(body);
                 }
-                otherwise.iter().for_each(|body| w.stmts(body));
+                branch.otherwise.iter().for_each(|body| w.stmts(body));
             }),
-            StmtKind::CompactIf { cond, then } => self.node(s.range, "if", |w| {
-                w.expr(cond);
-                w.stmt(then);
+            StmtKind::CompactIf(branch) => self.node(s.range, "if", |w| {
+                w.expr(&branch.cond);
+                w.stmt(&branch.then);
             }),
-            StmtKind::For { var, from, to, step, body } => self.node(s.range, "for", |w| {
-                w.leaf(*var, "name");
-                [from, to].into_iter().chain(step).for_each(|e| w.expr(e));
-                w.stmts(body);
+            StmtKind::For(l) => self.node(s.range, "for", |w| {
+                w.leaf(l.var, "name");
+                [&l.from, &l.to].into_iter().chain(&l.step).for_each(|e| w.expr(e));
+                w.stmts(&l.body);
             }),
-            StmtKind::While { cond, body } => self.node(s.range, "while", |w| {
-                w.expr(cond);
-                w.stmts(body);
+            StmtKind::While(l) => self.node(s.range, "while", |w| {
+                w.expr(&l.cond);
+                w.stmts(&l.body);
             }),
-            StmtKind::Test { value, cases, default } => self.node(s.range, "test", |w| {
-                w.expr(value);
-                for (values, body) in cases {
+            StmtKind::Test(test) => self.node(s.range, "test", |w| {
+                w.expr(&test.value);
+                for (values, body) in &test.cases {
                     values.iter().for_each(|e| w.expr(e));
                     w.stmts(body);
                 }
-                default.iter().for_each(|body| w.stmts(body));
+                test.default.iter().for_each(|body| w.stmts(body));
             }),
             StmtKind::Label(name) => self.node(s.range, "label", |w| w.leaf(*name, "name")),
             StmtKind::Goto(name) => self.node(s.range, "goto", |w| w.leaf(*name, "name")),
             StmtKind::Return(value) => self.node(s.range, "return", |w| value.iter().for_each(|e| w.expr(e))),
             StmtKind::Raise(value) => self.node(s.range, "raise", |w| value.iter().for_each(|e| w.expr(e))),
-            StmtKind::Connect { interrupt, trap } => self.node(s.range, "connect", |w| {
-                w.expr(interrupt);
-                w.leaf(*trap, "name");
+            StmtKind::Connect(connect) => self.node(s.range, "connect", |w| {
+                w.expr(&connect.interrupt);
+                w.leaf(connect.trap, "name");
             }),
             StmtKind::Retry => self.leaf(s.range, "retry"),
             StmtKind::TryNext => self.leaf(s.range, "trynext"),
@@ -221,23 +221,23 @@ impl Walk {
             ExprKind::Name => self.leaf(e.range, "name"),
             ExprKind::Placeholder => self.leaf(e.range, "placeholder"),
             ExprKind::Opaque => self.leaf(e.range, "opaque"),
-            ExprKind::Field { base, name } => self.node(e.range, "component", |w| {
-                w.expr(base);
-                w.leaf(*name, "name");
+            ExprKind::Field(field) => self.node(e.range, "component", |w| {
+                w.expr(&field.base);
+                w.leaf(field.name, "name");
             }),
-            ExprKind::Index { base, indices } => self.node(e.range, "element", |w| {
-                w.expr(base);
-                indices.iter().for_each(|i| w.expr(i));
+            ExprKind::Index(element) => self.node(e.range, "element", |w| {
+                w.expr(&element.base);
+                w.exprs(&element.indices);
             }),
             ExprKind::Aggregate(parts) => self.node(e.range, "aggregate", |w| w.exprs(parts)),
-            ExprKind::Call { name, args } => self.node(e.range, "call", |w| {
-                w.leaf(*name, "name");
-                args.iter().for_each(|a| w.arg(a));
+            ExprKind::Call(call) => self.node(e.range, "call", |w| {
+                w.leaf(call.name, "name");
+                call.args.iter().for_each(|a| w.arg(a));
             }),
             ExprKind::Unary { operand, .. } => self.node(e.range, "unary", |w| w.expr(operand)),
-            ExprKind::Binary { lhs, rhs, .. } => self.node(e.range, "binary", |w| {
-                w.expr(lhs);
-                w.expr(rhs);
+            ExprKind::Binary(binary) => self.node(e.range, "binary", |w| {
+                w.expr(&binary.lhs);
+                w.expr(&binary.rhs);
             }),
             ExprKind::Paren(inner) => self.node(e.range, "parentheses", |w| w.expr(inner)),
         }

@@ -140,8 +140,8 @@ impl<'f> Compiler<'f> {
         let range = stmt.range;
         match &stmt.kind {
             S::Data(decl) => self.declaration(decl),
-            S::Assign { target, value } => {
-                let op = Op::Assign(self.expr(target), self.expr(value));
+            S::Assign(assign) => {
+                let op = Op::Assign(self.expr(&assign.target), self.expr(&assign.value));
                 self.push(op, range);
             }
             S::Call(call) => {
@@ -154,9 +154,9 @@ impl<'f> Compiler<'f> {
                 let args = self.args(&call.args);
                 self.push(Op::Call(Rc::new(Call { callee, args })), range);
             }
-            S::If { arms, otherwise } => {
+            S::If(branch) => {
                 let mut ends = Vec::new();
-                for (cond, body) in arms {
+                for (cond, body) in &branch.arms {
                     let cond_range = cond.range;
                     let cond = self.expr(cond);
                     let test = self.push(Op::JumpUnless(cond, 0), cond_range);
@@ -164,35 +164,33 @@ impl<'f> Compiler<'f> {
                     ends.push(self.push(Op::Jump(0), range));
                     self.land(test);
                 }
-                if let Some(body) = otherwise {
+                if let Some(body) = &branch.otherwise {
                     self.block(body);
                 }
                 ends.into_iter().for_each(|at| self.land(at));
             }
-            S::CompactIf { cond, then } => {
-                let cond = self.expr(cond);
+            S::CompactIf(branch) => {
+                let cond = self.expr(&branch.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
-                self.block(std::slice::from_ref(then));
+                self.block(std::slice::from_ref(&branch.then));
                 self.land(test);
             }
-            S::For { var, from, to, step, body } => {
-                self.for_loop(range, *var, from, to, step.as_deref(), body);
-            }
-            S::While { cond, body } => {
-                let endless = matches!(unparen(cond).kind, tree::ExprKind::Bool(true));
+            S::For(looped) => self.for_loop(range, looped),
+            S::While(looped) => {
+                let endless = matches!(unparen(&looped.cond).kind, tree::ExprKind::Bool(true));
                 let top = self.steps.len();
-                let cond = self.expr(cond);
+                let cond = self.expr(&looped.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
-                self.block(body);
+                self.block(&looped.body);
                 self.push(if endless { Op::LoopBack(top) } else { Op::Jump(top) }, range);
                 self.land(test);
             }
-            S::Test { value, cases, default } => {
+            S::Test(test) => {
                 let kept = self.slot();
-                let value = self.expr(value);
+                let value = self.expr(&test.value);
                 self.push(Op::Keep(kept, value), range);
                 let mut ends = Vec::new();
-                for (values, body) in cases {
+                for (values, body) in &test.cases {
                     let values: Vec<Expr> = values.iter().map(|v| self.expr(v)).collect();
                     let hit = self.push(Op::JumpIfIn(kept, values, 0), range);
                     let miss = self.push(Op::Jump(0), range);
@@ -201,7 +199,7 @@ impl<'f> Compiler<'f> {
                     ends.push(self.push(Op::Jump(0), range));
                     self.land(miss);
                 }
-                if let Some(body) = default {
+                if let Some(body) = &test.default {
                     self.block(body);
                 }
                 ends.into_iter().for_each(|at| self.land(at));
@@ -228,8 +226,8 @@ impl<'f> Compiler<'f> {
             S::Retry => drop(self.push(Op::Retry, range)),
             S::TryNext => drop(self.push(Op::TryNext, range)),
             S::Exit => drop(self.push(Op::Exit, range)),
-            S::Connect { interrupt, trap } => {
-                let op = Op::Connect(self.expr(interrupt), name_of(self.file, *trap));
+            S::Connect(connect) => {
+                let op = Op::Connect(self.expr(&connect.interrupt), name_of(self.file, connect.trap));
                 self.push(op, range);
             }
             S::Opaque | S::Placeholder => {
@@ -250,29 +248,21 @@ impl<'f> Compiler<'f> {
         self.decls.push(LocalDecl { slot, kind: decl.kind, type_name, dims, init });
     }
 
-    fn for_loop(
-        &mut self,
-        range: TextRange,
-        var: TextRange,
-        from: &tree::Expr,
-        to: &tree::Expr,
-        step: Option<&tree::Expr>,
-        body: &[tree::Stmt],
-    ) {
+    fn for_loop(&mut self, range: TextRange, looped: &tree::ForStmt) {
         let (slot, end, by) = (self.slot(), self.slot(), self.slot());
         let init = Op::ForInit {
             var: slot,
             end,
             step: by,
-            from: self.expr(from),
-            to: self.expr(to),
-            by: step.map(|s| self.expr(s)),
+            from: self.expr(&looped.from),
+            to: self.expr(&looped.to),
+            by: looped.step.as_ref().map(|s| self.expr(s)),
         };
         self.push(init, range);
-        let name = name_of(self.file, var);
+        let name = name_of(self.file, looped.var);
         let hidden = self.scope.insert(name.clone(), slot);
         let top = self.push(Op::ForTest { var: slot, end, step: by, exit: 0 }, range);
-        self.block(body);
+        self.block(&looped.body);
         self.push(Op::ForStep { var: slot, step: by, top }, range);
         self.land(top);
         match hidden {
@@ -327,22 +317,26 @@ impl<'f> Compiler<'f> {
             E::String => ExprKind::Str(string(&latin1(self.file, expr.range)).into()),
             E::Bool(b) => ExprKind::Bool(*b),
             E::Name => return self.name(expr.range),
-            E::Field { base, name } => ExprKind::Field(Box::new(self.expr(base)), name_of(self.file, *name)),
-            E::Index { base, indices } => {
-                ExprKind::Index(Box::new(self.expr(base)), indices.iter().map(|i| self.expr(i)).collect())
+            E::Field(field) => {
+                ExprKind::Field(Box::new(self.expr(&field.base)), name_of(self.file, field.name))
+            }
+            E::Index(element) => {
+                let indices = element.indices.iter().map(|i| self.expr(i)).collect();
+                ExprKind::Index(Box::new(self.expr(&element.base)), indices)
             }
             E::Numbers => {
                 let parts = parts_of_numbers(&self.file.bytes, expr.range);
                 ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect())
             }
             E::Aggregate(parts) => ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect()),
-            E::Call { name, args } => ExprKind::Call(Rc::new(Call {
-                callee: Callee::Name(name_of(self.file, *name), latin1(self.file, *name).into()),
-                args: self.args(args),
+            E::Call(call) => ExprKind::Call(Rc::new(Call {
+                callee: Callee::Name(name_of(self.file, call.name), latin1(self.file, call.name).into()),
+                args: self.args(&call.args),
             })),
             E::Unary { op, operand } => ExprKind::Unary(*op, Box::new(self.expr(operand))),
-            E::Binary { op, lhs, rhs } => {
-                ExprKind::Binary(*op, Box::new(self.expr(lhs)), Box::new(self.expr(rhs)))
+            E::Binary(binary) => {
+                let (lhs, rhs) = (self.expr(&binary.lhs), self.expr(&binary.rhs));
+                ExprKind::Binary(binary.op, Box::new(lhs), Box::new(rhs))
             }
             E::Paren(inner) => return self.expr(inner),
             E::Placeholder | E::Opaque => ExprKind::Opaque,

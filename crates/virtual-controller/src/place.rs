@@ -277,7 +277,7 @@ impl Controller {
         let Some(mut expr) = m.data_decl(datum.at).and_then(|d| d.init.clone()) else { return Ok(None) };
         for select in path {
             let mut parts = match expr.kind {
-                tree::ExprKind::Aggregate(parts) => parts,
+                tree::ExprKind::Aggregate(parts) => parts.into_vec(),
                 tree::ExprKind::Numbers => parts_of_numbers(&file.bytes, expr.range),
                 _ => return Ok(None),
             };

@@ -62,16 +62,17 @@ fn in_body<'t>(body: &'t [Stmt], named: &mut Vec<&'t Expr>) {
         match &stmt.kind {
             StmtKind::Call(call) => {
                 for arg in &call.args {
-                    if let ArgKind::Positional(Expr { kind: ExprKind::Index { base, .. }, .. }) = &arg.kind {
-                        named.push(base);
+                    if let ArgKind::Positional(Expr { kind: ExprKind::Index(element), .. }) = &arg.kind {
+                        named.push(&element.base);
                     }
                 }
             }
-            StmtKind::If { arms, otherwise } => {
-                arms.iter().for_each(|(_, body)| in_body(body, named));
-                in_body(otherwise.as_deref().unwrap_or_default(), named);
+            StmtKind::If(branch) => {
+                branch.arms.iter().for_each(|(_, body)| in_body(body, named));
+                in_body(branch.otherwise.as_deref().unwrap_or_default(), named);
             }
-            StmtKind::While { body, .. } | StmtKind::For { body, .. } => in_body(body, named),
+            StmtKind::While(looped) => in_body(&looped.body, named),
+            StmtKind::For(looped) => in_body(&looped.body, named),
             _ => {}
         }
     }

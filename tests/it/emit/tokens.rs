@@ -104,8 +104,8 @@ fn in_routine(text: &[u8], routine: &Routine, targets: &mut Vec<TextRange>) {
                 for arg in &call.args {
                     let ArgKind::Positional(e) = &arg.kind else { continue };
                     let asked = match &e.kind {
-                        ExprKind::Index { base, .. } => base.range,
-                        ExprKind::Call { name, .. } => *name,
+                        ExprKind::Index(element) => element.base.range,
+                        ExprKind::Call(call) => call.name,
                         _ => continue,
                     };
                     if asked.of(text).starts_with(b"tc") {
@@ -113,12 +113,13 @@ fn in_routine(text: &[u8], routine: &Routine, targets: &mut Vec<TextRange>) {
                     }
                 }
             }
-            StmtKind::CompactIf { then, .. } => open.push(then),
-            StmtKind::If { arms, otherwise } => {
-                open.extend(arms.iter().flat_map(|(_, b)| b));
-                open.extend(otherwise.iter().flatten());
+            StmtKind::CompactIf(branch) => open.push(&branch.then),
+            StmtKind::If(branch) => {
+                open.extend(branch.arms.iter().flat_map(|(_, b)| b));
+                open.extend(branch.otherwise.iter().flatten());
             }
-            StmtKind::While { body, .. } | StmtKind::For { body, .. } => open.extend(body),
+            StmtKind::While(looped) => open.extend(&looped.body),
+            StmtKind::For(looped) => open.extend(&looped.body),
             _ => {}
         }
     }

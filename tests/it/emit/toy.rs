@@ -72,23 +72,23 @@ impl Reader<'_> {
         for stmt in body {
             match &stmt.kind {
                 StmtKind::Call(call) => self.call(stmt, call),
-                StmtKind::CompactIf { then, .. } => self.body(std::slice::from_ref(then.as_ref())),
-                StmtKind::If { arms, otherwise } => {
-                    arms.iter().for_each(|(_, body)| self.body(body));
-                    self.body(otherwise.as_deref().unwrap_or_default());
+                StmtKind::CompactIf(branch) => self.body(std::slice::from_ref(&branch.then)),
+                StmtKind::If(branch) => {
+                    branch.arms.iter().for_each(|(_, body)| self.body(body));
+                    self.body(branch.otherwise.as_deref().unwrap_or_default());
                 }
-                StmtKind::While { cond, body } => {
+                StmtKind::While(looped) => {
                     self.loops.push(self.program.loops.len());
                     self.program.loops.push(Loop {
                         file: self.file.id,
                         routine: RoutineId(self.program.routines.len() as u32 - 1),
-                        unconditional: cond.kind == ExprKind::Bool(true),
+                        unconditional: looped.cond.kind == ExprKind::Bool(true),
                         passes: None,
                     });
-                    self.body(body);
+                    self.body(&looped.body);
                     self.loops.pop();
                 }
-                StmtKind::For { body, .. } => self.body(body),
+                StmtKind::For(looped) => self.body(&looped.body),
                 _ => {}
             }
         }

@@ -163,15 +163,16 @@ pub fn statements(routine: &Routine) -> Vec<&Stmt> {
     while let Some(stmt) = open.pop() {
         found.push(stmt);
         match &stmt.kind {
-            StmtKind::CompactIf { then, .. } => open.push(then),
-            StmtKind::If { arms, otherwise } => {
-                open.extend(arms.iter().flat_map(|(_, body)| body));
-                open.extend(otherwise.iter().flatten());
+            StmtKind::CompactIf(branch) => open.push(&branch.then),
+            StmtKind::If(branch) => {
+                open.extend(branch.arms.iter().flat_map(|(_, body)| body));
+                open.extend(branch.otherwise.iter().flatten());
             }
-            StmtKind::For { body, .. } | StmtKind::While { body, .. } => open.extend(body),
-            StmtKind::Test { cases, default, .. } => {
-                open.extend(cases.iter().flat_map(|(_, body)| body));
-                open.extend(default.iter().flatten());
+            StmtKind::For(looped) => open.extend(&looped.body),
+            StmtKind::While(looped) => open.extend(&looped.body),
+            StmtKind::Test(test) => {
+                open.extend(test.cases.iter().flat_map(|(_, body)| body));
+                open.extend(test.default.iter().flatten());
             }
             _ => {}
         }

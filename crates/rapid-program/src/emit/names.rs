@@ -133,7 +133,7 @@ fn declares(file: &SourceFile, name: &str) -> bool {
             || routine.params.iter().any(|p| is(p.name))
             || statements(routine).iter().any(|stmt| match &stmt.kind {
                 StmtKind::Data(data) => is(data.name),
-                StmtKind::For { var, .. } => is(*var),
+                StmtKind::For(looped) => is(looped.var),
                 StmtKind::Label(label) => is(*label),
                 _ => false,
             })

@@ -58,7 +58,7 @@ pub(super) fn any_handled(index: &Index<'_>) -> bool {
 /// Whether a statement itself, not one inside it or in a routine that it calls, may fail.
 pub(super) fn may_fail(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
     match &stmt.kind {
-        StmtKind::Raise(_) | StmtKind::Connect { .. } | StmtKind::Opaque => true,
+        StmtKind::Raise(_) | StmtKind::Connect(_) | StmtKind::Opaque => true,
         StmtKind::Call(call) => match &call.callee {
             Callee::Late(_) => true,
             Callee::Name(name) => {
@@ -81,7 +81,8 @@ const NEVER_FAIL: &[&str] = &[
 /// Whether working out the arguments of a call may fail.
 pub(super) fn arguments_may_fail(args: &[Arg]) -> bool {
     args.iter().any(|arg| match &arg.kind {
-        ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. } => expression_may_fail(expr),
+        ArgKind::Positional(expr) => expression_may_fail(expr),
+        ArgKind::Named { value: Some(expr), .. } => expression_may_fail(expr),
         ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => false,
     })
 }
@@ -89,15 +90,14 @@ pub(super) fn arguments_may_fail(args: &[Arg]) -> bool {
 /// Whether working out an expression may fail: a function, an index out of range, a division by zero.
 pub(super) fn expression_may_fail(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Call { .. } | ExprKind::Index { .. } | ExprKind::Opaque => true,
-        ExprKind::Binary { op, lhs, rhs } => {
-            matches!(op, BinaryOp::Div | BinaryOp::IntDiv | BinaryOp::Mod)
-                || expression_may_fail(lhs)
-                || expression_may_fail(rhs)
+        ExprKind::Call(_) | ExprKind::Index(_) | ExprKind::Opaque => true,
+        ExprKind::Binary(binary) => {
+            matches!(binary.op, BinaryOp::Div | BinaryOp::IntDiv | BinaryOp::Mod)
+                || expression_may_fail(&binary.lhs)
+                || expression_may_fail(&binary.rhs)
         }
-        ExprKind::Field { base: inner, .. }
-        | ExprKind::Paren(inner)
-        | ExprKind::Unary { operand: inner, .. } => expression_may_fail(inner),
+        ExprKind::Field(field) => expression_may_fail(&field.base),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => expression_may_fail(inner),
         ExprKind::Aggregate(parts) => parts.iter().any(expression_may_fail),
         ExprKind::Number
         | ExprKind::Numbers

@@ -10,10 +10,10 @@ pub(super) fn root_of(expr: &Expr) -> Option<(TextRange, bool)> {
     loop {
         at = match &at.kind {
             ExprKind::Name => return Some((at.range, indexed)),
-            ExprKind::Field { base, .. } => base,
-            ExprKind::Index { base, .. } => {
+            ExprKind::Field(field) => &field.base,
+            ExprKind::Index(element) => {
                 indexed = true;
-                base
+                &element.base
             }
             ExprKind::Paren(inner) => inner,
             _ => return None,
@@ -48,30 +48,35 @@ pub(super) fn words(bytes: &[u8], start: u32) -> Vec<TextRange> {
     out
 }
 
+/// The expression that an argument hands over; `None` for a switch and for a parameter handed on if present.
+pub(super) fn value_of(arg: &Arg) -> Option<&Expr> {
+    match &arg.kind {
+        ArgKind::Positional(expr) => Some(expr),
+        ArgKind::Named { value, .. } => value.as_deref(),
+        ArgKind::Conditional { .. } => None,
+    }
+}
+
 /// The expressions that stand directly in a statement.
 pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
     fn of_args(args: &[Arg]) -> impl Iterator<Item = &Expr> {
-        args.iter().filter_map(|arg| match &arg.kind {
-            ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. } => Some(expr),
-            ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
-        })
+        args.iter().filter_map(value_of)
     }
     match &stmt.kind {
         StmtKind::Data(decl) => decl.init.iter().collect(),
-        StmtKind::Assign { target, value } => vec![target, value],
+        StmtKind::Assign(assign) => vec![&assign.target, &assign.value],
         StmtKind::Call(call) => match &call.callee {
-            Callee::Late(expr) => std::iter::once(expr).chain(of_args(&call.args)).collect(),
+            Callee::Late(expr) => std::iter::once(&**expr).chain(of_args(&call.args)).collect(),
             Callee::Name(_) => of_args(&call.args).collect(),
         },
-        StmtKind::If { arms, .. } => arms.iter().map(|(cond, _)| cond).collect(),
-        StmtKind::CompactIf { cond, .. } | StmtKind::While { cond, .. } => vec![cond],
-        StmtKind::For { from, to, step, .. } => {
-            [from, to].into_iter().chain(step.as_ref()).map(|expr| &**expr).collect()
+        StmtKind::If(branch) => branch.arms.iter().map(|(cond, _)| cond).collect(),
+        StmtKind::CompactIf(branch) => vec![&branch.cond],
+        StmtKind::While(looped) => vec![&looped.cond],
+        StmtKind::For(looped) => [&looped.from, &looped.to].into_iter().chain(&looped.step).collect(),
+        StmtKind::Test(test) => {
+            std::iter::once(&test.value).chain(test.cases.iter().flat_map(|(values, _)| values)).collect()
         }
-        StmtKind::Test { value, cases, .. } => {
-            std::iter::once(value).chain(cases.iter().flat_map(|(values, _)| values)).collect()
-        }
-        StmtKind::Return(value) | StmtKind::Raise(value) => value.iter().collect(),
+        StmtKind::Return(value) | StmtKind::Raise(value) => value.as_deref().into_iter().collect(),
         _ => Vec::new(),
     }
 }
@@ -79,24 +84,20 @@ pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
 /// Calls `see` with the name and arguments of every function call in an expression, inner ones first.
 pub(super) fn every_call<'a>(expr: &'a Expr, see: &mut impl FnMut(TextRange, &'a [Arg])) {
     match &expr.kind {
-        ExprKind::Call { name, args } => {
-            for arg in args {
-                if let ArgKind::Positional(e) | ArgKind::Named { value: Some(e), .. } = &arg.kind {
-                    every_call(e, see);
-                }
-            }
-            see(*name, args);
+        ExprKind::Call(call) => {
+            call.args.iter().filter_map(value_of).for_each(|e| every_call(e, see));
+            see(call.name, &call.args);
         }
-        ExprKind::Field { base, .. } | ExprKind::Paren(base) => every_call(base, see),
-        ExprKind::Unary { operand, .. } => every_call(operand, see),
-        ExprKind::Index { base, indices } => {
-            every_call(base, see);
-            indices.iter().for_each(|i| every_call(i, see));
+        ExprKind::Field(field) => every_call(&field.base, see),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_call(inner, see),
+        ExprKind::Index(element) => {
+            every_call(&element.base, see);
+            element.indices.iter().for_each(|i| every_call(i, see));
         }
         ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, see)),
-        ExprKind::Binary { lhs, rhs, .. } => {
-            every_call(lhs, see);
-            every_call(rhs, see);
+        ExprKind::Binary(binary) => {
+            every_call(&binary.lhs, see);
+            every_call(&binary.rhs, see);
         }
         ExprKind::Number
         | ExprKind::Numbers

@@ -114,14 +114,14 @@ impl<'a> Folder<'a> {
                     parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
                 Ok(untyped(Value::Parts(parts?)))
             }
-            ExprKind::Field { base, name } => {
-                let base = self.fold_typed(base, ctx, state)?;
-                self.component(&base, *name, ctx)
+            ExprKind::Field(field) => {
+                let base = self.fold_typed(&field.base, ctx, state)?;
+                self.component(&base, field.name, ctx)
             }
-            ExprKind::Index { base, indices } => {
-                let base = self.fold_typed(base, ctx, state)?;
+            ExprKind::Index(element_of) => {
+                let base = self.fold_typed(&element_of.base, ctx, state)?;
                 let mut value = base.value;
-                for index in indices {
+                for index in &element_of.indices {
                     let Value::Num(n) = self.fold_typed(index, ctx, state)?.value else {
                         return Err(wrong_type());
                     };
@@ -129,16 +129,16 @@ impl<'a> Folder<'a> {
                 }
                 Ok(Typed { value, type_name: base.type_name })
             }
-            ExprKind::Call { name, args } => self.call(*name, args, ctx, state).map(untyped),
+            ExprKind::Call(call) => self.call(call.name, &call.args, ctx, state).map(untyped),
             ExprKind::Unary { op, operand } => {
                 let operand = self.fold_typed(operand, ctx, state)?.value;
                 unary(*op, &operand).map(untyped)
             }
-            ExprKind::Binary { op, lhs, rhs } => {
-                let lhs = self.fold_typed(lhs, ctx, state)?;
-                let rhs = self.fold_typed(rhs, ctx, state)?;
-                let value = functions::binary(*op, &lhs.value, &rhs.value)?;
-                let keeps = matches!(op, BinaryOp::Add | BinaryOp::Sub);
+            ExprKind::Binary(binary) => {
+                let lhs = self.fold_typed(&binary.lhs, ctx, state)?;
+                let rhs = self.fold_typed(&binary.rhs, ctx, state)?;
+                let value = functions::binary(binary.op, &lhs.value, &rhs.value)?;
+                let keeps = matches!(binary.op, BinaryOp::Add | BinaryOp::Sub);
                 Ok(Typed { value, type_name: lhs.type_name.filter(|_| keeps) })
             }
             ExprKind::Placeholder => Err(why("keep::placeholder", "a placeholder stands here".into())),

@@ -1,12 +1,12 @@
 //! Which data are followed as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
-use super::expressions::{every_call, expressions_of, root_of};
+use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::flow::Slot;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, every_statement};
 use super::motion_site::MotionSites;
 use super::writes::{Writes, match_arguments};
-use rapid_syntax::tree::{Arg, ArgKind, Callee, DataKind, Expr, ExprKind, StmtKind};
+use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
 use std::collections::BTreeSet;
 
 /// The data that are followed, and their positions in a state.
@@ -69,11 +69,11 @@ pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
         let ctx = routine.ctx;
         every_statement(&routine.tree.body, &mut |stmt| {
             match &stmt.kind {
-                StmtKind::Assign { target, value } => {
-                    if let Some((root, _)) = root_of(target)
+                StmtKind::Assign(assign) => {
+                    if let Some((root, _)) = root_of(&assign.target)
                         && let Some(to) = datum_at(index, ctx, root)
                     {
-                        names_in(index, ctx, value, &mut |from| {
+                        names_in(index, ctx, &assign.value, &mut |from| {
                             out.insert((to, from));
                         });
                     }
@@ -140,23 +140,19 @@ pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, see: &mut impl 
                 see(datum);
             }
         }
-        ExprKind::Field { base, .. } | ExprKind::Paren(base) => names_in(index, ctx, base, see),
-        ExprKind::Unary { operand, .. } => names_in(index, ctx, operand, see),
-        ExprKind::Index { base, indices } => {
-            names_in(index, ctx, base, see);
-            indices.iter().for_each(|i| names_in(index, ctx, i, see));
+        ExprKind::Field(field) => names_in(index, ctx, &field.base, see),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => names_in(index, ctx, inner, see),
+        ExprKind::Index(element) => {
+            names_in(index, ctx, &element.base, see);
+            element.indices.iter().for_each(|i| names_in(index, ctx, i, see));
         }
         ExprKind::Aggregate(parts) => parts.iter().for_each(|p| names_in(index, ctx, p, see)),
-        ExprKind::Binary { lhs, rhs, .. } => {
-            names_in(index, ctx, lhs, see);
-            names_in(index, ctx, rhs, see);
+        ExprKind::Binary(binary) => {
+            names_in(index, ctx, &binary.lhs, see);
+            names_in(index, ctx, &binary.rhs, see);
         }
-        ExprKind::Call { args, .. } => {
-            for arg in args {
-                if let ArgKind::Positional(e) | ArgKind::Named { value: Some(e), .. } = &arg.kind {
-                    names_in(index, ctx, e, see);
-                }
-            }
+        ExprKind::Call(call) => {
+            call.args.iter().filter_map(value_of).for_each(|e| names_in(index, ctx, e, see));
         }
         ExprKind::Number
         | ExprKind::Numbers

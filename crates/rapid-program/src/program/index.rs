@@ -328,9 +328,9 @@ impl<'a> Index<'a> {
         for body in std::iter::once(&tree.body).chain(handlers) {
             every_statement(body, &mut |stmt| match &stmt.kind {
                 StmtKind::Data(decl) => self.add_data(file, decl, ctx, task),
-                StmtKind::For { var, body, .. } => {
-                    let first = body.first().map_or(stmt.range.end, |first| first.range.start);
-                    loop_variables.push((*var, TextRange::new(first, stmt.range.end)));
+                StmtKind::For(looped) => {
+                    let first = looped.body.first().map_or(stmt.range.end, |first| first.range.start);
+                    loop_variables.push((looped.var, TextRange::new(first, stmt.range.end)));
                 }
                 StmtKind::Label(label) => {
                     self.names.intern(file.text(*label));
@@ -375,13 +375,14 @@ pub(super) fn every_statement<'a>(body: &'a [Stmt], see: &mut impl FnMut(&'a Stm
 /// The bodies inside a statement, in source order.
 pub(super) fn inner_bodies(stmt: &Stmt) -> Vec<&[Stmt]> {
     match &stmt.kind {
-        StmtKind::If { arms, otherwise } => {
-            arms.iter().map(|(_, b)| b.as_slice()).chain(otherwise.as_deref()).collect()
+        StmtKind::If(branch) => {
+            branch.arms.iter().map(|(_, b)| b.as_slice()).chain(branch.otherwise.as_deref()).collect()
         }
-        StmtKind::CompactIf { then, .. } => vec![std::slice::from_ref(&**then)],
-        StmtKind::For { body, .. } | StmtKind::While { body, .. } => vec![body.as_slice()],
-        StmtKind::Test { cases, default, .. } => {
-            cases.iter().map(|(_, b)| b.as_slice()).chain(default.as_deref()).collect()
+        StmtKind::CompactIf(branch) => vec![std::slice::from_ref(&branch.then)],
+        StmtKind::For(looped) => vec![looped.body.as_slice()],
+        StmtKind::While(looped) => vec![looped.body.as_slice()],
+        StmtKind::Test(test) => {
+            test.cases.iter().map(|(_, b)| b.as_slice()).chain(test.default.as_deref()).collect()
         }
         _ => Vec::new(),
     }

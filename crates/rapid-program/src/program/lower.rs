@@ -103,7 +103,7 @@ impl<'a> Lower<'_, 'a> {
 
     fn statement(&mut self, stmt: &'a Stmt, out: &mut Vec<Node<'a>>) {
         let at = Span { file: self.ctx.file, range: stmt.range };
-        if !matches!(stmt.kind, StmtKind::While { .. }) {
+        if !matches!(stmt.kind, StmtKind::While(_)) {
             self.functions(&expressions_of(stmt), at, out);
         }
         let fails = may_fail(self.index(), self.ctx, stmt);
@@ -119,35 +119,37 @@ impl<'a> Lower<'_, 'a> {
                     self.assign(decl.name, Vec::new(), value, at, out);
                 }
             }
-            StmtKind::Assign { target, value } => {
+            StmtKind::Assign(assign) => {
                 let mut path = Vec::new();
-                if let Some(root) = self.path(target, &mut path) {
-                    self.assign(root, path, value, at, out);
+                if let Some(root) = self.path(&assign.target, &mut path) {
+                    self.assign(root, path, &assign.value, at, out);
                 }
             }
             StmtKind::Call(call) => self.call(stmt, call, at, out),
-            StmtKind::If { arms, otherwise } => {
-                let mut bodies: Vec<_> = arms.iter().map(|(_, body)| self.body(body)).collect();
+            StmtKind::If(tested) => {
+                let otherwise = &tested.otherwise;
+                let mut bodies: Vec<_> = tested.arms.iter().map(|(_, body)| self.body(body)).collect();
                 bodies.extend(otherwise.as_ref().map(|body| self.body(body)));
                 branch(bodies, otherwise.is_none() || skipped, out);
             }
-            StmtKind::CompactIf { then, .. } => {
-                let body = self.body(std::slice::from_ref(then));
+            StmtKind::CompactIf(tested) => {
+                let body = self.body(std::slice::from_ref(&tested.then));
                 branch(vec![body], true, out);
             }
-            StmtKind::Test { cases, default, .. } => {
-                let mut bodies: Vec<_> = cases.iter().map(|(_, body)| self.body(body)).collect();
+            StmtKind::Test(tested) => {
+                let default = &tested.default;
+                let mut bodies: Vec<_> = tested.cases.iter().map(|(_, body)| self.body(body)).collect();
                 bodies.extend(default.as_ref().map(|body| self.body(body)));
                 branch(bodies, default.is_none() || skipped, out);
             }
-            StmtKind::For { from, to, step, body, .. } => {
-                let at_least_once = self.runs(from, to, step.as_deref());
-                let body = self.body(body);
+            StmtKind::For(looped) => {
+                let at_least_once = self.runs(&looped.from, &looped.to, looped.step.as_ref());
+                let body = self.body(&looped.body);
                 if !body.is_empty() {
                     out.push(Node::Loop { body, at_least_once, endless: false });
                 }
             }
-            StmtKind::While { cond, body } => self.while_loop(cond, body, at, out),
+            StmtKind::While(looped) => self.while_loop(&looped.cond, &looped.body, at, out),
             StmtKind::Label(name) => out.extend(self.label(*name).map(Node::Label)),
             StmtKind::Goto(name) => out.extend(self.label(*name).map(Node::Goto)),
             StmtKind::Return(_) if skipped => {
@@ -157,7 +159,7 @@ impl<'a> Lower<'_, 'a> {
             StmtKind::Raise(_) if self.recovery.next => {}
             StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
             StmtKind::Opaque => self.opaque(stmt.range, out),
-            StmtKind::Connect { .. } | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
+            StmtKind::Connect(_) | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
         }
     }
 
@@ -198,9 +200,9 @@ impl<'a> Lower<'_, 'a> {
     fn path(&self, target: &Expr, path: &mut Vec<Sym>) -> Option<TextRange> {
         match &target.kind {
             ExprKind::Name => Some(target.range),
-            ExprKind::Field { base, name } => {
-                let root = self.path(base, path)?;
-                path.push(self.label(*name)?);
+            ExprKind::Field(field) => {
+                let root = self.path(&field.base, path)?;
+                path.push(self.label(field.name)?);
                 Some(root)
             }
             _ => None,

@@ -127,17 +127,17 @@ impl<'a> Walk<'_, 'a> {
                         self.call(stmt, *name);
                     }
                 }
-                StmtKind::While { cond, body } => {
+                StmtKind::While(looped) => {
                     let ctx = self.ctx();
-                    let cond = self.folder.fold(cond, ctx, &Constant).map(|t| t.value);
+                    let cond = self.folder.fold(&looped.cond, ctx, &Constant).map(|t| t.value);
                     let unconditional = matches!(cond, Ok(Value::Bool(true)));
                     self.inside(stmt.range.end, unconditional, None);
-                    self.body(body);
+                    self.body(&looped.body);
                 }
-                StmtKind::For { from, to, step, body, .. } => {
-                    let passes = self.passes(from, to, step.as_deref());
+                StmtKind::For(looped) => {
+                    let passes = self.passes(&looped.from, &looped.to, looped.step.as_ref());
                     self.inside(stmt.range.end, false, passes);
-                    self.body(body);
+                    self.body(&looped.body);
                 }
                 StmtKind::Label(name) => {
                     let rest = body.get(position + 1..).unwrap_or_default();
@@ -258,9 +258,9 @@ fn move_args<'a>(index: &Index<'_>, ctx: Ctx, form: &MoveForm, args: &'a [Arg]) 
             ArgKind::Named { name, value } => {
                 let name = lower_case(index.text(ctx.file, *name));
                 if name == "wobj" {
-                    out.wobj = value.as_ref();
+                    out.wobj = value.as_deref();
                 }
-                out.options.push((name, value.as_ref()));
+                out.options.push((name, value.as_deref()));
             }
             ArgKind::Conditional { name, .. } => {
                 out.conditional.push(lower_case(index.text(ctx.file, *name)));

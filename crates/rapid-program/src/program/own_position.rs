@@ -60,9 +60,9 @@ impl OwnPositions {
                 let ctx = routine.ctx;
                 let (mut data, mut returns) = (Vec::new(), false);
                 every_statement(&routine.tree.body, &mut |stmt| match &stmt.kind {
-                    StmtKind::Assign { target, value } if found.is_read(index, ctx, value) => {
+                    StmtKind::Assign(assign) if found.is_read(index, ctx, &assign.value) => {
                         // Only what is assigned itself: `p.robconf` of a reading is no reading.
-                        names_in(index, ctx, target, &mut |datum| data.push(datum));
+                        names_in(index, ctx, &assign.target, &mut |datum| data.push(datum));
                     }
                     StmtKind::Return(Some(value)) if found.is_read(index, ctx, value) => returns = true,
                     _ => {}

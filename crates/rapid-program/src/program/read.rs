@@ -337,11 +337,12 @@ impl<'a> Finish<'_, 'a> {
     /// correction (`tcAt`, as this program emits it) the original and what it is when all has settled; none where it is
     /// something else.
     fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
-        if let ExprKind::Call { name, args } = &expr.kind {
-            return self.scaled(*name, args, ctx, joints_wanted).unwrap_or_default();
+        if let ExprKind::Call(call) = &expr.kind {
+            return self.scaled(call.name, &call.args, ctx, joints_wanted).unwrap_or_default();
         }
-        let ExprKind::Index { base, indices } = &expr.kind else { return Vec::new() };
-        let ([_], ExprKind::Name) = (indices.as_slice(), &base.kind) else { return Vec::new() };
+        let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
+        let base = &element_of.base;
+        let ([_], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
         let Ok(Value::Parts(parts)) = self.folder.fold(base, ctx, &Constant).map(|typed| typed.value) else {
             return Vec::new();
         };

@@ -2,7 +2,7 @@
 //! instruction that writes its argument, or through a routine that writes its parameter.
 
 use super::built_in::{is_built_in_function, written_by_function};
-use super::expressions::{every_call, expressions_of, root_of, words};
+use super::expressions::{every_call, expressions_of, root_of, value_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineId, every_statement};
 use super::instructions::{is_written_option, move_form, written_arguments};
 use super::names::Sym;
@@ -125,9 +125,7 @@ pub(super) fn doubtful_arguments(
 ) -> Vec<TextRange> {
     let mut out = Vec::new();
     for arg in args {
-        let (ArgKind::Positional(expr) | ArgKind::Named { value: Some(expr), .. }) = &arg.kind else {
-            continue;
-        };
+        let Some(expr) = value_of(arg) else { continue };
         let Some((root, _)) = root_of(expr) else { continue };
         if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx) {
             let left_alone = callee == NotGiven::Procedure
@@ -163,7 +161,7 @@ pub(super) fn match_arguments<'c>(
             }
             ArgKind::Named { name, value } => {
                 if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
-                    out.push((param, value.as_ref(), None));
+                    out.push((param, value.as_deref(), None));
                 }
             }
             ArgKind::Conditional { name, param: own } => {
@@ -202,10 +200,10 @@ impl Scan<'_, '_> {
         every_statement(body, &mut |stmt| {
             let at = Span { file: ctx.file, range: stmt.range };
             match &stmt.kind {
-                StmtKind::Assign { target, .. } => self.written(target, ctx, Write { at, how: ordinary }),
+                StmtKind::Assign(assign) => self.written(&assign.target, ctx, Write { at, how: ordinary }),
                 StmtKind::Call(call) => self.call(call, ctx, at, any_time),
-                StmtKind::Connect { interrupt, .. } => {
-                    self.written(interrupt, ctx, Write { at, how: How::AnyTime });
+                StmtKind::Connect(connect) => {
+                    self.written(&connect.interrupt, ctx, Write { at, how: How::AnyTime });
                 }
                 StmtKind::Opaque => self.opaque(stmt.range, ctx, ordinary.max(How::Perhaps)),
                 _ => {}
@@ -319,7 +317,7 @@ impl Scan<'_, '_> {
         let object = args.iter().find_map(|arg| match &arg.kind {
             ArgKind::Named { name, value } => {
                 let name = super::names::lower_case(self.index.text(ctx.file, *name));
-                value.as_ref().filter(|_| name == "object")
+                value.as_deref().filter(|_| name == "object")
             }
             _ => None,
         });

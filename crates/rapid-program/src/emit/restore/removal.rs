@@ -303,14 +303,15 @@ impl<'w> Remover<'w> {
 
     /// Name and own index of `name{tcK()}`, `name{tcI}` and `name{index,tcK()}`.
     fn element(&self, expr: &Expr) -> Option<(TextRange, Option<TextRange>)> {
-        let ExprKind::Index { base, indices } = &expr.kind else { return None };
+        let ExprKind::Index(element) = &expr.kind else { return None };
+        let base = &element.base;
         if !matches!(base.kind, ExprKind::Name) {
             return None;
         }
-        let (last, own) = indices.split_last()?;
+        let (last, own) = element.indices.split_last()?;
         let asks = match &last.kind {
             ExprKind::Name => self.is_core(last.range, "tcI"),
-            ExprKind::Call { name, args } => args.is_empty() && self.is_core(*name, "tcK"),
+            ExprKind::Call(call) => call.args.is_empty() && self.is_core(call.name, "tcK"),
             _ => false,
         };
         let own = match own {
@@ -323,11 +324,11 @@ impl<'w> Remover<'w> {
 
     /// The target that a function of ours stands round.
     fn inside(&self, expr: &Expr) -> Option<TextRange> {
-        let ExprKind::Call { name, args } = &expr.kind else { return None };
-        if !ROUND.iter().any(|function| self.is_core(*name, function)) {
+        let ExprKind::Call(call) = &expr.kind else { return None };
+        if !ROUND.iter().any(|function| self.is_core(call.name, function)) {
             return None;
         }
-        match &args.first()?.kind {
+        match &call.args.first()?.kind {
             ArgKind::Positional(inner) => Some(inner.range),
             _ => None,
         }

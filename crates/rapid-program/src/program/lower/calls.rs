@@ -150,8 +150,8 @@ impl<'a> Lower<'_, 'a> {
         match &expr.kind {
             ExprKind::String => value::string(self.text(expr.range)),
             ExprKind::Paren(inner) => self.literal(inner, first),
-            ExprKind::Binary { op: BinaryOp::Add, lhs, rhs } => {
-                self.literal(if first { lhs } else { rhs }, first)
+            ExprKind::Binary(sum) if sum.op == BinaryOp::Add => {
+                self.literal(if first { &sum.lhs } else { &sum.rhs }, first)
             }
             _ => Vec::new(),
         }

@@ -26,7 +26,7 @@ impl<'a> Lower<'_, 'a> {
                     (expr, positions.contains(&(position - 1)))
                 }
                 ArgKind::Named { name, value: Some(expr) } => {
-                    (expr, is_written_option(&lower_case(self.text(*name))))
+                    (&**expr, is_written_option(&lower_case(self.text(*name))))
                 }
                 ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => continue,
             };

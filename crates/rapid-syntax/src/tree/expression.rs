@@ -1,0 +1,165 @@
+//! Expressions and arguments of the tree. An expression is 24 bytes, an argument 32: what is larger stands
+//! in a box of its own.
+
+use crate::diagnostic::TextRange;
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    /// Its bytes.
+    pub range: TextRange,
+    /// What it is.
+    pub kind: ExprKind,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// A number, as written, without sign.
+    Number,
+    /// A string with its quotes.
+    String,
+    /// TRUE or FALSE.
+    Bool(bool),
+    /// A name.
+    Name,
+    /// `base.component`
+    Field(Box<FieldExpr>),
+    /// `base{i,j}`; `{*}` gives no index.
+    Index(Box<IndexExpr>),
+    /// `[a,b,c]`; boxed twice to be one pointer.
+    Aggregate(Box<Box<[Expr]>>),
+    /// `[1,[2,-3]]`, nothing but numbers and no comment: [`parts_of_numbers`](crate::parts_of_numbers)
+    /// gives its parts.
+    Numbers,
+    /// `name(args)`: a function call.
+    Call(Box<CallExpr>),
+    /// `-a`, `+a`, `NOT a`
+    Unary {
+        /// Which operator.
+        op: UnaryOp,
+        /// The operand.
+        operand: Box<Expr>,
+    },
+    /// `a + b` and so on.
+    Binary(Box<BinaryExpr>),
+    /// `(a)`
+    Paren(Box<Expr>),
+    /// `<EXP>` and the like.
+    Placeholder,
+    /// Text that was not understood, or is nested deeper than is read.
+    Opaque,
+}
+
+/// `base.component`
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldExpr {
+    /// The record.
+    pub base: Expr,
+    /// The component's name.
+    pub name: TextRange,
+}
+
+/// `base{i,j}`
+#[derive(Clone, Debug, PartialEq)]
+pub struct IndexExpr {
+    /// The array.
+    pub base: Expr,
+    /// One to three indices; none for `{*}`.
+    pub indices: Box<[Expr]>,
+}
+
+/// `name(args)`
+#[derive(Clone, Debug, PartialEq)]
+pub struct CallExpr {
+    /// The function's name.
+    pub name: TextRange,
+    /// Its arguments in order.
+    pub args: Box<[Arg]>,
+}
+
+/// `a + b` and so on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BinaryExpr {
+    /// Which operator.
+    pub op: BinaryOp,
+    /// The left operand.
+    pub lhs: Expr,
+    /// The right operand.
+    pub rhs: Expr,
+}
+
+/// One argument of a call of a procedure or function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arg {
+    /// The argument alone, without commas.
+    pub range: TextRange,
+    /// What it is.
+    pub kind: ArgKind,
+}
+
+/// What an argument is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ArgKind {
+    /// A value by position.
+    Positional(Expr),
+    /// `\Name` or `\Name:=value`.
+    Named {
+        /// The name without its backslash.
+        name: TextRange,
+        /// The value; `None` for a switch.
+        value: Option<Box<Expr>>,
+    },
+    /// `\Name?param`: handed on if present.
+    Conditional {
+        /// The name without its backslash.
+        name: TextRange,
+        /// The parameter that is handed on.
+        param: TextRange,
+    },
+}
+
+/// Operators with one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOp {
+    /// `-`
+    Neg,
+    /// `+`
+    Plus,
+    /// `NOT`
+    Not,
+}
+
+/// Operators with two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the operator it is named for")]
+pub enum BinaryOp {
+    Or,
+    Xor,
+    And,
+    Lt,
+    Le,
+    Eq,
+    Ge,
+    Gt,
+    Ne,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    IntDiv,
+    Mod,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tree::{CallStmt, DataDecl, ModuleItem, Stmt};
+
+    #[test]
+    fn nodes_are_small() {
+        assert_eq!((size_of::<Expr>(), size_of::<Option<Expr>>()), (24, 24));
+        assert_eq!((size_of::<Arg>(), size_of::<CallStmt>(), size_of::<Stmt>()), (32, 40, 24));
+        assert_eq!((size_of::<DataDecl>(), size_of::<ModuleItem>()), (72, 72));
+    }
+}
