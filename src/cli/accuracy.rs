@@ -1,12 +1,12 @@
 //! `driftpost accuracy`: pose accuracy, repeatability and drift after ISO 9283.
 
-use super::measured::Source;
+use super::measured::MeasurementArgs;
 use super::number::positive;
 use super::shared::{RobotName, tool};
-use super::validate::RegisterName;
+use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
 use crate::report::{Told, accuracy as report};
-use metrology::measure::{Compared, PerformanceError, performance};
+use metrology::measure::{ComparisonFrame, PerformanceError, performance};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
@@ -18,7 +18,7 @@ use std::path::PathBuf;
 pub struct Args {
     /// The measurements: rows that share a pose_id (or their joints) repeat one commanded pose.
     #[command(flatten)]
-    pub source: Source,
+    pub source: MeasurementArgs,
 
     /// The robot.
     #[command(flatten)]
@@ -29,8 +29,8 @@ pub struct Args {
     pub tool: Option<String>,
 
     /// What is fitted before accuracy is judged: with none the instrument shows the robot's base frame.
-    #[arg(long, value_enum, default_value_t = RegisterName::BaseTool)]
-    pub register: RegisterName,
+    #[arg(long, value_enum, default_value_t = RefitScopeName::BaseTool)]
+    pub register: RefitScopeName,
 
     /// Exit 1 where the accuracy AP of a pose is worse.
     #[arg(long, value_name = "MM")]
@@ -104,7 +104,7 @@ fn refused(error: &PerformanceError) -> Diagnostic {
     Diagnostic::error(code, error.to_string())
 }
 
-fn compared(register: RegisterName, tool_m: Option<Vector3<f64>>) -> Result<Compared, Diagnostic> {
+fn compared(register: RefitScopeName, tool_m: Option<Vector3<f64>>) -> Result<ComparisonFrame, Diagnostic> {
     let known = || {
         tool_m.ok_or_else(|| {
             Diagnostic::error(
@@ -114,8 +114,8 @@ fn compared(register: RegisterName, tool_m: Option<Vector3<f64>>) -> Result<Comp
         })
     };
     Ok(match register {
-        RegisterName::BaseTool => Compared::Fitted,
-        RegisterName::Base => Compared::BaseFitted(known()?),
-        RegisterName::None => Compared::AsMeasured(known()?),
+        RefitScopeName::BaseTool => ComparisonFrame::Fitted,
+        RefitScopeName::Base => ComparisonFrame::BaseFitted(known()?),
+        RefitScopeName::None => ComparisonFrame::AsMeasured(known()?),
     })
 }

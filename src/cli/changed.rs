@@ -1,10 +1,10 @@
 //! `driftpost changed`: what has changed between two measurements of one robot.
 
 use super::number::positive;
-use super::shared::{Known, RobotName};
+use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
 use crate::report::changed as report;
-use metrology::diagnose::{Changed, ChangedError, changed};
+use metrology::diagnose::{CompareError, MeasurementComparison, compare_measurements};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 use std::io::Write;
@@ -27,7 +27,7 @@ pub struct Args {
 
     /// What is known of the measurement.
     #[command(flatten)]
-    pub known: Known,
+    pub known: PriorKnowledgeArgs,
 
     /// Another layout of both files (TOML, docs/MEASURING.md).
     #[arg(long, value_name = "MAP.toml")]
@@ -53,7 +53,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;
-    let found = changed(&before, &after, &robot, &options).map_err(|error| refused(&error))?;
+    let found = compare_measurements(&before, &after, &robot, &options).map_err(|error| refused(&error))?;
     let said = verdict(&found, args.limit_mm);
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", report::json(&found, said)).into_bytes()))?;
@@ -62,18 +62,18 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(if said { Outcome::Difference } else { Outcome::Done })
 }
 
-fn verdict(found: &Changed, limit_mm: Option<f64>) -> bool {
+fn verdict(found: &MeasurementComparison, limit_mm: Option<f64>) -> bool {
     let Some(limit_m) = limit_mm.map(m_from_mm) else { return found.is_changed };
     let largest = found.worst.first().map_or(0.0, |w| w.2);
     let tool = found.tools_moved_m.iter().map(|(by, _)| by.norm()).fold(0.0, f64::max);
     found.is_changed && (largest > limit_m || tool > limit_m)
 }
 
-fn refused(error: &ChangedError) -> Diagnostic {
+fn refused(error: &CompareError) -> Diagnostic {
     let code = match error {
-        ChangedError::TooFew { .. } => "changed::too-few",
-        ChangedError::Fault { .. } => "measure::fault",
-        ChangedError::Register(_) => "measure::registration",
+        CompareError::TooFew { .. } => "changed::too-few",
+        CompareError::Fault { .. } => "measure::fault",
+        CompareError::Register(_) => "measure::registration",
     };
     Diagnostic::error(code, error.to_string())
         .help("measure the same poses with the same target each time, 30 spread ones")

@@ -1,7 +1,7 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
-use super::measured::Source;
-use super::shared::{Known, RobotName};
+use super::measured::MeasurementArgs;
+use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files};
 use crate::report::shop::{self, Standing};
 use crate::report::{diagnosis, plots};
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub struct Args {
     /// The measurements.
     #[command(flatten)]
-    pub source: Source,
+    pub source: MeasurementArgs,
 
     /// The robot.
     #[command(flatten)]
@@ -23,7 +23,7 @@ pub struct Args {
 
     /// What is known of the measurement.
     #[command(flatten)]
-    pub known: Known,
+    pub known: PriorKnowledgeArgs,
 
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]

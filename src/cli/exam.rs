@@ -36,11 +36,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         .par_iter()
         .map(|truth| answer(&args.dir.join(&truth.name)))
         .collect::<anyhow::Result<_>>()?;
-    let papers: Vec<(Truth, Answer)> = sealed.sets.into_iter().zip(answers).collect();
-    let table = score(&papers);
+    let answered: Vec<(Truth, Answer)> = sealed.sets.into_iter().zip(answers).collect();
+    let table = score(&answered);
     let to_standard_output = matches!(json, files::Output::Standard);
     json.write(console, || {
-        let sets: Vec<_> = papers
+        let sets: Vec<_> = answered
             .iter()
             .map(|(truth, answer)| serde_json::json!({ "truth": truth, "answer": answer }))
             .collect();
@@ -48,7 +48,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Ok(format!("{all:#}\n").into_bytes())
     })?;
     if !to_standard_output {
-        writeln!(console.out(), "{} sets\n", papers.len())?;
+        writeln!(console.out(), "{} sets\n", answered.len())?;
         for measure in &table {
             writeln!(console.out(), "{}", line(measure))?;
         }
@@ -85,8 +85,8 @@ fn answer(folder: &Path) -> anyhow::Result<Answer> {
         tool_m: task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
         sigma_m: task.sigma_mm.map(m_from_mm),
     };
-    let said = serde_json::to_value(diagnose(&measurements, &robot, &options))?;
-    Ok(serde_json::from_value(said)?)
+    let answer = serde_json::to_value(diagnose(&measurements, &robot, &options))?;
+    Ok(serde_json::from_value(answer)?)
 }
 
 /// A row of the table: measure, value with interval, number of sets, what passes, what is world-class.

@@ -1,11 +1,13 @@
 //! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
 
 use super::given::Given;
-use super::measured::Source;
+use super::measured::MeasurementArgs;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
 use crate::report::fit as report;
-use metrology::diagnose::warmup::{AtTargets, FitError, FitOptions, Place, Stop, WarmUp, at_targets, fit};
+use metrology::diagnose::warmup::{
+    FitError, FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget, fit, forecast_at_targets,
+};
 use nalgebra::Vector3;
 use rapid_program::compensate::{self, targets};
 use rapid_program::program::{Overrides, Program};
@@ -20,7 +22,7 @@ use std::path::PathBuf;
 pub struct Args {
     /// Touches: fixed_id, t_min, q1_deg..q6_deg; or measurements of a few poses again and again, with t_min.
     #[command(flatten)]
-    pub source: Source,
+    pub source: MeasurementArgs,
 
     /// The robot.
     #[command(flatten)]
@@ -56,11 +58,11 @@ pub struct Args {
 }
 
 /// `FROM:TO` in minutes.
-pub(super) fn stop(text: &str) -> Result<Stop, String> {
+pub(super) fn stop(text: &str) -> Result<Standstill, String> {
     let number = |t: &str| t.trim().parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
     let (from, to) = text.split_once(':').ok_or("write FROM:TO in minutes, e.g. 120:165")?;
     match (number(from), number(to)) {
-        (Some(from_min), Some(to_min)) if to_min >= from_min => Ok(Stop { from_min, to_min }),
+        (Some(from_min), Some(to_min)) if to_min >= from_min => Ok(Standstill { from_min, to_min }),
         _ => Err("write FROM:TO in minutes, the earlier one first, e.g. 120:165".to_owned()),
     }
 }
@@ -82,8 +84,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
     let warm_up = fit(&touches, &robot, &options).map_err(|error| refused(&error))?;
     let places = places(args, &robot, &warm_up)?;
-    let there =
-        (!places.is_empty()).then(|| at_targets(&warm_up, &robot, &places, &variants(&robot, &places)));
+    let there = (!places.is_empty())
+        .then(|| forecast_at_targets(&warm_up, &robot, &places, &variants(&robot, &places)));
 
     if let Some(file) = table_out {
         file.write(report::table_csv(&warm_up).as_bytes())?;
@@ -102,7 +104,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// How to go on.
-fn hint(to: &mut dyn Write, args: &Args, warm_up: &WarmUp, there: Option<&AtTargets>) -> std::io::Result<()> {
+fn hint(
+    to: &mut dyn Write,
+    args: &Args,
+    warm_up: &WarmUp,
+    there: Option<&TargetForecast>,
+) -> std::io::Result<()> {
     if let Some(file) = &args.table_out {
         let cool = warm_up.tau_cool_min.map_or_else(|| "MIN".to_owned(), |[tau, _]| format!("{tau:.0}"));
         writeln!(to, "\ndriftpost compensate PROGRAM --deformation {} --tau-cool {cool}", file.display())?;
@@ -113,7 +120,7 @@ fn hint(to: &mut dyn Write, args: &Args, warm_up: &WarmUp, there: Option<&AtTarg
     Ok(())
 }
 
-fn stops(given: &[String]) -> Result<Option<Vec<Stop>>, Diagnostic> {
+fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnostic> {
     if given.is_empty() {
         return Ok(None);
     }
@@ -123,7 +130,7 @@ fn stops(given: &[String]) -> Result<Option<Vec<Stop>>, Diagnostic> {
             Diagnostic::error("fit::stop", format!("--stop {text} cannot be read")).help(help)
         })?);
     }
-    stops.sort_by(|a: &Stop, b| a.from_min.total_cmp(&b.from_min));
+    stops.sort_by(|a: &Standstill, b| a.from_min.total_cmp(&b.from_min));
     Ok(Some(stops))
 }
 
@@ -139,14 +146,14 @@ fn refused(error: &FitError) -> Diagnostic {
 }
 
 /// Where the fit is to hold.
-fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Place>> {
+fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<WorkTarget>> {
     if let Some(path) = &args.targets {
         let bytes = files::read(path, "file of targets")?;
         let in_file = |error: Diagnostic| model::in_file(&path.display().to_string(), error);
         let read = targets::read(&bytes, None).map_err(|error| in_file(error.into()))?;
         let table = compensate::tabulate::tabulate(robot, &warm_up.deformation(), &read, None, &[0.0])
             .map_err(|error| in_file(error.into()))?;
-        let of = |(target, nominal): (&targets::Target, &robot_model::kinematics::Solution)| Place {
+        let of = |(target, nominal): (&targets::Target, &robot_model::kinematics::Solution)| WorkTarget {
             name: target.name.clone(),
             q_rad: nominal.q_rad,
             tool_m: Vector3::zeros(),
@@ -169,7 +176,7 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Pl
     for (motion, planned) in program.motions.iter().zip(&plan.motions) {
         let tool = motion.setup.tool.as_ref().filter(|tool| tool.robhold);
         for target in &planned.targets {
-            places.push(Place {
+            places.push(WorkTarget {
                 name: format!("line {}", motion.line),
                 q_rad: target.nominal_q_rad,
                 tool_m: tool.map_or_else(Vector3::zeros, |t| t.frame_from_tcp.translation.vector),
@@ -180,7 +187,7 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Pl
 }
 
 /// Poses round the places in which another point could be touched.
-fn variants(robot: &Robot, places: &[Place]) -> Vec<Place> {
+fn variants(robot: &Robot, places: &[WorkTarget]) -> Vec<WorkTarget> {
     const TURNS_DEG: [(usize, f64); 6] = [(0, 25.0), (1, 15.0), (2, 15.0), (3, 40.0), (4, 25.0), (5, 60.0)];
     let mut all = Vec::new();
     for place in places.iter().step_by(places.len().div_ceil(60).max(1)) {
@@ -189,7 +196,7 @@ fn variants(robot: &Robot, places: &[Place]) -> Vec<Place> {
                 let mut q_rad = place.q_rad;
                 q_rad[j] += rad_from_deg(sign * turn_deg);
                 if robot.within_range(&q_rad).is_ok() {
-                    all.push(Place { q_rad, ..place.clone() });
+                    all.push(WorkTarget { q_rad, ..place.clone() });
                 }
             }
         }

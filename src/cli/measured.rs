@@ -12,7 +12,7 @@ const LISTED: usize = 12;
 
 /// Where measurements come from.
 #[derive(Clone, Debug, clap::Args)]
-pub struct Source {
+pub struct MeasurementArgs {
     /// Measurements (CSV): joints q1_deg..q6_deg, measured points x_mm, y_mm, z_mm (or fixed_id, or length_mm), and
     /// what else is known.
     #[arg(value_name = "MEASUREMENTS", required_unless_present = "points", conflicts_with = "points")]
@@ -55,7 +55,7 @@ pub enum MatchName {
 }
 
 /// A table and where it comes from.
-pub struct Given {
+pub struct MeasurementInput {
     /// The table.
     pub table: Table,
     /// Names of its files.
@@ -64,14 +64,14 @@ pub struct Given {
     pub sha256: String,
 }
 
-impl Source {
+impl MeasurementArgs {
     /// Reads the table.
     ///
     /// # Errors
     /// A file that cannot be read, or what is wrong in it.
-    pub fn table(&self, console: &mut Console) -> Result<Given, Diagnostic> {
+    pub fn table(&self, console: &mut Console) -> Result<MeasurementInput, Diagnostic> {
         if let Some(path) = &self.measurements {
-            return given(path, self.columns.as_deref());
+            return input(path, self.columns.as_deref());
         }
         let (Some(points), Some(joints)) = (&self.points, &self.joints) else {
             return Err(Diagnostic::error("measure::file", "no measurements are named"));
@@ -79,8 +79,8 @@ impl Source {
         if !(self.match_within_min.is_finite() && self.match_within_min >= 0.0) {
             return Err(Diagnostic::error("option::number", "--match-within-min is a number of minutes"));
         }
-        let mut whole = given(points, self.columns.as_deref())?;
-        let other = given(joints, self.joints_columns.as_deref())?;
+        let mut whole = input(points, self.columns.as_deref())?;
+        let other = input(joints, self.joints_columns.as_deref())?;
         let by = match self.match_by {
             MatchName::Id => MatchBy::Id,
             MatchName::Order => MatchBy::Order,
@@ -92,7 +92,7 @@ impl Source {
                 format!("{} and {}: {error}", points.display(), joints.display()),
             )
         })?;
-        console.explain(&Told::all(alone(&joined, points, joints), &[]), true);
+        console.explain(&Told::all(unmatched(&joined, points, joints), &[]), true);
         whole.sha256 = model::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;
@@ -102,21 +102,21 @@ impl Source {
     /// Reads the measurements, with the name and SHA-256 of their files.
     ///
     /// # Errors
-    /// As [`Source::table`].
-    pub fn read(&self, console: &mut Console) -> Result<(Measurements, Given), Diagnostic> {
-        let given = self.table(console)?;
-        let measurements = Measurements::from_table(&given.table).map_err(|e| refused(&given.name, &e))?;
-        Ok((measurements, given))
+    /// As [`MeasurementArgs::table`].
+    pub fn read(&self, console: &mut Console) -> Result<(Measurements, MeasurementInput), Diagnostic> {
+        let input = self.table(console)?;
+        let measurements = Measurements::from_table(&input.table).map_err(|e| refused(&input.name, &e))?;
+        Ok((measurements, input))
     }
 
     /// Reads touches.
     ///
     /// # Errors
-    /// As [`Source::table`].
-    pub fn touches(&self, console: &mut Console) -> Result<(Touches, Given), Diagnostic> {
-        let given = self.table(console)?;
-        let touches = Touches::from_table(&given.table).map_err(|e| refused(&given.name, &e))?;
-        Ok((touches, given))
+    /// As [`MeasurementArgs::table`].
+    pub fn touches(&self, console: &mut Console) -> Result<(Touches, MeasurementInput), Diagnostic> {
+        let input = self.table(console)?;
+        let touches = Touches::from_table(&input.table).map_err(|e| refused(&input.name, &e))?;
+        Ok((touches, input))
     }
 }
 
@@ -125,11 +125,11 @@ impl Source {
 /// # Errors
 /// A file that cannot be read, or what is wrong in it.
 pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<Measurements, Diagnostic> {
-    let given = given(path, columns)?;
-    Measurements::from_table(&given.table).map_err(|e| refused(&path.display().to_string(), &e))
+    let input = input(path, columns)?;
+    Measurements::from_table(&input.table).map_err(|e| refused(&path.display().to_string(), &e))
 }
 
-fn given(path: &Path, columns: Option<&Path>) -> Result<Given, Diagnostic> {
+fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagnostic> {
     let bytes = files::read(path, "measurement file")?;
     let shown = path.display().to_string();
     let table = match columns {
@@ -141,14 +141,14 @@ fn given(path: &Path, columns: Option<&Path>) -> Result<Given, Diagnostic> {
             map.table(&bytes).map_err(|e| refused(&shown, &e))?
         }
     };
-    Ok(Given { table, name: model::file_name(path), sha256: model::sha256(&bytes) })
+    Ok(MeasurementInput { table, name: model::file_name(path), sha256: model::sha256(&bytes) })
 }
 
 fn refused(name: &str, error: &MeasureError) -> Diagnostic {
     Diagnostic::error("measure::file", format!("{name}: {error}"))
 }
 
-fn alone(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
+fn unmatched(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
     let one = |lines: &[u64], path: &Path, what: &str| {
         let shown: Vec<String> = lines.iter().take(LISTED).map(u64::to_string).collect();
         let more = if lines.len() > LISTED { ", ..." } else { "" };
@@ -165,7 +165,7 @@ fn alone(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
             .help("they are left out; check --match")
         })
     };
-    [one(&joined.points_alone, points, "joints"), one(&joined.joints_alone, joints, "point")]
+    [one(&joined.unmatched_points, points, "joints"), one(&joined.unmatched_joints, joints, "point")]
         .into_iter()
         .flatten()
         .collect()

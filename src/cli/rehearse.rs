@@ -4,9 +4,9 @@
 use super::given::Given;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use exam::again::{Again, Commanded, is_lasting, measured_rms_m};
-use exam::draw::Draw;
 use exam::generate::{DataSet, data_set};
+use exam::rng::Rng;
+use exam::virtual_robot::{Commanded, VirtualRobot, is_lasting, measured_rms_m};
 use metrology::diagnose::{Diagnosis, Options, describe, diagnose_and_identify};
 use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Vector3};
@@ -77,8 +77,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given = Given::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
-    let mut draw = Draw::new(args.seed, 0);
-    let set = measured(args, &robot, &mut draw)?;
+    let mut rng = Rng::new(args.seed, 0);
+    let set = measured(args, &robot, &mut rng)?;
     let (diagnosis, identified) = found(&set, &robot)?;
     let identified = identified.ok_or_else(|| {
         Diagnostic::error("model::none", format!("no model can be made of these data: {}", diagnosis.reason))
@@ -91,12 +91,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         given.sources().into_iter().map(|f| (f.path, f.bytes.to_vec())).collect();
     let meant = moves(&robot, &plain)?;
     let done = moves(&robot, &emitted)?;
-    let again = Again::of(&robot, &set.truth);
-    let before = judged(&again, &meant, &meant, args.sigma_mm, &mut draw);
-    let after = judged(&again, &meant, &done, args.sigma_mm, &mut draw);
+    let robot_under_test = VirtualRobot::from_truth(&robot, &set.truth);
+    let before = judged(&robot_under_test, &meant, &meant, args.sigma_mm, &mut rng);
+    let after = judged(&robot_under_test, &meant, &done, args.sigma_mm, &mut rng);
     let floor_mm = args.sigma_mm * 3.0_f64.sqrt();
     let good = after.measured_mm <= args.limit * floor_mm;
-    let said = json!({
+    let answer = json!({
         "withheld": args.withhold, "verdict": diagnosis.verdict,
         "causes": diagnosis.causes.iter().map(describe).collect::<Vec<_>>(),
         "targets": before.n, "floor_rms_mm": floor_mm,
@@ -104,7 +104,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         "after": { "measured_rms_mm": after.measured_mm, "true_rms_mm": after.true_mm, "true_max_mm": after.max_mm },
     });
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{said:#}\n").into_bytes()))?;
+    json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     writeln!(to, "withheld: {}", args.withhold)?;
     writeln!(to, "found in {} poses: {}", args.n, diagnosis.reason)?;
@@ -121,7 +121,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// The virtual robot, measured.
-fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diagnostic> {
+fn measured(args: &Args, robot: &Robot, rng: &mut Rng) -> Result<DataSet, Diagnostic> {
     let recipe = synth::recipe(
         &synth::Ask {
             effects: &args.withhold,
@@ -131,7 +131,7 @@ fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diag
             rho: args.rho,
             spread: exam::poses::Spread::Wide,
         },
-        draw,
+        rng,
     )?;
     if let Some((effect, _)) = recipe.effects.iter().find(|(effect, _)| !is_lasting(effect)) {
         let name = effect.name().unwrap_or("this effect");
@@ -141,7 +141,7 @@ fn measured(args: &Args, robot: &Robot, draw: &mut Draw) -> Result<DataSet, Diag
         )
         .help("withhold effects of the arm that stay; drift over a warm-up is `fit`'s"));
     }
-    data_set(robot, &args.robot.name, &recipe, draw).ok_or_else(|| {
+    data_set(robot, &args.robot.name, &recipe, rng).ok_or_else(|| {
         Diagnostic::error("synth::no-signal", format!("{} cannot be made as large as asked", args.withhold))
             .help("it lies inside the registration of base and tool, or --rho is too large for it")
     })
@@ -233,7 +233,13 @@ struct Judged {
 }
 
 /// The moves of `done` on the true robot, against where `meant` goes on a perfect one.
-fn judged(again: &Again, meant: &[Move], done: &[Move], sigma_mm: f64, draw: &mut Draw) -> Judged {
+fn judged(
+    robot_under_test: &VirtualRobot,
+    meant: &[Move],
+    done: &[Move],
+    sigma_mm: f64,
+    rng: &mut Rng,
+) -> Judged {
     let mut flanges: Vec<Isometry3<f64>> = Vec::new();
     let mut off_m: Vec<Vector3<f64>> = Vec::new();
     for (a, b) in meant.iter().zip(done) {
@@ -245,20 +251,20 @@ fn judged(again: &Again, meant: &[Move], done: &[Move], sigma_mm: f64, draw: &mu
             payload_kg: payload.mass_kg,
             payload_at_m: payload.cog_m,
         };
-        let perfect = again.nominal(&meant_rad);
+        let perfect = robot_under_test.nominal(&meant_rad);
         let tip = |flange: &Isometry3<f64>| {
             let on_flange =
                 if b.setup.tool_held { b.setup.frame_from_tcp } else { b.setup.frame_from_object };
             (flange * on_flange).translation.vector
         };
-        off_m.push(tip(&again.flange(&at)) - tip(&perfect));
+        off_m.push(tip(&robot_under_test.flange(&at)) - tip(&perfect));
         flanges.push(perfect);
     }
     let n = off_m.len();
     let true_m = (off_m.iter().map(Vector3::norm_squared).sum::<f64>() / n.max(1) as f64).sqrt();
     Judged {
         n,
-        measured_mm: mm_from_m(measured_rms_m(&flanges, &off_m, sigma_mm, draw)),
+        measured_mm: mm_from_m(measured_rms_m(&flanges, &off_m, sigma_mm, rng)),
         true_mm: mm_from_m(true_m),
         max_mm: mm_from_m(off_m.iter().map(Vector3::norm).fold(0.0, f64::max)),
     }

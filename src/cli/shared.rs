@@ -28,7 +28,7 @@ impl RobotName {
 
 /// What is known of a measurement besides its file.
 #[derive(Debug, clap::Args)]
-pub struct Known {
+pub struct PriorKnowledgeArgs {
     /// Place of the measured target in the flange's frame, mm, known to about 1 mm.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub tool: Option<String>,
@@ -38,7 +38,7 @@ pub struct Known {
     pub sigma_mm: Option<f64>,
 }
 
-impl Known {
+impl PriorKnowledgeArgs {
     /// The same, as the diagnosis takes it.
     ///
     /// # Errors

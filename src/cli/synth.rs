@@ -3,13 +3,13 @@
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
-use exam::draw::Draw;
 use exam::generate::{DataSet, Recipe, data_set};
 use exam::poses::{Recorded, Spread};
+use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
-use exam::truth::{Kind, Sealed, seal};
-use exam::{choose, mixture};
-use metrology::diagnose::warmup::Stop;
+use exam::truth::{QuestionKind, Sealed, seal};
+use exam::{effect_spec, mixture};
+use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::GrowthLaw;
 use robot_model::robot::Robot;
@@ -74,7 +74,7 @@ pub struct Args {
 
     /// With --touches: the robot stands from one minute to another.
     #[arg(long, value_name = "FROM:TO", default_value = "120:165", value_parser = super::fit::stop)]
-    pub stop: Stop,
+    pub stop: Standstill,
 
     /// With --touches: the true robot's settled deformation (static CSV) [default: the reference paper's Table 2].
     #[arg(long, value_name = "FILE")]
@@ -150,7 +150,7 @@ fn touched(
         within_m: [[400.0, -300.0, 250.0], [700.0, 300.0, 550.0]].map(|corner| corner.map(m_from_mm)),
         tool_m: [0.0, 0.0, m_from_mm(100.0)],
     };
-    let csv = touches(robot, &recipe, &mut Draw::new(args.seed, 0)).ok_or_else(|| {
+    let csv = touches(robot, &recipe, &mut Rng::new(args.seed, 0)).ok_or_else(|| {
         Diagnostic::error("synth::no-signal", "the arm does not reach into the box where the points would be")
             .help("the points are put into the cube of the reference paper: use an arm of its size")
     })?;
@@ -184,14 +184,14 @@ fn check(args: &Args) -> Result<(), Diagnostic> {
 /// One data set. The mixture draws again, from the same stream, where what it drew leaves no signal.
 fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
     const TRIES: usize = 50;
-    let mut draw = Draw::new(args.seed, u64::from(number));
+    let mut rng = Rng::new(args.seed, u64::from(number));
     for _ in 0..TRIES {
         let recipe = match args.effects.as_str() {
-            "mix" => mixture::recipe(number as usize, args.most_rows as usize, &mut draw),
-            "weak" => mixture::weak_recipe(number as usize, &mut draw),
-            _ => recipe(&Ask::of(args, number), &mut draw)?,
+            "mix" => mixture::recipe(number as usize, args.most_rows as usize, &mut rng),
+            "weak" => mixture::weak_recipe(number as usize, &mut rng),
+            _ => recipe(&Ask::of(args, number), &mut rng)?,
         };
-        if let Some(set) = data_set(robot, &args.robot.name, &recipe, &mut draw) {
+        if let Some(set) = data_set(robot, &args.robot.name, &recipe, &mut rng) {
             return Ok(set);
         }
     }
@@ -233,19 +233,19 @@ impl<'a> Ask<'a> {
 
 /// How an effect is written, with numbers for its letters.
 fn example(name: &str) -> String {
-    let form = choose::NAMES.into_iter().find(|(known, _)| *known == name).map_or("", |(_, form)| form);
+    let form = effect_spec::SYNTAX.into_iter().find(|(known, _)| *known == name).map_or("", |(_, form)| form);
     let numbers = form.split(':').filter(|part| !part.is_empty()).zip([":2", ":3"]);
     std::iter::once(name).chain(numbers.map(|(_, number)| number)).collect()
 }
 
 /// The recipe of what is asked.
-pub(super) fn recipe(args: &Ask<'_>, draw: &mut Draw) -> Result<Recipe, Diagnostic> {
+pub(super) fn recipe(args: &Ask<'_>, rng: &mut Rng) -> Result<Recipe, Diagnostic> {
     let mut effects = Vec::new();
     for text in args.effects.split(',').filter(|t| *t != "none") {
-        let effect = choose::effect(text, draw).map_err(|e| {
+        let effect = effect_spec::parse(text, rng).map_err(|e| {
             let name = text.split(':').next().unwrap_or(text);
-            let near = suggest::nearest(name, choose::NAMES.map(|(known, _)| known));
-            let known = choose::NAMES
+            let near = suggest::nearest(name, effect_spec::SYNTAX.map(|(known, _)| known));
+            let known = effect_spec::SYNTAX
                 .map(|(name, form)| if form.is_empty() { name.into() } else { format!("{name}:{form}") });
             let help = match near {
                 None => known.join(", "),
@@ -257,10 +257,10 @@ pub(super) fn recipe(args: &Ask<'_>, draw: &mut Draw) -> Result<Recipe, Diagnost
         effects.push((effect, args.rho));
     }
     let kind = match effects.as_slice() {
-        [] => Kind::None,
-        [(e, _)] if e.name().is_none() => Kind::Outside,
-        [_] => Kind::One,
-        _ => Kind::Two,
+        [] => QuestionKind::None,
+        [(e, _)] if e.name().is_none() => QuestionKind::Outside,
+        [_] => QuestionKind::One,
+        _ => QuestionKind::Two,
     };
     let n = args.n;
     Ok(Recipe {

@@ -1,12 +1,12 @@
 //! `driftpost validate`: an identified model against measurements that it has not seen.
 
-use super::measured::Source;
+use super::measured::MeasurementArgs;
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
 use crate::report::Told;
 use clap::ValueEnum;
-use metrology::diagnose::{Part, Register, ValidateError, Validation, validate};
+use metrology::diagnose::{PoseSubset, RefitScope, ValidateError, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
 use std::io::Write;
@@ -17,7 +17,7 @@ use std::path::PathBuf;
 pub struct Args {
     /// The measurements.
     #[command(flatten)]
-    pub source: Source,
+    pub source: MeasurementArgs,
 
     /// The robot.
     #[command(flatten)]
@@ -28,8 +28,8 @@ pub struct Args {
     pub model: PathBuf,
 
     /// What of base and tool is fitted again; the rest is the model's.
-    #[arg(long, value_enum, default_value_t = RegisterName::BaseTool)]
-    pub register: RegisterName,
+    #[arg(long, value_enum, default_value_t = RefitScopeName::BaseTool)]
+    pub register: RefitScopeName,
 
     /// Exit 1 where the rms distance is more than this.
     #[arg(long, value_name = "MM")]
@@ -42,7 +42,7 @@ pub struct Args {
 
 /// What is fitted again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum RegisterName {
+pub enum RefitScopeName {
     /// Base and tool.
     #[value(name = "base,tool")]
     BaseTool,
@@ -64,9 +64,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (measurements, _) = args.source.read(console)?;
     console.explain(&Told::all(model::of_another_robot(&identified.model, &robot), &[]), false);
     let which = match args.register {
-        RegisterName::BaseTool => Register::BaseAndTool,
-        RegisterName::Base => Register::Base,
-        RegisterName::None => Register::Nothing,
+        RefitScopeName::BaseTool => RefitScope::BaseAndTool,
+        RefitScopeName::Base => RefitScope::Base,
+        RefitScopeName::None => RefitScope::Nothing,
     };
     let found = validate(&measurements, &robot, &identified.model, which).map_err(refused)?;
     let within = args.limit_mm.is_none_or(|limit_mm| found.all.model.rms_mm <= limit_mm);
@@ -89,7 +89,7 @@ fn refused(error: ValidateError) -> Diagnostic {
 }
 
 fn as_json(found: &Validation) -> serde_json::Value {
-    let Part { n, model, nominal } = found.all;
+    let PoseSubset { n, model, nominal } = found.all;
     json!({
         "n": n, "rms_mm": model.rms_mm, "mean_mm": model.mean_mm, "max_mm": model.max_mm, "nominal": nominal,
         "inside": found.inside, "outside": found.outside, "joints_outside": found.joints_outside,

@@ -1,6 +1,6 @@
 //! What has changed between two measurements, for people and as JSON.
 
-use metrology::diagnose::{Changed, describe};
+use metrology::diagnose::{MeasurementComparison, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut dyn Write, found: &Changed, is_changed: bool) -> io::Result<()> {
+pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
     writeln!(out, "{}", if is_changed { "CHANGED" } else { "not changed" })?;
     let [before, after] = found.alone;
     writeln!(out, "{} poses measured both times; {before} only before, {after} only after", found.pairs)?;
@@ -50,7 +50,7 @@ pub fn write(out: &mut dyn Write, found: &Changed, is_changed: bool) -> io::Resu
 
 /// For scripts.
 #[must_use]
-pub fn json(found: &Changed, is_changed: bool) -> Value {
+pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     let tools: Vec<Value> = found
         .tools_moved_m
         .iter()

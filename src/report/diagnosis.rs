@@ -1,6 +1,7 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
 use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
+use robot_model::deform::EffectKind;
 use robot_model::units::deg_from_rad;
 use std::fmt::Write;
 
@@ -107,7 +108,7 @@ fn zeros(page: &mut String, d: &Diagnosis) {
         .iter()
         .map(|zero| format!("joint {} {:+.3} deg", zero.joint, deg_from_rad(zero.offset_rad)))
         .collect();
-    let named = d.causes.iter().any(|cause| cause.effect == "joint_offset");
+    let named = d.causes.iter().any(|cause| cause.effect == EffectKind::JointOffset);
     let apart = if named { "" } else { "; beside geometry as wide as this arm's they are not told from it" };
     let (before, after) = (zeros.before_rms_mm, zeros.after_rms_mm);
     let all = all.join(", ");
@@ -133,8 +134,12 @@ fn evidence(page: &mut String, d: &Diagnosis) {
     if rows.len() > MOST_LISTED {
         line(page, &format!("  and {} more: see the JSON", rows.len() - MOST_LISTED));
     }
-    let wanting: Vec<String> =
-        d.rivals.iter().take(4).map(|c| format!("{} ({})", describe(c), percent(c.posterior))).collect();
+    let wanting: Vec<String> = d
+        .alternatives
+        .iter()
+        .take(4)
+        .map(|c| format!("{} ({})", describe(c), percent(c.posterior)))
+        .collect();
     if !wanting.is_empty() && named {
         line(page, "");
         line(page, "What it is not");
@@ -149,8 +154,8 @@ fn rows(causes: &[Cause]) -> Vec<String> {
     let mut told = Vec::new();
     for cause in causes {
         let lines: Vec<&Cause> =
-            causes.iter().filter(|c| c.effect == "gear_mesh" && c.joint == cause.joint).collect();
-        if cause.effect != "gear_mesh" || lines.len() < 3 {
+            causes.iter().filter(|c| c.effect == EffectKind::GearMesh && c.joint == cause.joint).collect();
+        if cause.effect != EffectKind::GearMesh || lines.len() < 3 {
             rows.push(in_words(cause));
         } else if !told.contains(&cause.joint) {
             told.push(cause.joint);
@@ -159,8 +164,11 @@ fn rows(causes: &[Cause]) -> Vec<String> {
             let more = lines.len() - orders.len();
             let more = if more > 0 { format!(" and {more} more") } else { String::new() };
             let joint = cause.joint.map_or_else(String::new, |j| format!(" of joint {j}"));
-            let mut row =
-                format!("gear_mesh{joint} ({}): {}{more} per turn", plainly("gear_mesh"), orders.join(", "));
+            let mut row = format!(
+                "gear_mesh{joint} ({}): {}{more} per turn",
+                plainly(EffectKind::GearMesh),
+                orders.join(", ")
+            );
             if let Some(rms_mm) = cause.rms_mm {
                 let _ = write!(row, "; the first {}", moves(rms_mm));
             }
@@ -171,30 +179,30 @@ fn rows(causes: &[Cause]) -> Vec<String> {
 }
 
 /// What an effect is, for someone who has never read its name.
-fn plainly(effect: &str) -> &'static str {
+fn plainly(effect: EffectKind) -> &'static str {
     match effect {
-        "joint_offset" => "its zero is off",
-        "link_geometry" => "the link is not as drawn",
-        "joint_compliance" => "its gear gives under gravity's torque",
-        "link_bending" => "the link bends under what hangs beyond it",
-        "base_tilt" => "the stand gives under the robot's weight",
-        "gear_eccentricity" => "a gear or encoder disc runs out of centre",
-        "gear_second_harmonic" => "a gear or bearing is oval",
-        "gear_mesh" => "teeth or rollers of its gear",
-        "joint_gain" => "it turns a little more or less than it says",
-        "joint_coupling" => "one joint turns the other a little",
-        "backlash" => "play in its gear",
-        "thermal_link_growth" => "links grow as they warm up",
-        "thermal_joint_drift" => "its zero drifts as it warms up",
-        "base_drift" => "base and instrument creep apart",
-        "base_step" => "base or instrument was moved",
-        "instrument_scale" => "the instrument's lengths are scaled",
-        "tool_drift" => "the target creeps on the flange",
-        "tool_step" => "the target was moved on the flange",
-        "payload_mass" => "the payload weighs more or less than declared",
-        "joint_rounding" => "joints are written with too few decimals",
-        "swapped_axes" => "measured axes are swapped or mirrored",
-        _ => "",
+        EffectKind::JointOffset => "its zero is off",
+        EffectKind::LinkGeometry => "the link is not as drawn",
+        EffectKind::JointCompliance => "its gear gives under gravity's torque",
+        EffectKind::LinkBending => "the link bends under what hangs beyond it",
+        EffectKind::BaseTilt => "the stand gives under the robot's weight",
+        EffectKind::GearEccentricity => "a gear or encoder disc runs out of centre",
+        EffectKind::GearSecondHarmonic => "a gear or bearing is oval",
+        EffectKind::GearMesh => "teeth or rollers of its gear",
+        EffectKind::JointGain => "it turns a little more or less than it says",
+        EffectKind::JointCoupling => "one joint turns the other a little",
+        EffectKind::Backlash => "play in its gear",
+        EffectKind::ThermalLinkGrowth => "links grow as they warm up",
+        EffectKind::ThermalJointDrift => "its zero drifts as it warms up",
+        EffectKind::BaseDrift => "base and instrument creep apart",
+        EffectKind::BaseStep => "base or instrument was moved",
+        EffectKind::InstrumentScale => "the instrument's lengths are scaled",
+        EffectKind::ToolDrift => "the target creeps on the flange",
+        EffectKind::ToolStep => "the target was moved on the flange",
+        EffectKind::PayloadMass => "the payload weighs more or less than declared",
+        EffectKind::JointRounding => "joints are written with too few decimals",
+        EffectKind::SwappedAxes => "measured axes are swapped or mirrored",
+        EffectKind::GearSpectrum => "",
     }
 }
 
@@ -260,7 +268,7 @@ fn limits(page: &mut String, d: &Diagnosis) {
         let of = if joints.is_empty() {
             String::new()
         } else {
-            let what = if entry.effect.contains("link") { "link" } else { "joint" };
+            let what = if entry.effect.is_of_link() { "link" } else { "joint" };
             let many = if joints.len() > 1 { "s" } else { "" };
             format!(" of {what}{many} {}", joints.join(", "))
         };

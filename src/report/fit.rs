@@ -1,6 +1,6 @@
 //! A fitted warm-up for people, as table and as JSON.
 
-use metrology::diagnose::warmup::{AtTargets, PARAMETERS, WarmUp};
+use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -17,7 +17,7 @@ fn unit(i: usize) -> (&'static str, fn(f64) -> f64) {
 
 /// For people.
 #[must_use]
-pub fn text(w: &WarmUp, there: Option<&AtTargets>) -> String {
+pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
@@ -52,7 +52,7 @@ pub fn text(w: &WarmUp, there: Option<&AtTargets>) -> String {
     out.push_str("\nWhat these points can tell of the settled deformation\n");
     let mut silent = 0;
     for i in 0..PARAMETERS {
-        if w.told(i) < TOLD {
+        if w.share_from_data(i) < TOLD {
             silent += 1;
             continue;
         }
@@ -64,17 +64,17 @@ pub fn text(w: &WarmUp, there: Option<&AtTargets>) -> String {
             NAMES[i % 6],
             of(w.settled[i]),
             of(w.sigma(i)),
-            100.0 * w.told(i)
+            100.0 * w.share_from_data(i)
         );
     }
     let _ = writeln!(out, "  {silent} of {PARAMETERS} parameters are told less than {:.0} %", 100.0 * TOLD);
     if let Some(there) = there {
-        at_targets(&mut out, there);
+        forecast_at_targets(&mut out, there);
     }
     out
 }
 
-fn at_targets(out: &mut String, there: &AtTargets) {
+fn forecast_at_targets(out: &mut String, there: &TargetForecast) {
     let _ = writeln!(out, "\nAt {} targets, settled, rms in space", there.targets.len());
     let share = |m: f64| 100.0 * m / there.drift_rms_m.max(1e-12);
     for (what, rms_m) in [
@@ -103,14 +103,14 @@ fn at_targets(out: &mut String, there: &AtTargets) {
 
 /// For scripts: mm, degrees, minutes.
 #[must_use]
-pub fn json(w: &WarmUp, there: Option<&AtTargets>) -> Value {
+pub fn json(w: &WarmUp, there: Option<&TargetForecast>) -> Value {
     let mm = |v: &Vector3<f64>| [v.x, v.y, v.z].map(mm_from_m);
     let parameters: Vec<Value> = (0..PARAMETERS)
         .map(|i| {
             let (unit, of) = unit(i);
             json!({
                 "joint": i / 6 + 1, "parameter": NAMES[i % 6], "unit": unit, "value": of(w.settled[i]),
-                "sigma": of(w.sigma(i)), "told": w.told(i),
+                "sigma": of(w.sigma(i)), "told": w.share_from_data(i),
             })
         })
         .collect();

@@ -1,7 +1,7 @@
 //! A measurement plan for people and as JSON.
 
 use super::table::{Align, Table};
-use metrology::plan::{Confounded, Lines, MeasurementPlan, Named, Step};
+use metrology::plan::{Confounded, EffectName, GearLines, MeasurementPlan, MeasurementStep};
 use robot_model::units::deg_from_rad;
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -19,7 +19,7 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     let poses: Vec<usize> = plan
         .steps
         .iter()
-        .filter_map(|s| if let Step::Pose { pose, .. } = s { Some(*pose) } else { None })
+        .filter_map(|s| if let MeasurementStep::Pose { pose, .. } = s { Some(*pose) } else { None })
         .collect();
     let distinct = poses.iter().collect::<std::collections::BTreeSet<_>>().len();
     writeln!(
@@ -79,7 +79,7 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
 }
 
 /// Gear lines, joint by joint.
-fn lines(out: &mut dyn Write, lines: &[Lines]) -> io::Result<()> {
+fn lines(out: &mut dyn Write, lines: &[GearLines]) -> io::Result<()> {
     let Some(first) = lines.first() else { return Ok(()) };
     writeln!(out, "\nLines of the gears, 3 to 320 per turn; usual size {:.0e} rad", first.usual)?;
     let mut table = Table::new(&[
@@ -100,11 +100,11 @@ fn lines(out: &mut dyn Write, lines: &[Lines]) -> io::Result<()> {
     table.write(out, "  ")
 }
 
-fn name(of: &Named) -> String {
+fn name(of: &EffectName) -> String {
     match (of.joint, of.joint_b) {
         (Some(j), Some(b)) => format!("{} {j} to {b}", of.effect),
         (Some(j), None) => format!("{} {j}", of.effect),
-        _ => of.effect.to_owned(),
+        _ => of.effect.to_string(),
     }
 }
 
@@ -116,8 +116,8 @@ pub fn json(plan: &MeasurementPlan) -> Value {
         .iter()
         .enumerate()
         .map(|(k, step)| match step {
-            Step::Nest { nest } => json!({ "id": k + 1, "nest": nest + 1 }),
-            Step::Pose { pose, q_rad, direction, payload_kg, .. } => json!({
+            MeasurementStep::Nest { nest } => json!({ "id": k + 1, "nest": nest + 1 }),
+            MeasurementStep::Pose { pose, q_rad, direction, payload_kg, .. } => json!({
                 "id": k + 1, "pose_id": pose + 1, "q_deg": q_rad.map(deg_from_rad), "dir": direction, "payload_kg": payload_kg,
             }),
         })

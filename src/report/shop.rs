@@ -2,7 +2,8 @@
 
 use nalgebra::{Isometry3, Vector3};
 use rapid_program::emit::{write_num, write_orient, write_pos};
-use robot_model::deform::identified::{Identified, Kind};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Identified;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
 
@@ -63,7 +64,7 @@ pub fn axis_offsets(model: &Identified) -> Vec<(usize, f64, Option<f64>)> {
         let value = t.values.first()?;
         Some((t.joint? + 1, value.value, value.sigma))
     };
-    model.terms.iter().filter(|t| t.kind == Kind::JointOffset).filter_map(of).collect()
+    model.terms.iter().filter(|t| t.kind == EffectKind::JointOffset).filter_map(of).collect()
 }
 
 /// Each axis's offset in degrees and radians, with the warning; empty where none was found.
@@ -167,7 +168,7 @@ fn load(out: &mut String, standing: &Standing, model: &Identified) {
     let heavier_kg: f64 = model
         .terms
         .iter()
-        .filter(|t| t.kind == Kind::PayloadMass)
+        .filter(|t| t.kind == EffectKind::PayloadMass)
         .filter_map(|t| t.values.first())
         .map(|v| v.value)
         .sum();

@@ -2,11 +2,11 @@
 //! files written, and a small fixed exam.
 
 use assert_cmd::Command;
-use exam::draw::Draw;
 use exam::effect::Effect;
 use exam::generate::{Recipe, data_set};
 use exam::poses::{Recorded, Spread};
-use exam::truth::Kind;
+use exam::rng::Rng;
+use exam::truth::QuestionKind;
 use robot_model::robot::Robot;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -32,9 +32,9 @@ fn diagnose(csv: &[u8], arguments: &[&str]) -> (i32, String, Option<Value>) {
     let json = folder.path().join("out.json");
     let output =
         driftpost().arg("diagnose").arg(&path).arg("--json").arg(&json).args(arguments).output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let answer = String::from_utf8_lossy(&output.stderr).into_owned();
     let json = fs::read(&json).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap());
-    (output.status.code().unwrap(), said, json)
+    (output.status.code().unwrap(), answer, json)
 }
 
 fn verdict(json: &Option<Value>) -> &str {
@@ -82,15 +82,15 @@ fn a_file_that_cannot_be_read_says_what_and_where() {
         (head.replace("x_mm", "q7_deg,x_mm") + "1,2,3,4,5,6,7,8,9,10\n", &["q7_deg", "six"]),
     ];
     for (text, expected) in cases {
-        let (code, said, json) = diagnose(text.as_bytes(), &[]);
-        assert_eq!(code, 2, "{text}: {said}");
+        let (code, answer, json) = diagnose(text.as_bytes(), &[]);
+        assert_eq!(code, 2, "{text}: {answer}");
         assert!(json.is_none(), "{text}");
         for word in expected {
-            assert!(said.contains(word), "{text}: {word} is not in {said}");
+            assert!(answer.contains(word), "{text}: {word} is not in {answer}");
         }
     }
-    let (code, said, _) = diagnose(&[0xff, 0xfe, 0x00, 0x12, 0x0a], &[]);
-    assert_eq!(code, 2, "{said}");
+    let (code, answer, _) = diagnose(&[0xff, 0xfe, 0x00, 0x12, 0x0a], &[]);
+    assert_eq!(code, 2, "{answer}");
 }
 
 #[test]
@@ -102,8 +102,8 @@ fn garbage_gets_no_confident_answer() {
         (q.map(|v| v + 0.001 * noise(k)), p.map(|v| v + 0.01 * noise(k + 50)))
     });
     for text in [&one, &alike, &nearly_alike] {
-        let (code, said, json) = diagnose(text.as_bytes(), &[]);
-        assert_eq!((code, verdict(&json)), (0, "insufficient_data"), "{said}");
+        let (code, answer, json) = diagnose(text.as_bytes(), &[]);
+        assert_eq!((code, verdict(&json)), (0, "insufficient_data"), "{answer}");
     }
     let (code, _, json) = diagnose(file(60, garbage).as_bytes(), &[]);
     assert_eq!((code, verdict(&json)), (0, "data_fault"));
@@ -130,13 +130,13 @@ fn time_that_steps_back_once_is_a_warning_and_shuffled_time_is_not_used() {
         }
         text
     };
-    let (code, said, json) = diagnose(retimed(&|k, t| if k < 30 { t } else { t - 20.0 }).as_bytes(), &[]);
+    let (code, answer, json) = diagnose(retimed(&|k, t| if k < 30 { t } else { t - 20.0 }).as_bytes(), &[]);
     assert_eq!(code, 0);
-    assert!(said.contains("warning[measure::time-step-back]"), "{said}");
+    assert!(answer.contains("warning[measure::time-step-back]"), "{answer}");
     assert_eq!(json.unwrap()["causes"][0]["effect"], "joint_compliance");
-    let (code, said, json) = diagnose(retimed(&|k, _| ((37 * k) % 60) as f64).as_bytes(), &[]);
+    let (code, answer, json) = diagnose(retimed(&|k, _| ((37 * k) % 60) as f64).as_bytes(), &[]);
     assert_eq!(code, 0);
-    assert!(said.contains("warning[measure::time-order]"), "{said}");
+    assert!(answer.contains("warning[measure::time-order]"), "{answer}");
     let untestable = json.unwrap()["untestable"].to_string();
     assert!(untestable.contains("base_drift") && untestable.contains("tool_step"), "{untestable}");
 }
@@ -144,9 +144,9 @@ fn time_that_steps_back_once_is_a_warning_and_shuffled_time_is_not_used() {
 #[test]
 #[ignore = "a million rows take a minute unoptimised: cargo test --release -- --ignored a_million"]
 fn a_million_rows_are_thinned_and_answered() {
-    let (code, said, json) = diagnose(file(1_000_000, garbage).as_bytes(), &[]);
+    let (code, answer, json) = diagnose(file(1_000_000, garbage).as_bytes(), &[]);
     assert_eq!((code, verdict(&json)), (0, "data_fault"));
-    assert!(said.contains("warning[measure::many-rows]"), "{said}");
+    assert!(answer.contains("warning[measure::many-rows]"), "{answer}");
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn the_same_bytes_whatever_the_number_of_threads_and_every_file_is_written() {
 fn outside(effect: Effect, n: usize, seed: u64) -> Value {
     let recipe = Recipe {
         name: "outside".into(),
-        kind: Kind::Outside,
+        kind: QuestionKind::Outside,
         effects: vec![(effect, 4.0)],
         n,
         repeats: 0,
@@ -211,9 +211,9 @@ fn outside(effect: Effect, n: usize, seed: u64) -> Value {
         payloads_kg: [0.0, 3.0],
     };
     let robot = Robot::built_in("irb140").unwrap();
-    let set = data_set(&robot, "irb140", &recipe, &mut Draw::new(seed, 0)).unwrap();
-    let (code, said, json) = diagnose(set.csv.as_bytes(), &[]);
-    assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{said}");
+    let set = data_set(&robot, "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();
+    let (code, answer, json) = diagnose(set.csv.as_bytes(), &[]);
+    assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{answer}");
     json.unwrap()
 }
 
@@ -226,8 +226,8 @@ fn a_joint_that_follows_another_by_a_curve_is_no_cause_of_the_library() {
 /// A hose that pulls at the hand by the angles of all the wrist's joints is no coupling of two of them, and not noise.
 #[test]
 fn a_hose_that_pulls_at_the_wrist_is_no_cause_of_the_library() {
-    let said = outside(Effect::CablePull { direction: [0.6, 0.0, 0.8] }, 100, 4);
-    assert!(said["reason"].as_str().unwrap().contains("wrist"), "{said:#}");
+    let answer = outside(Effect::CablePull { direction: [0.6, 0.0, 0.8] }, 100, 4);
+    assert!(answer["reason"].as_str().unwrap().contains("wrist"), "{answer:#}");
 }
 
 /// One region in which everything is shifted is found where it is, from 60 poses of which few meet it.
@@ -236,11 +236,12 @@ fn a_shift_near_one_place_is_no_cause_of_the_library() {
     let centre_mm = [450.0, 100.0, 400.0];
     let center_m = centre_mm.map(|mm| mm / 1000.0);
     let bump = Effect::LocalBump { center_m, radius_m: 0.18, direction: [0.0, 0.6, 0.8] };
-    let said = outside(bump, 60, 4);
-    assert!(said["reason"].as_str().unwrap().contains("one place"), "{said:#}");
-    let found = said["where"]["region"]["center_mm"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
+    let answer = outside(bump, 60, 4);
+    assert!(answer["reason"].as_str().unwrap().contains("one place"), "{answer:#}");
+    let found =
+        answer["where"]["region"]["center_mm"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
     let away_mm = found.zip(centre_mm).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-    assert!(away_mm < 180.0, "{away_mm} {said:#}");
+    assert!(away_mm < 180.0, "{away_mm} {answer:#}");
 }
 
 /// Two and three false readings one after the other, near the beginning and in the middle: rows to be set aside, and no step
@@ -261,11 +262,11 @@ fn false_readings_side_by_side_are_no_step() {
             }
             *line = cells.join(",");
         }
-        let (code, said, json) = diagnose(lines.join("\n").as_bytes(), &[]);
+        let (code, answer, json) = diagnose(lines.join("\n").as_bytes(), &[]);
         let json = json.unwrap();
         let causes: Vec<&str> =
             json["causes"].as_array().unwrap().iter().map(|c| c["effect"].as_str().unwrap()).collect();
-        assert_eq!((code, causes.as_slice()), (0, ["joint_gain"].as_slice()), "rows {first} on: {said}");
+        assert_eq!((code, causes.as_slice()), (0, ["joint_gain"].as_slice()), "rows {first} on: {answer}");
         let aside: Vec<u64> =
             json["false_rows"].as_array().unwrap().iter().map(|r| r["line"].as_u64().unwrap()).collect();
         let falsified: Vec<u64> = (first..first + rows).map(|line| line as u64 + 1).collect();
@@ -286,17 +287,17 @@ fn a_small_fixed_exam() {
         .success();
     let json = folder.path().join("exam.json");
     driftpost().arg("exam").arg(&sets).arg("--json").arg(&json).assert().success();
-    let said: Value = serde_json::from_slice(&fs::read(json).unwrap()).unwrap();
+    let answer: Value = serde_json::from_slice(&fs::read(json).unwrap()).unwrap();
     let value = |name: &str| {
-        let all = said["measures"].as_array().unwrap();
+        let all = answer["measures"].as_array().unwrap();
         let one = all.iter().find(|m| m["name"].as_str().unwrap().starts_with(name)).unwrap();
         one["value"].as_f64()
     };
     assert_eq!(value("confident and wrong, overall"), Some(0.0));
     assert_eq!(value("false alarms"), Some(0.0));
     assert_eq!(value("faults of the file"), Some(1.0));
-    assert!(value("outside the library: recall").unwrap() >= 0.75, "{said:#}");
-    assert!(value("two effects").unwrap() >= 0.5, "{said:#}");
+    assert!(value("outside the library: recall").unwrap() >= 0.75, "{answer:#}");
+    assert!(value("two effects").unwrap() >= 0.5, "{answer:#}");
 
     // A truth that was changed after the seal is seen.
     let truth = sets.join("sealed/truth.json");

@@ -1,9 +1,9 @@
 //! A deformation table from touched points, proved on virtual robots whose physics is not the fit's.
 
 use assert_cmd::Command;
-use exam::draw::Draw;
+use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
-use metrology::diagnose::warmup::{FitOptions, Place, at_targets, fit};
+use metrology::diagnose::warmup::{FitOptions, WorkTarget, fit, forecast_at_targets};
 use metrology::measure::Touches;
 use nalgebra::Vector3;
 use rapid_program::compensate::tabulate::tabulate;
@@ -14,12 +14,12 @@ use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 
 /// The 45 targets of the reference paper's cube.
-fn cube(robot: &Robot) -> Vec<Place> {
+fn cube(robot: &Robot) -> Vec<WorkTarget> {
     let read = targets::read(&std::fs::read("fixtures/paper/targets45.csv").unwrap(), None).unwrap();
     let table = tabulate(robot, &Deformation::paper(), &read, None, &[0.0]).unwrap();
     read.iter()
         .zip(&table.nominal)
-        .map(|(t, s)| Place { name: t.name.clone(), q_rad: s.q_rad, tool_m: Vector3::zeros() })
+        .map(|(t, s)| WorkTarget { name: t.name.clone(), q_rad: s.q_rad, tool_m: Vector3::zeros() })
         .collect()
 }
 
@@ -34,7 +34,7 @@ struct Proved {
 }
 
 /// Table 2 on the virtual robot, five points, 37 touches each, one stop.
-fn prove(robot: &Robot, places: &[Place], seed: u64, sigma_mm: f64) -> Proved {
+fn prove(robot: &Robot, places: &[WorkTarget], seed: u64, sigma_mm: f64) -> Proved {
     let recipe = TouchRecipe {
         points: 5,
         times: 37,
@@ -47,12 +47,12 @@ fn prove(robot: &Robot, places: &[Place], seed: u64, sigma_mm: f64) -> Proved {
         within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
         tool_m: [0.0, 0.0, 0.1],
     };
-    let csv = touches(robot, &recipe, &mut Draw::new(seed, 0)).unwrap();
+    let csv = touches(robot, &recipe, &mut Rng::new(seed, 0)).unwrap();
     let read = Touches::from_csv(csv.as_bytes()).unwrap();
     // The tip is known to a millimetre only.
     let options = FitOptions { tool_m: Vector3::new(0.0005, -0.0005, 0.1008), stops: None };
     let found = fit(&read, robot, &options).unwrap();
-    let there = at_targets(&found, robot, places, &[]);
+    let there = forecast_at_targets(&found, robot, places, &[]);
     let truth = Chain::with_offsets(robot, &Deformation::paper().settled());
     let nominal = Chain::nominal(robot);
     let mut proved = Proved {
@@ -65,14 +65,14 @@ fn prove(robot: &Robot, places: &[Place], seed: u64, sigma_mm: f64) -> Proved {
     };
     let mut drift2 = 0.0;
     let shift = found.points.iter().map(|p| p.settled_m).sum::<Vector3<f64>>() / found.points.len() as f64;
-    for (place, said) in places.iter().zip(&there.targets) {
+    for (place, answer) in places.iter().zip(&there.targets) {
         let drift =
             truth.forward(&place.q_rad).translation.vector - nominal.forward(&place.q_rad).translation.vector;
-        let left = drift - said.drift_m;
+        let left = drift - answer.drift_m;
         drift2 += drift.norm_squared();
         proved.ratio += left.norm_squared();
         proved.shift += (drift - shift).norm_squared();
-        proved.covered[0] += (0..3).filter(|&k| left[k].abs() < 1.645 * said.sigma_m[k]).count();
+        proved.covered[0] += (0..3).filter(|&k| left[k].abs() < 1.645 * answer.sigma_m[k]).count();
     }
     proved.ratio = (proved.ratio / drift2).sqrt();
     proved.shift = (proved.shift / drift2).sqrt();
@@ -117,18 +117,18 @@ fn touches_become_a_table_that_compensates_the_cube() {
     let at = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
     let run = |args: &[&str]| {
         let output = Command::cargo_bin("driftpost").unwrap().args(args).output().unwrap();
-        let said =
+        let answer =
             format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-        (output.status.code(), said)
+        (output.status.code(), answer)
     };
     let ok = |args: &[&str]| {
-        let (code, said) = run(args);
-        assert_eq!(code, Some(0), "{args:?}: {said}");
-        said
+        let (code, answer) = run(args);
+        assert_eq!(code, Some(0), "{args:?}: {answer}");
+        answer
     };
     let cube = "fixtures/robodk/irc5/Cube45.mod";
     ok(&["synth", &at("warm"), "--touches", "5", "--sigma-mm", "0.02", "--seed", "7"]);
-    let said = ok(&[
+    let answer = ok(&[
         "fit",
         &at("warm/touches.csv"),
         "--tool",
@@ -143,8 +143,8 @@ fn touches_become_a_table_that_compensates_the_cube() {
         &at("fit.json"),
     ]);
     assert!(
-        said.contains("the robot stood from minute 120 to 165") && said.contains("growth two-stage"),
-        "{said}"
+        answer.contains("the robot stood from minute 120 to 165") && answer.contains("growth two-stage"),
+        "{answer}"
     );
     // The table and the model are one and the same deformation: both compensate, and each holds on the other's robot.
     ok(&[
@@ -205,6 +205,6 @@ fn touches_become_a_table_that_compensates_the_cube() {
         "fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\nA,0,0,0,0,0,-30,0\n",
     )
     .unwrap();
-    let (code, said) = run(&["fit", &at("few.csv")]);
-    assert!(code == Some(2) && said.contains("fit::too-few"), "{said}");
+    let (code, answer) = run(&["fit", &at("few.csv")]);
+    assert!(code == Some(2) && answer.contains("fit::too-few"), "{answer}");
 }

@@ -2,14 +2,16 @@
 //! whose truth is known and whose physics is not the diagnosis's.
 
 use assert_cmd::Command;
-use exam::again::{Again, Commanded};
-use exam::draw::Draw;
 use exam::effect::Effect;
 use exam::generate::{Recipe, data_set};
 use exam::poses::{Recorded, Spread};
-use exam::truth::Kind;
-use metrology::diagnose::{Diagnosis, Options, Register, Verdict, diagnose, diagnose_and_identify, validate};
-use metrology::measure::{ColumnMap, MatchBy, Measurements, Seen, Table, join};
+use exam::rng::Rng;
+use exam::truth::QuestionKind;
+use exam::virtual_robot::{Commanded, VirtualRobot};
+use metrology::diagnose::{
+    Diagnosis, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
+};
+use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
 use robot_model::robot::Robot;
 use std::fmt::Write as _;
@@ -23,9 +25,9 @@ const TIP_M: [f64; 3] = [0.06, -0.03, 0.11];
 /// A virtual robot with one effect, and poses to measure it at.
 struct Cell {
     robot: Robot,
-    again: Again,
+    robot_under_test: VirtualRobot,
     at: Vec<Commanded>,
-    draw: Draw,
+    rng: Rng,
 }
 
 impl Cell {
@@ -34,7 +36,7 @@ impl Cell {
         let recorded = Recorded::NOTED;
         let recipe = Recipe {
             name: "cell".into(),
-            kind: Kind::One,
+            kind: QuestionKind::One,
             effects: vec![(effect, 8.0)],
             n,
             repeats: 0,
@@ -47,9 +49,9 @@ impl Cell {
             geometry: 0.0,
             payloads_kg: [0.0, 5.0],
         };
-        let mut draw = Draw::new(seed, 0);
-        let set = data_set(&robot, "irb140", &recipe, &mut draw).unwrap();
-        let again = Again::of(&robot, &set.truth);
+        let mut rng = Rng::new(seed, 0);
+        let set = data_set(&robot, "irb140", &recipe, &mut rng).unwrap();
+        let robot_under_test = VirtualRobot::from_truth(&robot, &set.truth);
         let read = Measurements::from_csv(set.csv.as_bytes()).unwrap();
         let at = read
             .rows
@@ -61,15 +63,15 @@ impl Cell {
                 payload_at_m: PAYLOAD_AT_M,
             })
             .collect();
-        Self { robot, again, at, draw }
+        Self { robot, robot_under_test, at, rng }
     }
 
     fn tip_m(&self, at: &Commanded, on_flange_m: [f64; 3]) -> Vector3<f64> {
-        (self.again.flange(at) * Point3::from(Vector3::from(on_flange_m))).coords
+        (self.robot_under_test.flange(at) * Point3::from(Vector3::from(on_flange_m))).coords
     }
 
     fn noise_m(&mut self) -> Vector3<f64> {
-        Vector3::from(self.draw.normal3()) * SIGMA_M
+        Vector3::from(self.rng.normal3()) * SIGMA_M
     }
 
     /// The pose nearest to `at` whose tip is truly at `goal_m`.
@@ -118,7 +120,7 @@ fn answer(csv: &str) -> Diagnosis {
 
 /// The first cause, and that nothing else is claimed.
 fn assert_found(found: &Diagnosis, effect: &str, joint: usize) {
-    let first = found.causes.first().map(|c| (c.effect, c.joint));
+    let first = found.causes.first().map(|c| (c.effect.name(), c.joint));
     let summary: Vec<_> = found.causes.iter().map(|c| (c.effect, c.joint, c.posterior)).collect();
     assert_eq!(first, Some((effect, Some(joint))), "{:?} {} {summary:?}", found.verdict, found.reason);
     assert_eq!(found.verdict, Verdict::Explained, "{} {summary:?}", found.reason);
@@ -185,8 +187,8 @@ fn validated(learn: &str, test: &str) -> [f64; 2] {
     let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
     let options = Options { tool_m: None, sigma_m: Some(SIGMA_M) };
     let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();
-    let found = validate(&read(test), &robot, &model, Register::BaseAndTool).unwrap();
-    let only_tool = validate(&read(test), &robot, &model, Register::Base).unwrap();
+    let found = validate(&read(test), &robot, &model, RefitScope::BaseAndTool).unwrap();
+    let only_tool = validate(&read(test), &robot, &model, RefitScope::Base).unwrap();
     // The tip is the model's there: as good as it was found.
     assert!(only_tool.all.model.rms_mm < 2.0 * found.all.model.rms_mm, "{only_tool:?}");
     [found.all.model.rms_mm, found.all.nominal.rms_mm]
@@ -231,14 +233,14 @@ fn nests_on_the_base_tell_whether_it_is_the_base_that_drifts() {
             }
         }
         // The gear is sound here: only the base moves.
-        let tip = (cell.again.nominal(&at.q_rad) * Point3::from(Vector3::from(TIP_M))).coords;
+        let tip = (cell.robot_under_test.nominal(&at.q_rad) * Point3::from(Vector3::from(TIP_M))).coords;
         let seen = (place * Point3::from(tip)).coords + cell.noise_m();
         writeln!(csv, "pose,,{t_min},{},{}", cells(at), mm(&seen)).unwrap();
     }
     let found = answer(&csv);
     let summary: Vec<_> = found.causes.iter().map(|c| (c.effect, c.joint, c.posterior)).collect();
     assert_eq!(found.verdict, Verdict::Explained, "{} {summary:?}", found.reason);
-    assert_eq!(found.causes[0].effect, "base_drift", "{summary:?}");
+    assert_eq!(found.causes[0].effect.name(), "base_drift", "{summary:?}");
 }
 
 fn fixture(name: &str) -> Vec<u8> {
@@ -252,10 +254,10 @@ fn mapped(file: &str, map: &str) -> Table {
 /// Positions and joints of the poses, and minutes.
 fn compare(there: &Measurements, within_m: f64) {
     let plain = Measurements::from_csv(&fixture("plain.csv")).unwrap();
-    let poses: Vec<_> = there.rows.iter().filter(|r| r.seen.by_arm()).collect();
+    let poses: Vec<_> = there.rows.iter().filter(|r| r.reading.involves_arm()).collect();
     assert_eq!(poses.len(), plain.rows.len());
     for (a, b) in poses.iter().zip(&plain.rows) {
-        let off = a.seen.position_m().unwrap() - b.seen.position_m().unwrap();
+        let off = a.reading.position_m().unwrap() - b.reading.position_m().unwrap();
         assert!(off.amax() <= within_m, "line {}: {off}", a.line);
         assert_eq!(a.q_rad, b.q_rad, "line {}", a.line);
         assert_eq!(a.payload_kg, b.payload_kg);
@@ -270,14 +272,17 @@ fn other_programs_layouts_say_the_same() {
     let joints = mapped("robot_joints.csv", "robot_joints.toml");
     let joined = |file: &str, map: &str, by: MatchBy| {
         let joined = join(&mapped(file, map), &joints, by, 0.0).unwrap();
-        assert!(joined.points_alone.is_empty() && joined.joints_alone.is_empty());
+        assert!(joined.unmatched_points.is_empty() && joined.unmatched_joints.is_empty());
         Measurements::from_table(&joined.table).unwrap()
     };
     let sa = joined("sa_points.txt", "sa.toml", MatchBy::Id);
     compare(&sa, 1e-12);
-    let nests: Vec<_> = sa.rows.iter().filter(|r| !r.seen.by_arm()).collect();
-    assert_eq!((nests.len(), &sa.places[..]), (6, &["N1", "N2", "N3"].map(String::from)[..]));
-    assert_eq!(nests[4].seen, Seen::Nest { place: 1, position_m: Vector3::new(1.7000105, -0.9005, -0.7995) });
+    let nests: Vec<_> = sa.rows.iter().filter(|r| !r.reading.involves_arm()).collect();
+    assert_eq!((nests.len(), &sa.fixed_points[..]), (6, &["N1", "N2", "N3"].map(String::from)[..]));
+    assert_eq!(
+        nests[4].reading,
+        Reading::Nest { fixed_point: 1, position_m: Vector3::new(1.7000105, -0.9005, -0.7995) }
+    );
 
     let robodk = joined("robodk_tracker.csv", "robodk.toml", MatchBy::Order);
     assert!(robodk.channels.time);
@@ -296,7 +301,7 @@ fn a_pose_in_six_numbers_becomes_point_and_orientation() {
     for (a, b) in tmac.rows.iter().zip(&plain.rows) {
         // Eight decimals of a radian, five of a degree.
         assert!(a.q_rad.iter().zip(&b.q_rad).all(|(a, b)| (a - b).abs() < 1e-7), "line {}", a.line);
-        assert!((a.seen.position_m().unwrap() - b.seen.position_m().unwrap()).amax() < 1e-12);
+        assert!((a.reading.position_m().unwrap() - b.reading.position_m().unwrap()).amax() < 1e-12);
     }
     // Line 2: about x, the turned y, the turned z; written out as a matrix, Craig (2005), appendix B.
     let [a, b, c] = [-41.9257_f64, 7.0767, -20.8072].map(f64::to_radians);
@@ -323,7 +328,7 @@ fn inches_metres_radians_and_hours_become_ours() {
     let map = ColumnMap::from_toml(map).unwrap();
     let table = map.table(b"hours\tE\tN\tH\tturn\n0.5\t10\t-20\t30\t0.5\n").unwrap();
     let row = Measurements::from_table(&table).unwrap().rows[0].clone();
-    assert!((row.seen.position_m().unwrap() - Vector3::new(0.254, -0.508, 0.762)).amax() < 1e-15);
+    assert!((row.reading.position_m().unwrap() - Vector3::new(0.254, -0.508, 0.762)).amax() < 1e-15);
     assert_eq!((row.t_min, row.payload_kg), (Some(30.0), Some(2.5)));
     assert!(row.q_rad.iter().all(|q| (q - 0.5).abs() < 1e-15));
     let error = map.table(b"hours\tE\tN\tH\tturn\n0.5\tten\t-20\t30\t0.5\n").unwrap_err().to_string();
@@ -349,10 +354,10 @@ fn two_files_of_other_layouts_are_diagnosed_and_who_is_alone_is_named() {
     command.args(["diagnose", "--points", &f("sa_points.txt"), "--columns", &f("sa.toml"), "--joints"]);
     command.arg(&joints).args(["--joints-columns", &f("robot_joints.toml"), "--json", "-"]);
     let output = command.output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{said}");
-    assert!(said.contains("sa_points.txt: 1 rows have no joints: lines 10"), "{said}");
-    assert!(said.contains("joints.csv: 1 rows have no point: lines 37"), "{said}");
+    let answer = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{answer}");
+    assert!(answer.contains("sa_points.txt: 1 rows have no joints: lines 10"), "{answer}");
+    assert!(answer.contains("joints.csv: 1 rows have no point: lines 37"), "{answer}");
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["causes"][0]["effect"], "joint_compliance");
     assert_eq!(json["causes"][0]["joint"], 2);

@@ -5,11 +5,11 @@
 //! `cargo test --release --test it oracle:: -- --ignored --nocapture` prints the figures that stand in docs/EXAM.md.
 
 use exam::arm::{Arm, Disturbance};
-use exam::draw::Draw;
-use exam::effect::{Effect, Moment};
+use exam::effect::{ArmState, Effect};
 use exam::generate::{Recipe, data_set};
 use exam::mixture::weak_recipe;
-use exam::poses::{Run, moments};
+use exam::poses::{RunSpec, states};
+use exam::rng::Rng;
 use nalgebra::{DMatrix, DVector, Isometry3, Point3, Vector3};
 use robot_model::robot::Robot;
 use std::collections::BTreeMap;
@@ -28,24 +28,24 @@ const HOLDS: usize = 12;
 const SCALES: [(f64, f64); 6] = [(0.0, 0.5), (0.14, 0.1), (0.22, 0.1), (0.3, 0.1), (0.38, 0.1), (0.46, 0.1)];
 
 /// A measurement run, and how a disturbance shows in it, in units of the noise.
-struct Seen {
+struct Reading {
     arm: Arm,
     tool_m: Vector3<f64>,
-    moments: Vec<Moment>,
+    states: Vec<ArmState>,
     flanges: Vec<Isometry3<f64>>,
     /// Noise of a coordinate, metres, and of a turn, radians, where that is measured.
     sigma: (f64, Option<f64>),
 }
 
-impl Seen {
+impl Reading {
     fn rows(&self) -> usize {
         if self.sigma.1.is_some() { 6 } else { 3 }
     }
 
     /// The column of what `disturb` does, per `step` of it.
-    fn column(&self, step: f64, disturb: impl Fn(&Moment, &mut Disturbance)) -> DVector<f64> {
+    fn column(&self, step: f64, disturb: impl Fn(&ArmState, &mut Disturbance)) -> DVector<f64> {
         let mut values = Vec::new();
-        for (now, nominal) in self.moments.iter().zip(&self.flanges) {
+        for (now, nominal) in self.states.iter().zip(&self.flanges) {
             let mut disturbance = Disturbance::default();
             disturb(now, &mut disturbance);
             let flange = self.arm.flange(&now.q_rad, &disturbance);
@@ -100,8 +100,8 @@ impl Seen {
 fn basis(columns: &[DVector<f64>]) -> DMatrix<f64> {
     let scaled: Vec<DVector<f64>> = columns.iter().map(|c| c / c.norm().max(1e-12)).collect();
     let svd = DMatrix::from_columns(&scaled).svd(true, false);
-    let told: Vec<usize> = (0..scaled.len()).filter(|&i| svd.singular_values[i] > 1e-8).collect();
-    svd.u.unwrap().select_columns(&told)
+    let stated: Vec<usize> = (0..scaled.len()).filter(|&i| svd.singular_values[i] > 1e-8).collect();
+    svd.u.unwrap().select_columns(&stated)
 }
 
 /// Rows of the points alone.
@@ -115,9 +115,9 @@ type Form = (&'static str, f64, DVector<f64>);
 
 /// Forms with their prior shares, as the mixture draws them.
 struct Forms<'a> {
-    seen: &'a Seen,
+    seen: &'a Reading,
     flat: DMatrix<f64>,
-    draw: Draw,
+    rng: Rng,
     all: Vec<Form>,
 }
 
@@ -156,7 +156,7 @@ impl Forms<'_> {
         let unit = |i: usize| std::array::from_fn(|k| f64::from(u8::from(k == i)));
         let each: Vec<DVector<f64>> = (0..6).map(|i| self.seen.effect(of(unit(i)))).collect();
         for _ in 0..count {
-            let sum = each.iter().map(|column| column * self.draw.normal()).sum();
+            let sum = each.iter().map(|column| column * self.rng.normal()).sum();
             self.add(prior / count as f64, of(unit(0)).name().unwrap(), &sum);
         }
     }
@@ -201,22 +201,26 @@ impl Forms<'_> {
 }
 
 /// Set number `number`: its recipe and its run, from the same draws as `synth` takes them.
-fn question(robot: &Robot, number: u64) -> (Recipe, Seen) {
+fn question(robot: &Robot, number: u64) -> (Recipe, Reading) {
     let arm = Arm::new(robot);
-    let (mut draw, mut again) = (Draw::new(SEED, number), Draw::new(SEED, number));
+    let (mut rng, mut robot_under_test) = (Rng::new(SEED, number), Rng::new(SEED, number));
     loop {
-        let recipe = weak_recipe(number as usize, &mut draw);
-        let _ = weak_recipe(number as usize, &mut again);
-        let tool_m =
-            Vector3::new(again.uniform(0.03, 0.12), again.uniform(-0.08, 0.08), again.uniform(0.05, 0.15));
+        let recipe = weak_recipe(number as usize, &mut rng);
+        let _ = weak_recipe(number as usize, &mut robot_under_test);
+        let tool_m = Vector3::new(
+            robot_under_test.uniform(0.03, 0.12),
+            robot_under_test.uniform(-0.08, 0.08),
+            robot_under_test.uniform(0.05, 0.15),
+        );
         let Recipe { spread, n, repeats, payloads_kg, sigma_mm, .. } = recipe;
-        let moments = moments(robot, &arm, &mut again, &Run { spread, n, repeats, tool_m, payloads_kg });
-        if data_set(robot, "irb140", &recipe, &mut draw).is_some() {
+        let states =
+            states(robot, &arm, &mut robot_under_test, &RunSpec { spread, n, repeats, tool_m, payloads_kg });
+        if data_set(robot, "irb140", &recipe, &mut rng).is_some() {
             let still = Disturbance::default();
-            let flanges = moments.iter().map(|m| arm.flange(&m.q_rad, &still)).collect();
+            let flanges = states.iter().map(|m| arm.flange(&m.q_rad, &still)).collect();
             let sigma_m = sigma_mm * 1e-3;
             let sigma = (sigma_m, recipe.recorded.orientation.then_some(sigma_m / 0.1));
-            return (recipe, Seen { arm, tool_m, moments, flanges, sigma });
+            return (recipe, Reading { arm, tool_m, states, flanges, sigma });
         }
     }
 }
@@ -273,7 +277,7 @@ fn what_could_be_known_of_weak_effects() {
         let registration = seen.registration();
         let point_columns: Vec<DVector<f64>> = registration.iter().map(|c| points(c, seen.rows())).collect();
         let flat = basis(&point_columns.into_iter().filter(|c| c.norm() > 1e-12).collect::<Vec<_>>());
-        let mut forms = Forms { seen: &seen, flat, draw: Draw::new(777, number), all: Vec::new() };
+        let mut forms = Forms { seen: &seen, flat, rng: Rng::new(777, number), all: Vec::new() };
         forms.fill(recipe.n as f64);
         let signal = seen.effect(truth);
         let signal = &signal * (rho / forms.rms(&signal));
@@ -284,10 +288,10 @@ fn what_could_be_known_of_weak_effects() {
         let columns = project(&DMatrix::from_columns(&all));
         let geometry = project(&DMatrix::from_columns(&seen.geometry()));
         for d in 0..DRAWS {
-            let mut draw = Draw::new(99, 1000 * number + d);
-            let noise = DVector::from_fn(signal.len(), |_, _| draw.normal());
+            let mut rng = Rng::new(99, 1000 * number + d);
+            let noise = DVector::from_fn(signal.len(), |_, _| rng.normal());
             let background =
-                &geometry * DVector::from_fn(geometry.ncols(), |_, _| recipe.geometry * draw.normal());
+                &geometry * DVector::from_fn(geometry.ncols(), |_, _| recipe.geometry * rng.normal());
             let y = project(&DMatrix::from_columns(&[&signal + noise + background])).column(0).into_owned();
             let names = ranked(&forms.all, &columns, &geometry, &y);
             asked += 1.0;

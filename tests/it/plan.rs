@@ -1,16 +1,16 @@
 //! Planned measurements: what is planned can be driven, is what the sheet says, and tells more than chance.
 
 use assert_cmd::Command;
-use exam::draw::Draw;
 use exam::effect::Effect;
 use exam::generate::{Recipe, data_set, planned_set};
-use exam::poses::{Driven, Recorded, Spread};
-use exam::truth::Kind;
-use metrology::diagnose::signature::{Possible, signatures};
+use exam::poses::{CommandedRow, Recorded, Spread};
+use exam::rng::Rng;
+use exam::truth::QuestionKind;
+use metrology::diagnose::signature::{PlannedMeasurement, signatures};
 use metrology::diagnose::{Diagnosis, Options, diagnose};
 use metrology::measure::Measurements;
 use metrology::plan::{
-    MeasurementPlan, PlanOptions, Space, Step, Sweeps, plan, plan_from, rapid, template_csv,
+    MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,
 };
 use nalgebra::{DMatrix, DVector, Vector3};
 use rayon::prelude::*;
@@ -33,14 +33,14 @@ fn options(n: usize, repeats: usize) -> PlanOptions {
     }
 }
 
-fn arm_steps(plan: &MeasurementPlan) -> Vec<Driven> {
+fn arm_steps(plan: &MeasurementPlan) -> Vec<CommandedRow> {
     plan.steps
         .iter()
         .filter_map(|step| match *step {
-            Step::Pose { pose, q_rad, direction, payload_kg, .. } => {
-                Some(Driven { pose, q_rad, direction, payload_kg })
+            MeasurementStep::Pose { pose, q_rad, direction, payload_kg, .. } => {
+                Some(CommandedRow { pose, q_rad, direction, payload_kg })
             }
-            Step::Nest { .. } => None,
+            MeasurementStep::Nest { .. } => None,
         })
         .collect()
 }
@@ -54,8 +54,8 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
         ..options(24, 4)
     };
     let planned = plan_from(&robot, &options, 120, 1).unwrap();
-    let again = plan_from(&robot, &options, 120, 1).unwrap();
-    assert_eq!(planned.steps, again.steps);
+    let robot_under_test = plan_from(&robot, &options, 120, 1).unwrap();
+    assert_eq!(planned.steps, robot_under_test.steps);
     let rows = arm_steps(&planned);
     assert_eq!(rows.len(), 24);
     assert_eq!(rows.iter().map(|r| r.pose).collect::<std::collections::BTreeSet<_>>().len(), 20);
@@ -64,7 +64,7 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
     assert_eq!(nests, 2 * 4);
     let chain = Chain::nominal(&robot);
     for step in &planned.steps {
-        let Step::Pose { q_rad, approach_rad, direction, .. } = step else { continue };
+        let MeasurementStep::Pose { q_rad, approach_rad, direction, .. } = step else { continue };
         assert!(robot.within_range(q_rad).is_ok() && robot.within_range(approach_rad).is_ok());
         for j in 0..6 {
             let moved = q_rad[j] - approach_rad[j];
@@ -97,8 +97,8 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
     }
     let read = Measurements::from_csv(filled.as_bytes()).unwrap();
     assert!(read.warnings.is_empty(), "{:?}", read.warnings);
-    assert_eq!(read.places, ["N1", "N2"]);
-    let sheet_rows: Vec<_> = read.rows.iter().filter(|r| r.seen.by_arm()).collect();
+    assert_eq!(read.fixed_points, ["N1", "N2"]);
+    let sheet_rows: Vec<_> = read.rows.iter().filter(|r| r.reading.involves_arm()).collect();
 
     // The module on the virtual controller: every second move ends at a row's joints, come to from its side.
     let text = rapid(&planned, &robot);
@@ -122,10 +122,10 @@ fn separation_is_what_a_regression_leaves() {
     let tool_m = Vector3::new(0.08, 0.06, 0.1);
     let planned = plan_from(&robot, &options(30, 0), 60, 0).unwrap();
     let sigma_m = 2e-5;
-    let run: Vec<Possible> = arm_steps(&planned)
+    let run: Vec<PlannedMeasurement> = arm_steps(&planned)
         .iter()
         .enumerate()
-        .map(|(k, r)| Possible {
+        .map(|(k, r)| PlannedMeasurement {
             q_rad: r.q_rad,
             direction: r.direction,
             payload_kg: r.payload_kg,
@@ -144,11 +144,11 @@ fn separation_is_what_a_regression_leaves() {
         padded[(rows + g, s.registration + g)] = 1.0;
     }
     let svd = padded.clone().svd(true, true);
-    for parameter in planned.outlook.parameters.iter().filter(|p| p.of.effect == "joint_compliance") {
+    for parameter in planned.outlook.parameters.iter().filter(|p| p.of.effect.name() == "joint_compliance") {
         let effect = s
             .effects
             .iter()
-            .find(|e| e.effect == "joint_compliance" && e.joint == parameter.of.joint)
+            .find(|e| e.effect.name() == "joint_compliance" && e.joint == parameter.of.joint)
             .unwrap();
         let mut column = DVector::zeros(rows + s.geometry);
         column.rows_mut(0, rows).copy_from(&whole.column(effect.first));
@@ -198,16 +198,16 @@ fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
 fn a_robot_without_room_is_told_so() {
     let output =
         Command::cargo_bin("driftpost").unwrap().args(["plan", "--floor-mm", "900"]).output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
+    let answer = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2));
-    assert!(said.contains("plan::no-room") && said.contains("floor"), "{said}");
+    assert!(answer.contains("plan::no-room") && answer.contains("floor"), "{answer}");
 }
 
 /// What is asked of both: an effect of the given joint, its poses' number.
 fn recipe(effect: Effect, rho: f64, n: usize) -> Recipe {
     Recipe {
         name: "planned".into(),
-        kind: Kind::One,
+        kind: QuestionKind::One,
         effects: vec![(effect, rho)],
         n,
         repeats: n / 6,
@@ -224,7 +224,7 @@ fn recipe(effect: Effect, rho: f64, n: usize) -> Recipe {
 
 fn right(found: &Diagnosis, effect: &Effect) -> bool {
     found.causes.first().is_some_and(|c| {
-        Some(c.effect) == effect.name() && (effect.joint().is_none() || c.joint == effect.joint())
+        Some(c.effect.name()) == effect.name() && (effect.joint().is_none() || c.joint == effect.joint())
     })
 }
 
@@ -249,25 +249,25 @@ fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64
         .par_iter()
         .map(|(effect, seed)| {
             let recipe = recipe(*effect, rho, rows.len());
-            let Some(random) = data_set(&robot, "irb140", &recipe, &mut Draw::new(*seed, 0)) else {
+            let Some(random) = data_set(&robot, "irb140", &recipe, &mut Rng::new(*seed, 0)) else {
                 return [0; 3];
             };
             let size = random.truth.effects[0].amplitude;
             // The random poses with the same tool and the same true effect: only the poses differ.
             let driven = Measurements::from_csv(random.csv.as_bytes()).unwrap();
-            let driven: Vec<Driven> = driven
+            let driven: Vec<CommandedRow> = driven
                 .rows
                 .iter()
-                .map(|row| Driven {
+                .map(|row| CommandedRow {
                     pose: row.pose,
                     q_rad: row.q_rad,
                     direction: row.direction.unwrap(),
                     payload_kg: row.payload_kg.unwrap(),
                 })
                 .collect();
-            let measured = |rows: &[Driven]| {
-                let mut draw = Draw::new(*seed, 1);
-                planned_set(&robot, "irb140", &recipe, tool_m, rows, &[size], &mut draw).unwrap()
+            let measured = |rows: &[CommandedRow]| {
+                let mut rng = Rng::new(*seed, 1);
+                planned_set(&robot, "irb140", &recipe, tool_m, rows, &[size], &mut rng).unwrap()
             };
             let (random, chosen) = (measured(&driven), measured(&rows));
             let score = |csv: &str| {
@@ -319,7 +319,8 @@ fn planned_poses_tell_more_than_random_ones() {
             .parameters
             .iter()
             .filter(|p| {
-                ["joint_offset", "joint_compliance", "gear_eccentricity", "joint_gain"].contains(&p.of.effect)
+                ["joint_offset", "joint_compliance", "gear_eccentricity", "joint_gain"]
+                    .contains(&p.of.effect.name())
             })
             .map(|p| (p.sigma / p.usual).ln())
             .collect();

@@ -1,11 +1,11 @@
 //! What a shop does with measurements: ISO 9283, changed since last time, go or no go, RAPID to paste, rows to delete.
 
 use assert_cmd::Command;
-use exam::again::{Again, Commanded};
-use exam::draw::Draw;
 use exam::effect::Effect;
 use exam::poses::{Recorded, Spread};
-use exam::truth::{Kind, PutIn, Truth};
+use exam::rng::Rng;
+use exam::truth::{InjectedEffect, QuestionKind, Truth};
+use exam::virtual_robot::{Commanded, VirtualRobot};
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -31,13 +31,14 @@ fn write(folder: &Path, name: &str, text: &str) -> String {
 }
 
 /// A virtual robot with these effects, in SI.
-fn again(effects: &[(Effect, f64)]) -> Again {
-    let put = |&(effect, amplitude): &(Effect, f64)| PutIn { effect, amplitude, rms_mm: 0.0, rho: 0.0 };
+fn robot_under_test(effects: &[(Effect, f64)]) -> VirtualRobot {
+    let put =
+        |&(effect, amplitude): &(Effect, f64)| InjectedEffect { effect, amplitude, rms_mm: 0.0, rho: 0.0 };
     let recorded =
         Recorded { time: false, direction: false, payload: false, temperature: false, orientation: false };
     let truth = Truth {
         name: "shop".into(),
-        kind: Kind::One,
+        kind: QuestionKind::One,
         effects: effects.iter().map(put).collect(),
         n: 0,
         sigma_mm: 0.0,
@@ -49,7 +50,7 @@ fn again(effects: &[(Effect, f64)]) -> Again {
         before_rms_mm: 0.0,
         oracle_rms_mm: 0.0,
     };
-    Again::of(&Robot::built_in("irb140").unwrap(), &truth)
+    VirtualRobot::from_truth(&Robot::built_in("irb140").unwrap(), &truth)
 }
 
 /// Forty poses all over, the same each time.
@@ -66,12 +67,17 @@ fn poses() -> Vec<[f64; 6]> {
 }
 
 /// A file of these poses on a robot, its instrument and tip.
-fn file(robot: &Again, instrument_from_base: &Isometry3<f64>, tip_m: Vector3<f64>, seed: u64) -> String {
-    let mut draw = Draw::new(seed, 0);
+fn file(
+    robot: &VirtualRobot,
+    instrument_from_base: &Isometry3<f64>,
+    tip_m: Vector3<f64>,
+    seed: u64,
+) -> String {
+    let mut rng = Rng::new(seed, 0);
     let mut csv = String::from("id,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n");
     for (k, q_rad) in poses().into_iter().enumerate() {
         let at = Commanded { q_rad, direction: [1; 6], payload_kg: 0.0, payload_at_m: [0.0; 3] };
-        let tip = (robot.flange(&at) * Point3::from(tip_m)).coords + Vector3::from(draw.normal3()) * SIGMA_M;
+        let tip = (robot.flange(&at) * Point3::from(tip_m)).coords + Vector3::from(rng.normal3()) * SIGMA_M;
         let seen = (instrument_from_base * Point3::from(tip)).coords;
         let joints = q_rad.map(|q| format!("{:.6}", q.to_degrees())).join(",");
         writeln!(csv, "P{},{joints},{:.5},{:.5},{:.5}", k + 1, seen.x * 1e3, seen.y * 1e3, seen.z * 1e3)
@@ -109,8 +115,8 @@ fn accuracy_is_the_standards_and_go_is_an_exit_code() {
     let csv = write(folder.path(), "m.csv", &csv);
     let json = folder.path().join("a.json").to_string_lossy().into_owned();
     let common = ["accuracy", &csv, "--tool", "0,0,80", "--register", "none", "--json", &json];
-    let (code, out, said) = run(&common);
-    assert_eq!(code, 0, "{said}");
+    let (code, out, answer) = run(&common);
+    assert_eq!(code, 0, "{answer}");
     assert!(out.contains("fewer than the 30 cycles"), "{out}");
     let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
     for pose in 0..2 {
@@ -132,10 +138,11 @@ fn accuracy_is_the_standards_and_go_is_an_exit_code() {
     assert_eq!(with(&["--limit-drift-mm", "4.4"]), 1);
     assert_eq!(with(&["--limit-rp-mm", "100"]), 0);
     // Nothing is repeated: repeatability cannot be judged.
-    let single = write(folder.path(), "s.csv", &file(&again(&[]), &somewhere(), Vector3::from(TIP_M), 1));
-    let (code, _, said) = run(&["accuracy", &single, "--limit-rp-mm", "1"]);
-    assert!(code == 2 && said.contains("measure::no-repeats"), "{said}");
-    assert!(said.contains(": --limit-rp-mm: nothing was measured"), "{said}");
+    let single =
+        write(folder.path(), "s.csv", &file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 1));
+    let (code, _, answer) = run(&["accuracy", &single, "--limit-rp-mm", "1"]);
+    assert!(code == 2 && answer.contains("measure::no-repeats"), "{answer}");
+    assert!(answer.contains(": --limit-rp-mm: nothing was measured"), "{answer}");
     assert_eq!(run(&["accuracy", &single, "--limit-ap-mm", "0.2"]).0, 0);
 }
 
@@ -145,18 +152,18 @@ fn a_crash_shows_beside_errors_that_were_there_before() {
     // Half a millimetre of sag was there before; the crash turned joint 3 by 0.3 mrad and bent the tool by 0.2 mm.
     let sag = (Effect::JointCompliance { joint: 2 }, 8e-6);
     let tip = Vector3::from(TIP_M);
-    let before = write(folder.path(), "before.csv", &file(&again(&[sag]), &somewhere(), tip, 1));
+    let before = write(folder.path(), "before.csv", &file(&robot_under_test(&[sag]), &somewhere(), tip, 1));
     let moved = somewhere() * Isometry3::new(Vector3::new(0.01, 0.02, -0.03), Vector3::new(0.0, 0.01, 0.02));
-    let crashed = again(&[sag, (Effect::JointOffset { joint: 3 }, 3e-4)]);
+    let crashed = robot_under_test(&[sag, (Effect::JointOffset { joint: 3 }, 3e-4)]);
     let bent = tip + Vector3::new(2e-4, 0.0, 0.0);
     let after = write(folder.path(), "after.csv", &file(&crashed, &moved, bent, 2));
-    let sound = write(folder.path(), "sound.csv", &file(&again(&[sag]), &moved, tip, 3));
+    let sound = write(folder.path(), "sound.csv", &file(&robot_under_test(&[sag]), &moved, tip, 3));
 
     let json = folder.path().join("c.json").to_string_lossy().into_owned();
-    let (code, out, said) = run(&["changed", &before, &sound, "--sigma-mm", "0.02", "--json", &json]);
-    assert_eq!(code, 0, "{out}{said}");
-    let (code, out, said) = run(&["changed", &before, &after, "--sigma-mm", "0.02", "--json", &json]);
-    assert_eq!(code, 1, "{out}{said}");
+    let (code, out, answer) = run(&["changed", &before, &sound, "--sigma-mm", "0.02", "--json", &json]);
+    assert_eq!(code, 0, "{out}{answer}");
+    let (code, out, answer) = run(&["changed", &before, &after, "--sigma-mm", "0.02", "--json", &json]);
+    assert_eq!(code, 1, "{out}{answer}");
     assert!(out.starts_with("CHANGED"), "{out}");
     let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
     assert_eq!(
@@ -175,8 +182,8 @@ fn a_crash_shows_beside_errors_that_were_there_before() {
         "few.csv",
         &fs::read_to_string(&after).unwrap().lines().take(8).collect::<Vec<_>>().join("\n"),
     );
-    let (code, _, said) = run(&["changed", &before, &few]);
-    assert!(code == 2 && said.contains("changed::too-few"), "{said}");
+    let (code, _, answer) = run(&["changed", &before, &few]);
+    assert!(code == 2 && answer.contains("changed::too-few"), "{answer}");
 }
 
 #[test]
@@ -184,7 +191,7 @@ fn rapid_to_paste_holds_what_was_found_and_can_be_read() {
     let folder = tempfile::tempdir().unwrap();
     let offset = (Effect::JointOffset { joint: 3 }, 1e-3);
     let tip = Vector3::from(TIP_M);
-    let csv = write(folder.path(), "m.csv", &file(&again(&[offset]), &somewhere(), tip, 5));
+    let csv = write(folder.path(), "m.csv", &file(&robot_under_test(&[offset]), &somewhere(), tip, 5));
     let module = folder.path().join("Found.mod").to_string_lossy().into_owned();
     let tool = "tGun=[TRUE,[[0,0,150.5],[0.5,0.5,0.5,0.5]],[3,[0,0,60],[1,0,0,0],0,0,0]]";
     let args = [
@@ -199,8 +206,8 @@ fn rapid_to_paste_holds_what_was_found_and_can_be_read() {
         "--tooldata",
         tool,
     ];
-    let (code, out, said) = run(&args);
-    assert_eq!(code, 0, "{said}");
+    let (code, out, answer) = run(&args);
+    assert_eq!(code, 0, "{answer}");
     assert!(
         out.contains("axis 3: +0.057") || out.contains("axis 3: +0.056") || out.contains("axis 3: +0.058"),
         "{out}"
@@ -223,17 +230,22 @@ fn rapid_to_paste_holds_what_was_found_and_can_be_read() {
     assert!((0..3).all(|k| (wobj[k] - truth[k]).abs() < 0.5), "{wobj:?} {truth}");
     assert!(text.contains("No wrong load was found"), "{text}");
     assert!(text.is_ascii() && text.lines().all(|l| l.len() <= 255));
-    let (code, _, said) = run(&["inspect", &module]);
-    assert!(code == 0 && !said.contains("error"), "{said}");
-    let (code, _, said) = run(&["diagnose", &csv, "--rapid-out", &module, "--tooldata", "tGun=[TRUE,[1,2]]"]);
-    assert!(code == 2 && said.contains("override::not-read"), "{said}");
+    let (code, _, answer) = run(&["inspect", &module]);
+    assert!(code == 0 && !answer.contains("error"), "{answer}");
+    let (code, _, answer) =
+        run(&["diagnose", &csv, "--rapid-out", &module, "--tooldata", "tGun=[TRUE,[1,2]]"]);
+    assert!(code == 2 && answer.contains("override::not-read"), "{answer}");
 }
 
 #[test]
 fn a_false_row_is_named_and_can_be_taken_out() {
     let folder = tempfile::tempdir().unwrap();
-    let sound =
-        file(&again(&[(Effect::JointCompliance { joint: 2 }, 8e-6)]), &somewhere(), Vector3::from(TIP_M), 6);
+    let sound = file(
+        &robot_under_test(&[(Effect::JointCompliance { joint: 2 }, 8e-6)]),
+        &somewhere(),
+        Vector3::from(TIP_M),
+        6,
+    );
     let mut lines: Vec<String> = sound.lines().map(str::to_owned).collect();
     // A typing error: x of line 12 is 8 mm off.
     let mut cells: Vec<String> = lines[11].split(',').map(str::to_owned).collect();
@@ -241,8 +253,8 @@ fn a_false_row_is_named_and_can_be_taken_out() {
     lines[11] = cells.join(",");
     let csv = write(folder.path(), "m.csv", &(lines.join("\r\n") + "\r\n"));
     let clean = folder.path().join("clean.csv").to_string_lossy().into_owned();
-    let (code, out, said) = run(&["diagnose", &csv, "--sigma-mm", "0.02", "--clean-out", &clean]);
-    assert_eq!(code, 0, "{said}");
+    let (code, out, answer) = run(&["diagnose", &csv, "--sigma-mm", "0.02", "--clean-out", &clean]);
+    assert_eq!(code, 0, "{answer}");
     assert!(out.contains("12"), "{out}");
     lines.remove(11);
     assert_eq!(fs::read_to_string(&clean).unwrap(), lines.join("\r\n") + "\r\n");
@@ -269,8 +281,8 @@ fn a_false_row_is_named_with_what_it_looks_like() {
     let text: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
     let file = write(folder.path(), "false.csv", &(text.join("\n") + "\n"));
     let json = folder.path().join("d.json").to_string_lossy().into_owned();
-    let (code, out, said) = run(&["diagnose", &file, "--json", &json]);
-    assert_eq!(code, 0, "{said}");
+    let (code, out, answer) = run(&["diagnose", &file, "--json", &json]);
+    assert_eq!(code, 0, "{answer}");
     let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
     for (row, like) in [(31, "where the row before was measured"), (50, "only its z is off, by +")] {
         let found = read["false_rows"].as_array().unwrap().iter().find(|f| f["line"] == row + 1);

@@ -12,7 +12,7 @@ const USUAL_COMPLIANCE_RAD_N_M: [f64; 6] = [4e-6, 6e-6, 8e-6, 50e-6, 60e-6, 80e-
 
 /// Where the robot is and how it came there.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct ArmState {
     /// Commanded joints, radians.
     pub q_rad: [f64; 6],
     /// Since cold start, minutes.
@@ -265,7 +265,7 @@ impl Effect {
     }
 
     /// Adds the effect to what disturbs the arm at one moment. `amplitude` is in the effect's own SI unit.
-    pub fn disturb(&self, arm: &Arm, amplitude: f64, now: &Moment, to: &mut Disturbance) {
+    pub fn disturb(&self, arm: &Arm, amplitude: f64, now: &ArmState, to: &mut Disturbance) {
         let q = |joint: usize| now.q_rad[joint - 1];
         match *self {
             Self::JointOffset { joint } => to.joint_rad[joint - 1] += amplitude,

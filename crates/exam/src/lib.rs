@@ -6,15 +6,15 @@
 //! code with `kinematics`, `deform` or `diagnose`: a mistake made there cannot hide here. Reads the
 //! diagnosis only as the JSON that any script would read.
 
-pub mod again;
 pub mod arm;
-pub mod choose;
-pub mod draw;
 pub mod effect;
+pub mod effect_spec;
 pub mod generate;
 pub mod mixture;
 pub mod poses;
 pub mod registration;
+pub mod rng;
+pub mod virtual_robot;
 
 pub mod score;
 pub mod touch;

@@ -1,111 +1,111 @@
 //! The exam's mixture: how often which kind of question is asked, and of what size.
 
-use super::draw::Draw;
 use super::effect::{Channel, Effect};
 use super::generate::Recipe;
 use super::poses::{Recorded, Spread};
-use super::truth::Kind;
+use super::rng::Rng;
+use super::truth::QuestionKind;
 use std::f64::consts::TAU;
 
 /// A kind of question, drawn: one effect 50 %, two 15 %, none 15 %, outside the library 15 % (of which a third
 /// is a missing channel), faults 5 %.
-fn kind(draw: &mut Draw) -> Kind {
-    match draw.uniform(0.0, 1.0) {
-        u if u < 0.50 => Kind::One,
-        u if u < 0.65 => Kind::Two,
-        u if u < 0.80 => Kind::None,
-        u if u < 0.90 => Kind::Outside,
-        u if u < 0.95 => Kind::MissingChannel,
-        _ => Kind::Fault,
+fn kind(rng: &mut Rng) -> QuestionKind {
+    match rng.uniform(0.0, 1.0) {
+        u if u < 0.50 => QuestionKind::One,
+        u if u < 0.65 => QuestionKind::Two,
+        u if u < 0.80 => QuestionKind::None,
+        u if u < 0.90 => QuestionKind::Outside,
+        u if u < 0.95 => QuestionKind::MissingChannel,
+        _ => QuestionKind::Fault,
     }
 }
 
-fn unit6(draw: &mut Draw) -> [f64; 6] {
-    let raw: [f64; 6] = std::array::from_fn(|_| draw.normal());
+fn unit6(rng: &mut Rng) -> [f64; 6] {
+    let raw: [f64; 6] = std::array::from_fn(|_| rng.normal());
     let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
     raw.map(|x| x / norm)
 }
 
-fn unit3(draw: &mut Draw) -> [f64; 3] {
-    let [x, y, z] = draw.normal3();
+fn unit3(rng: &mut Rng) -> [f64; 3] {
+    let [x, y, z] = rng.normal3();
     let norm = (x * x + y * y + z * z).sqrt();
     [x / norm, y / norm, z / norm]
 }
 
 /// An effect of the library, none of those that lie wholly inside the registration.
 #[must_use]
-pub fn library_effect(draw: &mut Draw, last_min: f64) -> Effect {
-    let joint = 1 + draw.below(6);
-    let inner = 2 + draw.below(4);
-    let phase_rad = draw.uniform(0.0, TAU);
-    let t0_min = draw.uniform(0.25, 0.75) * last_min;
-    match draw.below(18) {
+pub fn library_effect(rng: &mut Rng, last_min: f64) -> Effect {
+    let joint = 1 + rng.below(6);
+    let inner = 2 + rng.below(4);
+    let phase_rad = rng.uniform(0.0, TAU);
+    let t0_min = rng.uniform(0.25, 0.75) * last_min;
+    match rng.below(18) {
         0 => Effect::JointOffset { joint: inner },
-        1 => Effect::LinkGeometry { joint: inner, direction: unit6(draw) },
-        2 | 3 => Effect::JointCompliance { joint: 2 + draw.below(5) },
-        4 => Effect::LinkBending { joint: 1 + draw.below(4) },
+        1 => Effect::LinkGeometry { joint: inner, direction: unit6(rng) },
+        2 | 3 => Effect::JointCompliance { joint: 2 + rng.below(5) },
+        4 => Effect::LinkBending { joint: 1 + rng.below(4) },
         5 => Effect::BaseTilt,
         6 => Effect::GearEccentricity { joint, phase_rad },
         7 => Effect::GearSecondHarmonic { joint, phase_rad },
-        8 => Effect::GearMesh { joint, n: 3 + draw.below(118) as u32, phase_rad },
+        8 => Effect::GearMesh { joint, n: 3 + rng.below(118) as u32, phase_rad },
         9 => Effect::JointGain { joint },
-        10 => Effect::JointCoupling { joint: 4 + draw.below(2), joint_b: 6 },
-        11 => Effect::Backlash { joint, holding_n_m: draw.log_uniform(2.0, 200.0) },
-        12 => Effect::ThermalLinkGrowth { joint: 1 + draw.below(5) },
-        13 => Effect::ThermalJointDrift { joint: 1 + draw.below(5) },
-        14 => Effect::BaseDrift { direction: unit6(draw) },
-        15 => Effect::BaseStep { t0_min, direction: unit6(draw) },
-        16 => Effect::ToolStep { t0_min, direction: unit6(draw) },
-        _ if draw.chance(0.5) => Effect::ToolDrift { direction: unit6(draw) },
+        10 => Effect::JointCoupling { joint: 4 + rng.below(2), joint_b: 6 },
+        11 => Effect::Backlash { joint, holding_n_m: rng.log_uniform(2.0, 200.0) },
+        12 => Effect::ThermalLinkGrowth { joint: 1 + rng.below(5) },
+        13 => Effect::ThermalJointDrift { joint: 1 + rng.below(5) },
+        14 => Effect::BaseDrift { direction: unit6(rng) },
+        15 => Effect::BaseStep { t0_min, direction: unit6(rng) },
+        16 => Effect::ToolStep { t0_min, direction: unit6(rng) },
+        _ if rng.chance(0.5) => Effect::ToolDrift { direction: unit6(rng) },
         _ => Effect::PayloadMass,
     }
 }
 
-fn outside_effect(draw: &mut Draw) -> Effect {
-    let joint = 1 + draw.below(5);
-    match draw.below(4) {
-        0 => Effect::SquareWave { joint, n: 2 + draw.below(5) as u32, phase_rad: draw.uniform(0.0, TAU) },
-        1 => Effect::CablePull { direction: unit3(draw) },
-        2 => Effect::LocalBump { center_m: [0.5, 0.1, 0.4], radius_m: 0.18, direction: unit3(draw) },
-        _ => Effect::CrossTerm { joint, a: 1 + draw.below(5), b: 1 + draw.below(5) },
+fn outside_effect(rng: &mut Rng) -> Effect {
+    let joint = 1 + rng.below(5);
+    match rng.below(4) {
+        0 => Effect::SquareWave { joint, n: 2 + rng.below(5) as u32, phase_rad: rng.uniform(0.0, TAU) },
+        1 => Effect::CablePull { direction: unit3(rng) },
+        2 => Effect::LocalBump { center_m: [0.5, 0.1, 0.4], radius_m: 0.18, direction: unit3(rng) },
+        _ => Effect::CrossTerm { joint, a: 1 + rng.below(5), b: 1 + rng.below(5) },
     }
 }
 
 /// The recipe of data set number `number`, of at most `most_rows` rows.
 #[must_use]
-pub fn recipe(number: usize, most_rows: usize, draw: &mut Draw) -> Recipe {
-    let kind = kind(draw);
-    let n = [30, 60, 100, 150, 300][draw.below(5)].min(most_rows);
-    let spread = match draw.below(10) {
+pub fn recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
+    let kind = kind(rng);
+    let n = [30, 60, 100, 150, 300][rng.below(5)].min(most_rows);
+    let spread = match rng.below(10) {
         0..=5 => Spread::Wide,
         6 | 7 => Spread::Cube,
         8 => Spread::Narrow,
         _ => Spread::Sweeps,
     };
-    let sigma_mm = draw.log_uniform(0.01, 0.05);
-    let all = Recorded { temperature: draw.chance(0.5), orientation: draw.chance(0.3), ..Recorded::NOTED };
-    let rho = |draw: &mut Draw| draw.log_uniform(0.3, 5.0);
+    let sigma_mm = rng.log_uniform(0.01, 0.05);
+    let all = Recorded { temperature: rng.chance(0.5), orientation: rng.chance(0.3), ..Recorded::NOTED };
+    let rho = |rng: &mut Rng| rng.log_uniform(0.3, 5.0);
     let last_min = n as f64;
     let mut recorded = all;
     let mut effects = Vec::new();
     match kind {
-        Kind::One => effects.push((library_effect(draw, last_min), rho(draw))),
-        Kind::Two => {
-            let first = library_effect(draw, last_min);
+        QuestionKind::One => effects.push((library_effect(rng, last_min), rho(rng))),
+        QuestionKind::Two => {
+            let first = library_effect(rng, last_min);
             let second = loop {
-                let other = library_effect(draw, last_min);
+                let other = library_effect(rng, last_min);
                 if other.name() != first.name() {
                     break other;
                 }
             };
-            effects.push((first, draw.log_uniform(1.0, 5.0)));
-            effects.push((second, draw.log_uniform(1.0, 5.0)));
+            effects.push((first, rng.log_uniform(1.0, 5.0)));
+            effects.push((second, rng.log_uniform(1.0, 5.0)));
         }
-        Kind::None => {}
-        Kind::Outside => effects.push((outside_effect(draw), draw.log_uniform(1.0, 5.0))),
-        Kind::MissingChannel => {
+        QuestionKind::None => {}
+        QuestionKind::Outside => effects.push((outside_effect(rng), rng.log_uniform(1.0, 5.0))),
+        QuestionKind::MissingChannel => {
             let effect = loop {
-                let effect = library_effect(draw, last_min);
+                let effect = library_effect(rng, last_min);
                 if effect.channel().is_some() {
                     break effect;
                 }
@@ -115,28 +115,28 @@ pub fn recipe(number: usize, most_rows: usize, draw: &mut Draw) -> Recipe {
                 Some(Channel::Time) => (recorded.time, recorded.temperature) = (false, false),
                 Some(Channel::Payload) | None => recorded.payload = false,
             }
-            effects.push((effect, draw.log_uniform(1.0, 5.0)));
+            effects.push((effect, rng.log_uniform(1.0, 5.0)));
         }
-        Kind::Fault => {
-            let fault = if draw.chance(0.5) { Effect::JointRounding } else { Effect::SwappedAxes };
+        QuestionKind::Fault => {
+            let fault = if rng.chance(0.5) { Effect::JointRounding } else { Effect::SwappedAxes };
             effects.push((fault, 1.0));
         }
     }
-    let misstated = if kind == Kind::None && draw.chance(0.3) { 1.0 / 1.4 } else { 1.0 };
+    let misstated = if kind == QuestionKind::None && rng.chance(0.3) { 1.0 / 1.4 } else { 1.0 };
     Recipe {
         name: format!("set_{number:04}"),
         kind,
         effects,
         n,
-        repeats: if draw.chance(0.6) { n / 6 } else { 0 },
+        repeats: if rng.chance(0.6) { n / 6 } else { 0 },
         sigma_mm,
-        stated_sigma_mm: draw.chance(0.5).then_some(sigma_mm * misstated),
+        stated_sigma_mm: rng.chance(0.5).then_some(sigma_mm * misstated),
         spread,
         recorded,
-        slowness: if kind == Kind::None && draw.chance(0.4) { draw.uniform(0.6, 0.95) } else { 0.0 },
-        outliers: if draw.chance(0.15) { 0.04 } else { 0.0 },
-        geometry: if draw.chance(0.5) { draw.uniform(0.1, 0.5) } else { 0.0 },
-        payloads_kg: if draw.chance(0.5) { [0.0, 3.0] } else { [1.0, 1.0] },
+        slowness: if kind == QuestionKind::None && rng.chance(0.4) { rng.uniform(0.6, 0.95) } else { 0.0 },
+        outliers: if rng.chance(0.15) { 0.04 } else { 0.0 },
+        geometry: if rng.chance(0.5) { rng.uniform(0.1, 0.5) } else { 0.0 },
+        payloads_kg: if rng.chance(0.5) { [0.0, 3.0] } else { [1.0, 1.0] },
     }
 }
 
@@ -147,10 +147,10 @@ pub const WEAK_ROWS: usize = 30;
 
 /// The recipe of one weak effect: the mixture's questions of one effect, at half the noise in 30 rows.
 #[must_use]
-pub fn weak_recipe(number: usize, draw: &mut Draw) -> Recipe {
+pub fn weak_recipe(number: usize, rng: &mut Rng) -> Recipe {
     loop {
-        let mut recipe = recipe(number, WEAK_ROWS, draw);
-        if recipe.kind == Kind::One {
+        let mut recipe = recipe(number, WEAK_ROWS, rng);
+        if recipe.kind == QuestionKind::One {
             recipe.effects.iter_mut().for_each(|(_, rho)| *rho = WEAK_RHO);
             return recipe;
         }
@@ -165,8 +165,8 @@ mod tests {
     fn a_weak_question_is_one_effect_of_half_the_noise_in_thirty_rows() {
         let spreads: Vec<Spread> = (0..40)
             .map(|number| {
-                let recipe = weak_recipe(number, &mut Draw::new(8, number as u64));
-                assert_eq!((recipe.kind, recipe.n, recipe.effects.len()), (Kind::One, 30, 1));
+                let recipe = weak_recipe(number, &mut Rng::new(8, number as u64));
+                assert_eq!((recipe.kind, recipe.n, recipe.effects.len()), (QuestionKind::One, 30, 1));
                 assert_eq!(recipe.effects[0].1, 0.5);
                 assert!(recipe.repeats <= 5);
                 recipe.spread

@@ -1,8 +1,8 @@
 //! Which poses are measured, in which order, and how the robot got there.
 
 use super::arm::{Arm, Disturbance};
-use super::draw::Draw;
-use super::effect::Moment;
+use super::effect::ArmState;
+use super::rng::Rng;
 use nalgebra::{Point3, Vector3};
 use robot_model::robot::Robot;
 use robot_model::units::rad_from_deg;
@@ -48,7 +48,7 @@ const WIDEST_DEG: [f64; 6] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0];
 /// The middle of a small arm's working posture, degrees.
 const POSTURE_DEG: [f64; 6] = [10.0, 20.0, 5.0, 25.0, 45.0, -20.0];
 
-fn joints(robot: &Robot, draw: &mut Draw, spread: Spread, k: usize, n: usize) -> [f64; 6] {
+fn joints(robot: &Robot, rng: &mut Rng, spread: Spread, k: usize, n: usize) -> [f64; 6] {
     let limit = |i: usize| {
         let wide = rad_from_deg(WIDEST_DEG[i]);
         robot.joints[i]
@@ -59,14 +59,14 @@ fn joints(robot: &Robot, draw: &mut Draw, spread: Spread, k: usize, n: usize) ->
     match spread {
         Spread::Wide | Spread::Cube => std::array::from_fn(|i| {
             let [low, high] = limit(i);
-            draw.uniform(low, high)
+            rng.uniform(low, high)
         }),
-        Spread::Narrow => std::array::from_fn(|i| posture[i] + draw.uniform(-1.0, 1.0) * rad_from_deg(12.0)),
+        Spread::Narrow => std::array::from_fn(|i| posture[i] + rng.uniform(-1.0, 1.0) * rad_from_deg(12.0)),
         Spread::Sweeps => {
             let joint = (6 * k / n.max(1)).min(5);
             let mut q = posture;
             let [low, high] = limit(joint);
-            q[joint] = draw.uniform(low, high);
+            q[joint] = rng.uniform(low, high);
             q
         }
     }
@@ -85,7 +85,7 @@ fn fits(point_m: &Vector3<f64>, spread: Spread) -> bool {
 
 /// A measurement run as it is planned.
 #[derive(Clone, Copy, Debug)]
-pub struct Run {
+pub struct RunSpec {
     /// How the poses are spread.
     pub spread: Spread,
     /// Rows.
@@ -100,7 +100,7 @@ pub struct Run {
 
 /// One row of a run that others planned.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Driven {
+pub struct CommandedRow {
     /// Which pose: rows that repeat one share it.
     pub pose: usize,
     /// Joints.
@@ -113,10 +113,10 @@ pub struct Driven {
 
 /// The moments of a measurement run.
 #[must_use]
-pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Moment> {
-    let Run { spread, n, repeats, tool_m, payloads_kg } = *run;
-    let climate = Climate::new(draw);
-    let mut out: Vec<Moment> = Vec::with_capacity(n);
+pub fn states(robot: &Robot, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
+    let RunSpec { spread, n, repeats, tool_m, payloads_kg } = *run;
+    let climate = Climate::new(rng);
+    let mut out: Vec<ArmState> = Vec::with_capacity(n);
     let distinct = n - repeats.min(n / 2);
     for k in 0..n {
         let q_rad = if k >= distinct {
@@ -124,7 +124,7 @@ pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Mome
         } else {
             let mut tries = 0;
             loop {
-                let q = joints(robot, draw, spread, k, distinct);
+                let q = joints(robot, rng, spread, k, distinct);
                 let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(tool_m)).coords;
                 tries += 1;
                 if fits(&point_m, spread) || tries > 5_000 {
@@ -132,18 +132,18 @@ pub fn moments(robot: &Robot, arm: &Arm, draw: &mut Draw, run: &Run) -> Vec<Mome
                 }
             }
         };
-        let direction = std::array::from_fn(|_| draw.sign() as i8);
-        let row = Driven { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
-        out.push(climate.moment(arm, tool_m, k, &row));
+        let direction = std::array::from_fn(|_| rng.sign() as i8);
+        let row = CommandedRow { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
+        out.push(climate.state(arm, tool_m, k, &row));
     }
     out
 }
 
 /// The moments of a run that others planned.
 #[must_use]
-pub fn moments_of(arm: &Arm, draw: &mut Draw, tool_m: Vector3<f64>, rows: &[Driven]) -> Vec<Moment> {
-    let climate = Climate::new(draw);
-    rows.iter().enumerate().map(|(k, row)| climate.moment(arm, tool_m, k, row)).collect()
+pub fn states_of(arm: &Arm, rng: &mut Rng, tool_m: Vector3<f64>, rows: &[CommandedRow]) -> Vec<ArmState> {
+    let climate = Climate::new(rng);
+    rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, k, row)).collect()
 }
 
 /// How long a row takes and how the joints warm meanwhile: quickly by their motors, slowly by their castings.
@@ -155,19 +155,19 @@ struct Climate {
 }
 
 impl Climate {
-    fn new(draw: &mut Draw) -> Self {
+    fn new(rng: &mut Rng) -> Self {
         Self {
-            minutes_each: draw.uniform(0.5, 3.0),
-            heat_k: std::array::from_fn(|_| draw.uniform(5.0, 25.0)),
-            quick_min: std::array::from_fn(|_| draw.uniform(15.0, 45.0)),
-            slow_min: std::array::from_fn(|_| draw.uniform(80.0, 200.0)),
+            minutes_each: rng.uniform(0.5, 3.0),
+            heat_k: std::array::from_fn(|_| rng.uniform(5.0, 25.0)),
+            quick_min: std::array::from_fn(|_| rng.uniform(15.0, 45.0)),
+            slow_min: std::array::from_fn(|_| rng.uniform(80.0, 200.0)),
         }
     }
 
-    fn moment(&self, arm: &Arm, tool_m: Vector3<f64>, k: usize, row: &Driven) -> Moment {
+    fn state(&self, arm: &Arm, tool_m: Vector3<f64>, k: usize, row: &CommandedRow) -> ArmState {
         let payload_at_m = Point3::new(0.02, 0.0, 0.09);
         let t_min = self.minutes_each * k as f64;
-        Moment {
+        ArmState {
             q_rad: row.q_rad,
             t_min,
             direction: row.direction,

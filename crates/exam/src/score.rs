@@ -3,7 +3,7 @@
 //! Reads the diagnosis's JSON as any script would; a missing or misspelt field counts as a wrong answer.
 
 use super::mixture::{WEAK_RHO, WEAK_ROWS};
-use super::truth::{Kind, Truth};
+use super::truth::{QuestionKind, Truth};
 use serde::{Deserialize, Serialize};
 
 /// An effect is weak by design where its size is within this share of the weak class's.
@@ -109,7 +109,7 @@ fn confident_and_wrong(truth: &Truth, answer: &Answer) -> bool {
 
 /// The answer to a question of one effect is a set of causes: of one, where it is told apart from its rivals.
 fn gives_a_set(truth: &Truth, answer: &Answer) -> bool {
-    truth.kind == Kind::One && matches!(answer.verdict.as_str(), "explained" | "ambiguous")
+    truth.kind == QuestionKind::One && matches!(answer.verdict.as_str(), "explained" | "ambiguous")
 }
 
 /// Share of what an oracle that knows the effect takes off that the diagnosis takes off.
@@ -120,18 +120,18 @@ fn shrink_share(truth: &Truth, answer: &Answer) -> Option<f64> {
     (possible > 0.1 * truth.before_rms_mm).then(|| taken_off / possible)
 }
 
-type Paper<'a> = (&'a Truth, &'a Answer);
+type Answered<'a> = (&'a Truth, &'a Answer);
 
-struct Marks<'a>(Vec<Paper<'a>>);
+struct Grader<'a>(Vec<Answered<'a>>);
 
-impl<'a> Marks<'a> {
+impl<'a> Grader<'a> {
     fn rate(
         &self,
         name: &'static str,
         [pass, world_class]: [f64; 2],
         small_is_good: bool,
-        asked: impl Fn(&Paper<'a>) -> bool,
-        hit: impl Fn(&Paper<'a>) -> bool,
+        asked: impl Fn(&Answered<'a>) -> bool,
+        hit: impl Fn(&Answered<'a>) -> bool,
     ) -> Measure {
         let asked: Vec<_> = self.0.iter().filter(|p| asked(p)).collect();
         let hits = asked.iter().filter(|p| hit(p)).count();
@@ -144,7 +144,7 @@ impl<'a> Marks<'a> {
         let mut shares: Vec<f64> = self
             .0
             .iter()
-            .filter(|(t, a)| t.kind == Kind::One && first_right(t, a))
+            .filter(|(t, a)| t.kind == QuestionKind::One && first_right(t, a))
             .filter_map(|(t, a)| shrink_share(t, a))
             .collect();
         shares.sort_by(f64::total_cmp);
@@ -161,7 +161,7 @@ impl<'a> Marks<'a> {
             |(t, a)| {
                 let named = names_a_cause(a) || a.verdict == "ambiguous";
                 let there = a.shrink.is_some_and(|s| s.ci90.is_some());
-                t.kind == Kind::One && asked(t) && named && first_right(t, a) && there
+                t.kind == QuestionKind::One && asked(t) && named && first_right(t, a) && there
             },
             |(t, a)| {
                 let ratio = t.oracle_rms_mm / t.before_rms_mm;
@@ -175,7 +175,7 @@ impl<'a> Marks<'a> {
         let stated: Vec<(f64, bool)> = self
             .0
             .iter()
-            .filter(|(t, a)| t.kind == Kind::One && names_a_cause(a))
+            .filter(|(t, a)| t.kind == QuestionKind::One && names_a_cause(a))
             .filter_map(|(t, a)| {
                 let cause = a.causes.first()?;
                 Some((cause.posterior?.clamp(0.0, 1.0), is(t, 0, cause)))
@@ -227,104 +227,104 @@ fn says_outside(answer: &Answer) -> bool {
 
 /// The table of measures over all papers: truths with their answers, in any order.
 #[must_use]
-pub fn score(papers: &[(Truth, Answer)]) -> Vec<Measure> {
-    let marks = Marks(papers.iter().map(|(t, a)| (t, a)).collect());
-    let one = |t: &Truth| t.kind == Kind::One;
+pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
+    let grader = Grader(answered.iter().map(|(t, a)| (t, a)).collect());
+    let one = |t: &Truth| t.kind == QuestionKind::One;
     let weak = |t: &Truth| one(t) && t.n == WEAK_ROWS && (rho(t) / WEAK_RHO - 1.0).abs() < WEAK_WITHIN;
     let cause = |a: &Answer| names_a_cause(a) || a.verdict == "ambiguous";
     vec![
-        marks.rate(
+        grader.rate(
             "first answer right, rho >= 1, N >= 60",
             [0.85, 0.95],
             false,
             |(t, _)| one(t) && rho(t) >= 1.0 && t.n >= 60,
             |(t, a)| first_right(t, a),
         ),
-        marks.rate(
+        grader.rate(
             "first answer right, rho = .5, N = 30",
             [0.55, 0.75],
             false,
             |(t, _)| weak(t),
             |(t, a)| first_right(t, a),
         ),
-        marks.rate(
+        grader.rate(
             "one of the first two right, rho = .5, N = 30",
             [0.90, 0.90],
             false,
             |(t, _)| weak(t),
             |(t, a)| a.causes.iter().take(2).any(|c| is(t, 0, c)),
         ),
-        marks.rate(
+        grader.rate(
             "false alarms without effect",
             [0.10, 0.05],
             true,
-            |(t, _)| t.kind == Kind::None,
+            |(t, _)| t.kind == QuestionKind::None,
             |(_, a)| cause(a),
         ),
-        marks.rate(
+        grader.rate(
             "confident and wrong, overall",
             [0.05, 0.02],
             true,
-            |(t, _)| t.kind != Kind::MissingChannel,
+            |(t, _)| t.kind != QuestionKind::MissingChannel,
             |(t, a)| confident_and_wrong(t, a),
         ),
-        marks.rate(
+        grader.rate(
             "confident and wrong, missing channel",
             [0.30, 0.10],
             true,
-            |(t, _)| t.kind == Kind::MissingChannel,
+            |(t, _)| t.kind == QuestionKind::MissingChannel,
             |(t, a)| confident_and_wrong(t, a),
         ),
-        marks.rate(
+        grader.rate(
             "ambiguity set holds the truth",
             [0.90, 0.95],
             false,
             |(t, a)| gives_a_set(t, a),
             |(t, a)| a.causes.iter().any(|c| is(t, 0, c)),
         ),
-        marks.ambiguity_size(),
-        marks.rate(
+        grader.ambiguity_size(),
+        grader.rate(
             "outside the library: recall",
             [0.80, 0.95],
             false,
-            |(t, _)| matches!(t.kind, Kind::Outside | Kind::MissingChannel),
+            |(t, _)| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel),
             |(_, a)| says_outside(a),
         ),
-        marks.rate(
+        grader.rate(
             "outside the library: precision",
             [0.80, 0.90],
             false,
             |(_, a)| says_outside(a),
-            |(t, _)| matches!(t.kind, Kind::Outside | Kind::MissingChannel) || t.slow_noise,
+            |(t, _)| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel) || t.slow_noise,
         ),
-        marks.rate(
+        grader.rate(
             "two effects: both found",
             [0.75, 0.90],
             false,
-            |(t, _)| t.kind == Kind::Two,
+            |(t, _)| t.kind == QuestionKind::Two,
             |(t, a)| cause(a) && (0..2).all(|k| a.causes.iter().any(|c| is(t, k, c))),
         ),
-        marks.rate(
+        grader.rate(
             "spurious cause beside the true ones",
             [0.10, 0.05],
             true,
-            |(t, a)| matches!(t.kind, Kind::One | Kind::Two) && names_a_cause(a),
+            |(t, a)| matches!(t.kind, QuestionKind::One | QuestionKind::Two) && names_a_cause(a),
             |(t, a)| a.causes.iter().any(|c| !any_right(t, c)),
         ),
-        marks.rate(
+        grader.rate(
             "faults of the file found",
             [0.80, 0.95],
             false,
-            |(t, _)| t.kind == Kind::Fault,
+            |(t, _)| t.kind == QuestionKind::Fault,
             |(t, a)| a.verdict == "data_fault" || first_right(t, a),
         ),
-        marks.quantile("shrink against the oracle: median", [0.90, 0.98], 0.5),
-        marks.quantile("shrink against the oracle: worst tenth", [0.60, 0.85], 0.1),
-        marks.interval("90 % interval of the shrink holds the oracle's", |_| true),
+        grader.quantile("shrink against the oracle: median", [0.90, 0.98], 0.5),
+        grader.quantile("shrink against the oracle: worst tenth", [0.60, 0.85], 0.1),
+        grader.interval("90 % interval of the shrink holds the oracle's", |_| true),
         // Geometry in the background is the oracle's loss: what takes part of it along does better than he.
-        marks.interval("the same, no geometry in the background", |t| t.geometry == 0.0),
-        marks.calibration(),
-        marks.rate(
+        grader.interval("the same, no geometry in the background", |t| t.geometry == 0.0),
+        grader.calibration(),
+        grader.rate(
             "right joint",
             [0.90, 0.97],
             false,
@@ -339,15 +339,15 @@ mod tests {
     use super::*;
     use crate::effect::Effect;
     use crate::poses::{Recorded, Spread};
-    use crate::truth::PutIn;
+    use crate::truth::InjectedEffect;
 
-    fn truth(kind: Kind, effects: &[Effect]) -> Truth {
+    fn truth(kind: QuestionKind, effects: &[Effect]) -> Truth {
         Truth {
             name: String::new(),
             kind,
             effects: effects
                 .iter()
-                .map(|&effect| PutIn { effect, amplitude: 1e-4, rms_mm: 0.1, rho: 3.0 })
+                .map(|&effect| InjectedEffect { effect, amplitude: 1e-4, rms_mm: 0.1, rho: 3.0 })
                 .collect(),
             n: 100,
             sigma_mm: 0.02,
@@ -388,22 +388,22 @@ mod tests {
     fn each_kind_of_answer_is_counted_where_it_belongs() {
         let gear = Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.0 };
         let sag = Effect::JointCompliance { joint: 3 };
-        let papers = [
-            (truth(Kind::One, &[gear]), answer("explained", &[("gear_mesh", 2, 1.0)])),
-            (truth(Kind::One, &[sag]), answer("explained", &[("joint_gain", 3, 0.95)])),
+        let answered = [
+            (truth(QuestionKind::One, &[gear]), answer("explained", &[("gear_mesh", 2, 1.0)])),
+            (truth(QuestionKind::One, &[sag]), answer("explained", &[("joint_gain", 3, 0.95)])),
             (
-                truth(Kind::One, &[sag]),
+                truth(QuestionKind::One, &[sag]),
                 answer("ambiguous", &[("joint_compliance", 2, 0.6), ("joint_gain", 2, 0.4)]),
             ),
-            (truth(Kind::None, &[]), answer("nothing_above_noise", &[("gear_mesh", 1, 0.1)])),
-            (truth(Kind::None, &[]), answer("explained", &[("gear_mesh", 1, 0.8)])),
+            (truth(QuestionKind::None, &[]), answer("nothing_above_noise", &[("gear_mesh", 1, 0.1)])),
+            (truth(QuestionKind::None, &[]), answer("explained", &[("gear_mesh", 1, 0.8)])),
             (
-                truth(Kind::Two, &[gear, sag]),
+                truth(QuestionKind::Two, &[gear, sag]),
                 answer("several", &[("gear_mesh", 2, 1.0), ("joint_compliance", 3, 0.9)]),
             ),
-            (truth(Kind::MissingChannel, &[]), answer("unexplained_scatter", &[])),
+            (truth(QuestionKind::MissingChannel, &[]), answer("unexplained_scatter", &[])),
         ];
-        let table = score(&papers);
+        let table = score(&answered);
         assert_eq!(value(&table, "first answer right, rho >= 1"), 2.0 / 3.0);
         assert_eq!(value(&table, "false alarms"), 0.5);
         assert_eq!(value(&table, "confident and wrong, overall"), 1.0 / 6.0);

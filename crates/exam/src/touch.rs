@@ -2,7 +2,7 @@
 //! two lags (or one) that are followed step by step.
 
 use super::arm::{Arm, Disturbance};
-use super::draw::Draw;
+use super::rng::Rng;
 use nalgebra::{Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
@@ -44,13 +44,13 @@ const TRIES: usize = 2_000_000;
 
 /// The file of touches; `None` where the arm does not reach into the box.
 #[must_use]
-pub fn touches(robot: &Robot, recipe: &TouchRecipe, draw: &mut Draw) -> Option<String> {
+pub fn touches(robot: &Robot, recipe: &TouchRecipe, rng: &mut Rng) -> Option<String> {
     let arm = Arm::new(robot);
     let tool = Point3::from(Vector3::from(recipe.tool_m));
     let still = Disturbance::default();
     let mut points = Vec::new();
     for k in 0..recipe.points {
-        let q_rad = pose(robot, &arm, recipe, k, draw)?;
+        let q_rad = pose(robot, &arm, recipe, k, rng)?;
         points.push((q_rad, (arm.flange(&q_rad, &still) * tool).coords));
     }
     let mut out = String::from("fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n");
@@ -80,7 +80,7 @@ pub fn touches(robot: &Robot, recipe: &TouchRecipe, draw: &mut Draw) -> Option<S
             warm.seat_rad[k] = Vector3::new(row[3], row[4], row[5]) * grown;
         }
         for (k, (q_rad, at_m)) in points.iter().enumerate() {
-            let goal = at_m + Vector3::from(draw.normal3()) * m_from_mm(recipe.sigma_mm);
+            let goal = at_m + Vector3::from(rng.normal3()) * m_from_mm(recipe.sigma_mm);
             let touched = jogged(&arm, &warm, q_rad, &tool, &goal)?;
             // writing to a String cannot fail
             let _ = write!(out, "P{},{t_min}", k + 1);
@@ -121,7 +121,7 @@ fn jogged(
 }
 
 /// A pose whose tip is in the box: the first four near its alternate corners, the fifth in the middle, more anywhere.
-fn pose(robot: &Robot, arm: &Arm, recipe: &TouchRecipe, k: usize, draw: &mut Draw) -> Option<[f64; 6]> {
+fn pose(robot: &Robot, arm: &Arm, recipe: &TouchRecipe, k: usize, rng: &mut Rng) -> Option<[f64; 6]> {
     const CORNERS: [[f64; 3]; 5] =
         [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.5, 0.5]];
     const NEAR: f64 = 0.12;
@@ -130,12 +130,12 @@ fn pose(robot: &Robot, arm: &Arm, recipe: &TouchRecipe, k: usize, draw: &mut Dra
     let still = Disturbance::default();
     for _ in 0..TRIES {
         let degrees = [
-            draw.uniform(-50.0, 50.0),
-            draw.uniform(-20.0, 80.0),
-            draw.uniform(-70.0, 40.0),
-            draw.uniform(-60.0, 60.0),
-            draw.uniform(-110.0, -20.0),
-            draw.uniform(-90.0, 90.0),
+            rng.uniform(-50.0, 50.0),
+            rng.uniform(-20.0, 80.0),
+            rng.uniform(-70.0, 40.0),
+            rng.uniform(-60.0, 60.0),
+            rng.uniform(-110.0, -20.0),
+            rng.uniform(-90.0, 90.0),
         ];
         let q_rad = degrees.map(rad_from_deg);
         let tip = arm.flange(&q_rad, &still) * tool;
@@ -173,7 +173,7 @@ mod tests {
             within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
             tool_m: [0.0, 0.0, 0.1],
         };
-        let csv = touches(&robot, &recipe, &mut Draw::new(1, 0)).unwrap();
+        let csv = touches(&robot, &recipe, &mut Rng::new(1, 0)).unwrap();
         let rows: Vec<Vec<f64>> =
             csv.lines().skip(1).map(|l| l.split(',').skip(1).map(|v| v.parse().unwrap()).collect()).collect();
         let arm = Arm::new(&robot);

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 /// What kind of question a data set asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum QuestionKind {
     /// One effect of the library, its channel recorded.
     One,
     /// Two effects.
@@ -25,7 +25,7 @@ pub enum Kind {
 
 /// One effect as it was put in.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PutIn {
+pub struct InjectedEffect {
     /// Which.
     #[serde(flatten)]
     pub effect: Effect,
@@ -43,9 +43,9 @@ pub struct Truth {
     /// The data set's folder.
     pub name: String,
     /// What kind of question it is.
-    pub kind: Kind,
+    pub kind: QuestionKind,
     /// What was put in.
-    pub effects: Vec<PutIn>,
+    pub effects: Vec<InjectedEffect>,
     /// Number of rows.
     pub n: usize,
     /// Standard deviation of the noise in each coordinate, mm.

@@ -52,6 +52,41 @@ pub fn min_from_s(seconds_s: f64) -> f64 {
     seconds_s / 60.0
 }
 
+/// Minutes from hours.
+#[inline]
+#[must_use]
+pub fn min_from_h(h: f64) -> f64 {
+    h * 60.0
+}
+
+/// Hours from minutes.
+#[inline]
+#[must_use]
+pub fn h_from_min(min: f64) -> f64 {
+    min / 60.0
+}
+
+/// Minutes from days.
+#[inline]
+#[must_use]
+pub fn min_from_days(days: f64) -> f64 {
+    days * 1440.0
+}
+
+/// A ratio from parts per million.
+#[inline]
+#[must_use]
+pub fn ratio_from_ppm(ppm: f64) -> f64 {
+    ppm * 1e-6
+}
+
+/// Parts per million from a ratio.
+#[inline]
+#[must_use]
+pub fn ppm_from_ratio(ratio: f64) -> f64 {
+    ratio * 1e6
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +96,11 @@ mod tests {
         assert_eq!(m_from_mm(352.0), 0.352);
         assert_eq!(m_from_inch(10.0), 0.254);
         assert_eq!(min_from_s(90.0), 1.5);
+        assert_eq!(min_from_h(1.5), 90.0);
+        assert_eq!(h_from_min(90.0), 1.5);
+        assert_eq!(min_from_days(2.0), 2880.0);
+        assert_eq!(ratio_from_ppm(250_000.0), 0.25);
+        assert_eq!(ppm_from_ratio(0.25), 250_000.0);
         assert_eq!(mm_from_m(0.25), 250.0);
         assert_eq!(rad_from_deg(180.0), std::f64::consts::PI);
         assert_eq!(deg_from_rad(std::f64::consts::FRAC_PI_2), 90.0);

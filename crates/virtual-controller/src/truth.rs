@@ -3,7 +3,7 @@
 //! The warmth is exact (f64) and independent of every clock in the program: it follows running and standing
 //! by the growth law's own two lags. A program that keeps a clock of its own can be compared with it.
 
-use robot_model::deform::identified::{Identified, When};
+use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index, Warmth};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
@@ -74,11 +74,11 @@ impl TrueRobot {
             None => DeformedArm::of_table(&self.robot, offsets),
             Some(model) if self.deformation.index() == Index::Temperature => {
                 let joint_temperature_c = self.joint_temperature_c.or(Some([t_min; 6]));
-                let when = When { t_min: f64::INFINITY, joint_temperature_c };
+                let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c };
                 DeformedArm::of_model(&self.robot, offsets, model, when)
             }
             Some(model) => {
-                let when = When { t_min, joint_temperature_c: self.joint_temperature_c };
+                let when = ThermalState { t_min, joint_temperature_c: self.joint_temperature_c };
                 DeformedArm::of_model(&self.robot, offsets, model, when)
             }
         }

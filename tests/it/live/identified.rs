@@ -3,13 +3,14 @@
 use super::cell::{Cell, Off, at, cap, table};
 use super::{TOOL, WOBJ, paper, turned};
 use rapid_program::emit::live::{Function, LiveModel};
-use robot_model::deform::identified::{Identified, Kind, Shape, Term, Value, When};
+use robot_model::deform::identified::{Growth, Identified, Term, ThermalState, Value};
 use robot_model::deform::{Conditions, DeformedArm, Payload};
+use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
 use std::sync::Arc;
 
-fn term(kind: Kind, joint: Option<usize>, values: &[f64]) -> Term {
+fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
     let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
     Term::plain(kind, joint, values)
 }
@@ -29,7 +30,7 @@ fn with_model(robot: &Robot, terms: Vec<Term>, functions: &[Function], values: &
             *to += by * f64::from(*value);
         }
     }
-    let when = When { t_min, joint_temperature_c: None };
+    let when = ThermalState { t_min, joint_temperature_c: None };
     let arm = DeformedArm::of_model(&Arc::new(robot.clone()), &offsets, &Arc::new(model), when);
     let payload = Payload { mass_kg: 1.5, cog_m: [0.0, 0.010, 0.060] };
     let conditions = Conditions { payload, ..Conditions::default() };
@@ -45,30 +46,30 @@ fn what_an_identified_model_found_is_corrected_too() {
     let rad = |deg: f64| deg.to_radians();
     let gear = |n: u32, joint: usize| Term {
         n: Some(n),
-        ..term(Kind::GearMesh, Some(joint), &[rad(0.004), rad(-0.002)])
+        ..term(EffectKind::GearMesh, Some(joint), &[rad(0.004), rad(-0.002)])
     };
-    let coupled = Term { joint_b: Some(5), ..term(Kind::JointCoupling, Some(4), &[2e-4]) };
+    let coupled = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[2e-4]) };
     let softness = |joint: usize, links: [f64; 6]| {
         let [a, b, c, d, e, f] = links;
-        term(Kind::JointCompliance, Some(joint), &[3e-6, a, b, c, d, e, f])
+        term(EffectKind::JointCompliance, Some(joint), &[3e-6, a, b, c, d, e, f])
     };
     let uneven = [0.0, 1e-6, -5e-7, 3e-7, 0.0, 2e-7];
     let cases: Vec<(&str, Vec<Term>)> = vec![
         (
             "offset",
-            (0..6).map(|j| term(Kind::JointOffset, Some(j), &[rad(0.01 - 0.003 * j as f64)])).collect(),
+            (0..6).map(|j| term(EffectKind::JointOffset, Some(j), &[rad(0.01 - 0.003 * j as f64)])).collect(),
         ),
-        ("geometry", vec![term(Kind::LinkGeometry, Some(1), &[1e-4, -5e-5, 8e-5, 1e-4, -5e-5, 7e-5])]),
+        ("geometry", vec![term(EffectKind::LinkGeometry, Some(1), &[1e-4, -5e-5, 8e-5, 1e-4, -5e-5, 7e-5])]),
         ("compliance", vec![softness(1, [0.0; 6]), softness(2, [0.0; 6]), softness(4, [0.0; 6])]),
         ("uneven compliance", vec![softness(1, uneven), softness(2, [0.0; 6]), softness(3, uneven)]),
-        ("gain", vec![term(Kind::JointGain, Some(0), &[2e-4]), coupled]),
-        ("once a turn", vec![term(Kind::GearEccentricity, Some(2), &[rad(0.01), rad(0.005)])]),
+        ("gain", vec![term(EffectKind::JointGain, Some(0), &[2e-4]), coupled]),
+        ("once a turn", vec![term(EffectKind::GearEccentricity, Some(2), &[rad(0.01), rad(0.005)])]),
         ("gear", vec![gear(2, 1), gear(40, 2), gear(100, 0)]),
         (
             "steps",
             vec![
-                term(Kind::BaseStep, None, &[1e-4, 0.0, -1e-4, 1e-4, 0.0, 0.0]),
-                term(Kind::ToolStep, None, &[1e-4, 5e-5, -1e-4]),
+                term(EffectKind::BaseStep, None, &[1e-4, 0.0, -1e-4, 1e-4, 0.0, 0.0]),
+                term(EffectKind::ToolStep, None, &[1e-4, 5e-5, -1e-4]),
             ],
         ),
     ];
@@ -87,13 +88,13 @@ fn what_an_identified_model_found_is_corrected_too() {
 
 #[test]
 fn terms_grow_by_the_function_that_is_their_growth() {
-    let slow = Shape::Exponential { tau_min: 60.0 };
-    let fast = Shape::TwoLags { tau_min: 15.0 };
+    let slow = Growth::Law(GrowthLaw::Exp { tau_min: 60.0 });
+    let fast = Growth::Law(GrowthLaw::TwoStage { tau_min: 15.0 });
     let terms = vec![
-        Term { shape: slow, ..term(Kind::ThermalLinkGrowth, None, &[2e-4, 3e-5]) },
-        Term { shape: fast, ..term(Kind::ThermalJointDrift, Some(1), &[1e-4, -2e-5]) },
-        Term { shape: slow, ..term(Kind::BaseDrift, None, &[1e-4, 2e-5, 0.0, 0.0, 1e-4, 0.0]) },
-        Term { shape: fast, ..term(Kind::ToolDrift, None, &[0.0, 5e-5, 5e-5]) },
+        Term { growth: slow, ..term(EffectKind::ThermalLinkGrowth, None, &[2e-4, 3e-5]) },
+        Term { growth: fast, ..term(EffectKind::ThermalJointDrift, Some(1), &[1e-4, -2e-5]) },
+        Term { growth: slow, ..term(EffectKind::BaseDrift, None, &[1e-4, 2e-5, 0.0, 0.0, 1e-4, 0.0]) },
+        Term { growth: fast, ..term(EffectKind::ToolDrift, None, &[0.0, 5e-5, 5e-5]) },
     ];
     let functions = [
         Function { offsets: paper(0.5), shape: Some(fast) },
@@ -109,28 +110,28 @@ fn terms_grow_by_the_function_that_is_their_growth() {
 #[test]
 fn what_rapid_cannot_hold_is_named() {
     let robot = Robot::built_in("irb140").unwrap();
-    let by_temperature = Shape::Temperature { from_c: [20.0; 6], to_c: [40.0; 6] };
-    let of_its_own = Shape::Exponential { tau_min: 7.0 };
+    let by_temperature = Growth::Temperature { from_c: [20.0; 6], to_c: [40.0; 6] };
+    let of_its_own = Growth::Law(GrowthLaw::Exp { tau_min: 7.0 });
     for (terms, names) in [
         (
-            vec![term(Kind::Backlash, Some(0), &[1e-4]), term(Kind::Backlash, Some(1), &[1e-4])],
+            vec![term(EffectKind::Backlash, Some(0), &[1e-4]), term(EffectKind::Backlash, Some(1), &[1e-4])],
             vec!["backlash"],
         ),
         (
-            vec![term(Kind::LinkBending, Some(1), &[1e-6]), term(Kind::BaseTilt, None, &[1e-6])],
+            vec![term(EffectKind::LinkBending, Some(1), &[1e-6]), term(EffectKind::BaseTilt, None, &[1e-6])],
             vec!["link_bending", "base_tilt"],
         ),
-        (vec![term(Kind::PayloadMass, None, &[1.0])], vec!["payload_mass"]),
-        (vec![term(Kind::GearSpectrum, Some(0), &[1e-4, 0.0])], vec!["gear_spectrum"]),
+        (vec![term(EffectKind::PayloadMass, None, &[1.0])], vec!["payload_mass"]),
+        (vec![term(EffectKind::GearSpectrum, Some(0), &[1e-4, 0.0])], vec!["gear_spectrum"]),
         (
-            vec![Term { shape: by_temperature, ..term(Kind::BaseDrift, None, &[1e-4]) }],
+            vec![Term { growth: by_temperature, ..term(EffectKind::BaseDrift, None, &[1e-4]) }],
             vec!["base_drift by temperature"],
         ),
         (
-            vec![Term { shape: of_its_own, ..term(Kind::BaseDrift, None, &[1e-4]) }],
+            vec![Term { growth: of_its_own, ..term(EffectKind::BaseDrift, None, &[1e-4]) }],
             vec!["base_drift with a growth of its own"],
         ),
-        (vec![term(Kind::InstrumentScale, None, &[1e-4])], vec![]),
+        (vec![term(EffectKind::InstrumentScale, None, &[1e-4])], vec![]),
     ] {
         let model = Identified { terms, ..Identified::default() };
         let made = LiveModel::new(&robot, &table(&paper(1.0)), Some(&model), cap());
@@ -141,9 +142,10 @@ fn what_rapid_cannot_hold_is_named() {
 #[test]
 fn gravity_and_gears_take_some_hundred_operations() {
     let robot = Robot::built_in("irb140").unwrap();
-    let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[1e-4, 1e-4]) };
-    let softness: Vec<Term> =
-        (0..6).map(|j| term(Kind::JointCompliance, Some(j), &[3e-6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])).collect();
+    let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[1e-4, 1e-4]) };
+    let softness: Vec<Term> = (0..6)
+        .map(|j| term(EffectKind::JointCompliance, Some(j), &[3e-6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]))
+        .collect();
     for (terms, most, twice) in [(softness, 500, false), (vec![gear], 250, true)] {
         let model = Identified { terms, ..Identified::default() };
         let live = LiveModel::new(&robot, &table(&paper(1.0)), Some(&model), cap()).unwrap();

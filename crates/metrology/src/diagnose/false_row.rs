@@ -3,11 +3,11 @@
 //! Of the distance that the model leaves, one direction is tried after the other; what leaves a tenth or less of it is
 //! said, as a likeness and not as a finding: chance alone does as much once in twenty rows.
 
-use super::linearise::{Linear, norm3};
+use super::dataset::{ObservationKind, Twist};
+use super::linearise::{Linearised, shift_m};
 use super::model::{Model, median};
 use super::outcome::FalseRow;
-use super::scene::{Motion, Sight};
-use crate::measure::{Measurements, Seen, Stations};
+use crate::measure::{Measurements, Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -20,13 +20,13 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub(super) fn false_rows(
     measurements: &Measurements,
     stations: &Stations,
-    linear: &Linear,
+    linear: &Linearised,
     model: &Model<'_>,
 ) -> Vec<FalseRow> {
     let mut all = Vec::new();
-    let middle_m = median(&mut model.residuals.iter().map(norm3).collect::<Vec<f64>>());
+    let middle_m = median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());
     for (i, station) in stations.stations.iter().enumerate().filter(|(i, _)| model.outliers[*i]) {
-        let off_m = norm3(&model.residuals[i]);
+        let off_m = shift_m(&model.residuals[i]);
         for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
             all.push(FalseRow {
                 line: row.line,
@@ -51,30 +51,33 @@ pub(super) fn false_rows(
     all
 }
 
-fn shift(motion: &Motion) -> Vector3<f64> {
-    Vector3::new(motion[0], motion[1], motion[2])
+fn shift(twist: &Twist) -> Vector3<f64> {
+    Vector3::new(twist[0], twist[1], twist[2])
 }
 
 /// As the instrument saw it.
 fn measured_m(stations: &Stations, i: usize) -> Option<Vector3<f64>> {
-    match stations.stations.get(i)?.seen {
-        Seen::Point { position_m } => Some(position_m),
+    match stations.stations.get(i)?.reading {
+        Reading::Point { position_m } => Some(position_m),
         _ => None,
     }
 }
 
 /// What would make a station be off by `left`, base axes.
-fn likeness(stations: &Stations, linear: &Linear, left: &Motion, i: usize) -> Option<String> {
-    let site = &linear.scene.sites[i];
-    if site.sight != Sight::Instrument {
+fn likeness(stations: &Stations, linear: &Linearised, left: &Twist, i: usize) -> Option<String> {
+    let observation = &linear.dataset.observations[i];
+    if observation.kind != ObservationKind::Instrument {
         return None;
     }
     let place = shift(left);
     let limit_m = LEFT * place.norm();
     // Before this row in the file: an arm that is still coming lies on the way from there.
-    let sites = &linear.scene.sites;
-    let before = (0..sites.len()).filter(|&k| sites[k].row < site.row && sites[k].sight == Sight::Instrument);
-    if let Some(before) = before.reduce(|a, b| if sites[b].row > sites[a].row { b } else { a }) {
+    let observations = &linear.dataset.observations;
+    let before = (0..observations.len()).filter(|&k| {
+        observations[k].row < observation.row && observations[k].kind == ObservationKind::Instrument
+    });
+    if let Some(before) = before.reduce(|a, b| if observations[b].row > observations[a].row { b } else { a })
+    {
         let (from, here) = (measured_m(stations, before)?, measured_m(stations, i)?);
         let into_base = linear.registration.instrument_from_base.rotation.inverse();
         let way = into_base * (from - here) + place;
@@ -90,7 +93,8 @@ fn likeness(stations: &Stations, linear: &Linear, left: &Motion, i: usize) -> Op
             return Some(format!("{short}: read before the arm had arrived?"));
         }
     }
-    let turned = linear.scene.rows_per_site == 6 && Vector3::new(left[3], left[4], left[5]).norm() > 1e-3;
+    let turned =
+        linear.dataset.rows_per_observation == 6 && Vector3::new(left[3], left[4], left[5]).norm() > 1e-3;
     let seen = linear.registration.instrument_from_base.rotation * place;
     let single = (0..3).find(|&k| {
         let others = Vector3::from_fn(|r, _| if r == k { 0.0 } else { seen[r] });
@@ -104,7 +108,7 @@ fn likeness(stations: &Stations, linear: &Linear, left: &Motion, i: usize) -> Op
         ));
     }
     (0..6).find_map(|j| {
-        let turn = site.joint(j);
+        let turn = observation.jacobian_column(j);
         let v = Vector3::new(turn[0], turn[1], turn[2]);
         let angle = v.dot(&place) / v.norm_squared().max(1e-12);
         let fits = (place - v * angle).norm() < limit_m && angle.abs() < 0.5;

@@ -3,17 +3,18 @@
 //! The search works on first-order signatures; here the same parameters, with the same size priors, are fitted again to the
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
-use super::linearise::Linear;
+use super::dataset::Twist;
+use super::linearise::Linearised;
 use super::model::Model;
-use super::normal::Columns;
-use super::scene::Motion;
-use super::search::Chosen;
+use super::normal_equations::ModelColumns;
+use super::search::ChosenCause;
 use super::spectrum;
 use super::terms::{agree_on_centre, terms};
 use crate::measure::{Measurements, RegisterError, Registration, Station, Stations, register};
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
-use robot_model::deform::identified::{Identified, Kind, Mounting, Seen, Term, When};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::{Identified, MeasuredRange, Mounting, Term, ThermalState};
 use robot_model::deform::{Conditions, DeformedArm, Payload};
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
@@ -27,27 +28,27 @@ pub(super) fn identify(
     measurements: &Measurements,
     robot: &Robot,
     stations: &Stations,
-    linear: &Linear,
+    linear: &Linearised,
     model: &Model<'_>,
     tool_m: Option<Vector3<f64>>,
 ) -> Option<Identified> {
-    let scene = &linear.scene;
+    let dataset = &linear.dataset;
     let candidates = model.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
-    let in_spectrum = |c: &&Chosen| {
-        let form = candidates[c.candidate].form;
-        form.n.is_some() && lines.iter().any(|(joint, _)| form.joint == Some(*joint))
+    let in_spectrum = |c: &&ChosenCause| {
+        let variant = candidates[c.candidate].variant;
+        variant.n.is_some() && lines.iter().any(|(joint, _)| variant.joint == Some(*joint))
     };
-    let (named, chosen): (Vec<&Chosen>, Vec<&Chosen>) = model.chosen.iter().partition(in_spectrum);
-    let columns = Columns {
-        scene,
+    let (named, chosen): (Vec<&ChosenCause>, Vec<&ChosenCause>) = model.chosen.iter().partition(in_spectrum);
+    let columns = ModelColumns {
+        dataset,
         whitening: model.design.whitening(),
         targets: stations.targets,
         causes: chosen.iter().map(|c| &candidates[c.candidate]).collect(),
         lines,
     };
-    let sigma_m = model.reached.sigma_m;
-    let ratio = model.reached.geometry_ratio;
+    let sigma_m = model.peak.sigma_m;
+    let ratio = model.peak.geometry_ratio;
     let causes: Vec<f64> = chosen.iter().map(|c| (3.0 * c.size_ratio).powi(-2)).collect();
     // Without geometry in the model its columns are held at nothing.
     let geometry = if ratio > 0.0 { ratio.powi(-2) } else { NOTHING };
@@ -57,14 +58,14 @@ pub(super) fn identify(
         false => spectrum::size_rad(&columns, &linear.residuals, &model.outliers, precisions_at),
     };
     let precisions = precisions_at(size_rad);
-    let all: Vec<usize> = (0..scene.sites.len()).collect();
+    let all: Vec<usize> = (0..dataset.observations.len()).collect();
     let mut normal = columns.sum(&all, &linear.residuals);
     let (mut solved, _) = normal.solve(&precisions, false)?;
-    let shared = Arc::new(robot.clone());
+    let robot = Arc::new(robot.clone());
     let mut identified = Identified {
         robot: robot.name.clone(),
         sigma_m: Some(sigma_m),
-        seen: seen(measurements.rows.len(), stations),
+        measured_range: measured_range(measurements.rows.len(), stations),
         ..Identified::default()
     };
     let mut centre_m = agree_on_centre(&columns, &mut solved);
@@ -72,17 +73,17 @@ pub(super) fn identify(
     for round in 1..=ROUNDS {
         identified.terms = terms(&columns, &named, candidates, &solved, None);
         let so_far = Arc::new(identified.clone());
-        let (residuals, _) = left_over(&shared, stations, &so_far, linear, tool_m, centre_m).ok()?;
+        let (residuals, _) = residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m).ok()?;
         // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
-        solved.rows_mut(0, columns.flat().end).fill(0.0);
-        normal.right = columns.right(&all, &residuals) + &normal.gram * &solved;
+        solved.rows_mut(0, columns.registration().end).fill(0.0);
+        normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solved;
         (solved, sigmas) = normal.solve(&precisions, round == ROUNDS)?;
         centre_m = agree_on_centre(&columns, &mut solved);
     }
     let sigmas = sigmas.map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
     identified.terms = terms(&columns, &named, candidates, &solved, sigmas.as_deref());
     let whole = Arc::new(identified.clone());
-    let (_, registration) = left_over(&shared, stations, &whole, linear, tool_m, centre_m).ok()?;
+    let (_, registration) = residuals_of(&robot, stations, &whole, linear, tool_m, centre_m).ok()?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
@@ -94,14 +95,14 @@ pub(super) fn identify(
 const NOTHING: f64 = 1e18;
 
 /// Measured minus predicted by the model at every station, base axes, and the registration that goes with it.
-fn left_over(
+fn residuals_of(
     robot: &Arc<Robot>,
     stations: &Stations,
     model: &Arc<Identified>,
-    linear: &Linear,
+    linear: &Linearised,
     tool_m: Option<Vector3<f64>>,
     payload_off_m: Vector3<f64>,
-) -> Result<(Vec<Motion>, Registration), RegisterError> {
+) -> Result<(Vec<Twist>, Registration), RegisterError> {
     let payload_m: Vec<Vector3<f64>> =
         linear.registration.tools_m.iter().map(|tool_m| tool_m + payload_off_m).collect();
     let (scaled, poses) = predicted(robot, &stations.stations, model, &payload_m);
@@ -119,11 +120,12 @@ pub(super) fn predicted(
     payload_m: &[Vector3<f64>],
 ) -> (Vec<Station>, Vec<Isometry3<f64>>) {
     let scale: f64 =
-        model.terms.iter().filter(|t| t.kind == Kind::InstrumentScale).map(|t| t.value(0)).sum::<f64>() + 1.0;
-    let start = When { t_min: 0.0, joint_temperature_c: None };
+        model.terms.iter().filter(|t| t.kind == EffectKind::InstrumentScale).map(|t| t.value(0)).sum::<f64>()
+            + 1.0;
+    let start = ThermalState { t_min: 0.0, joint_temperature_c: None };
     let arm = DeformedArm::of_model(robot, &FrameOffsets::default(), model, start);
     // Of all this only the base's own motion moves a nest.
-    let of_base = |t: &&Term| matches!(t.kind, Kind::BaseDrift | Kind::BaseStep);
+    let of_base = |t: &&Term| matches!(t.kind, EffectKind::BaseDrift | EffectKind::BaseStep);
     let base =
         Identified { terms: model.terms.iter().filter(of_base).cloned().collect(), ..(**model).clone() };
     let base = DeformedArm::of_model(robot, &FrameOffsets::default(), &Arc::new(base), start);
@@ -132,7 +134,7 @@ pub(super) fn predicted(
     let poses = stations
         .par_iter()
         .map(|station| {
-            let when = When {
+            let when = ThermalState {
                 t_min: station.t_min.unwrap_or(0.0),
                 joint_temperature_c: station.joint_temperature_c,
             };
@@ -141,17 +143,18 @@ pub(super) fn predicted(
                 payload: Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m },
                 direction: station.direction.unwrap_or_default(),
             };
-            if !station.seen.by_arm() {
+            if !station.reading.involves_arm() {
                 return base.at(when).under(&Conditions::default()).forward(&zero) * flange_from_base;
             }
             arm.at(when).under(&conditions).forward(&station.q_rad)
         })
         .collect();
-    let scaled = stations.iter().map(|s| Station { seen: s.seen.scaled(1.0 / scale), ..s.clone() }).collect();
+    let scaled =
+        stations.iter().map(|s| Station { reading: s.reading.scaled(1.0 / scale), ..s.clone() }).collect();
     (scaled, poses)
 }
 
-fn seen(rows: usize, stations: &Stations) -> Seen {
+fn measured_range(rows: usize, stations: &Stations) -> MeasuredRange {
     let all = &stations.stations;
     let range = |of: &dyn Fn(&Station) -> Option<f64>| -> Option<[f64; 2]> {
         all.iter().filter_map(of).fold(None, |range, value| match range {
@@ -160,9 +163,11 @@ fn seen(rows: usize, stations: &Stations) -> Seen {
         })
     };
     let warm = all.iter().any(|s| s.joint_temperature_c.is_some());
-    Seen {
+    MeasuredRange {
         rows,
-        q_rad: std::array::from_fn(|j| range(&|s| s.seen.by_arm().then_some(s.q_rad[j])).unwrap_or_default()),
+        q_rad: std::array::from_fn(|j| {
+            range(&|s| s.reading.involves_arm().then_some(s.q_rad[j])).unwrap_or_default()
+        }),
         t_min: range(&|s| s.t_min),
         joint_temperature_c: warm.then(|| {
             std::array::from_fn(|j| range(&|s| s.joint_temperature_c.map(|t| t[j])).unwrap_or_default())

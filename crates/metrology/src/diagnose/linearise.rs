@@ -1,7 +1,7 @@
 //! The arm near which the problem is linear: nominal, or, where it is far off, with its geometry fitted first.
 
+use super::dataset::{Dataset, Observation, Twist};
 use super::design::Design;
-use super::scene::{Motion, Scene, Site};
 use crate::measure::{RegisterError, Registration, Stations, register};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{Chain, FrameOffsets};
@@ -12,11 +12,11 @@ const LINEAR_M: f64 = 2e-4;
 const ROUNDS: usize = 3;
 
 /// The arm at every station, with residuals that are linear in all parameters.
-pub struct Linear {
+pub struct Linearised {
     /// The arm.
-    pub scene: Scene,
+    pub dataset: Dataset,
     /// Measured minus nominal, to first order, metres and radians in base axes.
-    pub residuals: Vec<Motion>,
+    pub residuals: Vec<Twist>,
     /// Base and target at the nominal arm.
     pub registration: Registration,
 }
@@ -31,7 +31,7 @@ pub fn linearise(
     nominal: &Registration,
     tool_m: Option<Vector3<f64>>,
     channels: crate::measure::Channels,
-) -> Result<Linear, RegisterError> {
+) -> Result<Linearised, RegisterError> {
     let mut offsets = FrameOffsets::default();
     let mut registration = nominal.clone();
     let mut round = 0;
@@ -41,16 +41,16 @@ pub fn linearise(
         if round > 0 {
             registration = register(&stations.stations, &poses, stations.targets, tool_m)?;
         }
-        let sites: Vec<Site> =
-            stations.stations.iter().map(|s| Site::new(robot, &chain, &registration, s)).collect();
-        let scene = Scene::new(robot, sites, channels);
-        let left: Vec<Motion> =
+        let observations: Vec<Observation> =
+            stations.stations.iter().map(|s| Observation::new(robot, &chain, &registration, s)).collect();
+        let dataset = Dataset::new(robot, observations, channels);
+        let left: Vec<Twist> =
             stations.stations.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
-        let residuals = restored(&scene, &left, &offsets);
+        let residuals = restored(&dataset, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
-            return Ok(Linear { scene, residuals, registration: nominal.clone() });
+            return Ok(Linearised { dataset, residuals, registration: nominal.clone() });
         }
-        let step = fit_geometry(&scene, &residuals, stations.targets, registration.median_m);
+        let step = fit_geometry(&dataset, &residuals, stations.targets, registration.median_m);
         for (i, row) in offsets.0.iter_mut().enumerate().skip(1).take(5) {
             for (k, value) in row.iter_mut().enumerate() {
                 *value = step[6 * (i - 1) + k];
@@ -61,18 +61,18 @@ pub fn linearise(
 }
 
 /// The residual as the nominal arm would leave it, to first order at the fitted arm.
-fn restored(scene: &Scene, left: &[Motion], offsets: &FrameOffsets) -> Vec<Motion> {
-    scene
-        .sites
+fn restored(dataset: &Dataset, left: &[Twist], offsets: &FrameOffsets) -> Vec<Twist> {
+    dataset
+        .observations
         .iter()
         .zip(left)
-        .map(|(site, left)| {
+        .map(|(observation, left)| {
             let mut sum = *left;
             for frame in 1..6 {
                 for k in 0..6 {
                     let offset = offsets.0[frame][k];
                     if offset != 0.0 {
-                        for (to, from) in sum.iter_mut().zip(site.offset(frame, k)) {
+                        for (to, from) in sum.iter_mut().zip(observation.frame_offset(frame, k)) {
                             *to += offset * from;
                         }
                     }
@@ -84,13 +84,13 @@ fn restored(scene: &Scene, left: &[Motion], offsets: &FrameOffsets) -> Vec<Motio
 }
 
 /// Geometry of frames 2 to 6 with a size prior, SI, robust by re-weighting.
-fn fit_geometry(scene: &Scene, residuals: &[Motion], targets: usize, scale_m: f64) -> Vec<f64> {
-    let mut weights = vec![1.0; scene.sites.len()];
+fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m: f64) -> Vec<f64> {
+    let mut weights = vec![1.0; dataset.observations.len()];
     let mut offsets = vec![0.0; 30];
     for _ in 0..4 {
         let whitening = super::design::Whitening { weights: weights.clone(), arm_m: 0.2 };
-        let atoms = vec![0; scene.sites.len()];
-        let design = Design::new(scene, residuals, targets, whitening, &atoms);
+        let groups = vec![0; dataset.observations.len()];
+        let design = Design::new(dataset, residuals, targets, whitening, &groups);
         let gram = design.gram(&[0]);
         let n = gram.nrows() - 1;
         let mut normal: DMatrix<f64> = gram.view((1, 1), (n, n)).into_owned();
@@ -105,7 +105,7 @@ fn fit_geometry(scene: &Scene, residuals: &[Motion], targets: usize, scale_m: f6
             *value = solved[design.geometry.start - 1 + k] * Design::tolerance(k % 6);
         }
         let left = design.residuals(solved.as_slice());
-        let mut distances: Vec<f64> = left.iter().map(norm3).collect();
+        let mut distances: Vec<f64> = left.iter().map(shift_m).collect();
         let each = distances.clone();
         distances.sort_by(f64::total_cmp);
         let middle = distances[distances.len() / 2].max(1e-9);
@@ -118,6 +118,6 @@ fn fit_geometry(scene: &Scene, residuals: &[Motion], targets: usize, scale_m: f6
 
 /// Length of the shift, metres.
 #[must_use]
-pub fn norm3(motion: &Motion) -> f64 {
-    (motion[0] * motion[0] + motion[1] * motion[1] + motion[2] * motion[2]).sqrt()
+pub fn shift_m(twist: &Twist) -> f64 {
+    (twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]).sqrt()
 }

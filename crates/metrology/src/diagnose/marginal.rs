@@ -17,32 +17,35 @@ const FEWEST_FREEDOM: usize = 6;
 
 /// What is known of the noise before the fit.
 #[derive(Clone, Copy, Debug)]
-pub struct Noise {
+pub struct NoisePrior {
     /// Sigma of a row of weight 1 and its degrees of freedom, from repeats or as stated.
     pub known: Option<(f64, f64)>,
     /// Whether repeats stand behind it; a statement alone can be wrong.
-    pub seen: bool,
+    pub from_repeats: bool,
 }
 
-impl Noise {
+impl NoisePrior {
     /// From the repeats; from `stated_m` where there are none, or where both agree.
     #[must_use]
     pub fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
         let seen = repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM);
         match (seen, stated_m) {
             // Both say the same: what they say together is worth what each is worth alone.
-            (Some(r), Some(stated_m)) if agree(r, stated_m) => {
+            (Some(r), Some(stated_m)) if is_consistent(r, stated_m) => {
                 let seen = r.degrees_of_freedom as f64;
                 let freedom = STATED_FREEDOM + seen;
                 let squares = STATED_FREEDOM * stated_m * stated_m + seen * r.sigma_m * r.sigma_m;
-                Self { known: Some(((squares / freedom).sqrt(), freedom.min(MOST_FREEDOM))), seen: true }
+                Self {
+                    known: Some(((squares / freedom).sqrt(), freedom.min(MOST_FREEDOM))),
+                    from_repeats: true,
+                }
             }
             (Some(r), _) => {
                 let freedom = (r.degrees_of_freedom as f64).min(MOST_FREEDOM);
-                Self { known: Some((r.sigma_m, freedom)), seen: true }
+                Self { known: Some((r.sigma_m, freedom)), from_repeats: true }
             }
-            (None, Some(sigma_m)) => Self { known: Some((sigma_m, STATED_FREEDOM)), seen: false },
-            (None, None) => Self { known: None, seen: false },
+            (None, Some(sigma_m)) => Self { known: Some((sigma_m, STATED_FREEDOM)), from_repeats: false },
+            (None, None) => Self { known: None, from_repeats: false },
         }
     }
 
@@ -50,34 +53,35 @@ impl Noise {
     #[must_use]
     pub fn contradicted(repeats: Option<&Repeats>, stated_m: Option<f64>) -> bool {
         match (repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM), stated_m) {
-            (Some(r), Some(sigma_m)) => !agree(r, sigma_m),
+            (Some(r), Some(sigma_m)) => !is_consistent(r, sigma_m),
             _ => false,
         }
     }
 
     /// The integral over sigma for `m` rows.
     #[must_use]
-    pub fn over(&self, m: f64) -> Marginal {
+    pub fn marginal_over(&self, m: f64) -> Marginal {
         let (low_m, high_m, share) = match self.known {
             None => (SIGMA_M[0], SIGMA_M[1], 1.0),
             Some((sigma_m, _)) => (sigma_m, (30.0 * sigma_m).max(SIGMA_M[1]), 1.0 - REPEATS_HOLD),
         };
         let width = 1.0 / (2.0 * m).sqrt();
         let (low, high) = (low_m.ln(), high_m.ln());
-        let wide = share.ln() + (width * std::f64::consts::TAU.sqrt()).ln() - (high - low).ln() - 0.5 * m;
-        let held = self.known.map(|(sigma_m, freedom)| {
+        let log_uniform =
+            share.ln() + (width * std::f64::consts::TAU.sqrt()).ln() - (high - low).ln() - 0.5 * m;
+        let repeatability = self.known.map(|(sigma_m, freedom)| {
             let scatter = freedom * sigma_m * sigma_m;
             let constant = REPEATS_HOLD.ln() + 0.5 * freedom * (0.5 * scatter).ln() - ln_gamma(0.5 * freedom)
                 + ln_gamma(0.5 * (m + freedom));
-            Held { scatter, freedom, constant }
+            Repeatability { scatter, freedom, constant }
         });
-        Marginal { m, low, high, width, wide, held }
+        Marginal { m, low, high, width, log_uniform, repeatability }
     }
 }
 
 /// Whether the repeats allow the stated sigma: both ends of the 99 % interval of their chi-square
 /// (Wilson and Hilferty 1931).
-fn agree(repeats: &Repeats, stated_m: f64) -> bool {
+fn is_consistent(repeats: &Repeats, stated_m: f64) -> bool {
     let v = repeats.degrees_of_freedom as f64;
     let end = |z: f64| {
         let c = 2.0 / (9.0 * v);
@@ -94,12 +98,12 @@ pub struct Marginal {
     low: f64,
     high: f64,
     width: f64,
-    wide: f64,
-    held: Option<Held>,
+    log_uniform: f64,
+    repeatability: Option<Repeatability>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Held {
+struct Repeatability {
     scatter: f64,
     freedom: f64,
     constant: f64,
@@ -113,26 +117,27 @@ impl Marginal {
         let m = self.m;
         // Log-uniform between bounds; the mass within them by the normal shape of ln sigma.
         let at = 0.5 * (q / m).ln();
-        let mass = normal_below((self.high - at) / self.width) - normal_below((self.low - at) / self.width);
-        let wide = self.wide - m * at + mass.max(1e-300).ln();
-        let Some(h) = self.held else { return (wide, at.exp()) };
+        let mass = normal_cdf((self.high - at) / self.width) - normal_cdf((self.low - at) / self.width);
+        let log_uniform = self.log_uniform - m * at + mass.max(1e-300).ln();
+        let Some(h) = self.repeatability else { return (log_uniform, at.exp()) };
         // ln of the integral of sigma^-m e^(-q/2s^2) over the repeats' own posterior.
-        let held = h.constant - 0.5 * (m + h.freedom) * (0.5 * (q + h.scatter)).ln();
-        let sigma_m = if held > wide { ((q + h.scatter) / (m + h.freedom)).sqrt() } else { at.exp() };
-        (log_add(held, wide), sigma_m)
+        let repeatability = h.constant - 0.5 * (m + h.freedom) * (0.5 * (q + h.scatter)).ln();
+        let sigma_m =
+            if repeatability > log_uniform { ((q + h.scatter) / (m + h.freedom)).sqrt() } else { at.exp() };
+        (log_add(repeatability, log_uniform), sigma_m)
     }
 }
 
 /// Density of the normal distribution.
 #[must_use]
-pub fn normal(x: f64, mean: f64, sigma: f64) -> f64 {
+pub fn normal_pdf(x: f64, mean: f64, sigma: f64) -> f64 {
     let z = (x - mean) / sigma;
     (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
 }
 
 /// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
 #[must_use]
-pub fn normal_below(z: f64) -> f64 {
+pub fn normal_cdf(z: f64) -> f64 {
     if z.abs() > 8.0 {
         return f64::from(u8::from(z > 0.0));
     }
@@ -140,7 +145,7 @@ pub fn normal_below(z: f64) -> f64 {
     let poly = t
         * (0.319_381_530
             + t * (-0.356_563_782 + t * (1.781_477_937 + t * (-1.821_255_978 + t * 1.330_274_429))));
-    let tail = normal(z.abs(), 0.0, 1.0) * poly;
+    let tail = normal_pdf(z.abs(), 0.0, 1.0) * poly;
     if z > 0.0 { 1.0 - tail } else { tail }
 }
 
@@ -185,15 +190,15 @@ mod tests {
         // ln Gamma(0.5) = ln sqrt(pi); Gamma(10) = 9!; Phi(1.96) = 0.975002 (Abramowitz and Stegun).
         assert!((ln_gamma(0.5) - 0.5 * std::f64::consts::PI.ln()).abs() < 1e-12);
         assert!((ln_gamma(10.0) - 362_880.0_f64.ln()).abs() < 1e-10);
-        assert!((normal_below(1.96) - 0.975_002).abs() < 1e-6);
-        assert!((normal_below(-1.96) - 0.024_998).abs() < 1e-6);
+        assert!((normal_cdf(1.96) - 0.975_002).abs() < 1e-6);
+        assert!((normal_cdf(-1.96) - 0.024_998).abs() < 1e-6);
     }
 
     #[test]
     fn sigma_is_integrated_as_a_fine_sum_does() {
         let (m, q) = (120.0, 120.0 * 2.5e-5_f64.powi(2));
         for known in [None, Some((2e-5, 30.0))] {
-            let noise = Noise { known, seen: known.is_some() };
+            let noise = NoisePrior { known, from_repeats: known.is_some() };
             let steps = 40_000;
             let (low, high) = (SIGMA_M[0].ln(), 3e-3_f64.ln());
             let h = (high - low) / f64::from(steps);
@@ -205,24 +210,25 @@ mod tests {
                     None => flat(low),
                     Some((s, v)) => {
                         let c = 0.5 * v * s * s;
-                        let held = (2.0_f64.ln() + 0.5 * v * c.ln()
+                        let repeatability = (2.0_f64.ln() + 0.5 * v * c.ln()
                             - ln_gamma(0.5 * v)
                             - v * x
                             - c * (-2.0 * x).exp())
                         .exp();
-                        REPEATS_HOLD * held + (1.0 - REPEATS_HOLD) * flat(s.ln())
+                        REPEATS_HOLD * repeatability + (1.0 - REPEATS_HOLD) * flat(s.ln())
                     }
                 };
                 likelihood + (prior * h).ln()
             }));
-            let (log, _) = noise.over(m).at(q);
+            let (log, _) = noise.marginal_over(m).at(q);
             assert!((log - sum).abs() < 0.05, "{known:?}: {log} {sum}");
         }
     }
     #[test]
     fn a_statement_and_repeats_that_agree_are_taken_together() {
         let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6, sigma_rad: None };
-        let Noise { known: Some((sigma_m, freedom)), seen: true } = Noise::new(Some(&repeats), Some(3e-5))
+        let NoisePrior { known: Some((sigma_m, freedom)), from_repeats: true } =
+            NoisePrior::new(Some(&repeats), Some(3e-5))
         else {
             panic!()
         };
@@ -230,7 +236,7 @@ mod tests {
         assert!((sigma_m - 3.258_12e-5).abs() < 1e-10 && freedom == 26.0, "{sigma_m} {freedom}");
         // Three times the statement in 60 degrees of freedom contradict it.
         let repeats = Repeats { sigma_m: 9e-5, degrees_of_freedom: 60, sigma_rad: None };
-        assert!(Noise::contradicted(Some(&repeats), Some(3e-5)));
-        assert_eq!(Noise::new(Some(&repeats), Some(3e-5)).known, Some((9e-5, 60.0)));
+        assert!(NoisePrior::contradicted(Some(&repeats), Some(3e-5)));
+        assert_eq!(NoisePrior::new(Some(&repeats), Some(3e-5)).known, Some((9e-5, 60.0)));
     }
 }

@@ -3,24 +3,24 @@
 //!
 //! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
 
-mod changed;
+mod compare;
+mod dataset;
 mod design;
 mod effects;
 mod evidence;
 mod false_row;
+mod gp_alternative;
+mod heldout;
 mod identify;
-mod kernel;
 mod linearise;
 mod marginal;
 mod model;
-mod next;
-mod normal;
+mod next_measurements;
+mod normal_equations;
 mod outcome;
 mod rounding;
 mod scatter;
-mod scene;
 mod search;
-mod shrink;
 pub mod signature;
 mod spectrum;
 mod terms;
@@ -29,20 +29,21 @@ mod verdict;
 pub mod warmup;
 mod zeros;
 
-pub use changed::{Changed, ChangedError, changed};
+pub use compare::{CompareError, MeasurementComparison, compare_measurements};
 pub use outcome::{
-    Cause, Detectable, Diagnosis, FalseRow, HeldOut, NextMeasurement, NoiseFound, Region, RowResidual,
-    Shrink, Untestable, Verdict, Warning, Where, Zero, Zeros,
+    Cause, Detectable, Diagnosis, ErrorReduction, FalseRow, HeldOutBlock, JointZero, JointZeros, Location,
+    NextMeasurement, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
-pub use validate::{Distances, Part, Register, ValidateError, Validation, validate};
+pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
 pub use verdict::describe;
 
 use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
 use effects::Candidate;
-use evidence::Background;
-use linearise::{Linear, linearise};
-use marginal::Noise;
+use evidence::NuisanceModel;
+use linearise::{Linearised, linearise};
+use marginal::NoisePrior;
 use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -92,19 +93,19 @@ fn examine(
     options: &Options,
     identified: Option<&mut Option<Identified>>,
 ) -> Diagnosis {
-    let finding = check_rows(measurements, robot);
+    let checked = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
-        measurements.warnings.iter().chain(&finding.warnings).map(Warning::from).collect();
+        measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
     let finish = |mut d: Diagnosis, warnings: Vec<Warning>| {
         d.rows = measurements.rows.len();
         d.warnings = warnings;
         d
     };
-    if let Some(fault) = &finding.fault {
+    if let Some(fault) = &checked.fault {
         return finish(faulty(fault), warnings);
     }
-    let mut stations = gather(measurements, &finding.keep);
-    stations.channels.time &= finding.time_usable;
+    let mut stations = gather(measurements, &checked.used);
+    stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
         stations.stations.iter_mut().for_each(|s| s.t_min = None);
     }
@@ -114,14 +115,14 @@ fn examine(
             "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot",
             poses.len()
         );
-        return finish(Diagnosis::bare(Verdict::InsufficientData, reason), warnings);
+        return finish(Diagnosis::without_causes(Verdict::InsufficientData, reason), warnings);
     }
     let chain = Chain::nominal(robot);
     let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
         Ok(registration) => registration,
         Err(error) => {
-            return finish(Diagnosis::bare(Verdict::InsufficientData, error.to_string()), warnings);
+            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
         }
     };
     if let Some(fault) =
@@ -133,12 +134,12 @@ fn examine(
     let linear = match linearise(robot, &stations, &registration, options.tool_m, channels) {
         Ok(linear) => linear,
         Err(error) => {
-            return finish(Diagnosis::bare(Verdict::InsufficientData, error.to_string()), warnings);
+            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
         }
     };
-    let noise = Noise::new(stations.repeats.as_ref(), options.sigma_m);
+    let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     if let (true, Some(seen)) =
-        (Noise::contradicted(stations.repeats.as_ref(), options.sigma_m), stations.repeats)
+        (NoisePrior::contradicted(stations.repeats.as_ref(), options.sigma_m), stations.repeats)
     {
         warnings.push(Warning {
             code: "diagnose::noise",
@@ -156,14 +157,13 @@ fn examine(
 }
 
 fn faulty(fault: &Fault) -> Diagnosis {
-    let mut diagnosis = Diagnosis::bare(Verdict::DataFault, fault.reason.clone());
-    let effect = match fault.kind {
-        FaultKind::SwappedAxes => Some("swapped_axes"),
-        FaultKind::RoundedJoints => Some("joint_rounding"),
+    let mut diagnosis = Diagnosis::without_causes(Verdict::DataFault, fault.reason.clone());
+    let kind = match fault.kind {
+        FaultKind::SwappedAxes => Some(EffectKind::SwappedAxes),
+        FaultKind::RoundedJoints => Some(EffectKind::JointRounding),
         _ => None,
     };
-    let effect = effects::LIBRARY.iter().find(|e| Some(e.name()) == effect);
-    diagnosis.causes.extend(effect.map(|e| Cause::of(*e, 1.0)));
+    diagnosis.causes.extend(kind.map(|kind| Cause::of(kind, 1.0)));
     diagnosis
 }
 
@@ -171,51 +171,57 @@ fn evaluate(
     measurements: &Measurements,
     robot: &Robot,
     stations: &Stations,
-    linear: &Linear,
-    noise: Noise,
+    linear: &Linearised,
+    noise: NoisePrior,
     options: &Options,
     identified: Option<&mut Option<Identified>>,
 ) -> Diagnosis {
-    let (all, mut untestable) = effects::candidates(&linear.scene);
-    let folds = shrink::folds(&linear.scene);
+    let (all, mut untestable) = effects::candidates(&linear.dataset);
+    let folds = heldout::folds(&linear.dataset);
     let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
-    let mut model = model::build(linear, &candidates, noise, stations.targets, &folds.atom_of);
+    let mut model = model::build(linear, &candidates, noise, stations.targets, &folds.group_of);
     if let Some(fault) = rounding::find(measurements, linear, &model) {
         return faulty(&fault);
     }
-    let judged = verdict::judge(&mut model, linear);
+    let judgement = verdict::judge(&mut model, linear);
     if let Some(to) = identified {
         *to = identify::identify(measurements, robot, stations, linear, &model, options.tool_m);
     }
-    model.library.kernels.clear();
+    model.library.gp_alternatives.clear();
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
-    let far_off = model.reached.geometry_ratio * model.reached.sigma_m > BEYOND;
-    let geometry = judged.verdict == Verdict::Geometry || far_off;
-    let mut diagnosis = Diagnosis::bare(judged.verdict, judged.reason);
-    diagnosis.shrink = shrink::shrink(&mut model, linear, &folds, geometry);
-    detail.extend(untestable.drain(..).map(|(effect, reason)| Untestable {
-        effect,
+    let far_off = model.peak.geometry_ratio * model.peak.sigma_m > BEYOND;
+    let geometry = judgement.verdict == Verdict::Geometry || far_off;
+    let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
+    diagnosis.shrink = heldout::shrink(&mut model, linear, &folds, geometry);
+    detail.extend(untestable.drain(..).map(|hidden| Untestable {
+        effect: hidden.kind,
         joints: Vec::new(),
-        reason,
+        reason: hidden.reason,
     }));
-    let mut names: Vec<&'static str> = detail.iter().map(|d| d.effect).collect();
-    names.sort_unstable();
+    let mut names: Vec<EffectKind> = detail.iter().map(|d| d.effect).collect();
+    names.sort_by_key(|kind| kind.name());
     names.dedup();
     diagnosis.untestable = names;
     diagnosis.untestable_detail = detail;
     diagnosis.zeros_alone = far_off.then(|| zeros::zeros(&mut model)).flatten();
-    diagnosis.noise = NoiseFound {
+    diagnosis.noise = NoiseEstimate {
         repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
         repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
-        model_sigma_mm: Some(mm_from_m(model.reached.sigma_m)),
-        reduced_chi_square: judged.reduced_chi_square,
-        geometry_tolerances: Some(model.reached.geometry_ratio * model.reached.sigma_m),
+        model_sigma_mm: Some(mm_from_m(model.peak.sigma_m)),
+        reduced_chi_square: judgement.reduced_chi_square,
+        geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
     };
-    (diagnosis.next_measurements, diagnosis.next_reason) =
-        next::next(robot, &model, linear, judged.pair, judged.verdict, options);
-    diagnosis.causes = judged.causes;
-    diagnosis.rivals = judged.rivals;
-    diagnosis.place = judged.place;
+    (diagnosis.next_measurements, diagnosis.next_reason) = next_measurements::next_measurements(
+        robot,
+        &model,
+        linear,
+        judgement.pair,
+        judgement.verdict,
+        options,
+    );
+    diagnosis.causes = judgement.causes;
+    diagnosis.alternatives = judgement.alternatives;
+    diagnosis.place = judgement.place;
     diagnosis.detectable = detectable(&model);
     diagnosis.false_rows = false_row::false_rows(measurements, stations, linear, &model);
     diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
@@ -225,32 +231,32 @@ fn evaluate(
 
 /// Candidates that leave a signal beside the registration, and those that do not.
 fn visible(
-    linear: &Linear,
+    linear: &Linearised,
     all: Vec<Candidate>,
     targets: usize,
-    noise: Noise,
+    noise: NoisePrior,
 ) -> (Vec<Candidate>, Vec<Untestable>) {
-    let n = linear.scene.sites.len();
+    let n = linear.dataset.observations.len();
     let whitening = design::Whitening { weights: vec![1.0; n], arm_m: 0.2 };
-    let design = design::Design::new(&linear.scene, &linear.residuals, targets, whitening, &vec![0; n]);
-    let background = Background::new(&design, &[0], &[], noise);
+    let design = design::Design::new(&linear.dataset, &linear.residuals, targets, whitening, &vec![0; n]);
+    let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
     let mut kept = Vec::new();
     let mut hidden: Vec<Untestable> = Vec::new();
     for candidate in all {
         // Lines of a gear never lie in the registration; there are thousands.
-        let line = candidate.effect().name() == "gear_mesh";
+        let line = candidate.kind == EffectKind::GearMesh;
         let share = if line {
             1.0
         } else {
-            let columns = design.columns_of(&linear.scene, &candidate);
-            background.visible(&design.products(&columns).sum(&[0]))
+            let columns = design.columns_of(&linear.dataset, &candidate);
+            nuisance.visible(&design.products(&columns).sum(&[0]))
         };
         if share > INVISIBLE {
             kept.push(candidate);
             continue;
         }
-        let effect = candidate.effect().name();
-        let joint = candidate.form.joint.map(|j| j + 1);
+        let effect = candidate.kind;
+        let joint = candidate.variant.joint.map(|j| j + 1);
         let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
         match hidden.iter_mut().find(|h| h.effect == effect) {
             Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
@@ -262,25 +268,25 @@ fn visible(
 
 /// For each effect and joint the size that would have passed the alarm.
 fn detectable(model: &model::Model<'_>) -> Vec<Detectable> {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let also = search::flat(&model.chosen, None);
-    let background = Background::new(&model.design, &atoms, &also, model.noise);
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let also = search::cause_columns(&model.chosen, None);
+    let nuisance = NuisanceModel::new(&model.design, &groups, &also, model.noise);
     let mut seen: Vec<Detectable> = Vec::new();
     for (candidate, products) in model.library.candidates.iter().zip(&model.library.products) {
         let effect = candidate.effect();
-        let joint = candidate.form.joint.map(|j| j + 1);
-        let known = seen.iter().any(|d| d.effect == effect.name() && d.joint == joint);
-        if known || candidate.form.joint_b.is_some() {
+        let joint = candidate.variant.joint.map(|j| j + 1);
+        let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
+        if known || candidate.variant.joint_b.is_some() {
             continue;
         }
         let strength =
-            background.strength(&background.project(&products.sum(&atoms)), model.reached.geometry_ratio);
+            nuisance.strength(&nuisance.project(&products.sum(&groups)), model.peak.geometry_ratio);
         if strength > 0.0 {
             // Half the squared signal over noise must pass the alarm and the price of its parameters.
-            let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.reached.sigma_m;
-            let usual = candidate.usual.first().copied().unwrap_or(0.0);
-            let size = needed / strength * usual * candidate.factor;
-            seen.push(Detectable { effect: effect.name(), joint, size, unit: effect.unit() });
+            let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
+            let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
+            let size = needed / strength * prior_sigma * candidate.display_scale;
+            seen.push(Detectable { effect: effect.kind(), joint, size, unit: effect.unit() });
         }
     }
     seen
@@ -288,13 +294,13 @@ fn detectable(model: &model::Model<'_>) -> Vec<Detectable> {
 
 fn residuals(
     measurements: &Measurements,
-    linear: &Linear,
+    linear: &Linearised,
     stations: &Stations,
     model: &model::Model<'_>,
 ) -> Vec<RowResidual> {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let before = model.design.residuals(&model::solve(&model.design, &atoms, &[], None).coefficients);
-    let mm = |m: &scene::Motion| [m[0], m[1], m[2]].map(mm_from_m);
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let before = model.design.residuals(&model::solve(&model.design, &groups, &[], None).coefficients);
+    let mm = |m: &dataset::Twist| [m[0], m[1], m[2]].map(mm_from_m);
     let mut all = Vec::new();
     for (i, station) in stations.stations.iter().enumerate() {
         for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
@@ -304,7 +310,7 @@ fn residuals(
                 q_deg: row.q_rad.map(deg_from_rad),
                 t_min: row.t_min,
                 point_mm: {
-                    let point = linear.scene.sites[i].point_m;
+                    let point = linear.dataset.observations[i].point_m;
                     [point.x, point.y, point.z].map(mm_from_m)
                 },
                 before_mm: mm(&before[i]),

@@ -1,12 +1,12 @@
 //! The best model: weights round it, search over it, until both stand still.
 
+use super::dataset::Twist;
 use super::design::{Design, Whitening};
 use super::effects::Candidate;
-use super::evidence::{Background, Reached};
-use super::linearise::{Linear, norm3};
-use super::marginal::Noise;
-use super::scene::Motion;
-use super::search::{ALARM_NATS, Chosen, Library, flat};
+use super::evidence::{EvidencePeak, NuisanceModel};
+use super::linearise::{Linearised, shift_m};
+use super::marginal::NoisePrior;
+use super::search::{ALARM_NATS, ChosenCause, Library, cause_columns};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ const FALSE_SIGMAS: f64 = 4.5;
 /// A step that needs no more stations than these cannot be told from as many false readings.
 const FEW: usize = 3;
 /// Pose-to-pose scatter over scatter of repeats, squared, assumed at first.
-const FIRST_EXCESS: f64 = 0.5;
+const INITIAL_VARIANCE_RATIO: f64 = 0.5;
 
 /// The best model and all that was computed for it.
 pub struct Model<'a> {
@@ -29,85 +29,89 @@ pub struct Model<'a> {
     /// Candidates with products.
     pub library: Library<'a>,
     /// Causes in the model.
-    pub chosen: Vec<Chosen>,
+    pub chosen: Vec<ChosenCause>,
     /// Where chosen columns stand.
-    pub place: BTreeMap<usize, Vec<usize>>,
+    pub column_index: BTreeMap<usize, Vec<usize>>,
     /// Noise prior.
-    pub noise: Noise,
+    pub noise: NoisePrior,
     /// Weight of each station by the number of its repeats.
     pub base_weights: Vec<f64>,
     /// Stations set aside as false.
     pub outliers: Vec<bool>,
     /// Residuals of the best model.
-    pub residuals: Vec<Motion>,
+    pub residuals: Vec<Twist>,
     /// Evidence of the best model's background.
-    pub reached: Reached,
+    pub peak: EvidencePeak,
 }
 
 /// Searches over `linear` with `candidates`.
 #[must_use]
 pub fn build<'a>(
-    linear: &'a Linear,
+    linear: &'a Linearised,
     candidates: &'a [Candidate],
-    noise: Noise,
+    noise: NoisePrior,
     targets: usize,
-    atom_of: &[usize],
+    group_of: &[usize],
 ) -> Model<'a> {
-    let scene = &linear.scene;
-    let repeats: Vec<f64> = scene.sites.iter().map(|s| s.repeats as f64).collect();
-    let mut excess = FIRST_EXCESS;
+    let dataset = &linear.dataset;
+    let repeats: Vec<f64> = dataset.observations.iter().map(|s| s.repeats as f64).collect();
+    let mut variance_ratio = INITIAL_VARIANCE_RATIO;
     let mut arm_m = first_arm_m(linear);
-    let mut robust = vec![1.0; scene.sites.len()];
-    let mut outliers = vec![false; scene.sites.len()];
+    let mut robust = vec![1.0; dataset.observations.len()];
+    let mut outliers = vec![false; dataset.observations.len()];
     for _ in 0..START_ROUNDS {
-        let base_weights: Vec<f64> = repeats.iter().map(|n| (excess + 1.0) / (excess + 1.0 / n)).collect();
+        let base_weights: Vec<f64> =
+            repeats.iter().map(|n| (variance_ratio + 1.0) / (variance_ratio + 1.0 / n)).collect();
         let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
         let whitening = Whitening { weights, arm_m };
-        let design = Design::new(scene, &linear.residuals, targets, whitening, atom_of);
-        let all_atoms: Vec<usize> = (0..design.atoms()).collect();
-        let ratio = Background::new(&design, &all_atoms, &[], noise).null().geometry_ratio;
-        let fit = solve(&design, &all_atoms, &[], Some(ratio));
-        (robust, outliers) = weigh(linear, &design.residuals(&fit.coefficients), &base_weights);
+        let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+        let all_groups: Vec<usize> = (0..design.groups()).collect();
+        let ratio = NuisanceModel::new(&design, &all_groups, &[], noise).null().geometry_ratio;
+        let fit = solve(&design, &all_groups, &[], Some(ratio));
+        (robust, outliers) = robust_weights(linear, &design.residuals(&fit.coefficients), &base_weights);
     }
     let mut round = 0;
     loop {
-        let base_weights: Vec<f64> = repeats.iter().map(|n| (excess + 1.0) / (excess + 1.0 / n)).collect();
+        let base_weights: Vec<f64> =
+            repeats.iter().map(|n| (variance_ratio + 1.0) / (variance_ratio + 1.0 / n)).collect();
         let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
         let whitening = Whitening { weights, arm_m };
-        let mut design = Design::new(scene, &linear.residuals, targets, whitening, atom_of);
-        let mut library = Library::new(&design, scene, candidates);
-        let all_atoms: Vec<usize> = (0..design.atoms()).collect();
-        let mut place = BTreeMap::new();
-        let chosen = library.search(&mut design, &all_atoms, noise, &mut place, ALARM_NATS);
-        let background = Background::new(&design, &all_atoms, &flat(&chosen, None), noise);
-        let reached = background.null();
-        let fit = solve(&design, &all_atoms, &chosen, Some(reached.geometry_ratio));
+        let mut design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+        let mut library = Library::new(&design, dataset, candidates);
+        let all_groups: Vec<usize> = (0..design.groups()).collect();
+        let mut column_index = BTreeMap::new();
+        let chosen = library.search(&mut design, &all_groups, noise, &mut column_index, ALARM_NATS);
+        let nuisance = NuisanceModel::new(&design, &all_groups, &cause_columns(&chosen, None), noise);
+        let peak = nuisance.null();
+        let fit = solve(&design, &all_groups, &chosen, Some(peak.geometry_ratio));
         let residuals = design.residuals(&fit.coefficients);
-        let (mut next_robust, mut next_outliers) = weigh(linear, &residuals, &base_weights);
-        let carried = steps_of_few(&design, candidates, &chosen, &reached, &base_weights, &residuals);
+        let (mut next_robust, mut next_outliers) = robust_weights(linear, &residuals, &base_weights);
+        let carried = steps_of_few(&design, candidates, &chosen, &peak, &base_weights, &residuals);
         for &(i, weight) in &carried {
             (next_robust[i], next_outliers[i]) = (weight, true);
         }
-        let next_excess = excess_of(linear, &residuals, &noise, &next_outliers, excess);
+        let next_variance_ratio =
+            pose_variance_ratio(linear, &residuals, &noise, &next_outliers, variance_ratio);
         let next_arm = arm_of(linear, &residuals).unwrap_or(arm_m);
         round += 1;
         let steady = next_outliers == outliers
-            && (next_excess - excess).abs() < 0.2 * (excess + 0.1)
+            && (next_variance_ratio - variance_ratio).abs() < 0.2 * (variance_ratio + 0.1)
             && (next_arm / arm_m).ln().abs() < 0.15;
         if steady || round >= ROUNDS && carried.is_empty() || round == MOST_ROUNDS {
             return Model {
                 design,
                 library,
                 chosen,
-                place,
+                column_index,
                 noise,
                 base_weights,
                 outliers,
                 residuals,
-                reached,
+                peak,
             };
         }
-        (robust, outliers, excess, arm_m) = (next_robust, next_outliers, next_excess, next_arm);
+        (robust, outliers, variance_ratio, arm_m) =
+            (next_robust, next_outliers, next_variance_ratio, next_arm);
     }
 }
 
@@ -124,9 +128,9 @@ pub struct Fit {
 
 /// Fits registration, geometry (with `geometry_ratio`; none without it) and causes over `subset`.
 #[must_use]
-pub fn solve(design: &Design, subset: &[usize], chosen: &[Chosen], geometry_ratio: Option<f64>) -> Fit {
+pub fn solve(design: &Design, subset: &[usize], chosen: &[ChosenCause], geometry_ratio: Option<f64>) -> Fit {
     let gram = design.gram(subset);
-    let mut columns: Vec<(usize, f64)> = design.flat.clone().map(|c| (c, 0.0)).collect();
+    let mut columns: Vec<(usize, f64)> = design.registration.clone().map(|c| (c, 0.0)).collect();
     if let Some(ratio) = geometry_ratio.filter(|r| *r > 0.0) {
         columns.extend(design.geometry.clone().map(|c| (c, 1.0 / (ratio * ratio))));
     }
@@ -153,16 +157,16 @@ pub fn solve(design: &Design, subset: &[usize], chosen: &[Chosen], geometry_rati
     Fit { coefficients, columns: columns.into_iter().map(|c| c.0).collect(), covariance }
 }
 
-fn first_arm_m(linear: &Linear) -> f64 {
+fn first_arm_m(linear: &Linearised) -> f64 {
     arm_of(linear, &linear.residuals).unwrap_or(0.2)
 }
 
 /// Distance at which an orientation error looks like the position error beside it.
-fn arm_of(linear: &Linear, residuals: &[Motion]) -> Option<f64> {
-    if linear.scene.rows_per_site < 6 {
+fn arm_of(linear: &Linearised, residuals: &[Twist]) -> Option<f64> {
+    if linear.dataset.rows_per_observation < 6 {
         return None;
     }
-    let mut place: Vec<f64> = residuals.iter().map(norm3).collect();
+    let mut place: Vec<f64> = residuals.iter().map(shift_m).collect();
     let mut turn: Vec<f64> =
         residuals.iter().map(|m| (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]).sqrt()).collect();
     let ratio = median(&mut place) / median(&mut turn).max(1e-12);
@@ -170,18 +174,19 @@ fn arm_of(linear: &Linear, residuals: &[Motion]) -> Option<f64> {
 }
 
 /// Weights and who is false: far from the model, and alone there.
-fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f64>, Vec<bool>) {
-    let distances: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| norm3(m) * w.sqrt()).collect();
+fn robust_weights(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> (Vec<f64>, Vec<bool>) {
+    let distances: Vec<f64> =
+        residuals.iter().zip(base_weights).map(|(m, w)| shift_m(m) * w.sqrt()).collect();
     // 1.54 sigma is the middle of a 3-D normal distance, 0.67 that of a number alone.
     let mut sigmas: Vec<f64> = distances
         .iter()
-        .zip(&linear.scene.sites)
-        .map(|(d, site)| d / if site.rows(3) == 1 { 0.6745 } else { 1.54 })
+        .zip(&linear.dataset.observations)
+        .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { 1.54 })
         .collect();
     let sigma_m = median(&mut sigmas);
     let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
     let outliers: Vec<bool> = (0..residuals.len())
-        .map(|i| distances[i] > limit_m && !shared(linear, residuals, i, limit_m))
+        .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
         .collect();
     let weights = distances
         .iter()
@@ -196,22 +201,21 @@ fn weigh(linear: &Linear, residuals: &[Motion], base_weights: &[f64]) -> (Vec<f6
 fn steps_of_few(
     design: &Design,
     candidates: &[Candidate],
-    chosen: &[Chosen],
-    reached: &Reached,
+    chosen: &[ChosenCause],
+    peak: &EvidencePeak,
     base_weights: &[f64],
-    residuals: &[Motion],
+    residuals: &[Twist],
 ) -> Vec<(usize, f64)> {
-    let all_atoms: Vec<usize> = (0..design.atoms()).collect();
-    let squares = |residuals: &[Motion], i: usize| base_weights[i] * norm3(&residuals[i]).powi(2);
+    let all_groups: Vec<usize> = (0..design.groups()).collect();
+    let squares = |residuals: &[Twist], i: usize| base_weights[i] * shift_m(&residuals[i]).powi(2);
     let mut carried = Vec::new();
-    let steps = |c: &Chosen| candidates[c.candidate].form.t0_min().is_some();
+    let steps = |c: &ChosenCause| candidates[c.candidate].variant.t0_min().is_some();
     for (k, _) in chosen.iter().enumerate().filter(|(_, c)| steps(c)) {
-        let others: Vec<Chosen> =
+        let others: Vec<ChosenCause> =
             chosen.iter().enumerate().filter(|(other, _)| *other != k).map(|(_, c)| c.clone()).collect();
-        let fit = solve(design, &all_atoms, &others, Some(reached.geometry_ratio));
+        let fit = solve(design, &all_groups, &others, Some(peak.geometry_ratio));
         let without = design.residuals(&fit.coefficients);
-        let gain =
-            |i: usize| (squares(&without, i) - squares(residuals, i)) / (2.0 * reached.sigma_m.powi(2));
+        let gain = |i: usize| (squares(&without, i) - squares(residuals, i)) / (2.0 * peak.sigma_m.powi(2));
         let mut gains: Vec<(usize, f64)> = (0..without.len()).map(|i| (i, gain(i))).collect();
         gains.sort_by(|a, b| b.1.total_cmp(&a.1));
         let (few, rest) = gains.split_at(FEW.min(gains.len()));
@@ -219,7 +223,7 @@ fn steps_of_few(
         if few_nats < ALARM_NATS || rest_nats >= ALARM_NATS {
             continue;
         }
-        let limit_m = FALSE_SIGMAS * reached.sigma_m;
+        let limit_m = FALSE_SIGMAS * peak.sigma_m;
         carried.extend(few.iter().filter_map(|&(i, _)| {
             let far_m = squares(&without, i).sqrt();
             (far_m > limit_m).then(|| (i, (limit_m / far_m).powi(4)))
@@ -230,40 +234,46 @@ fn steps_of_few(
 
 /// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a
 /// false row.
-fn shared(linear: &Linear, residuals: &[Motion], i: usize, limit_m: f64) -> bool {
-    let sites = &linear.scene.sites;
+fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
+    let observations = &linear.dataset.observations;
     let here = &residuals[i];
     let alike = |k: usize| {
         let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
-        norm3(&residuals[k]) > 0.5 * limit_m && along > 0.7 * norm3(here) * norm3(&residuals[k])
+        shift_m(&residuals[k]) > 0.5 * limit_m && along > 0.7 * shift_m(here) * shift_m(&residuals[k])
     };
     // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
     let most = |distance: &dyn Fn(usize) -> f64, count: usize| {
         let mut near: Vec<(f64, usize)> =
-            (0..sites.len()).filter(|&k| k != i).map(|k| (distance(k), k)).collect();
+            (0..observations.len()).filter(|&k| k != i).map(|k| (distance(k), k)).collect();
         let count = count.min(near.len().saturating_sub(1));
         near.select_nth_unstable_by(count, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
     };
-    let place = most(&|k| (sites[k].point_m - sites[i].point_m).norm_squared(), 3);
-    let time = || match sites[i].t_min {
-        Some(t_min) => most(&|k| (sites[k].t_min.unwrap_or(t_min) - t_min).abs(), 3),
+    let place = most(&|k| (observations[k].point_m - observations[i].point_m).norm_squared(), 3);
+    let time = || match observations[i].t_min {
+        Some(t_min) => most(&|k| (observations[k].t_min.unwrap_or(t_min) - t_min).abs(), 3),
         None => false,
     };
     place || time()
 }
 
 /// Pose-to-pose variance that repeats do not show, over theirs.
-fn excess_of(linear: &Linear, residuals: &[Motion], noise: &Noise, outliers: &[bool], last: f64) -> f64 {
+fn pose_variance_ratio(
+    linear: &Linearised,
+    residuals: &[Twist],
+    noise: &NoisePrior,
+    outliers: &[bool],
+    last: f64,
+) -> f64 {
     let Some((sigma_m, _)) = noise.known else { return last };
     let repeated: Vec<(f64, f64)> = linear
-        .scene
-        .sites
+        .dataset
+        .observations
         .iter()
         .zip(residuals)
         .zip(outliers)
         .filter(|((s, _), out)| s.repeats > 1 && !**out)
-        .map(|((s, m), _)| (norm3(m).powi(2) / s.rows(3) as f64, 1.0 / s.repeats as f64))
+        .map(|((s, m), _)| (shift_m(m).powi(2) / s.rows(3) as f64, 1.0 / s.repeats as f64))
         .collect();
     if repeated.len() < 5 {
         return last;

@@ -1,7 +1,8 @@
 //! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
 
-use super::effects::Effect;
+use super::effects;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::EffectKind;
 use serde::Serialize;
 
 /// The answer in one word.
@@ -50,7 +51,7 @@ impl Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
     /// Effect's name.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// Driven joint, from 1.
@@ -83,9 +84,10 @@ pub struct Cause {
 impl Cause {
     /// An effect as a cause of no joint, not fitted.
     #[must_use]
-    pub(super) fn of(effect: &dyn Effect, posterior: f64) -> Self {
+    pub(super) fn of(kind: EffectKind, posterior: f64) -> Self {
+        let effect = effects::effect(kind);
         Self {
-            effect: effect.name(),
+            effect: kind,
             joint: None,
             joint_b: None,
             n: None,
@@ -93,19 +95,19 @@ impl Cause {
             posterior,
             size: None,
             sigma: None,
-            unit: effect.unit(),
+            unit: effect.map_or("", |e| e.unit()),
             rms_mm: None,
             evidence_nats: None,
-            usual: effect.usual(),
-            source: effect.source(),
-            time: effect.time(),
+            usual: effect.map_or("", |e| e.usual_size()),
+            source: effect.map_or("", |e| e.source()),
+            time: effect.map_or("", |e| e.time()),
         }
     }
 }
 
 /// Where the gap lies.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Where {
+pub struct Location {
     /// Joint, from 1.
     pub joint: Option<usize>,
     /// constant, drift or step.
@@ -125,7 +127,7 @@ pub struct Region {
 
 /// How far the gap shrinks on poses that were held out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Shrink {
+pub struct ErrorReduction {
     /// With registration only.
     pub before_rms_mm: Option<f64>,
     /// With the named causes added.
@@ -139,14 +141,14 @@ pub struct Shrink {
     /// With the causes and all joints' geometry added.
     pub with_geometry_rms_mm: Option<f64>,
     /// The same with the last part of the time held out.
-    pub time_block: Option<HeldOut>,
+    pub time_block: Option<HeldOutBlock>,
     /// The same with a region of the workspace held out.
-    pub region_block: Option<HeldOut>,
+    pub region_block: Option<HeldOutBlock>,
 }
 
 /// One block held out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct HeldOut {
+pub struct HeldOutBlock {
     /// Stations in it.
     pub n: usize,
     /// With registration only.
@@ -172,7 +174,7 @@ pub struct NextMeasurement {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Untestable {
     /// Effect's name.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joints, from 1; empty = the whole effect.
     pub joints: Vec<usize>,
     /// Why.
@@ -183,7 +185,7 @@ pub struct Untestable {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Detectable {
     /// Effect's name.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// Smallest size that would have passed the alarm.
@@ -194,7 +196,7 @@ pub struct Detectable {
 
 /// The noise, as found.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct NoiseFound {
+pub struct NoiseEstimate {
     /// One coordinate, from repeats or as stated; `None` where neither is there.
     pub repeats_sigma_mm: Option<f64>,
     /// Degrees of freedom of the repeats.
@@ -230,7 +232,7 @@ pub struct RowResidual {
 
 /// A joint's zero, where zeros were all that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Zero {
+pub struct JointZero {
     /// From 1.
     pub joint: usize,
     /// By how much it would be off.
@@ -239,13 +241,13 @@ pub struct Zero {
 
 /// What the joints' zeros alone would take of the gap.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Zeros {
+pub struct JointZeros {
     /// With base and target alone.
     pub before_rms_mm: f64,
     /// With the zeros beside them.
     pub after_rms_mm: f64,
     /// Those that these data can show.
-    pub joints: Vec<Zero>,
+    pub joints: Vec<JointZero>,
 }
 
 /// A row set aside as false.
@@ -274,11 +276,11 @@ pub struct Diagnosis {
     pub causes: Vec<Cause>,
     /// Where.
     #[serde(rename = "where")]
-    pub place: Where,
+    pub place: Location,
     /// How far.
-    pub shrink: Shrink,
+    pub shrink: ErrorReduction,
     /// Effects that these data cannot show.
-    pub untestable: Vec<&'static str>,
+    pub untestable: Vec<EffectKind>,
     /// Why, and which joints.
     pub untestable_detail: Vec<Untestable>,
     /// What to measure next.
@@ -286,13 +288,14 @@ pub struct Diagnosis {
     /// What they are good for.
     pub next_reason: String,
     /// Noise.
-    pub noise: NoiseFound,
+    pub noise: NoiseEstimate,
     /// Rows read and stations used.
     pub rows: usize,
     /// Stations used.
     pub stations: usize,
     /// Likeliest other explanations, that were found wanting.
-    pub rivals: Vec<Cause>,
+    #[serde(rename = "rivals")]
+    pub alternatives: Vec<Cause>,
     /// What size would have been seen.
     pub detectable: Vec<Detectable>,
     /// Lines set aside as false.
@@ -300,7 +303,7 @@ pub struct Diagnosis {
     /// The same rows with their names, how far off, and what that looks like.
     pub false_rows: Vec<FalseRow>,
     /// Of an arm that was never calibrated: what its joints' zeros alone would take.
-    pub zeros_alone: Option<Zeros>,
+    pub zeros_alone: Option<JointZeros>,
     /// Place of the target on the flange, as fitted.
     pub tool_mm: Option<[f64; 3]>,
     /// Codes and messages.
@@ -329,21 +332,21 @@ impl From<&Diagnostic> for Warning {
 impl Diagnosis {
     /// An answer without causes.
     #[must_use]
-    pub fn bare(verdict: Verdict, reason: impl Into<String>) -> Self {
+    pub fn without_causes(verdict: Verdict, reason: impl Into<String>) -> Self {
         Self {
             verdict,
             reason: reason.into(),
             causes: Vec::new(),
-            place: Where::default(),
-            shrink: Shrink::default(),
+            place: Location::default(),
+            shrink: ErrorReduction::default(),
             untestable: Vec::new(),
             untestable_detail: Vec::new(),
             next_measurements: Vec::new(),
             next_reason: String::new(),
-            noise: NoiseFound::default(),
+            noise: NoiseEstimate::default(),
             rows: 0,
             stations: 0,
-            rivals: Vec::new(),
+            alternatives: Vec::new(),
             detectable: Vec::new(),
             false_lines: Vec::new(),
             false_rows: Vec::new(),

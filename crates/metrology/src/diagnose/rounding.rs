@@ -1,7 +1,7 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
-use super::evidence::Background;
-use super::linearise::Linear;
+use super::evidence::NuisanceModel;
+use super::linearise::Linearised;
 use super::model::{Model, solve};
 use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
@@ -19,8 +19,8 @@ const CLEAR_NATS: f64 = 8.0;
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
-pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> Option<Fault> {
-    let all_seen = linear.scene.sites.iter().all(|s| s.rows(3) == 3);
+pub fn find(measurements: &Measurements, linear: &Linearised, model: &Model<'_>) -> Option<Fault> {
+    let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
     if measurements.joint_decimals > FINE_DECIMALS || !all_seen {
         return None;
     }
@@ -29,28 +29,28 @@ pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> 
     let variance = rad_from_deg(step_deg).powi(2) / 12.0;
     // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
     let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
-    for site in &linear.scene.sites {
-        for (j, q) in site.q_rad.iter().enumerate() {
+    for observation in &linear.dataset.observations {
+        for (j, q) in observation.q_rad.iter().enumerate() {
             *times.entry((j, q.to_bits())).or_default() += 1;
         }
     }
-    let often = (OFTEN * linear.scene.sites.len() as f64).max(4.0) as usize;
+    let often = (OFTEN * linear.dataset.observations.len() as f64).max(4.0) as usize;
     let shapes: Vec<Matrix3<f64>> = linear
-        .scene
-        .sites
+        .dataset
+        .observations
         .iter()
-        .map(|site| {
+        .map(|observation| {
             (0..6)
-                .filter(|&j| times.get(&(j, site.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
+                .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
                 .map(|j| {
-                    let v = site.joint(j);
+                    let v = observation.jacobian_column(j);
                     let v = Vector3::new(v[0], v[1], v[2]);
                     v * v.transpose() * variance
                 })
                 .sum()
         })
         .collect();
-    let n = linear.scene.sites.len() as f64;
+    let n = linear.dataset.observations.len() as f64;
     let log_likelihood = |residuals: &[Vector3<f64>], share: f64, noise_m2: f64| -> f64 {
         shapes
             .iter()
@@ -73,13 +73,13 @@ pub fn find(measurements: &Measurements, linear: &Linear, model: &Model<'_>) -> 
             .chain([log_likelihood(residuals, 0.9, model.noise.known.map_or(1e-10, |(s, _)| s * s))])
             .fold(f64::NEG_INFINITY, f64::max)
     };
-    let points = |motions: &[super::scene::Motion]| -> Vec<Vector3<f64>> {
-        motions.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
+    let points = |twists: &[super::dataset::Twist]| -> Vec<Vector3<f64>> {
+        twists.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let ratio = Background::new(&model.design, &atoms, &[], model.noise).null().geometry_ratio;
-    let bare = points(&model.design.residuals(&solve(&model.design, &atoms, &[], Some(ratio)).coefficients));
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let ratio = NuisanceModel::new(&model.design, &groups, &[], model.noise).null().geometry_ratio;
+    let bare = points(&model.design.residuals(&solve(&model.design, &groups, &[], Some(ratio)).coefficients));
     let best = points(&model.residuals);
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
     let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();

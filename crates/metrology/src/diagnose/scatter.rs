@@ -3,9 +3,9 @@
 //! A joint that stands now here, now there (play without its direction, warmth without its time) moves the
 //! point along its Jacobian column; an instrument scatters in all directions alike.
 
-use super::linearise::norm3;
-use super::marginal::{Noise, log_sum};
-use super::scene::{Motion, Scene};
+use super::dataset::{Dataset, Twist};
+use super::linearise::shift_m;
+use super::marginal::{NoisePrior, log_sum};
 use nalgebra::Vector3;
 
 /// Scatter of a joint, seen through the residuals of the best model.
@@ -29,21 +29,21 @@ const SMALLEST_RAD: f64 = 4e-6;
 /// e ~ N(0, sigma^2 / w + s^2 J J'), sigma integrated out; the inverse by Sherman and Morrison (1950).
 #[must_use]
 pub fn along_joints(
-    scene: &Scene,
-    residuals: &[Motion],
+    dataset: &Dataset,
+    residuals: &[Twist],
     weights: &[f64],
     outliers: &[bool],
-    noise: &Noise,
+    noise: &NoisePrior,
     used: f64,
 ) -> Option<JointScatter> {
     let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
-    let rows = kept.iter().map(|&i| scene.sites[i].rows(3)).sum::<usize>() as f64;
+    let rows = kept.iter().map(|&i| dataset.observations[i].rows(3)).sum::<usize>() as f64;
     let free = rows - used;
     if kept.len() < 12 || free < 0.3 * rows {
         return None;
     }
-    let squares: f64 = kept.iter().map(|&i| weights[i] * norm3(&residuals[i]).powi(2)).sum();
-    let marginal = noise.over(free);
+    let squares: f64 = kept.iter().map(|&i| weights[i] * shift_m(&residuals[i]).powi(2)).sum();
+    let marginal = noise.marginal_over(free);
     let (plain, sigma_m) = marginal.at(squares);
     let mut tried = Vec::new();
     for joint in 0..6 {
@@ -51,8 +51,8 @@ pub fn along_joints(
         let along: Vec<(f64, f64)> = kept
             .iter()
             .map(|&i| {
-                let site = &scene.sites[i];
-                let (m, e) = (site.seen(site.joint(joint)), &residuals[i]);
+                let observation = &dataset.observations[i];
+                let (m, e) = (observation.observed(observation.jacobian_column(joint)), &residuals[i]);
                 let v = Vector3::new(m[0], m[1], m[2]);
                 let e = Vector3::new(e[0], e[1], e[2]);
                 (weights[i] * e.dot(&v), weights[i] * v.norm_squared())

@@ -1,16 +1,17 @@
 //! What every effect would do to measurements that are not yet taken: the diagnosis's own signatures, for planning.
 
+use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::effects::{self, Candidate};
-use super::scene::{Motion, Scene, Site, scaled};
-use crate::measure::{Channels, Registration, Seen, Station};
+use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::EffectKind;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use std::collections::BTreeSet;
 
 /// A measurement that could be taken.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Possible {
+pub struct PlannedMeasurement {
     /// Joints.
     pub q_rad: [f64; 6],
     /// Sign of each joint's last motion.
@@ -27,7 +28,7 @@ pub struct Possible {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
     /// Name.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// The joint that is driven, from 1.
@@ -66,97 +67,103 @@ pub struct Signatures {
 /// The signatures at `measurements` of a tool at `tool_m`; gear lines are left out, there are thousands: `turns` has what
 /// they are made of.
 #[must_use]
-pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[Possible]) -> Signatures {
+pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMeasurement]) -> Signatures {
     let chain = Chain::nominal(robot);
     let nests: BTreeSet<usize> = measurements.iter().filter_map(|m| m.nest.map(|(n, _)| n)).collect();
     let nests = nests.last().map_or(0, |last| last + 1);
-    let mut places_m = vec![Vector3::zeros(); nests];
+    let mut fixed_points_m = vec![Vector3::zeros(); nests];
     for (n, at_m) in measurements.iter().filter_map(|m| m.nest) {
-        places_m[n] = at_m;
+        fixed_points_m[n] = at_m;
     }
-    let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], places_m);
-    let sites: Vec<Site> = measurements
+    let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], fixed_points_m);
+    let observations: Vec<Observation> = measurements
         .iter()
         .enumerate()
         .map(|(i, m)| {
-            let seen = match m.nest {
-                Some((place, position_m)) => Seen::Nest { place, position_m },
-                None => Seen::Point { position_m: Vector3::zeros() },
+            let reading = match m.nest {
+                Some((fixed_point, position_m)) => Reading::Nest { fixed_point, position_m },
+                None => Reading::Point { position_m: Vector3::zeros() },
             };
-            let by_arm = m.nest.is_none();
+            let involves_arm = m.nest.is_none();
             let station = Station {
                 pose: i,
                 target: 0,
                 t_min: Some(m.t_min),
                 q_rad: m.q_rad,
-                seen,
+                reading,
                 orientation: None,
-                direction: by_arm.then_some(m.direction),
-                payload_kg: by_arm.then_some(m.payload_kg),
+                direction: involves_arm.then_some(m.direction),
+                payload_kg: involves_arm.then_some(m.payload_kg),
                 joint_temperature_c: None,
                 air_temperature_c: None,
                 rows: vec![i],
             };
-            Site::new(robot, &chain, &registration, &station)
+            Observation::new(robot, &chain, &registration, &station)
         })
         .collect();
     let channels =
         Channels { pose_id: true, time: true, direction: true, payload: true, ..Channels::default() };
-    let scene = Scene::new(robot, sites, channels);
-    let candidates = forms(&scene);
+    let dataset = Dataset::new(robot, observations, channels);
+    let candidates = variants(&dataset);
     let registration = 9 + 3 * nests;
     let geometry = 30;
     let mut first = registration + geometry;
-    let families: BTreeSet<usize> = candidates.iter().map(|c| c.effect).collect();
+    let families: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
     let effects: Vec<Signature> = candidates
         .iter()
         .map(|c| {
-            let of_family: f64 = candidates.iter().filter(|o| o.effect == c.effect).map(|o| o.weight).sum();
+            let of_family: f64 = candidates.iter().filter(|o| o.kind == c.kind).map(|o| o.weight).sum();
             let signature = Signature {
-                effect: c.effect().name(),
-                joint: c.form.joint.map(|j| j + 1),
-                joint_b: c.form.joint_b.map(|j| j + 1),
+                effect: c.kind,
+                joint: c.variant.joint.map(|j| j + 1),
+                joint_b: c.variant.joint_b.map(|j| j + 1),
                 in_time: c.effect().time() != "constant",
                 unit: c.effect().unit(),
-                usual: c.usual.first().copied().unwrap_or(0.0) * c.factor,
+                usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,
                 first,
-                width: c.usual.len(),
+                width: c.prior_sigma.len(),
                 weight: c.weight / of_family / families.len() as f64,
             };
-            first += c.usual.len();
+            first += c.prior_sigma.len();
             signature
         })
         .collect();
-    let mut rows = vec![0.0; 3 * scene.sites.len() * first];
-    for (site, rows) in scene.sites.iter().zip(rows.chunks_exact_mut(3 * first)) {
-        for (c, motion) in motions(&scene, site, &candidates, nests).into_iter().enumerate() {
-            let seen = site.seen(motion);
+    let mut rows = vec![0.0; 3 * dataset.observations.len() * first];
+    for (observation, rows) in dataset.observations.iter().zip(rows.chunks_exact_mut(3 * first)) {
+        for (c, twist) in twists(&dataset, observation, &candidates, nests).into_iter().enumerate() {
+            let seen = observation.observed(twist);
             for r in 0..3 {
                 rows[r * first + c] = seen[r];
             }
         }
     }
-    let turns = scene
-        .sites
+    let turns = dataset
+        .observations
         .iter()
-        .map(|site| std::array::from_fn(|j| std::array::from_fn(|k| site.seen(site.joint(j))[k])))
+        .map(|observation| {
+            std::array::from_fn(|j| {
+                std::array::from_fn(|k| observation.observed(observation.jacobian_column(j))[k])
+            })
+        })
         .collect();
     Signatures { registration, geometry, effects, width: first, rows, turns }
 }
 
 /// One form of each effect and joint: the likeliest.
-fn forms(scene: &Scene) -> Vec<Candidate> {
+fn variants(dataset: &Dataset) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
-    for candidate in effects::candidates(scene).0 {
-        let name = candidate.effect().name();
+    for candidate in effects::candidates(dataset).0 {
+        let kind = candidate.kind;
         // Offsets of all joints at once are no cause of their own.
-        if name == "gear_mesh" || (name == "joint_offset" && candidate.form.joint.is_none()) {
+        if kind == EffectKind::GearMesh
+            || (kind == EffectKind::JointOffset && candidate.variant.joint.is_none())
+        {
             continue;
         }
         let same = |k: &&mut Candidate| {
-            k.effect == candidate.effect
-                && k.form.joint == candidate.form.joint
-                && k.form.joint_b == candidate.form.joint_b
+            k.kind == candidate.kind
+                && k.variant.joint == candidate.variant.joint
+                && k.variant.joint_b == candidate.variant.joint_b
         };
         match kept.iter_mut().find(same) {
             Some(known) if known.weight < candidate.weight => *known = candidate,
@@ -167,30 +174,31 @@ fn forms(scene: &Scene) -> Vec<Candidate> {
     kept
 }
 
-fn motions(scene: &Scene, site: &Site, candidates: &[Candidate], nests: usize) -> Vec<Motion> {
-    let mut out: Vec<Motion> = (0..6).map(|k| site.offset(0, k)).collect();
+fn twists(
+    dataset: &Dataset,
+    observation: &Observation,
+    candidates: &[Candidate],
+    nests: usize,
+) -> Vec<Twist> {
+    let mut out: Vec<Twist> = (0..6).map(|k| observation.frame_offset(0, k)).collect();
     for k in 0..3 {
-        let axis = site.flange.column(k);
+        let axis = observation.flange.column(k);
         out.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
     }
     for nest in 0..nests {
         for k in 0..3 {
             let mut shift = [0.0; 6];
-            shift[k] = f64::from(u8::from(site.place == Some(nest)));
+            shift[k] = f64::from(u8::from(observation.fixed_point == Some(nest)));
             out.push(shift);
         }
     }
     for frame in 1..6 {
         for k in 0..6 {
-            out.push(scaled(site.offset(frame, k), super::design::Design::tolerance(k)));
+            out.push(scaled(observation.frame_offset(frame, k), super::design::Design::tolerance(k)));
         }
     }
     for candidate in candidates {
-        let from = out.len();
-        candidate.effect().motions(&candidate.form, scene, site, &mut out);
-        for (motion, usual) in out.iter_mut().skip(from).zip(&candidate.usual) {
-            *motion = scaled(*motion, *usual);
-        }
+        candidate.scaled_signature(dataset, observation, &mut out);
     }
     out
 }

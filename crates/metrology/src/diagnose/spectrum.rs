@@ -6,11 +6,11 @@
 //! transfer: each joint's lowest and highest fifth of its angles, and the last fifth of the time, are held out whole.
 //! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/REAL.md).
 
+use super::dataset::{Dataset, Twist};
 use super::design::Whitening;
 use super::effects::Candidate;
-use super::normal::{Columns, LINE_RAD, Normal};
-use super::scene::{Motion, Scene};
-use super::search::Chosen;
+use super::normal_equations::{LINE_RAD, ModelColumns, NormalEquations};
+use super::search::ChosenCause;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,10 +27,10 @@ const MOST_STATIONS: usize = 3000;
 
 /// Joints, from 0, with the periods per turn of their spectra, ascending.
 #[must_use]
-pub(super) fn spectra(candidates: &[Candidate], chosen: &[Chosen]) -> Vec<(usize, Vec<u32>)> {
+pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<(usize, Vec<u32>)> {
     let mut named: BTreeMap<usize, BTreeSet<u32>> = BTreeMap::new();
-    for form in chosen.iter().map(|c| candidates[c.candidate].form) {
-        if let (Some(joint), Some(n)) = (form.joint, form.n) {
+    for variant in chosen.iter().map(|c| candidates[c.candidate].variant) {
+        if let (Some(joint), Some(n)) = (variant.joint, variant.n) {
             named.entry(joint).or_default().insert(n);
         }
     }
@@ -42,13 +42,13 @@ pub(super) fn spectra(candidates: &[Candidate], chosen: &[Chosen]) -> Vec<(usize
 /// Precision of every column: `geometry` and `causes` as given, lines by `size_rad`.
 #[must_use]
 pub(super) fn precisions(
-    columns: &Columns<'_>,
+    columns: &ModelColumns<'_>,
     geometry: f64,
     causes: &[f64],
     sigma_m: f64,
     size_rad: f64,
 ) -> Vec<f64> {
-    let mut all = vec![0.0; columns.flat().end];
+    let mut all = vec![0.0; columns.registration().end];
     all.resize(columns.geometry().end, geometry);
     for (range, precision) in columns.of_causes().into_iter().zip(causes) {
         all.resize(range.end, *precision);
@@ -61,26 +61,26 @@ pub(super) fn precisions(
 /// The size of a line that transfers best: least logarithm of the held-out errors, on average over what is held out.
 #[must_use]
 pub(super) fn size_rad(
-    columns: &Columns<'_>,
-    residuals: &[Motion],
+    columns: &ModelColumns<'_>,
+    residuals: &[Twist],
     outliers: &[bool],
     precisions_at: impl Fn(f64) -> Vec<f64>,
 ) -> f64 {
-    let kept = thinned(columns.scene);
+    let kept = thinned(columns.dataset);
     // Thinned out, each station stands for several.
-    let factor = columns.scene.sites.len() as f64 / kept.len().max(1) as f64;
+    let factor = columns.dataset.observations.len() as f64 / kept.len().max(1) as f64;
     let whitening = Whitening {
         weights: columns.whitening.weights.iter().map(|w| w * factor).collect(),
         ..columns.whitening.clone()
     };
-    let columns = Columns {
+    let columns = ModelColumns {
         whitening: &whitening,
         causes: columns.causes.clone(),
         lines: columns.lines.clone(),
         ..*columns
     };
     let whole = columns.sum(&kept, residuals);
-    let held: Vec<(Vec<usize>, Normal)> = ends(columns.scene, &kept)
+    let held: Vec<(Vec<usize>, NormalEquations)> = ends(columns.dataset, &kept)
         .into_iter()
         .map(|part| {
             let train = whole.without(&columns.sum(&part, residuals));
@@ -90,7 +90,7 @@ pub(super) fn size_rad(
     let mut best = (f64::INFINITY, SIZES_RAD[0]);
     for size_rad in SIZES_RAD {
         let precisions = precisions_at(size_rad);
-        let left = |(part, train): &(Vec<usize>, Normal)| {
+        let left = |(part, train): &(Vec<usize>, NormalEquations)| {
             let (solved, _) = train.solve(&precisions, false)?;
             let squares = columns.squares_m2(part, residuals, &solved);
             let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
@@ -108,12 +108,14 @@ pub(super) fn size_rad(
 }
 
 /// Every so many-th station.
-fn thinned(scene: &Scene) -> Vec<usize> {
-    (0..scene.sites.len()).step_by(scene.sites.len().div_ceil(MOST_STATIONS).max(1)).collect()
+fn thinned(dataset: &Dataset) -> Vec<usize> {
+    (0..dataset.observations.len())
+        .step_by(dataset.observations.len().div_ceil(MOST_STATIONS).max(1))
+        .collect()
 }
 
 /// Of `kept` the lowest and the highest fifth of each joint's angles, and the last fifth of the time.
-fn ends(scene: &Scene, kept: &[usize]) -> Vec<Vec<usize>> {
+fn ends(dataset: &Dataset, kept: &[usize]) -> Vec<Vec<usize>> {
     let count = kept.len() / SHARE;
     let sorted = |value: &dyn Fn(usize) -> f64| {
         let mut order = kept.to_vec();
@@ -122,12 +124,12 @@ fn ends(scene: &Scene, kept: &[usize]) -> Vec<Vec<usize>> {
     };
     let mut parts = Vec::new();
     for j in 0..6 {
-        let order = sorted(&|i| scene.sites[i].q_rad[j]);
+        let order = sorted(&|i| dataset.observations[i].q_rad[j]);
         parts.push(order[..count].to_vec());
         parts.push(order[order.len() - count..].to_vec());
     }
-    if scene.time_min.is_some() {
-        let order = sorted(&|i| scene.sites[i].t_min.unwrap_or(0.0));
+    if dataset.time_min.is_some() {
+        let order = sorted(&|i| dataset.observations[i].t_min.unwrap_or(0.0));
         parts.push(order[order.len() - count..].to_vec());
     }
     parts.retain(|part| !part.is_empty());

@@ -1,18 +1,19 @@
 //! What was solved for, as the terms of a model: from scaled columns to the file's values.
 
+use super::dataset::Dataset;
 use super::design::Design;
-use super::effects::{COMPLIANCE, Candidate, Form, SOFT};
-use super::normal::{Columns, LINE_RAD};
-use super::scene::{Driver, Scene};
-use super::search::Chosen;
+use super::effects::{COMPLIANCE, Candidate, EffectVariant, SOFT, held_above_n_m};
+use super::normal_equations::{LINE_RAD, ModelColumns};
+use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
-use robot_model::deform::identified::{Hangs, Kind, Shape, Term, Value};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::{PayloadScaling, Term, Value};
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
 #[must_use]
 pub(super) fn terms(
-    columns: &Columns<'_>,
-    named: &[&Chosen],
+    columns: &ModelColumns<'_>,
+    named: &[&ChosenCause],
     candidates: &[Candidate],
     solved: &DVector<f64>,
     sigmas: Option<&[f64]>,
@@ -23,8 +24,11 @@ pub(super) fn terms(
     };
     let mut terms = Vec::new();
     for (candidate, range) in columns.causes.iter().zip(columns.of_causes()) {
-        let values = range.zip(&candidate.usual).map(|(column, usual)| value(column, *usual)).collect();
-        terms.extend(term(columns.scene, candidate, values));
+        let values = range
+            .zip(&candidate.prior_sigma)
+            .map(|(column, prior_sigma)| value(column, *prior_sigma))
+            .collect();
+        terms.extend(term(columns.dataset, candidate, values));
     }
     let mut spectra: Vec<Vec<Value>> = Vec::new();
     let mut lines = Vec::new();
@@ -34,8 +38,8 @@ pub(super) fn terms(
         let mut spectrum = vec![none; 2 * last];
         for (n, column) in all.iter().zip(range.step_by(2)) {
             let pair = [value(column, LINE_RAD), value(column + 1, LINE_RAD)];
-            let is_this = |form: &Form| form.joint == Some(*joint) && form.n == Some(*n);
-            let name = named.iter().position(|c| is_this(&candidates[c.candidate].form));
+            let is_this = |variant: &EffectVariant| variant.joint == Some(*joint) && variant.n == Some(*n);
+            let name = named.iter().position(|c| is_this(&candidates[c.candidate].variant));
             match name {
                 Some(rank) => lines.push((rank, pair.to_vec())),
                 None => spectrum[2 * *n as usize - 2..2 * *n as usize].copy_from_slice(&pair),
@@ -45,13 +49,13 @@ pub(super) fn terms(
     }
     lines.sort_by_key(|(rank, _)| *rank);
     for (rank, values) in lines {
-        terms.extend(term(columns.scene, &candidates[named[rank].candidate], values));
+        terms.extend(term(columns.dataset, &candidates[named[rank].candidate], values));
     }
     let geometry: Vec<usize> = columns.geometry().collect();
     if geometry.iter().any(|&column| solved[column].abs() > LEAST_TOLERANCES) {
         for (link, row) in geometry.chunks(6).enumerate() {
             let values = row.iter().enumerate().map(|(k, &column)| value(column, Design::tolerance(k)));
-            let term = Term::plain(Kind::LinkGeometry, Some(link), values.collect());
+            let term = Term::plain(EffectKind::LinkGeometry, Some(link), values.collect());
             terms.push(Term { cause: false, ..term });
         }
     }
@@ -59,7 +63,7 @@ pub(super) fn terms(
         // A line that is named stands on its own; so does one beyond the spectrum's end.
         let end = values.iter().rposition(|v| v.value != 0.0).map_or(0, |last| last / 2 * 2 + 2);
         let values = values.into_iter().take(end).collect();
-        terms.push(Term { cause: false, ..Term::plain(Kind::GearSpectrum, Some(*joint), values) });
+        terms.push(Term { cause: false, ..Term::plain(EffectKind::GearSpectrum, Some(*joint), values) });
     }
     terms
 }
@@ -80,17 +84,17 @@ fn by_link(values: Vec<Value>, plain: usize, first: usize, all: usize) -> Vec<Va
 
 /// Where a candidate's three parameters stand that move the payload's centre.
 fn centre_at(candidate: &Candidate) -> Option<std::ops::Range<usize>> {
-    let n = candidate.usual.len();
-    let there = match Kind::named(candidate.effect().name())? {
-        Kind::JointCompliance => n > 7 - candidate.form.joint?,
-        kind => kind == Kind::PayloadMass,
+    let n = candidate.prior_sigma.len();
+    let there = match candidate.kind {
+        EffectKind::JointCompliance => n > 7 - candidate.variant.joint?,
+        kind => kind == EffectKind::PayloadMass,
     };
     there.then(|| n - 3..n)
 }
 
 /// The payload's centre off the measured point, flange frame, on which all causes agree best; their
 /// parameters are set to it.
-pub(super) fn agree_on_centre(columns: &Columns<'_>, solved: &mut DVector<f64>) -> Vector3<f64> {
+pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f64>) -> Vector3<f64> {
     const FURTHEST_M: f64 = 0.5;
     let at: Vec<_> = columns.causes.iter().zip(columns.of_causes()).collect();
     let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
@@ -98,7 +102,7 @@ pub(super) fn agree_on_centre(columns: &Columns<'_>, solved: &mut DVector<f64>) 
         if let Some(centre) = centre_at(candidate) {
             let size = solved[range.start];
             for (to, k) in sum.iter_mut().zip(centre) {
-                *to += size * solved[range.start + k] * candidate.usual[k] / candidate.usual[0];
+                *to += size * solved[range.start + k] * candidate.prior_sigma[k] / candidate.prior_sigma[0];
             }
             weight += size * size;
         }
@@ -106,29 +110,29 @@ pub(super) fn agree_on_centre(columns: &Columns<'_>, solved: &mut DVector<f64>) 
     let off_m = if weight > 0.0 { sum / weight } else { sum };
     let off_m = off_m.cap_magnitude(FURTHEST_M);
     for (candidate, range) in &at {
-        let size = solved[range.start] * candidate.usual[0];
+        let size = solved[range.start] * candidate.prior_sigma[0];
         for (k, off) in centre_at(candidate).into_iter().flatten().zip(off_m.iter()) {
-            solved[range.start + k] = size * off / candidate.usual[k];
+            solved[range.start + k] = size * off / candidate.prior_sigma[k];
         }
     }
     off_m
 }
 
 /// A candidate's parameters, in the order of its motions, as a term.
-fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term> {
-    let kind = Kind::named(candidate.effect().name())?;
-    let form = &candidate.form;
-    let hangs = match (kind, form.variant) {
-        (Kind::PayloadMass, 1) => Hangs::Always,
-        (Kind::PayloadMass, 2) => Hangs::PerKilogram,
-        _ => Hangs::WhereLoaded,
-    };
+fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<Term> {
+    let kind = candidate.kind;
+    let variant = &candidate.variant;
+    let payload_scaling = variant.payload_scaling;
     let values = match kind {
         // Where the payload's centre lies is no part of the robot.
-        Kind::JointCompliance => by_link(values, 1, form.joint?, 7),
-        Kind::LinkBending => by_link(values, 2, form.joint? + 1, 8),
-        Kind::PayloadMass => {
-            let share = if hangs == Hangs::PerKilogram { 1.0 / scene.largest_payload_kg } else { 1.0 };
+        EffectKind::JointCompliance => by_link(values, 1, variant.joint?, 7),
+        EffectKind::LinkBending => by_link(values, 2, variant.joint? + 1, 8),
+        EffectKind::PayloadMass => {
+            let share = if payload_scaling == PayloadScaling::PerKilogram {
+                1.0 / dataset.largest_payload_kg
+            } else {
+                1.0
+            };
             let kg = values.first().copied()?;
             let mut all = vec![Value { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
             for (j, give) in COMPLIANCE.iter().enumerate() {
@@ -139,31 +143,15 @@ fn term(scene: &Scene, candidate: &Candidate, values: Vec<Value>) -> Option<Term
             all
         }
         // The model has a shift of the target, not its turn: the point is all that the model places.
-        Kind::ToolDrift | Kind::ToolStep => values.into_iter().take(3).collect(),
+        EffectKind::ToolDrift | EffectKind::ToolStep => values.into_iter().take(3).collect(),
         _ => values,
     };
-    let shape = match form.driver {
-        Driver::None => Shape::Always,
-        Driver::Exponential { tau_min } => Shape::Exponential { tau_min },
-        Driver::TwoLags { tau_min } => Shape::TwoLags { tau_min },
-        Driver::Linear => {
-            let [from_min, to_min] = scene.time_min?;
-            Shape::Linear { from_min, to_min }
-        }
-        Driver::Step { t0_min } => Shape::Step { t0_min },
-        Driver::Temperature => {
-            let ranges = scene.joint_temperature_c?;
-            Shape::Temperature { from_c: ranges.map(|r| r[0]), to_c: ranges.map(|r| r[1]) }
-        }
-    };
-    let held =
-        (kind == Kind::Backlash && form.variant > 0).then(|| super::effects::held_above_n_m(form, scene));
     Some(Term {
-        joint_b: form.joint_b,
-        n: form.n,
-        shape,
-        held_above_n_m: held,
-        hangs,
-        ..Term::plain(kind, form.joint, values)
+        joint_b: variant.joint_b,
+        n: variant.n,
+        growth: variant.growth,
+        held_above_n_m: held_above_n_m(variant, dataset),
+        payload_scaling,
+        ..Term::plain(kind, variant.joint, values)
     })
 }

@@ -2,7 +2,8 @@
 
 use super::identify::predicted;
 use crate::measure::{
-    Free, Measurements, RegisterError, Registration, Station, check_rows, gather, register, register_some,
+    FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather, register,
+    register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::identified::Identified;
@@ -14,7 +15,7 @@ use std::sync::Arc;
 
 /// What of the registration is fitted again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Register {
+pub enum RefitScope {
     /// Base and tool.
     BaseAndTool,
     /// The base; the tool is the model's.
@@ -44,7 +45,7 @@ pub enum ValidateError {
 
 /// Distances, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Distances {
+pub struct DistanceStatistics {
     /// Root mean square.
     pub rms_mm: f64,
     /// Mean.
@@ -55,14 +56,14 @@ pub struct Distances {
 
 /// The model's and the nominal arm's distances over some of the poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Part {
+pub struct PoseSubset {
     /// How many.
     pub n: usize,
     /// The model's.
     #[serde(flatten)]
-    pub model: Distances,
+    pub model: DistanceStatistics,
     /// The nominal arm's.
-    pub nominal: Distances,
+    pub nominal: DistanceStatistics,
 }
 
 /// What a model leaves of measurements that it has not seen.
@@ -70,11 +71,11 @@ pub struct Part {
 pub struct Validation {
     /// All poses.
     #[serde(flatten)]
-    pub all: Part,
+    pub all: PoseSubset,
     /// Those within the joint ranges in which the model was found.
-    pub inside: Part,
+    pub inside: PoseSubset,
     /// The others.
-    pub outside: Part,
+    pub outside: PoseSubset,
     /// Each outside joint with how many poses: `[joint, poses]`.
     pub joints_outside: Vec<[usize; 2]>,
     /// Rows with the largest distance: line and mm.
@@ -92,10 +93,10 @@ pub fn validate(
     measurements: &Measurements,
     robot: &Robot,
     model: &Identified,
-    which: Register,
+    which: RefitScope,
 ) -> Result<Validation, ValidateError> {
-    let finding = check_rows(measurements, robot);
-    let gathered = gather(measurements, &finding.keep);
+    let checked = check_rows(measurements, robot);
+    let gathered = gather(measurements, &checked.used);
     let (stations, targets) = (&gathered.stations, gathered.targets);
     let chain = Chain::nominal(robot);
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
@@ -104,7 +105,7 @@ pub fn validate(
         predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), &start.tools_m);
     let fitted = registered(&seen, &poses, targets, model, which)?;
     let mut rows: Vec<Distance> = Vec::new();
-    for i in (0..stations.len()).filter(|&i| stations[i].seen.by_arm()) {
+    for i in (0..stations.len()).filter(|&i| stations[i].reading.involves_arm()) {
         let place = Distance {
             line: stations[i].rows.first().and_then(|&r| measurements.rows.get(r)).map_or(0, |r| r.line),
             weight: stations[i].rows.len(),
@@ -138,25 +139,29 @@ struct Distance {
 }
 
 fn outside(model: &Identified, station: &Station, j: usize) -> bool {
-    let [low, high] = model.seen.q_rad[j];
+    let [low, high] = model.measured_range.q_rad[j];
     let slack_rad = rad_from_deg(SLACK_DEG);
     let q_rad = station.q_rad[j];
     deg_from_rad(high - low) > 0.0 && (q_rad < low - slack_rad || q_rad > high + slack_rad)
 }
 
-fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> Part {
+fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> PoseSubset {
     let distances = |of: fn(&Distance) -> f64| {
         let n: usize = rows.clone().map(|d| d.weight).sum();
         let over = 1.0 / n.max(1) as f64;
         let weighted =
             |f: &dyn Fn(f64) -> f64| rows.clone().map(|d| f(of(d)) * d.weight as f64).sum::<f64>() * over;
-        Distances {
+        DistanceStatistics {
             rms_mm: mm_from_m(weighted(&|m| m * m).sqrt()),
             mean_mm: mm_from_m(weighted(&|m| m)),
             max_mm: mm_from_m(rows.clone().map(of).fold(0.0, f64::max)),
         }
     };
-    Part { n: rows.clone().count(), model: distances(|d| d.model_m), nominal: distances(|d| d.nominal_m) }
+    PoseSubset {
+        n: rows.clone().count(),
+        model: distances(|d| d.model_m),
+        nominal: distances(|d| d.nominal_m),
+    }
 }
 
 /// Base and tools: fitted, or as the model has them.
@@ -165,7 +170,7 @@ fn registered(
     poses: &[Isometry3<f64>],
     targets: usize,
     model: &Identified,
-    which: Register,
+    which: RefitScope,
 ) -> Result<Registration, ValidateError> {
     let known = || -> Result<(Isometry3<f64>, Vec<Vector3<f64>>), ValidateError> {
         let mounting = model.mounting.as_ref().ok_or(ValidateError::NoMounting)?;
@@ -175,11 +180,11 @@ fn registered(
         Ok((mounting.instrument_from_base, mounting.tools_m.clone()))
     };
     match which {
-        Register::BaseAndTool => Ok(register(stations, poses, targets, None)?),
-        Register::Base => Ok(register_some(stations, poses, &known()?.1, Free::Base)?),
-        Register::Nothing => {
+        RefitScope::BaseAndTool => Ok(register(stations, poses, targets, None)?),
+        RefitScope::Base => Ok(register_with(stations, poses, &known()?.1, FreeParameters::Base)?),
+        RefitScope::Nothing => {
             let (instrument_from_base, tools_m) = known()?;
-            Ok(register_some(stations, poses, &tools_m, Free::Nothing(instrument_from_base))?)
+            Ok(register_with(stations, poses, &tools_m, FreeParameters::Nothing(instrument_from_base))?)
         }
     }
 }

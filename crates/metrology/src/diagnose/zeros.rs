@@ -3,35 +3,37 @@
 //! Geometry wide enough to hold them leaves the evidence little to tell offsets by, and they are then not named as causes.
 //! They are still the first thing to look at, and the cheapest to mend.
 
-use super::linearise::norm3;
+use super::linearise::shift_m;
 use super::model::{Model, solve};
-use super::outcome::{Zero, Zeros};
-use super::search::Chosen;
+use super::outcome::{JointZero, JointZeros};
+use super::search::ChosenCause;
+use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
 /// Zeros that take less than this share of the gap's square are not worth a word.
 const WORTH: f64 = 0.3;
 
 /// The zeros fitted with base and target alone; none where they take little.
-pub(super) fn zeros(model: &mut Model<'_>) -> Option<Zeros> {
+pub(super) fn zeros(model: &mut Model<'_>) -> Option<JointZeros> {
     let candidates = model.library.candidates;
     let offsets: Vec<usize> = (0..candidates.len())
-        .filter(|&c| candidates[c].effect().name() == "joint_offset" && candidates[c].form.joint.is_some())
+        .filter(|&c| candidates[c].kind == EffectKind::JointOffset && candidates[c].variant.joint.is_some())
         .collect();
-    let chosen: Vec<Chosen> = offsets
+    let chosen: Vec<ChosenCause> = offsets
         .into_iter()
         .map(|candidate| {
-            let columns = model.library.place(&mut model.design, &mut model.place, candidate);
+            let columns =
+                model.library.columns_in_design(&mut model.design, &mut model.column_index, candidate);
             // Free: what they would be if they were all.
-            Chosen { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 }
+            ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 }
         })
         .collect();
     model.library.extend(&model.design);
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let rms_m = |chosen: &[Chosen]| {
-        let fit = solve(&model.design, &atoms, chosen, None);
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let rms_m = |chosen: &[ChosenCause]| {
+        let fit = solve(&model.design, &groups, chosen, None);
         let left = model.design.residuals(&fit.coefficients);
-        let kept = || left.iter().zip(&model.outliers).filter(|(_, out)| !**out).map(|(m, _)| norm3(m));
+        let kept = || left.iter().zip(&model.outliers).filter(|(_, out)| !**out).map(|(m, _)| shift_m(m));
         ((kept().map(|d| d * d).sum::<f64>() / kept().count().max(1) as f64).sqrt(), fit)
     };
     let (before_m, _) = rms_m(&[]);
@@ -39,12 +41,12 @@ pub(super) fn zeros(model: &mut Model<'_>) -> Option<Zeros> {
     if after_m * after_m > (1.0 - WORTH) * before_m * before_m {
         return None;
     }
-    let zero = |c: &Chosen| {
+    let zero = |c: &ChosenCause| {
         let candidate = &candidates[c.candidate];
-        let value = fit.coefficients[c.columns[0] - 1] * candidate.usual.first()?;
-        Some(Zero { joint: candidate.form.joint? + 1, offset_rad: value })
+        let value = fit.coefficients[c.columns[0] - 1] * candidate.prior_sigma.first()?;
+        Some(JointZero { joint: candidate.variant.joint? + 1, offset_rad: value })
     };
-    Some(Zeros {
+    Some(JointZeros {
         before_rms_mm: mm_from_m(before_m),
         after_rms_mm: mm_from_m(after_m),
         joints: chosen.iter().filter_map(zero).collect(),

@@ -1,7 +1,7 @@
 //! Checks of the rows before any geometry: duplicates, order in time, joint ranges, number.
 
 use super::fault::{Fault, FaultKind};
-use super::{Measurements, Row};
+use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
 use robot_model::units::deg_from_rad;
@@ -18,9 +18,9 @@ const BACK_SHARE: f64 = 0.1;
 
 /// What the rows alone say.
 #[derive(Clone, Debug, Default)]
-pub struct Finding {
+pub struct RowCheck {
     /// Rows to use, as indices.
-    pub keep: Vec<usize>,
+    pub used: Vec<usize>,
     /// Whether the time column can be trusted.
     pub time_usable: bool,
     /// What makes the whole file useless.
@@ -31,46 +31,47 @@ pub struct Finding {
 
 /// Checks the rows of `measurements` against each other and the robot's ranges.
 #[must_use]
-pub fn check_rows(measurements: &Measurements, robot: &Robot) -> Finding {
+pub fn check_rows(measurements: &Measurements, robot: &Robot) -> RowCheck {
     let rows = &measurements.rows;
-    let mut finding = Finding { time_usable: true, ..Finding::default() };
-    finding.keep = distinct(rows, &mut finding.warnings);
-    in_range(rows, robot, &mut finding);
-    time_order(rows, &mut finding);
-    if finding.keep.len() > MOST_ROWS {
-        let step = finding.keep.len().div_ceil(MOST_ROWS);
-        let before = finding.keep.len();
+    let mut checked = RowCheck { time_usable: true, ..RowCheck::default() };
+    checked.used = distinct(rows, &mut checked.warnings);
+    in_range(rows, robot, &mut checked);
+    time_order(rows, &mut checked);
+    if checked.used.len() > MOST_ROWS {
+        let step = checked.used.len().div_ceil(MOST_ROWS);
+        let before = checked.used.len();
         // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
         let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
-        finding.keep.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
-        finding.warnings.push(Diagnostic::warning(
+        checked.used.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
+        checked.warnings.push(Diagnostic::warning(
             "measure::many-rows",
-            format!("of {before} rows {} are evaluated: one pose in {step}", finding.keep.len()),
+            format!("of {before} rows {} are evaluated: one pose in {step}", checked.used.len()),
         ));
     }
-    finding
+    checked
 }
 
-fn distinct(rows: &[Row], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
+fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
     let mut seen = BTreeSet::new();
-    let mut keep = Vec::with_capacity(rows.len());
+    let mut used = Vec::with_capacity(rows.len());
     let mut first_double = None;
     for (index, row) in rows.iter().enumerate() {
-        let reading_m = row.seen.reading_m().map(|(reading_m, _)| reading_m).unwrap_or_default();
-        let mut key: Vec<u64> = row.q_rad.iter().chain(reading_m.iter()).map(|v| v.to_bits()).collect();
-        key.push(row.seen.place().map_or(u64::MAX, |place| place as u64));
-        key.push(u64::from(row.seen.by_arm()));
+        let coordinates_m =
+            row.reading.coordinates_m().map(|(coordinates_m, _)| coordinates_m).unwrap_or_default();
+        let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
+        key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
+        key.push(u64::from(row.reading.involves_arm()));
         key.push(row.t_min.map_or(0, f64::to_bits));
         key.push(row.payload_kg.map_or(0, f64::to_bits));
         key.push(row.target as u64);
         if seen.insert(key) {
-            keep.push(index);
+            used.push(index);
         } else {
             first_double.get_or_insert(row.line);
         }
     }
     if let Some(line) = first_double {
-        let doubles = rows.len() - keep.len();
+        let doubles = rows.len() - used.len();
         warnings.push(
             Diagnostic::warning(
                 "measure::duplicates",
@@ -79,47 +80,49 @@ fn distinct(rows: &[Row], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
             .help("they are left out: a copied row is no measurement and would make the noise look smaller"),
         );
     }
-    keep
+    used
 }
 
-fn in_range(rows: &[Row], robot: &Robot, finding: &mut Finding) {
-    let beyond = |row: &Row| {
+fn in_range(rows: &[MeasurementRow], robot: &Robot, checked: &mut RowCheck) {
+    let beyond = |row: &MeasurementRow| {
         robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
             joint
                 .range_rad
                 .is_some_and(|[low, high]| q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD)
         })
     };
-    let out: Vec<(usize, usize)> = finding
-        .keep
+    let out: Vec<(usize, usize)> = checked
+        .used
         .iter()
-        .filter_map(|&i| rows.get(i).filter(|row| row.seen.by_arm()).and_then(beyond).map(|j| (i, j)))
+        .filter_map(|&i| {
+            rows.get(i).filter(|row| row.reading.involves_arm()).and_then(beyond).map(|j| (i, j))
+        })
         .collect();
     let Some(&(row, joint)) = out.first() else { return };
     let (line, q_deg) = rows.get(row).map_or((0, 0.0), |r| (r.line, deg_from_rad(r.q_rad[joint])));
     let what = format!(
         "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q_deg:.2} deg)",
         out.len(),
-        finding.keep.len(),
+        checked.used.len(),
         joint + 1
     );
-    if out.len() as f64 > OUT_OF_RANGE_SHARE * finding.keep.len() as f64 {
-        finding.fault = Some(Fault {
+    if out.len() as f64 > OUT_OF_RANGE_SHARE * checked.used.len() as f64 {
+        checked.fault = Some(Fault {
             kind: FaultKind::JointsOutOfRange,
             reason: format!("{what}: another robot, another joint convention, or columns in another order"),
         });
         return;
     }
     let dropped: BTreeSet<usize> = out.iter().map(|(i, _)| *i).collect();
-    finding.keep.retain(|i| !dropped.contains(i));
-    finding.warnings.push(
+    checked.used.retain(|i| !dropped.contains(i));
+    checked.warnings.push(
         Diagnostic::warning("measure::joint-range", what).help("these rows are left out; check their joints"),
     );
 }
 
-fn time_order(rows: &[Row], finding: &mut Finding) {
-    let times: Vec<(u64, f64)> = finding
-        .keep
+fn time_order(rows: &[MeasurementRow], checked: &mut RowCheck) {
+    let times: Vec<(u64, f64)> = checked
+        .used
         .iter()
         .filter_map(|&i| rows.get(i))
         .filter_map(|r| r.t_min.map(|t_min| (r.line, t_min)))
@@ -128,8 +131,8 @@ fn time_order(rows: &[Row], finding: &mut Finding) {
         times.windows(2).filter(|pair| pair[1].1 < pair[0].1 - 1e-9).map(|pair| pair[1].0).collect();
     let Some(line) = back.first() else { return };
     if back.len() as f64 > BACK_SHARE * times.len() as f64 {
-        finding.time_usable = false;
-        finding.warnings.push(
+        checked.time_usable = false;
+        checked.warnings.push(
             Diagnostic::warning(
                 "measure::time-order",
                 format!("time runs back at {} of {} rows: the rows are not in order of time", back.len(), times.len()),
@@ -137,7 +140,7 @@ fn time_order(rows: &[Row], finding: &mut Finding) {
             .help("effects of time are not judged from this file; sort the rows by time if the stamps are right"),
         );
     } else {
-        finding.warnings.push(
+        checked.warnings.push(
             Diagnostic::warning(
                 "measure::time-step-back",
                 format!("time steps back at {} rows (first: line {line})", back.len()),
@@ -159,8 +162,8 @@ mod tests {
         Measurements::from_csv(text.as_bytes()).unwrap()
     }
 
-    fn codes(finding: &Finding) -> Vec<&'static str> {
-        finding.warnings.iter().map(|w| w.code).collect()
+    fn codes(checked: &RowCheck) -> Vec<&'static str> {
+        checked.warnings.iter().map(|w| w.code).collect()
     }
 
     #[test]
@@ -168,15 +171,15 @@ mod tests {
         let robot = Robot::built_in("irb140").unwrap();
         let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
         rows[10].0 = 5.5;
-        let finding = check_rows(&file(&rows), &robot);
-        assert_eq!(codes(&finding), ["measure::time-step-back"]);
-        assert!(finding.time_usable);
+        let checked = check_rows(&file(&rows), &robot);
+        assert_eq!(codes(&checked), ["measure::time-step-back"]);
+        assert!(checked.time_usable);
         for (i, row) in rows.iter_mut().enumerate() {
             row.0 = ((i * 7) % 20) as f64;
         }
-        let finding = check_rows(&file(&rows), &robot);
-        assert_eq!(codes(&finding), ["measure::time-order"]);
-        assert!(!finding.time_usable);
+        let checked = check_rows(&file(&rows), &robot);
+        assert_eq!(codes(&checked), ["measure::time-order"]);
+        assert!(!checked.time_usable);
     }
 
     #[test]
@@ -185,10 +188,10 @@ mod tests {
         let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
         rows.push(rows[3]);
         rows[8].1 = 170.0;
-        let finding = check_rows(&file(&rows), &robot);
-        assert!(codes(&finding).contains(&"measure::duplicates"));
-        assert!(codes(&finding).contains(&"measure::joint-range"));
-        assert_eq!(finding.keep.len(), 19);
+        let checked = check_rows(&file(&rows), &robot);
+        assert!(codes(&checked).contains(&"measure::duplicates"));
+        assert!(codes(&checked).contains(&"measure::joint-range"));
+        assert_eq!(checked.used.len(), 19);
         for row in &mut rows {
             row.1 = 170.0;
         }

@@ -1,6 +1,6 @@
 //! A file that contradicts itself or the robot: units, axes, columns, robot and tool, tried one by one.
 
-use super::{Registration, Seen, Station, register};
+use super::{Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -102,9 +102,9 @@ fn trial(stations: &[Station]) -> Vec<Station> {
     if n <= TRIAL_STATIONS {
         return stations.to_vec();
     }
-    let places: BTreeSet<usize> =
+    let picked: BTreeSet<usize> =
         (0..TRIAL_STATIONS).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
-    places.into_iter().filter_map(|place| stations.get(place)).cloned().collect()
+    picked.into_iter().filter_map(|index| stations.get(index)).cloned().collect()
 }
 
 /// The middle distance that a changed file would leave, metres.
@@ -142,7 +142,7 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
     }
     let scales = [(1000.0, "metres"), (25.4, "inches"), (10.0, "centimetres"), (0.001, "micrometres")];
     for (scale, name) in scales {
-        let left = try_change(robot, stations, targets, |s| s.seen = s.seen.scaled(scale));
+        let left = try_change(robot, stations, targets, |s| s.reading = s.reading.scaled(scale));
         if explains(left, 1.0, registration) || (left.is_some_and(|l| l < SOUND_M) && scale > 1.0) {
             return Some(Fault {
                 kind: FaultKind::PositionUnits,
@@ -152,7 +152,7 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
     }
     let both = try_change(robot, stations, targets, |s| {
         s.q_rad = s.q_rad.map(deg_from_rad);
-        s.seen = s.seen.scaled(1.0 / m_from_mm(1.0));
+        s.reading = s.reading.scaled(1.0 / m_from_mm(1.0));
     });
     (largest_rad < rad_from_deg(7.0) && both.is_some_and(|left| left < SOUND_M)).then(|| Fault {
         kind: FaultKind::JointUnits,
@@ -164,7 +164,7 @@ fn units(robot: &Robot, stations: &[Station], targets: usize, registration: &Reg
 /// Every other order or sign is a turn, which the registration takes: only the mirror shows.
 fn axes(robot: &Robot, stations: &[Station], targets: usize, registration: &Registration) -> Option<Fault> {
     let mirrored = try_change(robot, stations, targets, |s| {
-        if let Seen::Point { position_m } | Seen::Nest { position_m, .. } = &mut s.seen {
+        if let Reading::Point { position_m } | Reading::Nest { position_m, .. } = &mut s.reading {
             position_m.swap_rows(0, 1);
         }
         s.orientation = None;

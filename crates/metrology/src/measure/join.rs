@@ -22,9 +22,9 @@ pub struct Joined {
     /// Each point with its joints; lines count in the file of points.
     pub table: Table,
     /// Lines of points without joints.
-    pub points_alone: Vec<u64>,
+    pub unmatched_points: Vec<u64>,
     /// Lines of joints without a point.
-    pub joints_alone: Vec<u64>,
+    pub unmatched_joints: Vec<u64>,
 }
 
 /// Puts `points` and `joints` together. Nests (`kind` base) need no joints. Several points (reflectors) may share
@@ -59,7 +59,7 @@ pub fn join(points: &Table, joints: &Table, by: MatchBy, within_min: f64) -> Res
     for line in &points.lines {
         let own = of_line.get(&line.number).and_then(|&k| joints.lines.get(k));
         if own.is_none() && !is_nest(line) {
-            joined.points_alone.push(line.number);
+            joined.unmatched_points.push(line.number);
             continue;
         }
         let mut cells = line.cells.clone();
@@ -68,7 +68,7 @@ pub fn join(points: &Table, joints: &Table, by: MatchBy, within_min: f64) -> Res
         table.lines.push(Line { number: line.number, cells });
     }
     let taken: std::collections::BTreeSet<usize> = of_line.into_values().collect();
-    joined.joints_alone =
+    joined.unmatched_joints =
         joints.lines.iter().enumerate().filter(|(k, _)| !taken.contains(k)).map(|(_, l)| l.number).collect();
     joined.table = table;
     Ok(joined)
@@ -149,7 +149,7 @@ mod tests {
             table(&format!("id,{JOINT_HEADER}\nP2,20,0,0,0,0,0\nP1,10,0,0,0,0,0\nP3,30,0,0,0,0,0\n"));
         let joined = join(&points, &joints, MatchBy::Id, 0.0).unwrap();
         assert_eq!(q1(&joined), ["10", "10", "20"]);
-        assert_eq!((joined.points_alone, joined.joints_alone), (vec![4], vec![4]));
+        assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![4], vec![4]));
         let twice = table(&format!("id,{JOINT_HEADER}\nP1,1,0,0,0,0,0\nP1,2,0,0,0,0,0\n"));
         let error = join(&points, &twice, MatchBy::Id, 0.0).unwrap_err();
         assert_eq!(error, MeasureError::DoubledId { id: "P1".to_owned(), lines: [2, 3] });
@@ -161,7 +161,7 @@ mod tests {
         let joints = table(&format!("{JOINT_HEADER}\n10,0,0,0,0,0\n20,0,0,0,0,0\n"));
         let joined = join(&points, &joints, MatchBy::Order, 0.0).unwrap();
         assert_eq!(q1(&joined), ["10", "", "20"]);
-        assert_eq!((joined.points_alone, joined.joints_alone), (vec![5], vec![]));
+        assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![5], vec![]));
     }
 
     #[test]
@@ -171,6 +171,6 @@ mod tests {
             table(&format!("t_min,{JOINT_HEADER}\n3,30,0,0,0,0,0\n1,10,0,0,0,0,0\n2,20,0,0,0,0,0\n"));
         let joined = join(&points, &joints, MatchBy::Time, 0.15).unwrap();
         assert_eq!(q1(&joined), ["10", "30"]);
-        assert_eq!((joined.points_alone, joined.joints_alone), (vec![4], vec![4]));
+        assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![4], vec![4]));
     }
 }

@@ -4,33 +4,35 @@
 //! contradicts itself or the robot. Knows nothing of effects.
 
 mod check;
-mod columns;
+mod column_map;
 mod error;
 mod fault;
+mod initial_guess;
 mod iso9283;
 mod join;
 mod performance;
 mod read;
+mod reading;
 mod refine;
 mod register;
 mod registration;
-mod seen;
-mod stamp;
-mod start;
 mod station;
 mod table;
+mod timestamp;
 mod touch;
 
-pub use check::{Finding, check_rows};
-pub use columns::ColumnMap;
+pub use check::{RowCheck, check_rows};
+pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{Fault, FaultKind, find_fault};
 pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
 pub use join::{Joined, MatchBy, join};
-pub use performance::{AtTime, Compared, Performance, PerformanceError, PosePerformance, performance};
-pub use register::{Free, RegisterError, register, register_some};
+pub use performance::{
+    ComparisonFrame, Performance, PerformanceAtTime, PerformanceError, PosePerformance, performance,
+};
+pub use reading::Reading;
+pub use register::{FreeParameters, RegisterError, register, register_with};
 pub use registration::Registration;
-pub use seen::Seen;
 pub use station::{Repeats, Station, Stations, gather};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};
@@ -40,7 +42,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct MeasurementRow {
     /// Line in the file, from 1.
     pub line: u64,
     /// `id`, where the file has it.
@@ -54,7 +56,7 @@ pub struct Row {
     /// Joints; at a nest they say nothing.
     pub q_rad: [f64; 6],
     /// What was measured.
-    pub seen: Seen,
+    pub reading: Reading,
     /// The measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion before the pose.
@@ -104,13 +106,13 @@ pub struct Channels {
 #[derive(Clone, Debug)]
 pub struct Measurements {
     /// Rows in the file's order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<MeasurementRow>,
     /// Optional columns.
     pub channels: Channels,
     /// Names of the reflectors; one unnamed where the file does not tell them apart.
     pub targets: Vec<String>,
     /// Names of the fixed places: nests, points touched, ends of wires.
-    pub places: Vec<String>,
+    pub fixed_points: Vec<String>,
     /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
     pub joint_decimals: usize,
     /// What a person should look at.

@@ -1,10 +1,10 @@
 //! Performance after ISO 9283 of a whole measurement file: pose by pose, and over time.
 
 use super::iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
-use super::station::poses;
+use super::station::pose_numbers;
 use super::{
-    Free, Measurements, RegisterError, Registration, Seen, Station, check_rows, gather, register,
-    register_some,
+    FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_rows, gather,
+    register, register_with,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::Chain;
@@ -33,7 +33,7 @@ pub enum PerformanceError {
 
 /// In what frame commanded and attained poses are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Compared {
+pub enum ComparisonFrame {
     /// Base and tool are fitted first: what is left is the arm's.
     Fitted,
     /// The base is fitted; the tool is there in the flange's frame, metres.
@@ -44,7 +44,7 @@ pub enum Compared {
 
 /// One pose at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AtTime {
+pub struct PerformanceAtTime {
     /// First minute, where it is recorded.
     pub t_min: Option<f64>,
     /// Accuracy then.
@@ -75,7 +75,7 @@ pub struct PosePerformance {
     /// AP_a, AP_b, AP_c and RP_a, RP_b, RP_c, radians, where the orientation was measured.
     pub orientation_rad: Option<([f64; 3], Option<[f64; 3]>)>,
     /// By time, where it was measured at several.
-    pub times: Vec<AtTime>,
+    pub times: Vec<PerformanceAtTime>,
 }
 
 impl PosePerformance {
@@ -113,23 +113,24 @@ pub struct Performance {
 pub fn performance(
     measurements: &Measurements,
     robot: &Robot,
-    compared: Compared,
+    compared: ComparisonFrame,
 ) -> Result<Performance, PerformanceError> {
-    let finding = check_rows(measurements, robot);
-    if let Some(fault) = finding.fault {
+    let checked = check_rows(measurements, robot);
+    if let Some(fault) = checked.fault {
         return Err(PerformanceError::Fault { reason: fault.reason });
     }
-    if !measurements.rows.iter().any(|row| matches!(row.seen, Seen::Point { .. })) {
+    if !measurements.rows.iter().any(|row| matches!(row.reading, Reading::Point { .. })) {
         return Err(PerformanceError::NoPoints);
     }
-    let gathered = gather(measurements, &finding.keep);
+    let gathered = gather(measurements, &checked.used);
     let chain = Chain::nominal(robot);
     let registration = registered(&gathered.stations, gathered.targets, &chain, compared)?;
-    let numbers = poses(measurements, &finding.keep);
+    let numbers = pose_numbers(measurements, &checked.used);
     type Side = (usize, usize, Option<[i8; 6]>, u64);
     let mut groups: BTreeMap<Side, Vec<usize>> = BTreeMap::new();
-    for (&row, &pose) in finding.keep.iter().zip(&numbers) {
-        let Some(r) = measurements.rows.get(row).filter(|r| matches!(r.seen, Seen::Point { .. })) else {
+    for (&row, &pose) in checked.used.iter().zip(&numbers) {
+        let Some(r) = measurements.rows.get(row).filter(|r| matches!(r.reading, Reading::Point { .. }))
+        else {
             continue;
         };
         let payload = r.payload_kg.map_or(u64::MAX, f64::to_bits);
@@ -137,7 +138,7 @@ pub fn performance(
     }
     let mut all: Vec<PosePerformance> = groups
         .iter()
-        .filter_map(|((pose, ..), rows)| one(measurements, &chain, &registration, *pose, rows))
+        .filter_map(|((pose, ..), rows)| pose_performance(measurements, &chain, &registration, *pose, rows))
         .collect();
     all.sort_by_key(|p| p.line);
     let mut sides: BTreeMap<(usize, usize), Vec<Vector3<f64>>> = BTreeMap::new();
@@ -160,33 +161,35 @@ fn registered(
     stations: &[Station],
     targets: usize,
     chain: &Chain,
-    compared: Compared,
+    compared: ComparisonFrame,
 ) -> Result<Registration, RegisterError> {
     let flange: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(chain)).collect();
     let tools = |tool_m: Vector3<f64>| vec![tool_m; targets];
     match compared {
-        Compared::Fitted => register(stations, &flange, targets, None),
-        Compared::BaseFitted(tool_m) => register_some(stations, &flange, &tools(tool_m), Free::Base),
-        Compared::AsMeasured(tool_m) => {
-            register_some(stations, &flange, &tools(tool_m), Free::Nothing(Isometry3::identity()))
+        ComparisonFrame::Fitted => register(stations, &flange, targets, None),
+        ComparisonFrame::BaseFitted(tool_m) => {
+            register_with(stations, &flange, &tools(tool_m), FreeParameters::Base)
+        }
+        ComparisonFrame::AsMeasured(tool_m) => {
+            register_with(stations, &flange, &tools(tool_m), FreeParameters::Nothing(Isometry3::identity()))
         }
     }
 }
 
-fn one(
+fn pose_performance(
     measurements: &Measurements,
     chain: &Chain,
     registration: &Registration,
     pose: usize,
     rows: &[usize],
 ) -> Option<PosePerformance> {
-    let rows: Vec<&super::Row> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
+    let rows: Vec<&super::MeasurementRow> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
     let first = *rows.first()?;
     let flange = chain.forward(&first.q_rad);
     let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();
     let command_m = flange.translation.vector + flange.rotation * tool_m;
-    let in_base = |row: &super::Row| {
-        let seen = row.seen.position_m()?;
+    let in_base = |row: &super::MeasurementRow| {
+        let seen = row.reading.position_m()?;
         Some(registration.instrument_from_base.inverse_transform_point(&seen.into()).coords)
     };
     let attained: Vec<Vector3<f64>> = rows.iter().filter_map(|row| in_base(row)).collect();
@@ -195,7 +198,7 @@ fn one(
         .map(|row| Some(registration.instrument_from_base.rotation.inverse() * row.orientation?))
         .collect();
     let commanded = registration.flange_from_sensor.map(|sensor| flange.rotation * sensor);
-    let mut times: Vec<AtTime> = Vec::new();
+    let mut times: Vec<PerformanceAtTime> = Vec::new();
     let mut block: Vec<Vector3<f64>> = Vec::new();
     let mut since: Option<f64> = None;
     for (k, (row, at)) in rows.iter().zip(&attained).enumerate() {
@@ -222,6 +225,14 @@ fn one(
     })
 }
 
-fn at_time(t_min: Option<f64>, command_m: &Vector3<f64>, block: &[Vector3<f64>]) -> Option<AtTime> {
-    Some(AtTime { t_min, accuracy: accuracy(command_m, block)?, repeatability: repeatability(block) })
+fn at_time(
+    t_min: Option<f64>,
+    command_m: &Vector3<f64>,
+    block: &[Vector3<f64>],
+) -> Option<PerformanceAtTime> {
+    Some(PerformanceAtTime {
+        t_min,
+        accuracy: accuracy(command_m, block)?,
+        repeatability: repeatability(block),
+    })
 }

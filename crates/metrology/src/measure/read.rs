@@ -1,7 +1,7 @@
 //! Reading the measurement table: columns by name, in any order, checked cell by cell.
 
 use super::table::{Line, Table};
-use super::{Channels, MeasureError, Measurements, Row, Seen, Touch, Touches};
+use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::{m_from_mm, rad_from_deg};
@@ -26,25 +26,25 @@ pub(super) fn known() -> Vec<&'static str> {
 }
 
 pub(super) fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
-    let columns = Columns::new(&table.header)?;
+    let columns = ColumnIndex::new(&table.header)?;
     let mut warnings = columns.warnings.clone();
     let mut rows = Vec::new();
     let mut poses: BTreeMap<String, usize> = BTreeMap::new();
     let mut targets: BTreeMap<String, usize> = BTreeMap::new();
-    let mut places: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
+    let mut fixed_points: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
     let mut decimals = 0;
     for line in &table.lines {
-        let cells = Cells { columns: &columns, line };
+        let cells = RowCells { columns: &columns, line };
         let pose = cells.text("pose_id").unwrap_or_default();
         let pose = if pose.is_empty() { format!("\u{0}{}", line.number) } else { pose.to_owned() };
         let next = poses.len();
         let pose = *poses.entry(pose).or_insert(next);
-        let seen = cells.seen(&mut |kind, name| {
-            let next = places.len();
-            *places.entry((kind, name.to_owned())).or_insert(next)
+        let reading = cells.reading(&mut |kind, name| {
+            let next = fixed_points.len();
+            *fixed_points.entry((kind, name.to_owned())).or_insert(next)
         })?;
         let mut target = 0;
-        if seen.by_arm() {
+        if reading.involves_arm() {
             let next = targets.len();
             let name = cells.text("target").unwrap_or_default().to_owned();
             target = *targets.entry(name).or_insert(next);
@@ -52,9 +52,9 @@ pub(super) fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
                 decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
             }
         }
-        rows.push(cells.row(pose, target, seen)?);
+        rows.push(cells.row(pose, target, reading)?);
     }
-    if !rows.iter().any(|row: &Row| row.seen.by_arm()) {
+    if !rows.iter().any(|row: &MeasurementRow| row.reading.involves_arm()) {
         return Err(MeasureError::NoRows);
     }
     let channels = complete_channels(&columns, &mut rows, &mut warnings);
@@ -62,7 +62,7 @@ pub(super) fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
         rows,
         channels,
         targets: in_order(targets),
-        places: in_order(places.into_iter().map(|((_, name), index)| (name, index))),
+        fixed_points: in_order(fixed_points.into_iter().map(|((_, name), index)| (name, index))),
         joint_decimals: decimals,
         warnings,
     })
@@ -84,24 +84,24 @@ pub(super) fn touches(table: &Table) -> Result<Touches, MeasureError> {
     }
     let mut touches = Vec::new();
     for row in &measurements.rows {
-        let Seen::Touch { place } = row.seen else { continue };
+        let Reading::Touch { fixed_point } = row.reading else { continue };
         let t_min = row.t_min.ok_or_else(no_time)?;
-        touches.push(Touch { line: row.line, point: place, t_min, q_rad: row.q_rad, seen_m: None });
+        touches.push(Touch { line: row.line, point: fixed_point, t_min, q_rad: row.q_rad, measured_m: None });
     }
     if touches.is_empty() {
         return Err(MeasureError::NoRows);
     }
     touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
-    Ok(Touches { touches, points: measurements.places })
+    Ok(Touches { touches, points: measurements.fixed_points })
 }
 
 /// Where each known column stands.
-struct Columns {
+struct ColumnIndex {
     at: BTreeMap<String, usize>,
     warnings: Vec<Diagnostic>,
 }
 
-impl Columns {
+impl ColumnIndex {
     fn new(header: &[String]) -> Result<Self, MeasureError> {
         let known = known();
         let mut at = BTreeMap::new();
@@ -173,12 +173,12 @@ pub(super) fn missing(column: &str, header: &[String]) -> MeasureError {
     MeasureError::MissingColumn { column: column.to_owned(), found, hint }
 }
 
-struct Cells<'a> {
-    columns: &'a Columns,
+struct RowCells<'a> {
+    columns: &'a ColumnIndex,
     line: &'a Line,
 }
 
-impl Cells<'_> {
+impl RowCells<'_> {
     fn text(&self, name: &str) -> Option<&str> {
         self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map(String::as_str)
     }
@@ -259,38 +259,44 @@ impl Cells<'_> {
         Ok(Vector3::new(self.length_m(x)?, self.length_m(y)?, self.length_m(z)?))
     }
 
-    /// What the row saw; `place` numbers fixed places by kind and name.
-    fn seen(&self, place: &mut dyn FnMut(&'static str, &str) -> usize) -> Result<Seen, MeasureError> {
+    /// What the row saw; `fixed_point` numbers fixed places by kind and name.
+    fn reading(
+        &self,
+        fixed_point: &mut dyn FnMut(&'static str, &str) -> usize,
+    ) -> Result<Reading, MeasureError> {
         let kind = self.text("kind").unwrap_or_default();
         let first_of = |names: &[&str]| {
             names.iter().filter_map(|n| self.text(n)).find(|t| !t.is_empty()).unwrap_or_default().to_owned()
         };
         if kind.eq_ignore_ascii_case("base") {
             let name = first_of(&[FIXED, "target", "pose_id", "id"]);
-            return Ok(Seen::Nest { place: place("nest", &name), position_m: self.position_m()? });
+            return Ok(Reading::Nest {
+                fixed_point: fixed_point("nest", &name),
+                position_m: self.position_m()?,
+            });
         }
         if !kind.is_empty() && !kind.eq_ignore_ascii_case("pose") {
             return Err(self.impossible("kind", "a kind is pose or base"));
         }
         if !POINT.iter().all(|name| self.empty(name)) {
-            return Ok(Seen::Point { position_m: self.position_m()? });
+            return Ok(Reading::Point { position_m: self.position_m()? });
         }
         if !self.empty(LENGTH) {
             let length_m = self.length_m(LENGTH)?;
             if length_m <= 0.0 {
                 return Err(self.impossible(LENGTH, "a length is more than 0"));
             }
-            return Ok(Seen::Length { place: place("wire", &first_of(&[FIXED])), length_m });
+            return Ok(Reading::Length { fixed_point: fixed_point("wire", &first_of(&[FIXED])), length_m });
         }
         if !self.empty(FIXED) {
-            return Ok(Seen::Touch { place: place("touched", &first_of(&[FIXED])) });
+            return Ok(Reading::Touch { fixed_point: fixed_point("touched", &first_of(&[FIXED])) });
         }
         let column = [POINT[0], LENGTH, FIXED].into_iter().find(|c| self.columns.has(c)).unwrap_or(POINT[0]);
         self.number(column).and(Err(self.impossible(column, "nothing was measured")))
     }
 
-    fn row(&self, pose: usize, target: usize, seen: Seen) -> Result<Row, MeasureError> {
-        let q_rad = if seen.by_arm() || JOINTS.iter().all(|name| !self.empty(name)) {
+    fn row(&self, pose: usize, target: usize, reading: Reading) -> Result<MeasurementRow, MeasureError> {
+        let q_rad = if reading.involves_arm() || JOINTS.iter().all(|name| !self.empty(name)) {
             self.joints()?
         } else {
             [0.0; 6]
@@ -324,14 +330,14 @@ impl Cells<'_> {
         if payload_kg.is_some_and(|kg| !(0.0..1e5).contains(&kg)) {
             return Err(self.impossible("payload_kg", "a payload weighs 0 kg or more"));
         }
-        Ok(Row {
+        Ok(MeasurementRow {
             line: self.line.number,
             id: self.text("id").map(str::to_owned),
             pose,
             target,
             t_min: self.optional("t_min")?,
             q_rad,
-            seen,
+            reading,
             orientation,
             direction,
             payload_kg,
@@ -342,8 +348,12 @@ impl Cells<'_> {
 }
 
 /// A channel counts only when every row has it; one with gaps is left out, with a warning.
-fn complete_channels(columns: &Columns, rows: &mut [Row], warnings: &mut Vec<Diagnostic>) -> Channels {
-    let mut keep = |name: &'static str, there: bool, has: fn(&Row) -> bool| {
+fn complete_channels(
+    columns: &ColumnIndex,
+    rows: &mut [MeasurementRow],
+    warnings: &mut Vec<Diagnostic>,
+) -> Channels {
+    let mut keep = |name: &'static str, there: bool, has: fn(&MeasurementRow) -> bool| {
         let gaps = rows.iter().filter(|row| !has(row)).count();
         if there && gaps > 0 {
             warnings.push(
@@ -359,13 +369,13 @@ fn complete_channels(columns: &Columns, rows: &mut [Row], warnings: &mut Vec<Dia
     let channels = Channels {
         pose_id: columns.has("pose_id"),
         time: keep("t_min", columns.has("t_min"), |r| r.t_min.is_some()),
-        orientation: keep("qw", columns.has("qw"), |r| r.orientation.is_some() || !r.seen.by_arm()),
-        direction: keep("dir1", columns.has("dir1"), |r| r.direction.is_some() || !r.seen.by_arm()),
+        orientation: keep("qw", columns.has("qw"), |r| r.orientation.is_some() || !r.reading.involves_arm()),
+        direction: keep("dir1", columns.has("dir1"), |r| r.direction.is_some() || !r.reading.involves_arm()),
         payload: keep("payload_kg", columns.has("payload_kg"), |r| {
-            r.payload_kg.is_some() || !r.seen.by_arm()
+            r.payload_kg.is_some() || !r.reading.involves_arm()
         }),
         joint_temperature: keep("temp_j1_c", columns.has("temp_j1_c"), |r| {
-            r.joint_temperature_c.is_some() || !r.seen.by_arm()
+            r.joint_temperature_c.is_some() || !r.reading.involves_arm()
         }),
         air_temperature: keep("temp_air_c", columns.has("temp_air_c"), |r| r.air_temperature_c.is_some()),
     };
@@ -403,7 +413,7 @@ mod tests {
                     3000,1000,-2000,1,-1,0,1,1,1,0,0,0,0,90,180.25,5\n";
         let m = read(text).unwrap();
         let row = &m.rows[0];
-        assert_eq!(row.seen, Seen::Point { position_m: Vector3::new(1.0, -2.0, 3.0) });
+        assert_eq!(row.reading, Reading::Point { position_m: Vector3::new(1.0, -2.0, 3.0) });
         assert_eq!(row.q_rad[1], std::f64::consts::FRAC_PI_2);
         assert_eq!(row.direction, Some([1, -1, 0, 1, 1, 1]));
         assert_eq!((row.t_min, row.line), (Some(5.0), 2));

@@ -1,7 +1,7 @@
 //! A registration refined: Gauss and Newton's steps over base, targets, fixed places and sensor, robust by re-weighting.
 
 use super::station::median;
-use super::{Free, Registration, Station};
+use super::{FreeParameters, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Translation3, UnitQuaternion, Vector3};
 
 const ITERATIONS: usize = 60;
@@ -18,25 +18,25 @@ fn unknown_columns(
 ) -> (DMatrix<f64>, DMatrix<f64>) {
     let point = fit.predicted_m(station, pose);
     let turn = pose.rotation.to_rotation_matrix();
-    let mut place = DMatrix::zeros(3, width);
+    let mut fixed_point = DMatrix::zeros(3, width);
     let mut orient = DMatrix::zeros(3, width);
-    let by_instrument = station.seen.position_m().is_some();
-    let places = 6 + 3 * fit.tools_m.len();
+    let by_instrument = station.reading.position_m().is_some();
+    let fixed_points = 6 + 3 * fit.tools_m.len();
     for k in 0..3 {
         let mut axis = Vector3::zeros();
         axis[k] = 1.0;
         let moved = axis.cross(&point);
         for r in 0..3 {
             if by_instrument {
-                place[(r, k)] = axis[r];
-                place[(r, 3 + k)] = moved[r];
+                fixed_point[(r, k)] = axis[r];
+                fixed_point[(r, 3 + k)] = moved[r];
             }
-            if station.seen.by_arm() {
-                place[(r, 6 + 3 * station.target + k)] = turn[(r, k)];
+            if station.reading.involves_arm() {
+                fixed_point[(r, 6 + 3 * station.target + k)] = turn[(r, k)];
             }
-            if let Some(which) = station.seen.place() {
+            if let Some(which) = station.reading.fixed_point() {
                 let sign = if by_instrument { 1.0 } else { -1.0 };
-                place[(r, places + 3 * which + k)] = sign * axis[r];
+                fixed_point[(r, fixed_points + 3 * which + k)] = sign * axis[r];
             }
         }
         orient[(k, 3 + k)] = 1.0;
@@ -48,24 +48,25 @@ fn unknown_columns(
     }
     if let Some(along) = fit.along(station, pose) {
         let onto = along * along.transpose();
-        place = DMatrix::from_fn(3, width, |r, c| (0..3).map(|k| onto[(r, k)] * place[(k, c)]).sum());
+        fixed_point =
+            DMatrix::from_fn(3, width, |r, c| (0..3).map(|k| onto[(r, k)] * fixed_point[(k, c)]).sum());
     }
-    (place, orient)
+    (fixed_point, orient)
 }
 
 pub(super) fn gauss_newton(
     mut fit: Registration,
     stations: &[Station],
     poses: &[Isometry3<f64>],
-    free: Free,
+    free: FreeParameters,
 ) -> Registration {
     let oriented = fit.flange_from_sensor.is_some();
-    let places = 6 + 3 * fit.tools_m.len();
-    let width = places + 3 * fit.places_m.len() + if oriented { 3 } else { 0 };
+    let fixed_points = 6 + 3 * fit.tools_m.len();
+    let width = fixed_points + 3 * fit.fixed_points_m.len() + if oriented { 3 } else { 0 };
     let held = match free {
-        Free::All => 0..0,
-        Free::Base => 6..places,
-        Free::Nothing(_) => 0..places,
+        FreeParameters::All => 0..0,
+        FreeParameters::Base => 6..fixed_points,
+        FreeParameters::Nothing(_) => 0..fixed_points,
     };
     let mut normal = DMatrix::zeros(width, width);
     for iteration in 0..ITERATIONS {
@@ -74,11 +75,11 @@ pub(super) fn gauss_newton(
         let mut right = DVector::zeros(width);
         for (station, pose) in stations.iter().zip(poses) {
             let residual = fit.residual_m(station, pose);
-            let (place, orient) = unknown_columns(&fit, station, pose, width);
+            let (fixed_point, orient) = unknown_columns(&fit, station, pose, width);
             // Cauchy's weight at three times the middle distance: false rows lose their pull.
             let weight = 1.0 / (1.0 + (residual.norm() / (3.0 * scale_m)).powi(2));
-            normal += weight * place.transpose() * &place;
-            right += weight * place.transpose() * residual;
+            normal += weight * fixed_point.transpose() * &fixed_point;
+            right += weight * fixed_point.transpose() * residual;
             if let Some(turn) = fit.residual_rad(station, pose) {
                 let far = turn.norm() * ORIENTATION_ARM_M / (3.0 * scale_m);
                 let weight = ORIENTATION_ARM_M.powi(2) / (1.0 + far * far);
@@ -99,8 +100,12 @@ pub(super) fn gauss_newton(
         for (k, tool) in fit.tools_m.iter_mut().enumerate() {
             *tool += Vector3::new(step[6 + 3 * k], step[7 + 3 * k], step[8 + 3 * k]);
         }
-        for (k, place) in fit.places_m.iter_mut().enumerate() {
-            *place += Vector3::new(step[places + 3 * k], step[places + 3 * k + 1], step[places + 3 * k + 2]);
+        for (k, fixed_point) in fit.fixed_points_m.iter_mut().enumerate() {
+            *fixed_point += Vector3::new(
+                step[fixed_points + 3 * k],
+                step[fixed_points + 3 * k + 1],
+                step[fixed_points + 3 * k + 2],
+            );
         }
         if let Some(sensor) = &mut fit.flange_from_sensor {
             let turn = Vector3::new(step[width - 3], step[width - 2], step[width - 1]);

@@ -4,9 +4,9 @@
 //! and, with measured orientation, the sensor's orientation on the flange (3); robust by re-weighting. Never a
 //! finding: all are unknown.
 
+use super::initial_guess::{initial_guess, place_fixed_points, without_fit};
 use super::refine::gauss_newton;
-use super::start::{bare, put_places, start_from};
-use super::{Registration, Seen, Station};
+use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use thiserror::Error;
 
@@ -49,8 +49,8 @@ pub fn register(
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Registration, RegisterError> {
-    let places = places(stations);
-    let unknowns = unknowns(stations, targets) + 3 * places;
+    let fixed_points = fixed_points(stations);
+    let unknowns = unknowns(stations, targets) + 3 * fixed_points;
     let equations: usize = stations.iter().map(equations).sum();
     if stations.len() < 4 || equations <= unknowns {
         return Err(RegisterError::TooFew { stations: stations.len() });
@@ -58,7 +58,8 @@ pub fn register(
     let stride = stations.len().div_ceil(START_STATIONS);
     let few: Vec<Station> = stations.iter().step_by(stride).cloned().collect();
     let few_poses: Vec<Isometry3<f64>> = base_from_flange.iter().step_by(stride).copied().collect();
-    let whole = few.iter().map(|s| s.target).max() == Some(targets - 1) && all_places(&few, places);
+    let whole =
+        few.iter().map(|s| s.target).max() == Some(targets - 1) && all_fixed_points(&few, fixed_points);
     let (few, few_poses) = if few.len() >= 12 && whole {
         (few, few_poses)
     } else {
@@ -69,21 +70,21 @@ pub fn register(
     let given = tool_m.map(|t| [t.x, t.y, t.z]);
     for start in given.iter().chain(&STARTS_M) {
         let tools_m = vec![Vector3::from(*start); targets];
-        let Some(start) = start_from(&few, &few_poses, &tools_m, places) else {
+        let Some(start) = initial_guess(&few, &few_poses, &tools_m, fixed_points) else {
             continue;
         };
-        let fitted = gauss_newton(start, &few, &few_poses, Free::All);
+        let fitted = gauss_newton(start, &few, &few_poses, FreeParameters::All);
         if best.as_ref().is_none_or(|b| fitted.median_m < 0.98 * b.median_m) {
             best = Some(fitted);
         }
     }
     let best = best.ok_or(RegisterError::Degenerate)?;
-    Ok(gauss_newton(best, stations, base_from_flange, Free::All))
+    Ok(gauss_newton(best, stations, base_from_flange, FreeParameters::All))
 }
 
 /// What a registration may fit; fixed places always.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Free {
+pub enum FreeParameters {
     /// Base and targets.
     All,
     /// The base; the targets are known.
@@ -93,13 +94,13 @@ pub enum Free {
 }
 
 fn unknowns(stations: &[Station], targets: usize) -> usize {
-    let base = if stations.iter().any(|s| s.seen.position_m().is_some()) { 6 } else { 0 };
+    let base = if stations.iter().any(|s| s.reading.position_m().is_some()) { 6 } else { 0 };
     base + 3 * targets + if oriented(stations) { 3 } else { 0 }
 }
 
 fn equations(station: &Station) -> usize {
-    match station.seen {
-        Seen::Length { .. } => 1,
+    match station.reading {
+        Reading::Length { .. } => 1,
         _ if station.orientation.is_some() => 6,
         _ => 3,
     }
@@ -107,40 +108,41 @@ fn equations(station: &Station) -> usize {
 
 /// Whether the orientation was measured with every point.
 pub(super) fn oriented(stations: &[Station]) -> bool {
-    let mut points = stations.iter().filter(|s| matches!(s.seen, Seen::Point { .. })).peekable();
+    let mut points = stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).peekable();
     points.peek().is_some() && points.all(|s| s.orientation.is_some())
 }
 
-fn places(stations: &[Station]) -> usize {
-    stations.iter().filter_map(|s| s.seen.place()).max().map_or(0, |last| last + 1)
+fn fixed_points(stations: &[Station]) -> usize {
+    stations.iter().filter_map(|s| s.reading.fixed_point()).max().map_or(0, |last| last + 1)
 }
 
-fn all_places(stations: &[Station], places: usize) -> bool {
-    (0..places).all(|place| stations.iter().any(|s| s.seen.place() == Some(place)))
+fn all_fixed_points(stations: &[Station], fixed_points: usize) -> bool {
+    (0..fixed_points).all(|fixed_point| stations.iter().any(|s| s.reading.fixed_point() == Some(fixed_point)))
 }
 
 /// Registers what `free` names: `tools_m` are the targets' places on the flange, known.
 ///
 /// # Errors
 /// As [`register`].
-pub fn register_some(
+pub fn register_with(
     stations: &[Station],
     base_from_flange: &[Isometry3<f64>],
     tools_m: &[Vector3<f64>],
-    free: Free,
+    free: FreeParameters,
 ) -> Result<Registration, RegisterError> {
     if stations.len() < 3 {
         return Err(RegisterError::TooFew { stations: stations.len() });
     }
-    let places = places(stations);
+    let fixed_points = fixed_points(stations);
     let start = match free {
-        Free::Nothing(instrument_from_base) => {
-            let mut start = bare(tools_m, places, instrument_from_base);
-            put_places(&mut start, stations, base_from_flange);
+        FreeParameters::Nothing(instrument_from_base) => {
+            let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
+            place_fixed_points(&mut start, stations, base_from_flange);
             start
         }
-        Free::All | Free::Base => {
-            start_from(stations, base_from_flange, tools_m, places).ok_or(RegisterError::Degenerate)?
+        FreeParameters::All | FreeParameters::Base => {
+            initial_guess(stations, base_from_flange, tools_m, fixed_points)
+                .ok_or(RegisterError::Degenerate)?
         }
     };
     Ok(gauss_newton(start, stations, base_from_flange, free))
@@ -174,7 +176,7 @@ mod tests {
                 target: 0,
                 t_min: None,
                 q_rad: [0.0; 6],
-                seen: Seen::Point { position_m: (base * pose * Point3::from(tool)).coords },
+                reading: Reading::Point { position_m: (base * pose * Point3::from(tool)).coords },
                 orientation: turn.then(|| base.rotation * pose.rotation * sensor),
                 direction: None,
                 payload_kg: None,
@@ -192,8 +194,8 @@ mod tests {
         let tool = Vector3::new(0.08, -0.05, 0.21);
         for turn in [false, true] {
             let mut stations = seen(&poses, &base, tool, turn);
-            stations[7].seen =
-                Seen::Point { position_m: stations[7].seen.position_m().unwrap() + Vector3::x() * 0.5 };
+            stations[7].reading =
+                Reading::Point { position_m: stations[7].reading.position_m().unwrap() + Vector3::x() * 0.5 };
             let fit = register(&stations, &poses, 1, None).unwrap();
             assert!(fit.converged, "{fit:?}");
             assert!((fit.tools_m[0] - tool).norm() < 1e-6, "{fit:?}");
@@ -207,7 +209,8 @@ mod tests {
         let poses = poses(12);
         let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
         let tool = Vector3::new(0.08, -0.05, 0.21);
-        let fit = register_some(&seen(&poses, &base, tool, false), &poses, &[tool], Free::Base).unwrap();
+        let fit =
+            register_with(&seen(&poses, &base, tool, false), &poses, &[tool], FreeParameters::Base).unwrap();
         assert_eq!(fit.tools_m, [tool]);
         assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-9);
         assert!(fit.rms_m < 1e-9, "{fit:?}");

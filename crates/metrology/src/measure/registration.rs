@@ -1,6 +1,6 @@
 //! Where the robot's base stands in the instrument's frame, the targets on the flange, fixed places in the base.
 
-use super::{Seen, Station};
+use super::{Reading, Station};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 /// Base and target, as fitted.
@@ -11,7 +11,7 @@ pub struct Registration {
     /// Each target's place in the flange's frame.
     pub tools_m: Vec<Vector3<f64>>,
     /// Each fixed place in the base: nests, points touched, ends of wires.
-    pub places_m: Vec<Vector3<f64>>,
+    pub fixed_points_m: Vec<Vector3<f64>>,
     /// Standard deviation of the first target's place, metres: large where the poses do not tell it.
     pub tool_sigma_m: f64,
     /// The sensor's orientation on the flange, where orientation was measured.
@@ -32,12 +32,12 @@ impl Registration {
     pub fn assumed(
         instrument_from_base: Isometry3<f64>,
         tools_m: Vec<Vector3<f64>>,
-        places_m: Vec<Vector3<f64>>,
+        fixed_points_m: Vec<Vector3<f64>>,
     ) -> Self {
         Self {
             instrument_from_base,
             tools_m,
-            places_m,
+            fixed_points_m,
             tool_sigma_m: 0.0,
             flange_from_sensor: None,
             rms_m: 0.0,
@@ -52,13 +52,13 @@ impl Registration {
     #[must_use]
     pub fn residual_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {
         let predicted = self.predicted_m(station, base_from_flange);
-        match station.seen {
-            Seen::Point { position_m } | Seen::Nest { position_m, .. } => {
+        match station.reading {
+            Reading::Point { position_m } | Reading::Nest { position_m, .. } => {
                 self.instrument_from_base.inverse_transform_point(&position_m.into()).coords - predicted
             }
-            Seen::Touch { place } => self.place_m(place) - predicted,
-            Seen::Length { place, length_m } => {
-                let away = predicted - self.place_m(place);
+            Reading::Touch { fixed_point } => self.fixed_point_m(fixed_point) - predicted,
+            Reading::Length { fixed_point, length_m } => {
+                let away = predicted - self.fixed_point_m(fixed_point);
                 self.along(station, base_from_flange).unwrap_or_default() * (length_m - away.norm())
             }
         }
@@ -68,16 +68,16 @@ impl Registration {
     /// was measured.
     #[must_use]
     pub fn residual(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> [f64; 6] {
-        let place = self.residual_m(station, base_from_flange);
+        let fixed_point = self.residual_m(station, base_from_flange);
         let turn = self.residual_rad(station, base_from_flange).unwrap_or_default();
-        [place.x, place.y, place.z, turn.x, turn.y, turn.z]
+        [fixed_point.x, fixed_point.y, fixed_point.z, turn.x, turn.y, turn.z]
     }
 
     /// Predicted position of the target in the base, metres; of a nest, whose "flange" is the base as it has moved.
     #[must_use]
     pub fn predicted_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {
-        if let Seen::Nest { place, .. } = station.seen {
-            return (base_from_flange * Point3::from(self.place_m(place))).coords;
+        if let Reading::Nest { fixed_point, .. } = station.reading {
+            return (base_from_flange * Point3::from(self.fixed_point_m(fixed_point))).coords;
         }
         let tool = self.tools_m.get(station.target).copied().unwrap_or_default();
         base_from_flange.translation.vector + base_from_flange.rotation * tool
@@ -86,12 +86,12 @@ impl Registration {
     /// Where a length was measured: the direction from the fixed place to the target, base axes.
     #[must_use]
     pub fn along(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Option<Vector3<f64>> {
-        let Seen::Length { place, .. } = station.seen else { return None };
-        (self.predicted_m(station, base_from_flange) - self.place_m(place)).try_normalize(1e-9)
+        let Reading::Length { fixed_point, .. } = station.reading else { return None };
+        (self.predicted_m(station, base_from_flange) - self.fixed_point_m(fixed_point)).try_normalize(1e-9)
     }
 
-    fn place_m(&self, place: usize) -> Vector3<f64> {
-        self.places_m.get(place).copied().unwrap_or_default()
+    fn fixed_point_m(&self, fixed_point: usize) -> Vector3<f64> {
+        self.fixed_points_m.get(fixed_point).copied().unwrap_or_default()
     }
 
     /// Measured against predicted orientation as a rotation vector in base axes, radians.

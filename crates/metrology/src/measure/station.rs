@@ -1,6 +1,6 @@
 //! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
 
-use super::{Channels, Measurements, Row, Seen};
+use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::Chain;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ pub struct Station {
     /// Joints; at a nest they say nothing.
     pub q_rad: [f64; 6],
     /// What was measured, the mean of the rows.
-    pub seen: Seen,
+    pub reading: Reading,
     /// Measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion.
@@ -47,7 +47,7 @@ impl Station {
     /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
     #[must_use]
     pub fn pose(&self, chain: &Chain) -> Isometry3<f64> {
-        if self.seen.by_arm() { chain.forward(&self.q_rad) } else { Isometry3::identity() }
+        if self.reading.involves_arm() { chain.forward(&self.q_rad) } else { Isometry3::identity() }
     }
 }
 
@@ -74,7 +74,7 @@ pub struct Stations {
     /// Number of reflectors.
     pub targets: usize,
     /// Number of fixed places.
-    pub places: usize,
+    pub fixed_points: usize,
     /// Rows left out as false repeats.
     pub false_rows: Vec<usize>,
 }
@@ -82,22 +82,22 @@ pub struct Stations {
 /// Pose, target, place, direction and payload (as bits): what repeats share.
 type Condition = (usize, usize, Option<usize>, Option<[i8; 6]>, u64);
 
-/// Gathers the rows that `keep` names.
+/// Gathers the rows that `used` names.
 ///
 /// # Panics
-/// Never: rows that `keep` does not name are left out.
+/// Never: rows that `used` does not name are left out.
 #[must_use]
-pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
+pub fn gather(measurements: &Measurements, used: &[usize]) -> Stations {
     let rows = &measurements.rows;
-    let poses = poses(measurements, keep);
+    let poses = pose_numbers(measurements, used);
     let mut open: BTreeMap<Condition, usize> = BTreeMap::new();
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    for (&index, &pose) in keep.iter().zip(&poses) {
+    for (&index, &pose) in used.iter().zip(&poses) {
         let Some(row) = rows.get(index) else { continue };
         let payload = row.payload_kg.map_or(u64::MAX, f64::to_bits);
-        let key = (pose, row.target, row.seen.place(), row.direction, payload);
+        let key = (pose, row.target, row.reading.fixed_point(), row.direction, payload);
         match open.get(&key).and_then(|&g| groups.get_mut(g)) {
-            Some(group) if group.first().and_then(|&f| rows.get(f)).is_some_and(|f| alike(f, row)) => {
+            Some(group) if group.first().and_then(|&f| rows.get(f)).is_some_and(|f| is_repeat(f, row)) => {
                 group.push(index);
             }
             _ => {
@@ -106,7 +106,7 @@ pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
             }
         }
     }
-    let pose_of: BTreeMap<usize, usize> = keep.iter().copied().zip(poses).collect();
+    let pose_of: BTreeMap<usize, usize> = used.iter().copied().zip(poses).collect();
     let false_rows = false_repeats(rows, &groups);
     for group in &mut groups {
         group.retain(|index| false_rows.binary_search(index).is_err());
@@ -117,14 +117,14 @@ pub fn gather(measurements: &Measurements, keep: &[usize]) -> Stations {
         stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),
         channels: measurements.channels,
         targets: measurements.targets.len().max(1),
-        places: measurements.places.len(),
+        fixed_points: measurements.fixed_points.len(),
         false_rows,
     }
 }
 
 /// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own.
-pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
-    let rows = keep.iter().filter_map(|&i| measurements.rows.get(i));
+pub(super) fn pose_numbers(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
+    let rows = used.iter().filter_map(|&i| measurements.rows.get(i));
     if measurements.channels.pose_id {
         return rows.map(|row| row.pose).collect();
     }
@@ -133,10 +133,10 @@ pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
     let mut touched: BTreeMap<usize, Vec<([f64; 6], usize)>> = BTreeMap::new();
     let mut next = 0;
     rows.map(|row| {
-        let pose = match row.seen {
-            Seen::Nest { place, .. } => *nests.entry(place).or_insert(next),
-            Seen::Touch { place } => {
-                let known = touched.entry(place).or_default();
+        let pose = match row.reading {
+            Reading::Nest { fixed_point, .. } => *nests.entry(fixed_point).or_insert(next),
+            Reading::Touch { fixed_point } => {
+                let known = touched.entry(fixed_point).or_default();
                 let near =
                     |q: &[f64; 6]| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
                 match known.iter().find(|(q, _)| near(q)) {
@@ -147,7 +147,7 @@ pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
                     }
                 }
             }
-            Seen::Point { .. } | Seen::Length { .. } => {
+            Reading::Point { .. } | Reading::Length { .. } => {
                 *seen.entry(row.q_rad.map(f64::to_bits)).or_insert(next)
             }
         };
@@ -157,9 +157,9 @@ pub(super) fn poses(measurements: &Measurements, keep: &[usize]) -> Vec<usize> {
     .collect()
 }
 
-fn alike(a: &Row, b: &Row) -> bool {
+fn is_repeat(a: &MeasurementRow, b: &MeasurementRow) -> bool {
     // The scatter of touches lies in their joints: their mean would hide it.
-    if matches!(a.seen, Seen::Touch { .. }) {
+    if matches!(a.reading, Reading::Touch { .. }) {
         return false;
     }
     let joints = a.q_rad.iter().zip(&b.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
@@ -174,21 +174,21 @@ fn alike(a: &Row, b: &Row) -> bool {
     joints && time && warmth
 }
 
-fn centre(rows: &[Row], group: &[usize]) -> Vector3<f64> {
-    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(reading_m).sum();
+fn centre(rows: &[MeasurementRow], group: &[usize]) -> Vector3<f64> {
+    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(coordinates_m).sum();
     sum / group.len().max(1) as f64
 }
 
-fn reading_m(row: &Row) -> Vector3<f64> {
-    row.seen.reading_m().map_or_else(Vector3::zeros, |(reading_m, _)| reading_m)
+fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
+    row.reading.coordinates_m().map_or_else(Vector3::zeros, |(coordinates_m, _)| coordinates_m)
 }
 
-fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {
+fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {
     let first_index = *group.first()?;
     let first = rows.get(first_index)?;
-    let members: Vec<&Row> = group.iter().filter_map(|&i| rows.get(i)).collect();
+    let members: Vec<&MeasurementRow> = group.iter().filter_map(|&i| rows.get(i)).collect();
     let n = members.len() as f64;
-    let average = |value: &dyn Fn(&Row) -> Option<f64>| -> Option<f64> {
+    let average = |value: &dyn Fn(&MeasurementRow) -> Option<f64>| -> Option<f64> {
         members.iter().map(|row| value(row)).sum::<Option<f64>>().map(|sum| sum / n)
     };
     let orientation = first.orientation.map(|start| {
@@ -214,7 +214,7 @@ fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Opti
         target: first.target,
         t_min: average(&|row| row.t_min),
         q_rad,
-        seen: first.seen.with_reading_m(centre(rows, group)),
+        reading: first.reading.with_coordinates_m(centre(rows, group)),
         orientation,
         direction: first.direction,
         payload_kg: first.payload_kg,
@@ -225,19 +225,19 @@ fn mean(rows: &[Row], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Opti
 }
 
 /// Rows far from their fellows, sorted; only groups of three and more can tell which row is false.
-fn false_repeats(rows: &[Row], groups: &[Vec<usize>]) -> Vec<usize> {
+fn false_repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Vec<usize> {
     let mut distances: Vec<(usize, f64)> = Vec::new();
     let mut pool: Vec<f64> = Vec::new();
     for group in groups.iter().filter(|g| g.len() >= 2) {
         let mut middle = Vector3::zeros();
         for k in 0..3 {
             let mut values: Vec<f64> =
-                group.iter().filter_map(|&i| rows.get(i)).map(|r| reading_m(r)[k]).collect();
+                group.iter().filter_map(|&i| rows.get(i)).map(|r| coordinates_m(r)[k]).collect();
             middle[k] = median(&mut values);
         }
         for &index in group {
             let Some(row) = rows.get(index) else { continue };
-            let distance = (reading_m(row) - middle).norm();
+            let distance = (coordinates_m(row) - middle).norm();
             pool.push(distance);
             if group.len() >= 3 {
                 distances.push((index, distance));
@@ -255,15 +255,16 @@ fn false_repeats(rows: &[Row], groups: &[Vec<usize>]) -> Vec<usize> {
     false_rows
 }
 
-fn repeats(rows: &[Row], groups: &[Vec<usize>]) -> Option<Repeats> {
+fn repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Repeats> {
     let mut squares = 0.0;
     let mut turns = 0.0;
     let mut freedom = 0;
     for group in groups.iter().filter(|g| g.len() >= 2) {
         let centre = centre(rows, group);
-        let members: Vec<&Row> = group.iter().filter_map(|&i| rows.get(i)).collect();
-        squares += members.iter().map(|row| (reading_m(row) - centre).norm_squared()).sum::<f64>();
-        let numbers = members.first().and_then(|row| row.seen.reading_m()).map_or(0, |(_, numbers)| numbers);
+        let members: Vec<&MeasurementRow> = group.iter().filter_map(|&i| rows.get(i)).collect();
+        squares += members.iter().map(|row| (coordinates_m(row) - centre).norm_squared()).sum::<f64>();
+        let numbers =
+            members.first().and_then(|row| row.reading.coordinates_m()).map_or(0, |(_, numbers)| numbers);
         freedom += numbers * (group.len() - 1);
         if let Some(start) = members.first().and_then(|row| row.orientation) {
             let vectors: Vec<Vector3<f64>> = members
@@ -312,7 +313,7 @@ mod tests {
         let m = file(&[("A", 0.0, 1.0), ("A", 1.0, 3.0), ("B", 2.0, 5.0), ("B", 3.0, 5.0)]);
         let s = gather(&m, &[0, 1, 2, 3]);
         assert_eq!(s.stations.len(), 2);
-        assert!((s.stations[0].seen.position_m().unwrap().x - 0.002).abs() < 1e-15);
+        assert!((s.stations[0].reading.position_m().unwrap().x - 0.002).abs() < 1e-15);
         assert_eq!(s.stations[0].t_min, Some(0.5));
         let repeats = s.repeats.unwrap();
         // Deviations are +-1 mm in x of the first pair alone: 2 mm^2 over 3 (n-1) = 6 degrees of freedom.
@@ -338,6 +339,6 @@ mod tests {
         rows.push(("A", 0.0, 10.0));
         let s = gather(&file(&rows), &(0..9).collect::<Vec<_>>());
         assert_eq!(s.false_rows, [8]);
-        assert!(s.stations[0].seen.position_m().unwrap().x < 1e-4);
+        assert!(s.stations[0].reading.position_m().unwrap().x < 1e-4);
     }
 }

@@ -1,7 +1,7 @@
 //! Few points measured again and again while a robot warms up: fixed points touched (`fixed_id`), or poses seen by a tracker.
 
 use super::read;
-use super::{MeasureError, Measurements, Seen, Table};
+use super::{MeasureError, Measurements, Reading, Table};
 use nalgebra::Vector3;
 
 /// One touch, SI.
@@ -16,7 +16,7 @@ pub struct Touch {
     /// Joints.
     pub q_rad: [f64; 6],
     /// The measured point in the instrument's frame; `None` where a fixed point was touched.
-    pub seen_m: Option<Vector3<f64>>,
+    pub measured_m: Option<Vector3<f64>>,
 }
 
 /// A file of touches.
@@ -51,14 +51,14 @@ impl Touches {
         let mut touches = Vec::with_capacity(measurements.rows.len());
         let mut last = 0;
         for row in &measurements.rows {
-            let Seen::Point { position_m } = row.seen else { continue };
+            let Reading::Point { position_m } = row.reading else { continue };
             last = last.max(row.pose);
             touches.push(Touch {
                 line: row.line,
                 point: row.pose,
                 t_min: row.t_min?,
                 q_rad: row.q_rad,
-                seen_m: Some(position_m),
+                measured_m: Some(position_m),
             });
         }
         touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));

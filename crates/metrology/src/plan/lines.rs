@@ -4,6 +4,7 @@
 use super::outlook::{APART, NAMED_NATS};
 use crate::diagnose::signature::Signatures;
 use nalgebra::DMatrix;
+use robot_model::deform::EffectKind;
 
 /// Periods per turn, as the diagnosis tries them.
 pub const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
@@ -16,9 +17,9 @@ const FLAT: f64 = 1e-9;
 
 /// The lines of one joint's gear.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Lines {
+pub struct GearLines {
     /// Always `gear_mesh`.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joint, from 1.
     pub joint: usize,
     /// Unit of the sizes.
@@ -40,7 +41,7 @@ pub struct Lines {
 /// The lines of every joint over measurements at `q_rad`, in the order of `signatures`' rows; a joint whose lines
 /// leave no signal is left out.
 #[must_use]
-pub fn lines(signatures: &Signatures, q_rad: &[[f64; 6]], sigma_m: f64) -> Vec<Lines> {
+pub fn lines(signatures: &Signatures, q_rad: &[[f64; 6]], sigma_m: f64) -> Vec<GearLines> {
     let width = signatures.width;
     let nuisance = signatures.registration + signatures.geometry;
     let rows = q_rad.len() * 3;
@@ -65,7 +66,7 @@ pub fn lines(signatures: &Signatures, q_rad: &[[f64; 6]], sigma_m: f64) -> Vec<L
 }
 
 /// From what base, target and tolerances leave of all lines, two columns each, per usual size over the noise.
-fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<Lines> {
+fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<GearLines> {
     let count = own.nrows() / 2;
     let block = |a: usize, b: usize| own.fixed_view::<2, 2>(2 * a, 2 * b).into_owned();
     let alone: Vec<f64> = (0..count).map(|a| 0.5 * block(a, a).trace()).collect();
@@ -91,8 +92,8 @@ fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<Lines> {
     let middle = sorted.get(count / 2).copied().filter(|m| *m > 1e-6)?;
     let seen = alone.iter().filter(|a| **a >= APART).count();
     let sigma = USUAL_RAD / middle.sqrt();
-    Some(Lines {
-        effect: "gear_mesh",
+    Some(GearLines {
+        effect: EffectKind::GearMesh,
         joint: j + 1,
         unit: "rad",
         usual: USUAL_RAD,

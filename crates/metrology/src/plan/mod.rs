@@ -3,7 +3,7 @@
 //!
 //! Knows no terminal and no files; the RAPID is written with `emit`'s numbers.
 
-mod choose;
+mod exchange;
 mod information;
 mod lines;
 mod outlook;
@@ -12,14 +12,14 @@ mod rapid;
 mod sheet;
 mod sweep;
 
-pub use lines::Lines;
-pub use outlook::{Confounded, Named, Outlook, Parameter};
-pub use pool::{Space, Why};
+pub use lines::GearLines;
+pub use outlook::{Confounded, EffectName, Outlook, Parameter};
+pub use pool::{Restriction, Space};
 pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};
 pub use sweep::Sweeps;
 
-use crate::diagnose::signature::{Possible, signatures};
+use crate::diagnose::signature::{PlannedMeasurement, signatures};
 use nalgebra::Vector3;
 use pool::Pose;
 use rand::{RngExt, SeedableRng};
@@ -73,14 +73,14 @@ pub enum PlanError {
         repeats: usize,
     },
     /// Hardly a pose is allowed.
-    #[error("of {tried} poses tried only {found} are allowed ({why}): give the robot more room")]
+    #[error("of {tried} poses tried only {found} are allowed ({restriction}): give the robot more room")]
     NoRoom {
         /// Tried.
         tried: usize,
         /// Allowed.
         found: usize,
         /// What forbids most.
-        why: Why,
+        restriction: Restriction,
     },
     /// Nowhere can a joint be moved so far.
     #[error(
@@ -94,7 +94,7 @@ pub enum PlanError {
 
 /// One step of a measurement run.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step {
+pub enum MeasurementStep {
     /// Drive to a pose, from its side, and measure.
     Pose {
         /// Which pose, from 0: repeats share it.
@@ -119,7 +119,7 @@ pub enum Step {
 #[derive(Clone, Debug)]
 pub struct MeasurementPlan {
     /// In the order of the run.
-    pub steps: Vec<Step>,
+    pub steps: Vec<MeasurementStep>,
     /// What can be expected of it.
     pub outlook: Outlook,
     /// Exchanges that made it better.
@@ -152,10 +152,10 @@ pub fn plan_from(
     }
     let mut random = ChaCha8Rng::seed_from_u64(options.seed);
     let poses = pool::poses(robot, options, pool.max(2 * distinct), &mut random)?;
-    let possible: Vec<Possible> =
+    let possible: Vec<PlannedMeasurement> =
         poses.iter().enumerate().map(|(i, pose)| pose.possible(i as f64 * options.each_min)).collect();
     let all = signatures(robot, options.tool_m, &possible);
-    let (chosen, exchanges) = choose::choose(&all, distinct, options.sigma_m, rounds);
+    let (chosen, exchanges) = exchange::choose(&all, distinct, options.sigma_m, rounds);
     let mut taken: Vec<Pose> = chosen.into_iter().filter_map(|i| poses.get(i).cloned()).collect();
     shuffle(&mut taken, &mut random);
     let swept = sweep::sweeps(robot, options, &poses)?;
@@ -177,7 +177,7 @@ fn shuffle(poses: &mut [Pose], random: &mut ChaCha8Rng) {
 }
 
 /// Payload by payload, the first one again at the end, with the repeats and the sweeps; nests in between.
-fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<Step> {
+fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<MeasurementStep> {
     let of = |payload: &f64| -> Vec<usize> {
         (0..poses.len()).filter(|&i| poses[i].payload_kg == *payload).collect()
     };
@@ -199,17 +199,17 @@ fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<Step> 
     let mut steps = Vec::new();
     for (k, &i) in order.iter().enumerate() {
         if k % BETWEEN_NESTS == 0 {
-            steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
+            steps.extend((0..options.nests).map(|nest| MeasurementStep::Nest { nest }));
         }
         steps.push(step(i, &poses[i]));
     }
     steps.extend(swept.iter().enumerate().map(|(k, pose)| step(poses.len() + k, pose)));
-    steps.extend((0..options.nests).map(|nest| Step::Nest { nest }));
+    steps.extend((0..options.nests).map(|nest| MeasurementStep::Nest { nest }));
     steps
 }
 
-fn step(number: usize, pose: &Pose) -> Step {
-    Step::Pose {
+fn step(number: usize, pose: &Pose) -> MeasurementStep {
+    MeasurementStep::Pose {
         pose: number,
         q_rad: pose.q_rad,
         approach_rad: pose.approach_rad,
@@ -218,21 +218,21 @@ fn step(number: usize, pose: &Pose) -> Step {
     }
 }
 
-fn timed(steps: &[Step], options: &PlanOptions) -> Vec<Possible> {
+fn timed(steps: &[MeasurementStep], options: &PlanOptions) -> Vec<PlannedMeasurement> {
     steps
         .iter()
         .enumerate()
         .map(|(k, step)| {
             let t_min = k as f64 * options.each_min;
             match *step {
-                Step::Pose { q_rad, direction, payload_kg, .. } => {
-                    Possible { q_rad, direction, payload_kg, t_min, nest: None }
+                MeasurementStep::Pose { q_rad, direction, payload_kg, .. } => {
+                    PlannedMeasurement { q_rad, direction, payload_kg, t_min, nest: None }
                 }
-                Step::Nest { nest } => {
+                MeasurementStep::Nest { nest } => {
                     let at_m = Vector3::from(NESTS_M[nest % NESTS_M.len()])
                         + Vector3::z() * (nest / NESTS_M.len()) as f64 * 0.1;
                     let nest = Some((nest, at_m));
-                    Possible { q_rad: [0.0; 6], direction: [0; 6], payload_kg: 0.0, t_min, nest }
+                    PlannedMeasurement { q_rad: [0.0; 6], direction: [0; 6], payload_kg: 0.0, t_min, nest }
                 }
             }
         })

@@ -1,8 +1,9 @@
 //! What can be expected of a plan: how exactly each effect will be known, and which pairs stay confounded.
 
 use super::information::{Information, Reduced};
-use super::lines::Lines;
+use super::lines::GearLines;
 use crate::diagnose::signature::{Signature, Signatures};
+use robot_model::deform::EffectKind;
 
 /// Separations below this do not tell two effects of usual size apart.
 pub const APART: f64 = 20.0;
@@ -16,9 +17,9 @@ const CONTAINED: f64 = 0.97;
 
 /// An effect by name.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
-pub struct Named {
+pub struct EffectName {
     /// Its name.
-    pub effect: &'static str,
+    pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// The joint that is driven, from 1.
@@ -30,7 +31,7 @@ pub struct Named {
 pub struct Parameter {
     /// Which.
     #[serde(flatten)]
-    pub of: Named,
+    pub of: EffectName,
     /// Unit of the sizes.
     pub unit: &'static str,
     /// Its usual size.
@@ -45,9 +46,9 @@ pub struct Parameter {
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Confounded {
     /// The true one.
-    pub a: Named,
+    pub a: EffectName,
     /// The one it is taken for.
-    pub b: Named,
+    pub b: EffectName,
     /// Squared signal over noise that is left between them; 20 tell them apart.
     pub separation: f64,
     /// Share of the first's signal that the second takes.
@@ -64,9 +65,9 @@ pub struct Outlook {
     /// Pairs that stay confounded, hardest first.
     pub confounded: Vec<Confounded>,
     /// Effects of which nothing will be seen: they lie inside base, target and the arm's tolerances.
-    pub hidden: Vec<Named>,
+    pub hidden: Vec<EffectName>,
     /// Lines of the gears, joint by joint.
-    pub lines: Vec<Lines>,
+    pub lines: Vec<GearLines>,
 }
 
 /// The outlook of measurements with these signatures at noise `sigma_m`.
@@ -118,6 +119,6 @@ fn confounded(reduced: &Reduced<'_>, effects: &[Signature], a: usize, b: usize) 
     })
 }
 
-fn named(effect: &Signature) -> Named {
-    Named { effect: effect.effect, joint: effect.joint, joint_b: effect.joint_b }
+fn named(effect: &Signature) -> EffectName {
+    EffectName { effect: effect.effect, joint: effect.joint, joint_b: effect.joint_b }
 }

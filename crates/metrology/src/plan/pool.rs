@@ -1,7 +1,7 @@
 //! Poses that the robot may take: inside its ranges, off singularities, above the floor, clear of its own foot.
 
 use super::{PlanError, PlanOptions};
-use crate::diagnose::signature::Possible;
+use crate::diagnose::signature::PlannedMeasurement;
 use nalgebra::{Matrix6, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -37,7 +37,7 @@ pub struct Space {
 
 /// What forbids a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Why {
+pub enum Restriction {
     /// Under the floor plane.
     Floor,
     /// Too near to the robot's own foot.
@@ -48,7 +48,7 @@ pub enum Why {
     Outside,
 }
 
-impl fmt::Display for Why {
+impl fmt::Display for Restriction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Floor => "most are under the floor plane",
@@ -75,8 +75,8 @@ pub struct Pose {
 impl Pose {
     /// As a measurement at a minute.
     #[must_use]
-    pub fn possible(&self, t_min: f64) -> Possible {
-        Possible {
+    pub fn possible(&self, t_min: f64) -> PlannedMeasurement {
+        PlannedMeasurement {
             q_rad: self.q_rad,
             direction: self.direction,
             payload_kg: self.payload_kg,
@@ -86,11 +86,11 @@ impl Pose {
     }
 }
 
-/// `wanted` poses that are allowed.
+/// `count` poses that are allowed.
 pub fn poses(
     robot: &Robot,
     options: &PlanOptions,
-    wanted: usize,
+    count: usize,
     random: &mut ChaCha8Rng,
 ) -> Result<Vec<Pose>, PlanError> {
     let chain = Chain::nominal(robot);
@@ -104,9 +104,9 @@ pub fn poses(
         })
         .collect();
     let mut found = Vec::new();
-    let mut forbidden = [0_usize; 4];
+    let mut refused = [0_usize; 4];
     let mut tried = 0;
-    while found.len() < wanted && tried < TRIES * wanted {
+    while found.len() < count && tried < TRIES * count {
         tried += 1;
         let mut q_rad = [0.0; 6];
         for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
@@ -115,8 +115,8 @@ pub fn poses(
         let direction: [i8; 6] = std::array::from_fn(|_| if random.random::<bool>() { 1 } else { -1 });
         let payload = random.random_range(0..options.payloads_kg.len().max(1));
         let approach_rad = approach_rad(&q_rad, &direction);
-        match [q_rad, approach_rad].iter().find_map(|q| forbids(robot, &chain, options, q)) {
-            Some(why) => forbidden[why as usize] += 1,
+        match [q_rad, approach_rad].iter().find_map(|q| restriction_of(robot, &chain, options, q)) {
+            Some(restriction) => refused[restriction as usize] += 1,
             None => found.push(Pose {
                 q_rad,
                 approach_rad,
@@ -125,10 +125,11 @@ pub fn poses(
             }),
         }
     }
-    if found.len() < wanted {
-        let all = [Why::Floor, Why::Foot, Why::Singular, Why::Outside];
-        let why = all.into_iter().max_by_key(|w| forbidden[*w as usize]).unwrap_or(Why::Outside);
-        return Err(PlanError::NoRoom { tried, found: found.len(), why });
+    if found.len() < count {
+        let all = [Restriction::Floor, Restriction::Foot, Restriction::Singular, Restriction::Outside];
+        let restriction =
+            all.into_iter().max_by_key(|w| refused[*w as usize]).unwrap_or(Restriction::Outside);
+        return Err(PlanError::NoRoom { tried, found: found.len(), restriction });
     }
     Ok(found)
 }
@@ -140,19 +141,24 @@ pub fn approach_rad(q_rad: &[f64; 6], direction: &[i8; 6]) -> [f64; 6] {
 }
 
 /// Why a pose is not allowed.
-pub fn forbids(robot: &Robot, chain: &Chain, options: &PlanOptions, q_rad: &[f64; 6]) -> Option<Why> {
+pub fn restriction_of(
+    robot: &Robot,
+    chain: &Chain,
+    options: &PlanOptions,
+    q_rad: &[f64; 6],
+) -> Option<Restriction> {
     let frames = chain.frames(q_rad);
     let flange = &frames[6];
     let point_m = flange.translation.vector + flange.rotation * options.tool_m;
     let moving: Vec<Vector3<f64>> =
         frames[3..].iter().map(|f| f.translation.vector).chain([point_m]).collect();
     if moving.iter().any(|p| p.z < options.space.floor_m) {
-        return Some(Why::Floor);
+        return Some(Restriction::Floor);
     }
     let shoulder = frames[1].translation.vector;
     let foot_m = shoulder.xy().norm() + FOOT_M;
     if moving[1..].iter().any(|p| p.xy().norm() < foot_m && p.z < shoulder.z + FOOT_M) {
-        return Some(Why::Foot);
+        return Some(Restriction::Foot);
     }
     let beyond = options.space.reach_m.is_some_and(|reach_m| point_m.xy().norm() > reach_m);
     let outside = options
@@ -160,12 +166,12 @@ pub fn forbids(robot: &Robot, chain: &Chain, options: &PlanOptions, q_rad: &[f64
         .box_m
         .is_some_and(|[low, high]| (0..3).any(|k| point_m[k] < low[k] || point_m[k] > high[k]));
     if beyond || outside {
-        return Some(Why::Outside);
+        return Some(Restriction::Outside);
     }
     let reach_m: f64 =
         robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum();
     let (_, jacobian) = chain.forward_and_jacobian(q_rad);
     let scaled = Matrix6::from_fn(|r, c| jacobian[r][c] / if r < 3 { reach_m.max(1e-3) } else { 1.0 });
     let singular = scaled.singular_values().min() < SINGULAR || q_rad[4].abs() < rad_from_deg(WRIST_DEG);
-    singular.then_some(Why::Singular)
+    singular.then_some(Restriction::Singular)
 }

@@ -1,6 +1,6 @@
 //! A plan as a RAPID module: drives to each pose from its planned side, stops, and goes on when the point is taken.
 
-use super::{MeasurementPlan, Step};
+use super::{MeasurementPlan, MeasurementStep};
 use rapid_program::emit::{write_num, write_robjoint};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, rad_from_deg};
@@ -18,8 +18,8 @@ pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
     let mut known = std::collections::BTreeSet::new();
     for (k, step) in plan.steps.iter().enumerate() {
         let row = k + 1;
-        let Step::Pose { pose, q_rad, approach_rad, payload_kg, .. } = step else {
-            if let Step::Nest { nest } = step {
+        let MeasurementStep::Pose { pose, q_rad, approach_rad, payload_kg, .. } = step else {
+            if let MeasurementStep::Nest { nest } = step {
                 let _ = writeln!(moves, "    dpNest {row},{};", nest + 1); // a String takes everything
             }
             continue;

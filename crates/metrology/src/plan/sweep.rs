@@ -1,6 +1,6 @@
 //! Sweeps of single joints in small steps: what tells the lines of a gear from each other, which poses far apart only sample.
 
-use super::pool::{Pose, approach_rad, forbids};
+use super::pool::{Pose, approach_rad, restriction_of};
 use super::{PlanError, PlanOptions};
 use nalgebra::Vector3;
 use robot_model::kinematics::Chain;
@@ -21,14 +21,14 @@ pub struct Sweeps {
 /// moves the target furthest and all its poses are allowed.
 pub fn sweeps(robot: &Robot, options: &PlanOptions, pool: &[Pose]) -> Result<Vec<Pose>, PlanError> {
     let chain = Chain::nominal(robot);
-    let wanted = &options.sweeps;
+    let sweeps = &options.sweeps;
     let lever_m = |pose: &Pose, j: usize| {
         let (flange, jacobian) = chain.forward_and_jacobian(&pose.q_rad);
         let column = |k: usize| Vector3::new(jacobian[k][j], jacobian[k + 1][j], jacobian[k + 2][j]);
         (column(0) + column(3).cross(&(flange.rotation * options.tool_m))).norm()
     };
     let mut all = Vec::new();
-    for &joint in &wanted.joints {
+    for &joint in &sweeps.joints {
         let mut order: Vec<(f64, usize)> =
             pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint), i)).collect();
         order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -46,17 +46,17 @@ fn around(
     middle: &Pose,
     joint: usize,
 ) -> Option<Vec<Pose>> {
-    let wanted = &options.sweeps;
+    let sweeps = &options.sweeps;
     let payload_kg = options.payloads_kg.first().copied().unwrap_or(0.0);
-    (0..wanted.n)
+    (0..sweeps.n)
         .map(|k| {
             let mut q_rad = middle.q_rad;
-            q_rad[joint] += (k as f64 - 0.5 * (wanted.n as f64 - 1.0)) * wanted.step_rad;
+            q_rad[joint] += (k as f64 - 0.5 * (sweeps.n as f64 - 1.0)) * sweeps.step_rad;
             let direction = [1; 6];
             let approach_rad = approach_rad(&q_rad, &direction);
             let allowed = [q_rad, approach_rad]
                 .iter()
-                .all(|q| robot.within_range(q).is_ok() && forbids(robot, chain, options, q).is_none());
+                .all(|q| robot.within_range(q).is_ok() && restriction_of(robot, chain, options, q).is_none());
             allowed.then_some(Pose { q_rad, approach_rad, direction, payload_kg })
         })
         .collect()

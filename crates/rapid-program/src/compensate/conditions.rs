@@ -9,7 +9,7 @@ use crate::program::motion::{Motion, MotionId};
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::identified::Kind;
+use robot_model::deform::EffectKind;
 use robot_model::deform::{Conditions, Payload};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
@@ -112,7 +112,7 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
     let Some(identified) = &model.identified else { return };
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     let playing: Vec<usize> =
-        identified.terms.iter().filter(|t| t.kind == Kind::Backlash).filter_map(|t| t.joint).collect();
+        identified.terms.iter().filter(|t| t.kind == EffectKind::Backlash).filter_map(|t| t.joint).collect();
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
             let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
@@ -143,7 +143,8 @@ pub(super) fn check_model(model: &Model<'_>, schedule: Option<&Schedule>, messag
 /// Warns where the joints are said to be warmer or colder than they were measured.
 fn warmer(model: &Model<'_>, messages: &mut Messages) {
     let Some(identified) = model.identified.as_ref().filter(|m| m.needs_temperature()) else { return };
-    let (Some(seen), Some(now)) = (identified.seen.joint_temperature_c, model.joint_temperature_c) else {
+    let (Some(seen), Some(now)) = (identified.measured_range.joint_temperature_c, model.joint_temperature_c)
+    else {
         return;
     };
     let outside = (0..6).find(|&j| now[j] < seen[j][0] - SLACK_C || now[j] > seen[j][1] + SLACK_C);
@@ -162,7 +163,7 @@ fn check_point(
     messages: &mut Messages,
 ) {
     let Some(identified) = &model.identified else { return };
-    let seen = &identified.seen;
+    let seen = &identified.measured_range;
     let mut say = |code, text: String, help: &'static str| {
         let message = Diagnostic::warning(code, format!("line {}: {text}", motion.line));
         messages.add(Some(motion.setup.routine), message.at(place(motion)).help(help));
@@ -205,7 +206,9 @@ fn check_point(
 /// Warns where the schedule goes on after the minutes that were measured.
 fn check_schedule(model: &Model<'_>, schedule: &Schedule, messages: &mut Messages) {
     let Some(identified) = model.identified.as_ref().filter(|m| m.moves_with_time()) else { return };
-    let (Some([_, high]), Some(last)) = (identified.seen.t_min, schedule.buckets.last()) else { return };
+    let (Some([_, high]), Some(last)) = (identified.measured_range.t_min, schedule.buckets.last()) else {
+        return;
+    };
     if last.from_min > high + 1.0 {
         messages.add(
             None,

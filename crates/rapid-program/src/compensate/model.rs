@@ -2,7 +2,7 @@
 
 use super::{CompensateError, Options};
 use crate::schedule::{Bucket, Moment, Schedule};
-use robot_model::deform::identified::{Identified, When};
+use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index};
 use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets};
 use robot_model::robot::Robot;
@@ -79,8 +79,8 @@ impl<'a> Model<'a> {
             None => DeformedArm::of_table(self.robot, &offsets),
             Some(model) => {
                 let when = match self.from_c {
-                    None => When { t_min, joint_temperature_c: self.joint_temperature_c },
-                    Some(from_c) => When {
+                    None => ThermalState { t_min, joint_temperature_c: self.joint_temperature_c },
+                    Some(from_c) => ThermalState {
                         t_min: f64::INFINITY,
                         joint_temperature_c: self.joint_temperature_c.or(self.temperature_c(from_c, moment)),
                     },

@@ -1,7 +1,7 @@
 //! The deformed arm at one moment: a table's offsets and an identified model's terms, under the conditions of one pose.
 
 use super::gravity::loads_at;
-use super::identified::{Identified, Moved, Standing, When};
+use super::identified::{ArmDelta, Identified, PoseState, ThermalState};
 use crate::kinematics::{Arm, Chain, FrameOffsets, PoseAndJacobian};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -30,7 +30,7 @@ pub struct Conditions {
 pub struct DeformedArm {
     table: Chain,
     terms: Option<Arc<Terms>>,
-    when: When,
+    when: ThermalState,
     offsets: FrameOffsets,
 }
 
@@ -48,13 +48,18 @@ impl DeformedArm {
     /// The arm with a table's offsets alone.
     #[must_use]
     pub fn of_table(robot: &Robot, offsets: &FrameOffsets) -> Self {
-        let when = When { t_min: f64::INFINITY, joint_temperature_c: None };
+        let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c: None };
         Self { table: Chain::with_offsets(robot, offsets), terms: None, when, offsets: *offsets }
     }
 
     /// The arm with a table's offsets and an identified model on top.
     #[must_use]
-    pub fn of_model(robot: &Arc<Robot>, offsets: &FrameOffsets, model: &Arc<Identified>, when: When) -> Self {
+    pub fn of_model(
+        robot: &Arc<Robot>,
+        offsets: &FrameOffsets,
+        model: &Arc<Identified>,
+        when: ThermalState,
+    ) -> Self {
         let terms = Terms {
             nominal: Chain::nominal(robot),
             needs_load: model.needs_load() || model.terms.iter().any(|t| t.held_above_n_m.is_some()),
@@ -69,7 +74,7 @@ impl DeformedArm {
 
     /// The same model at another moment.
     #[must_use]
-    pub fn at(&self, when: When) -> Self {
+    pub fn at(&self, when: ThermalState) -> Self {
         let mut arm = Self { when, ..self.clone() };
         arm.fix_frames();
         arm
@@ -78,8 +83,8 @@ impl DeformedArm {
     /// Frames that do not depend on the joints are set once.
     fn fix_frames(&mut self) {
         let Some(terms) = self.terms.as_deref().filter(|terms| terms.fixed_frames) else { return };
-        let mut moved = Moved { offsets: self.offsets, ..Moved::default() };
-        let at = Standing {
+        let mut delta = ArmDelta { offsets: self.offsets, ..ArmDelta::default() };
+        let at = PoseState {
             robot: &terms.robot,
             when: &self.when,
             q_rad: &[0.0; 6],
@@ -88,9 +93,9 @@ impl DeformedArm {
             payload_kg: 0.0,
         };
         for term in terms.model.terms.iter().filter(|t| !t.kind.only_turns()) {
-            term.add(&at, &mut moved);
+            term.add(&at, &mut delta);
         }
-        self.table = Chain::with_offsets(&terms.robot, &moved.offsets);
+        self.table = Chain::with_offsets(&terms.robot, &delta.offsets);
     }
 
     /// The arm under the conditions of one pose.
@@ -127,18 +132,22 @@ impl ArmUnder<'_> {
 
     /// `work` with the chain and the joints at which it really stands.
     #[inline]
-    fn on_chain<T>(&self, q_rad: &[f64; 6], work: impl FnOnce(&Chain, &[f64; 6], Option<&Moved>) -> T) -> T {
+    fn on_chain<T>(
+        &self,
+        q_rad: &[f64; 6],
+        work: impl FnOnce(&Chain, &[f64; 6], Option<&ArmDelta>) -> T,
+    ) -> T {
         let Some(terms) = self.arm.terms.as_deref() else { return work(&self.arm.table, q_rad, None) };
-        let moved = self.moved(terms, q_rad);
-        let really_rad = std::array::from_fn(|i| q_rad[i] + moved.turns_rad[i]);
+        let delta = self.delta(terms, q_rad);
+        let really_rad = std::array::from_fn(|i| q_rad[i] + delta.turns_rad[i]);
         if terms.fixed_frames {
-            return work(&self.arm.table, &really_rad, Some(&moved));
+            return work(&self.arm.table, &really_rad, Some(&delta));
         }
-        work(&Chain::with_offsets(&terms.robot, &moved.offsets), &really_rad, Some(&moved))
+        work(&Chain::with_offsets(&terms.robot, &delta.offsets), &really_rad, Some(&delta))
     }
 
-    fn moved(&self, terms: &Terms, q_rad: &[f64; 6]) -> Moved {
-        let mut moved = Moved { offsets: self.arm.offsets, ..Moved::default() };
+    fn delta(&self, terms: &Terms, q_rad: &[f64; 6]) -> ArmDelta {
+        let mut delta = ArmDelta { offsets: self.arm.offsets, ..ArmDelta::default() };
         let payload = &self.conditions.payload;
         let gravity = terms.needs_load.then(|| {
             let frames = terms.nominal.frames(q_rad);
@@ -146,7 +155,7 @@ impl ArmUnder<'_> {
             let at_m = frames[6] * Point3::from(Vector3::from(payload.cog_m));
             (loads_at(&terms.robot, &frames, &axes, at_m.coords, payload.mass_kg), frames)
         });
-        let at = Standing {
+        let at = PoseState {
             robot: &terms.robot,
             when: &self.arm.when,
             q_rad,
@@ -156,24 +165,24 @@ impl ArmUnder<'_> {
         };
         for term in &terms.model.terms {
             if !terms.fixed_frames || term.kind.only_turns() {
-                term.add(&at, &mut moved);
+                term.add(&at, &mut delta);
             }
         }
-        moved
+        delta
     }
 }
 
 impl Arm for ArmUnder<'_> {
     #[inline]
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
-        self.on_chain(q_rad, |chain, q_rad, moved| {
+        self.on_chain(q_rad, |chain, q_rad, delta| {
             let mut there = chain.pose_and_jacobian(q_rad);
-            if let Some(moved) = moved {
+            if let Some(delta) = delta {
                 // J (1 + d turns / d q): gear lines change fast with the joints; what gravity adds is left out.
                 let plain = there.jacobian;
                 for (row, plain) in there.jacobian.iter_mut().zip(&plain) {
                     for (to, j) in row.iter_mut().zip(0..6) {
-                        *to += (0..6).map(|i| plain[i] * moved.slopes[i][j]).sum::<f64>();
+                        *to += (0..6).map(|i| plain[i] * delta.slopes[i][j]).sum::<f64>();
                     }
                 }
             }
@@ -185,17 +194,18 @@ impl Arm for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Kind, Shape, Term, Value};
+    use crate::deform::identified::{Growth, Term, Value};
+    use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
 
-    fn term(kind: Kind, joint: Option<usize>, values: &[f64]) -> Term {
+    fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
         Term::plain(kind, joint, values.iter().map(|&value| Value { value, sigma: None }).collect())
     }
 
     fn arm(terms: Vec<Term>, t_min: f64) -> DeformedArm {
         let robot = Arc::new(Robot::built_in("irb140").unwrap());
         let model = Arc::new(Identified { terms, ..Identified::default() });
-        let when = When { t_min, joint_temperature_c: None };
+        let when = ThermalState { t_min, joint_temperature_c: None };
         DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
     }
 
@@ -207,12 +217,12 @@ mod tests {
         let mut turned = Q_RAD;
         turned[2] += 1e-3;
         let plain = Conditions::default();
-        let offset = arm(vec![term(Kind::JointOffset, Some(2), &[1e-3])], 0.0);
+        let offset = arm(vec![term(EffectKind::JointOffset, Some(2), &[1e-3])], 0.0);
         assert!(
             (offset.under(&plain).forward(&Q_RAD).to_matrix() - nominal.forward(&turned).to_matrix()).norm()
                 < 1e-15
         );
-        let play = arm(vec![term(Kind::Backlash, Some(2), &[2e-3])], 0.0);
+        let play = arm(vec![term(EffectKind::Backlash, Some(2), &[2e-3])], 0.0);
         let from_below = Conditions { direction: [0, 0, 1, 0, 0, 0], ..plain };
         assert_eq!(play.under(&from_below).forward(&Q_RAD), offset.under(&plain).forward(&Q_RAD));
         assert_eq!(play.under(&plain).forward(&Q_RAD), nominal.forward(&Q_RAD));
@@ -224,7 +234,7 @@ mod tests {
         // c * 2 g * that lever, plus the links' own part, which is had by leaving the payload out.
         let q_rad = [0.0, std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
         let c = 5e-6;
-        let soft = arm(vec![term(Kind::JointCompliance, Some(1), &[c])], 0.0);
+        let soft = arm(vec![term(EffectKind::JointCompliance, Some(1), &[c])], 0.0);
         let empty = Conditions::default();
         let loaded = Conditions { payload: Payload { mass_kg: 2.0, cog_m: [0.0; 3] }, ..empty };
         let sunk = soft.under(&loaded).forward(&q_rad).translation.vector
@@ -236,28 +246,28 @@ mod tests {
     #[test]
     fn links_grow_with_time() {
         let growth = Term {
-            shape: Shape::Exponential { tau_min: 30.0 },
-            ..term(Kind::ThermalLinkGrowth, Some(1), &[1e-4, 0.0])
+            growth: Growth::Law(GrowthLaw::Exp { tau_min: 30.0 }),
+            ..term(EffectKind::ThermalLinkGrowth, Some(1), &[1e-4, 0.0])
         };
         let grown = arm(vec![growth], 30.0);
         // Link 2 is 360 mm; after one time constant 1 - 1/e of 100 ppm of it, along the upper arm.
-        let moved = grown.under(&Conditions::default()).forward(&[0.0; 6]).translation.vector
+        let delta = grown.under(&Conditions::default()).forward(&[0.0; 6]).translation.vector
             - Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&[0.0; 6]).translation.vector;
         let expected = 0.36e-4 * (1.0 - (-1.0_f64).exp());
-        assert!((moved - Vector3::new(0.0, 0.0, expected)).norm() < 1e-12, "{moved}");
+        assert!((delta - Vector3::new(0.0, 0.0, expected)).norm() < 1e-12, "{delta}");
     }
 
     #[test]
     fn joints_are_found_and_proved_with_every_kind_at_once() {
-        let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[2e-4, -1e-4]) };
-        let coupling = Term { joint_b: Some(5), ..term(Kind::JointCoupling, Some(4), &[1e-3]) };
+        let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[2e-4, -1e-4]) };
+        let coupling = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
         let terms = vec![
-            term(Kind::JointOffset, Some(2), &[1e-3]),
-            term(Kind::LinkGeometry, Some(1), &[1e-4, 2e-4, -1e-4, 1e-4, 3e-4, -2e-4]),
-            term(Kind::JointCompliance, Some(1), &[5e-6]),
-            term(Kind::LinkBending, Some(1), &[1e-6, 2e-7]),
-            term(Kind::BaseTilt, None, &[1e-6, -1e-6]),
-            term(Kind::JointGain, Some(0), &[1e-4]),
+            term(EffectKind::JointOffset, Some(2), &[1e-3]),
+            term(EffectKind::LinkGeometry, Some(1), &[1e-4, 2e-4, -1e-4, 1e-4, 3e-4, -2e-4]),
+            term(EffectKind::JointCompliance, Some(1), &[5e-6]),
+            term(EffectKind::LinkBending, Some(1), &[1e-6, 2e-7]),
+            term(EffectKind::BaseTilt, None, &[1e-6, -1e-6]),
+            term(EffectKind::JointGain, Some(0), &[1e-4]),
             gear,
             coupling,
         ];
@@ -274,9 +284,9 @@ mod tests {
 
     #[test]
     fn the_jacobian_agrees_with_differences_but_for_gravity() {
-        let gear = Term { n: Some(40), ..term(Kind::GearMesh, Some(1), &[2e-4, -1e-4]) };
-        let coupling = Term { joint_b: Some(5), ..term(Kind::JointCoupling, Some(4), &[1e-3]) };
-        let arm = arm(vec![gear, coupling, term(Kind::JointGain, Some(0), &[1e-4])], 0.0);
+        let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[2e-4, -1e-4]) };
+        let coupling = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
+        let arm = arm(vec![gear, coupling, term(EffectKind::JointGain, Some(0), &[1e-4])], 0.0);
         let conditions = Conditions::default();
         let under = arm.under(&conditions);
         let jacobian = under.pose_and_jacobian(&Q_RAD).jacobian;

@@ -4,6 +4,7 @@
 //! Knows nothing of RAPID and of how the deformed arm is solved.
 
 mod arm;
+mod effect_kind;
 mod error;
 pub mod gravity;
 mod growth;
@@ -13,6 +14,7 @@ mod table;
 mod warmth;
 
 pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
+pub use effect_kind::{EffectKind, UnknownEffect};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};
 pub use warmth::Warmth;
@@ -30,10 +32,10 @@ pub enum Index {
 
 /// How the frames of the constructive model move, by warm-up time or by temperature.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Deformation(Kind);
+pub struct Deformation(Tabulation);
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum Tabulation {
     /// One table that grows with warm-up time.
     Static { offsets: FrameOffsets, growth: GrowthLaw },
     /// For each row of [`FrameOffsets`] its knots, index ascending; linear between, held outside.
@@ -57,15 +59,15 @@ impl Deformation {
     /// A table of settled offsets and how they grow there.
     #[must_use]
     pub fn from_static(offsets: FrameOffsets, growth: GrowthLaw) -> Self {
-        Self(Kind::Static { offsets, growth })
+        Self(Tabulation::Static { offsets, growth })
     }
 
     /// What [`offsets_at`](Self::offsets_at) takes: minutes or degrees Celsius.
     #[must_use]
     pub fn index(&self) -> Index {
         match &self.0 {
-            Kind::Static { .. } => Index::WarmUpTime,
-            Kind::Scheduled { index, .. } => *index,
+            Tabulation::Static { .. } => Index::WarmUpTime,
+            Tabulation::Scheduled { index, .. } => *index,
         }
     }
 
@@ -73,13 +75,13 @@ impl Deformation {
     /// above the lowest, in place of minutes.
     #[must_use]
     pub fn above_lowest(&self) -> Option<([f64; 2], Self)> {
-        let Kind::Scheduled { index: Index::Temperature, knots } = &self.0 else { return None };
+        let Tabulation::Scheduled { index: Index::Temperature, knots } = &self.0 else { return None };
         let all = self.knots();
         let (low, high) = (*all.first()?, *all.last()?);
         let knots = knots.each_ref().map(|row| {
             row.iter().map(|knot| Knot { at: knot.at - low, offsets: knot.offsets }).collect::<Vec<_>>()
         });
-        Some(([low, high], Self(Kind::Scheduled { index: Index::WarmUpTime, knots })))
+        Some(([low, high], Self(Tabulation::Scheduled { index: Index::WarmUpTime, knots })))
     }
 
     /// The offsets at a warm-up minute, or at a temperature in degrees Celsius where that is the
@@ -87,11 +89,11 @@ impl Deformation {
     #[must_use]
     pub fn offsets_at(&self, t_min: f64) -> FrameOffsets {
         match &self.0 {
-            Kind::Static { offsets, growth } => {
+            Tabulation::Static { offsets, growth } => {
                 let grown = growth.at(t_min);
                 FrameOffsets(offsets.0.map(|row| row.map(|value| value * grown)))
             }
-            Kind::Scheduled { knots, .. } => {
+            Tabulation::Scheduled { knots, .. } => {
                 FrameOffsets(std::array::from_fn(|i| interpolated(&knots[i], t_min)))
             }
         }
@@ -101,8 +103,8 @@ impl Deformation {
     #[must_use]
     pub fn settled(&self) -> FrameOffsets {
         match &self.0 {
-            Kind::Static { offsets, .. } => *offsets,
-            Kind::Scheduled { .. } => self.offsets_at(f64::INFINITY),
+            Tabulation::Static { offsets, .. } => *offsets,
+            Tabulation::Scheduled { .. } => self.offsets_at(f64::INFINITY),
         }
     }
 
@@ -110,15 +112,15 @@ impl Deformation {
     #[must_use]
     pub fn growth(&self) -> Option<&GrowthLaw> {
         match &self.0 {
-            Kind::Static { growth, .. } => Some(growth),
-            Kind::Scheduled { .. } => None,
+            Tabulation::Static { growth, .. } => Some(growth),
+            Tabulation::Scheduled { .. } => None,
         }
     }
 
     /// The minutes (or temperatures) at which a scheduled table has a row, ascending; empty for a static one.
     #[must_use]
     pub fn knots(&self) -> Vec<f64> {
-        let Kind::Scheduled { knots, .. } = &self.0 else { return Vec::new() };
+        let Tabulation::Scheduled { knots, .. } = &self.0 else { return Vec::new() };
         let mut all: Vec<f64> = knots.iter().flatten().map(|knot| knot.at).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();

@@ -1,6 +1,6 @@
 //! Deformation tables from CSV: the static layout of the reference paper and the scheduled long form.
 
-use super::{DeformError, Deformation, GrowthLaw, Index, Kind, Knot};
+use super::{DeformError, Deformation, GrowthLaw, Index, Knot, Tabulation};
 use crate::kinematics::FrameOffsets;
 use crate::units::{m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -42,7 +42,7 @@ impl Deformation {
             Layout::Scheduled { index, columns } => {
                 let knots = scheduled_rows(&names, &rows, columns)?;
                 match growth {
-                    None => Ok(Self(Kind::Scheduled { index, knots })),
+                    None => Ok(Self(Tabulation::Scheduled { index, knots })),
                     Some(_) => Err(DeformError::GrowthNotUsed),
                 }
             }

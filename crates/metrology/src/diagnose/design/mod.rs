@@ -3,18 +3,18 @@
 //! Atoms are the smallest groups of stations that a fold, a block in time or a region keeps together, so
 //! every held-out fit is a sum of small matrices.
 
+mod joint_rotations;
 mod products;
 pub(super) mod registration;
-mod turning;
 
+pub use joint_rotations::Turning;
 pub use products::{Products, Sums};
-pub use turning::Turning;
 
+use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::effects::Candidate;
-use super::scene::{Motion, Scene, Site, scaled};
+use joint_rotations::by_observation;
 use nalgebra::DMatrix;
 use std::ops::Range;
-use turning::by_site;
 
 /// Manufacturing tolerance of a joint's frame: metres, and radians.
 const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
@@ -35,13 +35,13 @@ pub struct Design {
     /// Sites in the order of atoms.
     order: Vec<usize>,
     /// Rows of each atom.
-    atoms: Vec<Range<usize>>,
-    rows_per_site: usize,
+    groups: Vec<Range<usize>>,
+    rows_per_observation: usize,
     /// Numbers measured in each atom.
     counts: Vec<usize>,
     columns: Vec<Vec<f64>>,
     /// Columns of registration, flat prior.
-    pub flat: Range<usize>,
+    pub registration: Range<usize>,
     /// Columns of geometry, scaled by tolerance.
     pub geometry: Range<usize>,
     /// Products of all columns for each atom.
@@ -54,72 +54,78 @@ pub struct Design {
 }
 
 impl Design {
-    /// The design of `residuals` (metres and radians, base axes) at the scene's sites; `atom_of` numbers
+    /// The design of `residuals` (metres and radians, base axes) at the scene's sites; `group_of` numbers
     /// each site's atom from 0.
     #[must_use]
     pub fn new(
-        scene: &Scene,
-        residuals: &[Motion],
+        dataset: &Dataset,
+        residuals: &[Twist],
         targets: usize,
         whitening: Whitening,
-        atom_of: &[usize],
+        group_of: &[usize],
     ) -> Self {
-        let mut order: Vec<usize> = (0..scene.sites.len()).collect();
-        order.sort_by_key(|&i| (atom_of.get(i).copied().unwrap_or(0), i));
-        let d = scene.rows_per_site;
-        let mut atoms: Vec<Range<usize>> = Vec::new();
+        let mut order: Vec<usize> = (0..dataset.observations.len()).collect();
+        order.sort_by_key(|&i| (group_of.get(i).copied().unwrap_or(0), i));
+        let d = dataset.rows_per_observation;
+        let mut groups: Vec<Range<usize>> = Vec::new();
         let mut counts: Vec<usize> = Vec::new();
         let mut last = None;
         for (position, &i) in order.iter().enumerate() {
             let rows = position * d..(position + 1) * d;
-            let measured = scene.sites[i].rows(d);
-            if last == Some(atom_of[i]) {
+            let measured = dataset.observations[i].rows(d);
+            if last == Some(group_of[i]) {
                 if let Some(count) = counts.last_mut() {
                     *count += measured;
                 }
-                if let Some(atom) = atoms.last_mut() {
-                    atom.end = rows.end;
+                if let Some(group) = groups.last_mut() {
+                    group.end = rows.end;
                 }
             } else {
-                last = Some(atom_of[i]);
+                last = Some(group_of[i]);
                 counts.push(measured);
-                atoms.push(rows);
+                groups.push(rows);
             }
         }
         let mut design = Self {
             whitening,
             order,
-            atoms,
-            rows_per_site: d,
+            groups,
+            rows_per_observation: d,
             counts,
             columns: Vec::new(),
-            flat: 0..0,
+            registration: 0..0,
             geometry: 0..0,
             gram: Vec::new(),
             turns: Vec::new(),
             turn_squares: Vec::new(),
             turn_products: vec![Vec::new(); 6],
         };
-        let mut columns = design.stack(scene, 1, |i, _, out| out.push(residuals[i]));
-        let flat = design.stack(scene, registration::width(targets, scene.places, d), |_, site, out| {
-            registration::motions(site, targets, scene.places, d, out);
-        });
-        let geometry = design.stack(scene, 30, |_, site, out| {
+        let mut columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
+        let flat = design.stack(
+            dataset,
+            registration::width(targets, dataset.fixed_points, d),
+            |_, observation, out| {
+                registration::twists(observation, targets, dataset.fixed_points, d, out);
+            },
+        );
+        let geometry = design.stack(dataset, 30, |_, observation, out| {
             for frame in 1..6 {
                 for k in 0..6 {
-                    out.push(scaled(site.offset(frame, k), TOLERANCE[k / 3]));
+                    out.push(scaled(observation.frame_offset(frame, k), TOLERANCE[k / 3]));
                 }
             }
         });
-        design.flat = 1..1 + flat.len();
-        design.geometry = design.flat.end..design.flat.end + geometry.len();
+        design.registration = 1..1 + flat.len();
+        design.geometry = design.registration.end..design.registration.end + geometry.len();
         columns.extend(flat);
         columns.extend(geometry);
         design.columns = columns;
-        design.turns = design.stack(scene, 6, |_, site, out| out.extend((0..6).map(|j| site.joint(j))));
-        design.turn_squares = design.turns.iter().map(|t| by_site(t, t, d)).collect();
+        design.turns = design.stack(dataset, 6, |_, observation, out| {
+            out.extend((0..6).map(|j| observation.jacobian_column(j)));
+        });
+        design.turn_squares = design.turns.iter().map(|t| by_observation(t, t, d)).collect();
         design.multiply_turns();
-        design.gram = (0..design.atoms.len()).map(|a| design.gram_of(a)).collect();
+        design.gram = (0..design.groups.len()).map(|a| design.gram_of(a)).collect();
         design
     }
 
@@ -137,8 +143,8 @@ impl Design {
 
     /// Number of atoms.
     #[must_use]
-    pub fn atoms(&self) -> usize {
-        self.atoms.len()
+    pub fn groups(&self) -> usize {
+        self.groups.len()
     }
 
     /// Numbers measured in a subset of atoms.
@@ -168,19 +174,15 @@ impl Design {
         let start = self.columns.len();
         self.columns.extend(columns);
         self.multiply_turns();
-        self.gram = (0..self.atoms.len()).map(|a| self.gram_of(a)).collect();
+        self.gram = (0..self.groups.len()).map(|a| self.gram_of(a)).collect();
         start..self.columns.len()
     }
 
     /// A candidate's columns, scaled by their usual size.
     #[must_use]
-    pub fn columns_of(&self, scene: &Scene, candidate: &Candidate) -> Vec<Vec<f64>> {
-        self.stack(scene, candidate.usual.len(), |_, site, out| {
-            let from = out.len();
-            candidate.effect().motions(&candidate.form, scene, site, out);
-            for (motion, usual) in out.iter_mut().skip(from).zip(&candidate.usual) {
-                *motion = scaled(*motion, *usual);
-            }
+    pub fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> Vec<Vec<f64>> {
+        self.stack(dataset, candidate.prior_sigma.len(), |_, observation, out| {
+            candidate.scaled_signature(dataset, observation, out);
         })
     }
 
@@ -188,21 +190,21 @@ impl Design {
     #[must_use]
     pub fn stack(
         &self,
-        scene: &Scene,
+        dataset: &Dataset,
         width: usize,
-        motions: impl Fn(usize, &Site, &mut Vec<Motion>),
+        twists: impl Fn(usize, &Observation, &mut Vec<Twist>),
     ) -> Vec<Vec<f64>> {
-        let d = self.rows_per_site;
+        let d = self.rows_per_observation;
         let mut columns = vec![vec![0.0; self.order.len() * d]; width];
         let mut buffer = Vec::with_capacity(width);
         for (position, &i) in self.order.iter().enumerate() {
             buffer.clear();
-            motions(i, &scene.sites[i], &mut buffer);
+            twists(i, &dataset.observations[i], &mut buffer);
             let root = self.whitening.weights[i].sqrt();
-            for (column, motion) in columns.iter_mut().zip(&buffer) {
-                let motion = scene.sites[i].seen(*motion);
+            for (column, twist) in columns.iter_mut().zip(&buffer) {
+                let twist = dataset.observations[i].observed(*twist);
                 for (k, value) in column[position * d..(position + 1) * d].iter_mut().enumerate() {
-                    *value = motion[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m };
+                    *value = twist[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m };
                 }
             }
         }
@@ -211,11 +213,16 @@ impl Design {
 
     /// A column times a number for each site.
     #[must_use]
-    pub fn modulated(&self, scene: &Scene, column: usize, factor: impl Fn(&Site) -> f64) -> Vec<f64> {
-        let d = self.rows_per_site;
+    pub fn modulated(
+        &self,
+        dataset: &Dataset,
+        column: usize,
+        factor: impl Fn(&Observation) -> f64,
+    ) -> Vec<f64> {
+        let d = self.rows_per_observation;
         let mut out = self.columns[column].clone();
         for (rows, &i) in out.chunks_exact_mut(d).zip(&self.order) {
-            let factor = factor(&scene.sites[i]);
+            let factor = factor(&dataset.observations[i]);
             rows.iter_mut().for_each(|v| *v *= factor);
         }
         out
@@ -223,8 +230,8 @@ impl Design {
 
     /// Residual of `coefficients` (one for each column after the data) at each site, unwhitened: metres, radians.
     #[must_use]
-    pub fn residuals(&self, coefficients: &[f64]) -> Vec<Motion> {
-        let d = self.rows_per_site;
+    pub fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
+        let d = self.rows_per_observation;
         let mut out = vec![[0.0; 6]; self.order.len()];
         for (position, &i) in self.order.iter().enumerate() {
             let root = self.whitening.weights[i].sqrt().max(1e-12);
@@ -242,14 +249,14 @@ impl Design {
         out
     }
 
-    fn gram_of(&self, atom: usize) -> DMatrix<f64> {
-        let rows = self.atoms[atom].clone();
+    fn gram_of(&self, group: usize) -> DMatrix<f64> {
+        let rows = self.groups[group].clone();
         let n = self.columns.len();
-        let known = self.gram.get(atom).map_or(0, DMatrix::nrows);
+        let known = self.gram.get(group).map_or(0, DMatrix::nrows);
         let mut gram = DMatrix::zeros(n, n);
         for a in 0..n {
             for b in a..n {
-                let value = match self.gram.get(atom) {
+                let value = match self.gram.get(group) {
                     Some(old) if b < known => old[(a, b)],
                     _ => dot(&self.columns[a][rows.clone()], &self.columns[b][rows.clone()]),
                 };

@@ -31,15 +31,15 @@ impl Design {
     #[must_use]
     pub fn products(&self, columns: &[Vec<f64>]) -> Products {
         let p = columns.len();
-        let mut own = Vec::with_capacity(self.atoms.len() * p * p);
-        for rows in &self.atoms {
+        let mut own = Vec::with_capacity(self.groups.len() * p * p);
+        for rows in &self.groups {
             for a in columns {
                 for b in columns {
                     own.push(dot(&a[rows.clone()], &b[rows.clone()]));
                 }
             }
         }
-        let mut products = Products { p, own, cross: vec![Vec::new(); self.atoms.len()] };
+        let mut products = Products { p, own, cross: vec![Vec::new(); self.groups.len()] };
         self.extend(&mut products, columns);
         products
     }
@@ -73,7 +73,7 @@ impl Design {
 
     /// Brings `products` up to date with columns appended since.
     pub fn extend(&self, products: &mut Products, columns: &[Vec<f64>]) {
-        for (rows, cross) in self.atoms.iter().zip(&mut products.cross) {
+        for (rows, cross) in self.groups.iter().zip(&mut products.cross) {
             let known = cross.len() / products.p.max(1);
             cross.reserve_exact(columns.len() * (self.columns.len() - known));
             for b in &self.columns[known..] {
@@ -100,8 +100,8 @@ impl Products {
             return;
         }
         let mut more = vec![0.0; p * (width - known)];
-        for &atom in subset {
-            for (to, from) in more.iter_mut().zip(&self.cross[atom][p * known..]) {
+        for &group in subset {
+            for (to, from) in more.iter_mut().zip(&self.cross[group][p * known..]) {
                 *to += from;
             }
         }
@@ -117,11 +117,11 @@ impl Products {
         let width = self.cross.first().map_or(0, |c| c.len() / p.max(1));
         let mut own = DMatrix::zeros(p, p);
         let mut cross = DMatrix::zeros(p, width);
-        for &atom in subset {
-            for (to, from) in own.as_mut_slice().iter_mut().zip(&self.own[atom * p * p..]) {
+        for &group in subset {
+            for (to, from) in own.as_mut_slice().iter_mut().zip(&self.own[group * p * p..]) {
                 *to += from;
             }
-            for (to, from) in cross.as_mut_slice().iter_mut().zip(&self.cross[atom]) {
+            for (to, from) in cross.as_mut_slice().iter_mut().zip(&self.cross[group]) {
                 *to += from;
             }
         }

@@ -1,20 +1,24 @@
 //! Base or instrument moved at one moment: a knock, a new set-up.
 
-use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, move_base, step_times};
-use crate::diagnose::scene::Driver;
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::{NO_TIME, step_times};
+use super::rigid::move_base;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
 
 /// A rigid motion of the base from t0 on, t0 scanned.
 pub struct BaseStep;
 
 impl Effect for BaseStep {
-    fn name(&self) -> &'static str {
-        "base_step"
+    fn kind(&self) -> EffectKind {
+        EffectKind::BaseStep
     }
     fn unit(&self) -> &'static str {
         "mm"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "any size"
     }
     fn source(&self) -> &'static str {
@@ -23,23 +27,30 @@ impl Effect for BaseStep {
     fn time(&self) -> &'static str {
         "step"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
-        scene.time_min.is_none().then(|| NO_TIME.to_owned())
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
-        step_times(scene)
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        step_times(dataset)
             .into_iter()
             .map(|t0_min| Candidate {
-                counted: 3,
-                factor: mm_from_m(1.0),
+                n_reported: 3,
+                display_scale: mm_from_m(1.0),
                 ..Candidate::new(
-                    Form { driver: Driver::Step { t0_min }, ..Form::PLAIN },
+                    EffectKind::BaseStep,
+                    EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::PLAIN },
                     vec![1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4],
                 )
             })
             .collect()
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        move_base(site, scene.drive(form.driver, site, None), out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        move_base(observation, variant.growth.at(&observation.thermal_state(), None), out);
     }
 }

@@ -1,8 +1,11 @@
 //! The stand gives: the whole robot tilts under its own overturning moment.
 
-use super::{Candidate, Effect, Form, MASS_ERROR, Motion, Scene, Site};
-use crate::diagnose::scene::scaled;
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::MASS_ERROR;
+use crate::diagnose::dataset::scaled;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use nalgebra::Vector3;
+use robot_model::deform::EffectKind;
 
 /// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
 pub struct BaseTilt;
@@ -11,29 +14,42 @@ pub struct BaseTilt;
 const USUAL: f64 = 1e-6;
 
 impl Effect for BaseTilt {
-    fn name(&self) -> &'static str {
-        "base_tilt"
+    fn kind(&self) -> EffectKind {
+        EffectKind::BaseTilt
     }
     fn unit(&self) -> &'static str {
         "rad/(N.m)"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "1e-4 rad per 100 N.m"
     }
     fn source(&self) -> &'static str {
         "foundation as two rotary springs at the base"
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
         let mut sizes = vec![USUAL; 2];
         sizes.extend([MASS_ERROR * USUAL; 6]);
-        vec![Candidate { positive: true, counted: 2, ..Candidate::new(Form::PLAIN, sizes) }]
+        vec![Candidate {
+            sign_constrained: true,
+            n_reported: 2,
+            ..Candidate::new(EffectKind::BaseTilt, EffectVariant::PLAIN, sizes)
+        }]
     }
-    fn motions(&self, _form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
+    fn signature(
+        &self,
+        _variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
         let about = |moment: &Vector3<f64>| {
-            [scaled(site.offset(0, 3), moment.x), scaled(site.offset(0, 4), moment.y)]
+            [
+                scaled(observation.frame_offset(0, 3), moment.x),
+                scaled(observation.frame_offset(0, 4), moment.y),
+            ]
         };
-        out.extend(about(&site.loads.base_moment_n_m));
-        for moment in &site.loads.link_base_moment_n_m {
+        out.extend(about(&observation.loads.base_moment_n_m));
+        for moment in &observation.loads.link_base_moment_n_m {
             let [x, y] = about(moment);
             out.push(std::array::from_fn(|i| x[i] + y[i]));
         }

@@ -1,6 +1,9 @@
 //! Teeth, rollers, waves of a gear: an error many times per turn of the joint.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, turn_joint};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::turn_joint;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 use std::f64::consts::TAU;
 
 /// J_j times a sine and a cosine of n q_j, n scanned.
@@ -11,42 +14,51 @@ const LOWEST: u32 = 3;
 const HIGHEST: u32 = 320;
 
 impl Effect for GearMesh {
-    fn name(&self) -> &'static str {
-        "gear_mesh"
+    fn kind(&self) -> EffectKind {
+        EffectKind::GearMesh
     }
     fn unit(&self) -> &'static str {
         "rad"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "0.02 to 0.3 mrad, 3 to 320 times per turn"
     }
     fn source(&self) -> &'static str {
         "Tuttle and Seering 1996 on harmonic drives; UR10 tracker data of Fraunhofer IPA"
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
         for j in 0..6 {
-            let values = scene.sites.iter().map(|s| s.q_rad[j]);
+            let values = dataset.observations.iter().map(|s| s.q_rad[j]);
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let high = values.fold(f64::NEG_INFINITY, f64::max);
             // Less than 0.6 periods over the joint's range is a bend, not a line of its own.
             let lowest = (0.6 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(LOWEST));
             let lowest = if lowest > f64::from(HIGHEST) { continue } else { lowest as u32 };
             for n in lowest..=HIGHEST {
-                let form = Form { n: Some(n), ..Form::of_joint(j) };
+                let variant = EffectVariant { n: Some(n), ..EffectVariant::of_joint(j) };
                 // Low orders are commoner than high ones.
-                all.push(Candidate { weight: 1.0 / f64::from(n), ..Candidate::new(form, vec![1e-4, 1e-4]) });
+                all.push(Candidate {
+                    weight: 1.0 / f64::from(n),
+                    ..Candidate::new(EffectKind::GearMesh, variant, vec![1e-4, 1e-4])
+                });
             }
         }
         all
     }
-    fn angles(&self, form: &Form, site: &Site) -> Option<[f64; 2]> {
-        let q_rad = site.q_rad[form.joint.unwrap_or(0).min(5)];
-        Some((f64::from(form.n.unwrap_or(LOWEST)) * q_rad).sin_cos().into())
+    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
+        let q_rad = observation.q_rad[variant.joint.unwrap_or(0).min(5)];
+        Some((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos().into())
     }
-    fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        for angle in self.angles(form, site).into_iter().flatten() {
-            turn_joint(site, form.joint, angle, out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        for angle in self.angles(variant, observation).into_iter().flatten() {
+            turn_joint(observation, variant.joint, angle, out);
         }
     }
 }

@@ -1,33 +1,50 @@
 //! A gear or bearing is oval, a strain-wave gear's error: twice per turn of the joint.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, turn_joint};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::turn_joint;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 
 /// J_j times a sine and a cosine of 2 q_j.
 pub struct GearSecondHarmonic;
 
 impl Effect for GearSecondHarmonic {
-    fn name(&self) -> &'static str {
-        "gear_second_harmonic"
+    fn kind(&self) -> EffectKind {
+        EffectKind::GearSecondHarmonic
     }
     fn unit(&self) -> &'static str {
         "rad"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "0.02 to 0.3 mrad"
     }
     fn source(&self) -> &'static str {
         "Judd and Knasinski 1990, A technique to calibrate industrial robots with experimental verification"
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
-        (0..6).map(|j| Candidate::new(Form { n: Some(2), ..Form::of_joint(j) }, vec![1e-4, 1e-4])).collect()
+    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
+        (0..6)
+            .map(|j| {
+                Candidate::new(
+                    EffectKind::GearSecondHarmonic,
+                    EffectVariant { n: Some(2), ..EffectVariant::of_joint(j) },
+                    vec![1e-4, 1e-4],
+                )
+            })
+            .collect()
     }
-    fn angles(&self, form: &Form, site: &Site) -> Option<[f64; 2]> {
-        let q_rad = site.q_rad[form.joint.unwrap_or(0).min(5)];
-        Some((f64::from(form.n.unwrap_or(2)) * q_rad).sin_cos().into())
+    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
+        let q_rad = observation.q_rad[variant.joint.unwrap_or(0).min(5)];
+        Some((f64::from(variant.n.unwrap_or(2)) * q_rad).sin_cos().into())
     }
-    fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        for angle in self.angles(form, site).into_iter().flatten() {
-            turn_joint(site, form.joint, angle, out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        for angle in self.angles(variant, observation).into_iter().flatten() {
+            turn_joint(observation, variant.joint, angle, out);
         }
     }
 }

@@ -1,6 +1,9 @@
 //! A link bends under what hangs beyond it.
 
-use super::{Candidate, Effect, Form, MASS_ERROR, Motion, Scene, Site};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::MASS_ERROR;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Bend;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
@@ -12,38 +15,48 @@ pub struct LinkBending;
 const UNEVEN: f64 = 0.3;
 
 impl Effect for LinkBending {
-    fn name(&self) -> &'static str {
-        "link_bending"
+    fn kind(&self) -> EffectKind {
+        EffectKind::LinkBending
     }
     fn unit(&self) -> &'static str {
         "rad/(N.m)"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "5 to 30 % of the joints' sag"
     }
     fn source(&self) -> &'static str {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
         (0..5)
             .map(|i| {
-                let usual = if i < 3 { 1.5e-6 } else { 1.5e-5 };
-                let mut sizes = vec![usual, UNEVEN * usual];
-                sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, 5 - i));
-                Candidate { positive: true, counted: 1, ..Candidate::new(Form::of_joint(i), sizes) }
+                let prior_sigma = if i < 3 { 1.5e-6 } else { 1.5e-5 };
+                let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
+                sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, 5 - i));
+                Candidate {
+                    sign_constrained: true,
+                    n_reported: 1,
+                    ..Candidate::new(EffectKind::LinkBending, EffectVariant::of_joint(i), sizes)
+                }
             })
             .collect()
     }
-    fn motions(&self, form: &Form, _scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let i = form.joint.unwrap_or(0).min(4);
-        let (from_m, to_m) = (site.origins_m[i], site.origins_m[i + 1]);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        let i = variant.joint.unwrap_or(0).min(4);
+        let (from_m, to_m) = (observation.origins_m[i], observation.origins_m[i + 1]);
         let moved = |bend: &Bend| {
-            let mut motion = site.turn_at(&bend.turn_n_m, &to_m);
-            motion.iter_mut().zip(bend.sink_m_n_m.iter()).for_each(|(to, sink)| *to += sink);
-            motion
+            let mut twist = observation.rotation_about(&bend.turn_n_m, &to_m);
+            twist.iter_mut().zip(bend.sink_m_n_m.iter()).for_each(|(to, sink)| *to += sink);
+            twist
         };
-        out.extend(site.loads.beyond[i + 1].bend(&from_m, &to_m).iter().map(moved));
-        for link in &site.loads.link_beyond[i + 1][i + 1..] {
+        out.extend(observation.loads.beyond[i + 1].bend(&from_m, &to_m).iter().map(moved));
+        for link in &observation.loads.link_beyond[i + 1][i + 1..] {
             let [even, _] = link.bend(&from_m, &to_m);
             out.push(moved(&even));
         }

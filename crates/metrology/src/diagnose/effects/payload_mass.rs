@@ -1,7 +1,10 @@
 //! The payload weighs more or less than the controller believes.
 
-use super::{Candidate, Effect, Form, LEVER_M, Motion, Scene, Site};
-use crate::diagnose::scene::{Sight, scaled};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::LEVER_M;
+use crate::diagnose::dataset::{Dataset, Observation, ObservationKind, Twist, scaled};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::PayloadScaling;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
@@ -12,52 +15,70 @@ pub(in crate::diagnose) const SOFT: [usize; 3] = [1, 2, 4];
 pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
 
 impl Effect for PayloadMass {
-    fn name(&self) -> &'static str {
-        "payload_mass"
+    fn kind(&self) -> EffectKind {
+        EffectKind::PayloadMass
     }
     fn unit(&self) -> &'static str {
         "kg"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "0.2 to 2 kg"
     }
     fn source(&self) -> &'static str {
         "load identification in controllers; joint compliance as Khalil and Besnard 2002"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
         let loaded = |kg: Option<f64>| kg.is_some_and(|kg| kg > 0.0);
-        if !scene.channels.payload {
+        if !dataset.channels.payload {
             return Some("the file has no payload (payload_kg)".to_owned());
         }
-        (!scene.sites.iter().any(|s| loaded(s.payload_kg))).then(|| "no row has a payload".to_owned())
+        (!dataset.observations.iter().any(|s| loaded(s.payload_kg)))
+            .then(|| "no row has a payload".to_owned())
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         // Wrong by as much whenever something hangs there; always, as a tool's mass is; or by a factor.
-        let mut loads = scene.sites.iter().filter(|s| s.sight != Sight::Nest).map(|s| s.payload_kg);
+        let mut loads =
+            dataset.observations.iter().filter(|s| s.kind != ObservationKind::Nest).map(|s| s.payload_kg);
         let first = loads.next();
         let alike = loads.all(|load| Some(load) == first);
-        [2.0, 1.0, 1.0]
-            .into_iter()
-            .take(if alike { 1 } else { 3 })
-            .enumerate()
-            .map(|(variant, weight)| Candidate {
-                counted: 1,
-                weight,
-                ..Candidate::new(
-                    Form { variant, ..Form::PLAIN },
-                    vec![0.6, 0.3, 0.3, 0.3, 0.6 * LEVER_M, 0.6 * LEVER_M, 0.6 * LEVER_M],
-                )
-            })
-            .collect()
+        [
+            (PayloadScaling::WhereLoaded, 2.0),
+            (PayloadScaling::Always, 1.0),
+            (PayloadScaling::PerKilogram, 1.0),
+        ]
+        .into_iter()
+        .take(if alike { 1 } else { 3 })
+        .map(|(payload_scaling, weight)| Candidate {
+            n_reported: 1,
+            weight,
+            ..Candidate::new(
+                EffectKind::PayloadMass,
+                EffectVariant { payload_scaling, ..EffectVariant::PLAIN },
+                vec![0.6, 0.3, 0.3, 0.3, 0.6 * LEVER_M, 0.6 * LEVER_M, 0.6 * LEVER_M],
+            )
+        })
+        .collect()
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        let payload_kg = site.payload_kg.unwrap_or(0.0);
-        let hangs = match form.variant {
-            0 => f64::from(u8::from(payload_kg > 0.0)),
-            1 => 1.0,
-            _ => payload_kg / scene.largest_payload_kg.max(1e-9),
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        let payload_kg = observation.payload_kg.unwrap_or(0.0);
+        // In proportion: the parameter is the excess at the largest payload.
+        let unit_kg = match variant.payload_scaling {
+            PayloadScaling::PerKilogram => dataset.largest_payload_kg.max(1e-9),
+            PayloadScaling::WhereLoaded | PayloadScaling::Always => 1.0,
         };
-        let give = |j: usize| scaled(site.joint(j), hangs * COMPLIANCE[j] * site.loads.unit_torque_n_m[j]);
+        let hangs = variant.payload_scaling.at(payload_kg) / unit_kg;
+        let give = |j: usize| {
+            scaled(
+                observation.jacobian_column(j),
+                hangs * COMPLIANCE[j] * observation.loads.unit_torque_n_m[j],
+            )
+        };
         let mut all = [0.0; 6];
         for j in 0..6 {
             for (sum, part) in all.iter_mut().zip(give(j)) {
@@ -70,8 +91,8 @@ impl Effect for PayloadMass {
         for k in 0..3 {
             let mut all = [0.0; 6];
             for (j, compliance) in COMPLIANCE.iter().enumerate() {
-                let turn = hangs * compliance * site.loads.unit_lever_n[j][k];
-                for (sum, part) in all.iter_mut().zip(site.joint(j)) {
+                let turn = hangs * compliance * observation.loads.unit_lever_n[j][k];
+                for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
                     *sum += turn * part;
                 }
             }

@@ -1,26 +1,35 @@
 //! Two measured axes swapped, or one mirrored.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site};
+use super::effect::{Candidate, Effect, EffectVariant};
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 
 /// Measured points are mirrored, looked for by the data checks.
 pub struct SwappedAxes;
 
 impl Effect for SwappedAxes {
-    fn name(&self) -> &'static str {
-        "swapped_axes"
+    fn kind(&self) -> EffectKind {
+        EffectKind::SwappedAxes
     }
     fn unit(&self) -> &'static str {
         "1"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "hundreds of mm"
     }
     fn source(&self) -> &'static str {
         "a mirror is no rigid motion"
     }
     /// None: it is a fault of the file, looked for before any effect.
-    fn candidates(&self, _scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
         Vec::new()
     }
-    fn motions(&self, _form: &Form, _scene: &Scene, _site: &Site, _out: &mut Vec<Motion>) {}
+    fn signature(
+        &self,
+        _variant: &EffectVariant,
+        _dataset: &Dataset,
+        _observation: &Observation,
+        _out: &mut Vec<Twist>,
+    ) {
+    }
 }

@@ -1,38 +1,43 @@
-//! What warm-up effects share: shapes in time or temperature.
+//! What warm-up effects share: growth with time or with the joints' temperatures.
 
-use super::{Candidate, Form, NO_TIME, Scene};
-use crate::diagnose::scene::Driver;
+use super::effect::{Candidate, EffectVariant};
+use super::over_time::NO_TIME;
+use crate::diagnose::dataset::Dataset;
+use robot_model::deform::GrowthLaw;
+use robot_model::deform::identified::Growth;
 
 /// Time constants tried where only the time is known, minutes.
 const TAUS_MIN: [f64; 6] = [8.0, 15.0, 30.0, 46.0, 80.0, 150.0];
 
-/// Why warm-up cannot be seen.
-pub(super) fn untestable(scene: &Scene) -> Option<String> {
-    (scene.time_min.is_none() && scene.joint_temperature_c.is_none())
+/// Joints that all warm by less than this say nothing of warm-up, K.
+const LEAST_RISE_K: f64 = 0.3;
+
+/// Why warm-up cannot be seen; `None` where it can.
+pub(super) fn untestable(dataset: &Dataset) -> Option<String> {
+    (dataset.time_min.is_none() && dataset.joint_temperature_c.is_none())
         .then(|| format!("{NO_TIME} and no joint temperatures"))
 }
 
-/// `candidate` in every shape that the data allow.
-pub(super) fn shapes(scene: &Scene, candidate: &Candidate) -> Vec<Candidate> {
-    let mut drivers = Vec::new();
-    let warm =
-        scene.joint_temperature_c.is_some_and(|ranges| ranges.iter().any(|[low, high]| high - low > 0.3));
-    if warm {
-        drivers.push((Driver::Temperature, 1.0));
+/// `candidate` with every growth that the data allow.
+pub(super) fn growths(dataset: &Dataset, candidate: &Candidate) -> Vec<Candidate> {
+    let mut growths = Vec::new();
+    let warms = |ranges: &[[f64; 2]; 6]| ranges.iter().any(|[low, high]| high - low > LEAST_RISE_K);
+    if let Some(ranges) = dataset.joint_temperature_c.filter(warms) {
+        growths.push((Growth::Temperature { from_c: ranges.map(|r| r[0]), to_c: ranges.map(|r| r[1]) }, 1.0));
     }
-    if let Some([low, high]) = scene.time_min {
+    if let Some([low, high]) = dataset.time_min {
         for tau_min in TAUS_MIN {
-            // A shape that has settled before the first station, or hardly begins, is a constant or a line.
+            // A shape that has settled before the first observation, or hardly begins, is a constant or a line.
             if tau_min > 0.1 * (high - low) && tau_min < 3.0 * high.max(1.0) || tau_min == 46.0 {
-                drivers.push((Driver::Exponential { tau_min }, 1.0 / 12.0));
-                drivers.push((Driver::TwoLags { tau_min }, 1.0 / 12.0));
+                growths.push((Growth::Law(GrowthLaw::Exp { tau_min }), 1.0 / 12.0));
+                growths.push((Growth::Law(GrowthLaw::TwoStage { tau_min }), 1.0 / 12.0));
             }
         }
     }
-    drivers
+    growths
         .into_iter()
-        .map(|(driver, weight)| Candidate {
-            form: Form { driver, ..candidate.form },
+        .map(|(growth, weight)| Candidate {
+            variant: EffectVariant { growth, ..candidate.variant },
             weight: weight * candidate.weight,
             ..candidate.clone()
         })

@@ -1,18 +1,22 @@
 //! A joint's zero drifts as its gear and motor warm up.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, thermal, turn_joint};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::turn_joint;
+use super::thermal;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 
 /// J_j times warm-up, plus a constant of its own.
 pub struct ThermalJointDrift;
 
 impl Effect for ThermalJointDrift {
-    fn name(&self) -> &'static str {
-        "thermal_joint_drift"
+    fn kind(&self) -> EffectKind {
+        EffectKind::ThermalJointDrift
     }
     fn unit(&self) -> &'static str {
         "rad"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "0.02 to 0.3 mrad"
     }
     fn source(&self) -> &'static str {
@@ -21,19 +25,37 @@ impl Effect for ThermalJointDrift {
     fn time(&self) -> &'static str {
         "drift"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
-        thermal::untestable(scene)
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        thermal::untestable(dataset)
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         (0..6)
             .flat_map(|j| {
-                let one = Candidate { counted: 1, ..Candidate::new(Form::of_joint(j), vec![1.2e-4, 4e-4]) };
-                thermal::shapes(scene, &one)
+                let one = Candidate {
+                    n_reported: 1,
+                    ..Candidate::new(
+                        EffectKind::ThermalJointDrift,
+                        EffectVariant::of_joint(j),
+                        vec![1.2e-4, 4e-4],
+                    )
+                };
+                thermal::growths(dataset, &one)
             })
             .collect()
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        turn_joint(site, form.joint, scene.drive(form.driver, site, form.joint), out);
-        turn_joint(site, form.joint, 1.0, out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        turn_joint(
+            observation,
+            variant.joint,
+            variant.growth.at(&observation.thermal_state(), variant.joint),
+            out,
+        );
+        turn_joint(observation, variant.joint, 1.0, out);
     }
 }

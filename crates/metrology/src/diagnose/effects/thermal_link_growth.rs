@@ -1,18 +1,22 @@
 //! The links grow as they warm up.
 
-use super::{Candidate, Effect, Form, Motion, Scene, Site, thermal};
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::thermal;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
+use robot_model::units::ppm_from_ratio;
 
 /// Each link's vector grows by one strain (all links) or one link's alone, over warm-up; plus a constant.
 pub struct ThermalLinkGrowth;
 
 impl Effect for ThermalLinkGrowth {
-    fn name(&self) -> &'static str {
-        "thermal_link_growth"
+    fn kind(&self) -> EffectKind {
+        EffectKind::ThermalLinkGrowth
     }
     fn unit(&self) -> &'static str {
         "ppm"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "11 to 23 ppm/K over 5 to 25 K"
     }
     fn source(&self) -> &'static str {
@@ -21,34 +25,40 @@ impl Effect for ThermalLinkGrowth {
     fn time(&self) -> &'static str {
         "drift"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
-        thermal::untestable(scene)
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        thermal::untestable(dataset)
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
         for link in [None, Some(0), Some(1), Some(2), Some(3), Some(4)] {
-            let form = Form { joint: link, ..Form::PLAIN };
+            let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
             let whole = Candidate {
-                positive: true,
-                counted: 1,
-                factor: 1e6,
+                sign_constrained: true,
+                n_reported: 1,
+                display_scale: ppm_from_ratio(1.0),
                 weight,
-                ..Candidate::new(form, vec![1.5e-4, 3e-4])
+                ..Candidate::new(EffectKind::ThermalLinkGrowth, variant, vec![1.5e-4, 3e-4])
             };
-            all.extend(thermal::shapes(scene, &whole));
+            all.extend(thermal::growths(dataset, &whole));
         }
         all
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
         let mut grown = [[0.0; 6]; 2];
         for i in 0..6 {
             // Link i, counted from 0, lies between the origins i and i+1 and warms with joint i.
-            if form.joint.is_some_and(|link| link != i) {
+            if variant.joint.is_some_and(|link| link != i) {
                 continue;
             }
-            let along = site.origins_m[i + 1] - site.origins_m[i];
-            let drive = scene.drive(form.driver, site, Some(i));
+            let along = observation.origins_m[i + 1] - observation.origins_m[i];
+            let drive = variant.growth.at(&observation.thermal_state(), Some(i));
             for k in 0..3 {
                 grown[0][k] += along[k] * drive;
                 grown[1][k] += along[k];

@@ -1,20 +1,23 @@
 //! The target creeps on the flange: glue, a warm spindle.
 
-use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, hours, move_tool};
-use crate::diagnose::scene::Driver;
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::{NO_TIME, drift};
+use super::rigid::move_tool;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
 /// A shift of the measured point in the flange's axes, with orientation also a turn, that grows over the measurement.
 pub struct ToolDrift;
 
 impl Effect for ToolDrift {
-    fn name(&self) -> &'static str {
-        "tool_drift"
+    fn kind(&self) -> EffectKind {
+        EffectKind::ToolDrift
     }
     fn unit(&self) -> &'static str {
         "mm"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "5 to 50 um per hour"
     }
     fn source(&self) -> &'static str {
@@ -23,28 +26,32 @@ impl Effect for ToolDrift {
     fn time(&self) -> &'static str {
         "drift"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
-        scene.time_min.is_none().then(|| NO_TIME.to_owned())
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
-        let grown_m = 3e-5 * hours(scene).clamp(0.5, 4.0);
-        let span_min = 60.0 * hours(scene);
-        let shapes = [
-            (Driver::Linear, 0.7),
-            (Driver::Exponential { tau_min: 0.15 * span_min }, 0.1),
-            (Driver::Exponential { tau_min: 0.4 * span_min }, 0.2),
-        ];
-        shapes
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let (growths, grown_m) = drift(dataset);
+        growths
             .into_iter()
-            .map(|(driver, weight)| Candidate {
-                counted: 3,
-                factor: mm_from_m(1.0),
+            .map(|(growth, weight)| Candidate {
+                n_reported: 3,
+                display_scale: mm_from_m(1.0),
                 weight,
-                ..Candidate::new(Form { driver, ..Form::PLAIN }, vec![grown_m; scene.rows_per_site])
+                ..Candidate::new(
+                    EffectKind::ToolDrift,
+                    EffectVariant { growth, ..EffectVariant::PLAIN },
+                    vec![grown_m; dataset.rows_per_observation],
+                )
             })
             .collect()
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        move_tool(scene, site, scene.drive(form.driver, site, None), out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        move_tool(dataset, observation, variant.growth.at(&observation.thermal_state(), None), out);
     }
 }

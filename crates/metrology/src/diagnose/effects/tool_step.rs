@@ -1,20 +1,24 @@
 //! The target moved on the flange at one moment: reseated, knocked.
 
-use super::{Candidate, Effect, Form, Motion, NO_TIME, Scene, Site, move_tool, step_times};
-use crate::diagnose::scene::Driver;
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::{NO_TIME, step_times};
+use super::rigid::move_tool;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
 
 /// A shift of the measured point in the flange's axes, with orientation also a turn, from t0 on, t0 scanned.
 pub struct ToolStep;
 
 impl Effect for ToolStep {
-    fn name(&self) -> &'static str {
-        "tool_step"
+    fn kind(&self) -> EffectKind {
+        EffectKind::ToolStep
     }
     fn unit(&self) -> &'static str {
         "mm"
     }
-    fn usual(&self) -> &'static str {
+    fn usual_size(&self) -> &'static str {
         "any size"
     }
     fn source(&self) -> &'static str {
@@ -23,23 +27,30 @@ impl Effect for ToolStep {
     fn time(&self) -> &'static str {
         "step"
     }
-    fn untestable(&self, scene: &Scene) -> Option<String> {
-        scene.time_min.is_none().then(|| NO_TIME.to_owned())
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
     }
-    fn candidates(&self, scene: &Scene) -> Vec<Candidate> {
-        step_times(scene)
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        step_times(dataset)
             .into_iter()
             .map(|t0_min| Candidate {
-                counted: 3,
-                factor: mm_from_m(1.0),
+                n_reported: 3,
+                display_scale: mm_from_m(1.0),
                 ..Candidate::new(
-                    Form { driver: Driver::Step { t0_min }, ..Form::PLAIN },
-                    vec![1e-4; scene.rows_per_site],
+                    EffectKind::ToolStep,
+                    EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::PLAIN },
+                    vec![1e-4; dataset.rows_per_observation],
                 )
             })
             .collect()
     }
-    fn motions(&self, form: &Form, scene: &Scene, site: &Site, out: &mut Vec<Motion>) {
-        move_tool(scene, site, scene.drive(form.driver, site, None), out);
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        move_tool(dataset, observation, variant.growth.at(&observation.thermal_state(), None), out);
     }
 }

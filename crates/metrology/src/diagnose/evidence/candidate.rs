@@ -1,11 +1,11 @@
 //! A candidate over a background: what is left of it, and its evidence.
 
 use super::prior::size_prior;
-use super::{Background, Reached};
+use super::{EvidencePeak, NuisanceModel};
 use crate::diagnose::design::Sums;
 use nalgebra::{DMatrix, DVector};
 
-/// A candidate over a background; [`Background::update`] follows a background that has grown.
+/// A candidate over a background; [`NuisanceModel::update`] follows a background that has grown.
 pub struct Projected {
     own: DMatrix<f64>,
     with_y: DVector<f64>,
@@ -15,7 +15,7 @@ pub struct Projected {
     hat: Vec<DVector<f64>>,
 }
 
-impl Background {
+impl NuisanceModel {
     /// A candidate with the background's flat columns projected out.
     #[must_use]
     pub fn project(&self, sums: &Sums) -> Projected {
@@ -74,56 +74,67 @@ impl Background {
 
     /// Evidence of a projected candidate.
     #[must_use]
-    pub fn evidence(&self, candidate: &Projected) -> Reached {
+    pub fn evidence(&self, candidate: &Projected) -> EvidencePeak {
         let with_geometry = &self.turn * &candidate.geometry;
-        self.over_ratios(self.reach(candidate), |ratio| self.size_terms(candidate, &with_geometry, ratio))
+        self.over_ratios(self.signal_of_unit_size(candidate), |ratio| {
+            self.size_terms(candidate, &with_geometry, ratio)
+        })
     }
 
-    /// The few ratios round the null's best at which [`Self::first_look`] looks.
+    /// The few ratios round the null's best at which [`Self::screening_evidence`] looks.
     #[must_use]
-    pub fn looks(&self, null: &Reached) -> Vec<Look> {
+    pub fn screening_grid(&self, null: &EvidencePeak) -> Vec<ScreeningPoint> {
         [0.0, null.geometry_ratio, 0.25 * null.geometry_ratio]
             .into_iter()
             .map(|ratio| {
                 let (log, sigma_m) = self.at_ratio(ratio);
                 let (q, _) = self.with_ratio(ratio);
-                Look { ratio, q, base: log - self.marginal.at(q).0, sigma_m }
+                ScreeningPoint { ratio, q, base: log - self.marginal.at(q).0, sigma_m }
             })
             .collect()
     }
 
     /// No evidence of the candidate at these ratios is above this: its whole signal at no price.
     #[must_use]
-    pub fn bound(&self, candidate: &Projected, looks: &[Look]) -> f64 {
+    pub fn evidence_upper_bound(&self, candidate: &Projected, screening_grid: &[ScreeningPoint]) -> f64 {
         let with_geometry = &self.turn * &candidate.geometry;
-        looks
+        screening_grid
             .iter()
-            .map(|look| {
+            .map(|point| {
                 let off: f64 = self
-                    .pairs(candidate, &with_geometry, look.ratio)
+                    .pairs(candidate, &with_geometry, point.ratio)
                     .into_iter()
                     .filter(|(h, _)| *h > 0.0)
                     .map(|(h, u)| u * u / h)
                     .sum();
-                look.base + self.marginal.at(look.q - off).0
+                point.base + self.marginal.at(point.q - off).0
             })
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// A quick estimate of the evidence: the best of few ratios, sizes in steps of four.
     #[must_use]
-    pub fn first_look(&self, candidate: &Projected, looks: &[Look]) -> Reached {
+    pub fn screening_evidence(
+        &self,
+        candidate: &Projected,
+        screening_grid: &[ScreeningPoint],
+    ) -> EvidencePeak {
         let with_geometry = &self.turn * &candidate.geometry;
-        let reach = self.reach(candidate);
-        let mut best = Reached::NONE;
-        for look in looks {
-            let terms = self.size_terms(candidate, &with_geometry, look.ratio);
+        let signal_of_unit_size = self.signal_of_unit_size(candidate);
+        let mut best = EvidencePeak::NONE;
+        for point in screening_grid {
+            let terms = self.size_terms(candidate, &with_geometry, point.ratio);
             for (size, off, gain) in terms.into_iter().step_by(2) {
-                let (log, sigma_m) = self.marginal.at(look.q - off);
-                let log = look.base + log + gain + size_prior(size * look.sigma_m, size * reach);
+                let (log, sigma_m) = self.marginal.at(point.q - off);
+                let log =
+                    point.base + log + gain + size_prior(size * point.sigma_m, size * signal_of_unit_size);
                 if log > best.log_evidence {
-                    best =
-                        Reached { log_evidence: log, sigma_m, geometry_ratio: look.ratio, size_ratio: size };
+                    best = EvidencePeak {
+                        log_evidence: log,
+                        sigma_m,
+                        geometry_ratio: point.ratio,
+                        size_ratio: size,
+                    };
                 }
             }
         }
@@ -131,7 +142,7 @@ impl Background {
     }
 
     /// Root mean square over the rows of the signal of one usual size, metres.
-    fn reach(&self, candidate: &Projected) -> f64 {
+    fn signal_of_unit_size(&self, candidate: &Projected) -> f64 {
         (candidate.own.trace().max(0.0) / self.m).sqrt()
     }
 
@@ -168,18 +179,18 @@ impl Background {
         (own, with_y)
     }
 
-    /// By how many standard deviations the candidate's first parameter is positive where it `reached` most.
+    /// By how many standard deviations the candidate's first parameter is positive where it `peak` most.
     #[must_use]
-    pub fn sign(&self, candidate: &Projected, reached: &Reached) -> f64 {
+    pub fn sign(&self, candidate: &Projected, peak: &EvidencePeak) -> f64 {
         let with_geometry = &self.turn * &candidate.geometry;
-        let (mut own, with_y) = self.reduced(candidate, &with_geometry, reached.geometry_ratio);
-        let precision = reached.size_ratio.max(1e-12).powi(-2);
+        let (mut own, with_y) = self.reduced(candidate, &with_geometry, peak.geometry_ratio);
+        let precision = peak.size_ratio.max(1e-12).powi(-2);
         for a in 0..own.nrows() {
             own[(a, a)] += precision;
         }
         let Some(covariance) = own.cholesky().map(|c| c.inverse()) else { return 0.0 };
         let mean = (covariance.row(0) * &with_y)[0];
-        mean / (reached.sigma_m * covariance[(0, 0)].max(1e-300).sqrt())
+        mean / (peak.sigma_m * covariance[(0, 0)].max(1e-300).sqrt())
     }
 
     /// For each size ratio: it, what it takes off the squares, and what it adds to ln evidence.
@@ -215,7 +226,7 @@ impl Background {
 
 /// One geometry ratio prepared for a first look.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct ScreeningPoint {
     ratio: f64,
     q: f64,
     base: f64,

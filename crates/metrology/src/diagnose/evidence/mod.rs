@@ -8,10 +8,10 @@
 mod candidate;
 mod prior;
 
-pub use candidate::{Look, Projected};
+pub use candidate::{Projected, ScreeningPoint};
 
 use super::design::Design;
-use super::marginal::{Marginal, Noise, SIGMA_M, log_add, log_sum};
+use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};
 use nalgebra::{DMatrix, DVector};
 use prior::{NO_GEOMETRY, geometry_prior, grids, size_prior};
 
@@ -20,7 +20,7 @@ const RANK: f64 = 1e-10;
 
 /// What a candidate reaches.
 #[derive(Clone, Copy, Debug)]
-pub struct Reached {
+pub struct EvidencePeak {
     /// ln evidence, up to a constant shared by all on the same background.
     pub log_evidence: f64,
     /// Best noise sigma, metres.
@@ -31,18 +31,18 @@ pub struct Reached {
     pub size_ratio: f64,
 }
 
-impl Reached {
+impl EvidencePeak {
     /// Before anything is looked at.
     const NONE: Self =
         Self { log_evidence: f64::NEG_INFINITY, sigma_m: SIGMA_M[1], geometry_ratio: 0.0, size_ratio: 0.0 };
 }
 
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
-pub struct Background {
+pub struct NuisanceModel {
     /// Rows less flat directions.
     m: f64,
     rows: f64,
-    noise: Noise,
+    noise: NoisePrior,
     marginal: Marginal,
     /// ln-spaced s_g/sigma, beginning with 0.
     ratios: Vec<f64>,
@@ -65,12 +65,12 @@ pub struct Background {
     gy: DVector<f64>,
 }
 
-impl Background {
+impl NuisanceModel {
     /// Eliminates the design's registration and `also` (columns, flat) over `subset`.
     #[must_use]
-    pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: Noise) -> Self {
+    pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: NoisePrior) -> Self {
         let gram = design.gram(subset);
-        let flat: Vec<usize> = design.flat.clone().collect();
+        let flat: Vec<usize> = design.registration.clone().collect();
         let geometry: Vec<usize> = design.geometry.clone().collect();
         let scale: Vec<f64> =
             flat.iter().map(|&i| gram[(i, i)]).map(|v| if v > 0.0 { 1.0 / v.sqrt() } else { 0.0 }).collect();
@@ -81,11 +81,11 @@ impl Background {
         let rows = design.rows(subset) as f64;
         let gy_raw = DVector::from_iterator(geometry.len(), geometry.iter().map(|&g| gram[(g, 0)]));
         let gg = DMatrix::from_fn(geometry.len(), geometry.len(), |r, c| gram[(geometry[r], geometry[c])]);
-        let mut background = Self {
+        let mut nuisance = Self {
             m: rows,
             rows,
             noise,
-            marginal: noise.over(rows),
+            marginal: noise.marginal_over(rows),
             ratios: Vec::new(),
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
@@ -104,11 +104,11 @@ impl Background {
             for (c, &column) in flat.iter().enumerate() {
                 direction[column] = eigen.eigenvectors[(c, i)] * scale[c] / eigen.eigenvalues[i].sqrt();
             }
-            background.push(&gram, direction);
+            nuisance.push(&gram, direction);
         }
-        background.add(&gram, also);
-        background.finish();
-        background
+        nuisance.add(&gram, also);
+        nuisance.finish();
+        nuisance
     }
 
     /// Eliminates more columns of `design` over the same `subset`.
@@ -167,7 +167,7 @@ impl Background {
         self.lambda = DVector::from_iterator(kept.len(), kept.iter().map(|&i| eigen.eigenvalues[i]));
         self.gy = &self.turn * &self.gy_raw;
         self.m = (self.rows - self.directions.len() as f64).max(1.0);
-        self.marginal = self.noise.over(self.m);
+        self.marginal = self.noise.marginal_over(self.m);
         (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
     }
 
@@ -186,7 +186,7 @@ impl Background {
 
     /// Evidence without any candidate.
     #[must_use]
-    pub fn null(&self) -> Reached {
+    pub fn null(&self) -> EvidencePeak {
         self.over_ratios(0.0, |_| vec![(0.0, 0.0, 0.0)])
     }
 
@@ -218,10 +218,14 @@ impl Background {
         (q, log_det)
     }
 
-    /// Sums over both ratio grids; `terms` gives what each size ratio does at one geometry ratio, `reach` is the signal of
+    /// Sums over both ratio grids; `terms` gives what each size ratio does at one geometry ratio, `signal_of_unit_size` is the signal of
     /// one usual size.
-    fn over_ratios(&self, reach: f64, terms: impl Fn(f64) -> Vec<(f64, f64, f64)>) -> Reached {
-        let mut best = Reached::NONE;
+    fn over_ratios(
+        &self,
+        signal_of_unit_size: f64,
+        terms: impl Fn(f64) -> Vec<(f64, f64, f64)>,
+    ) -> EvidencePeak {
+        let mut best = EvidencePeak::NONE;
         let mut total = f64::NEG_INFINITY;
         for &ratio in &self.ratios {
             let (q, log_det) = self.with_ratio(ratio);
@@ -229,11 +233,12 @@ impl Background {
                 let (log, sigma_m) = self.marginal.at(q - off);
                 let mut log = log - 0.5 * log_det + gain + geometry_prior(ratio * sigma_m);
                 if size > 0.0 {
-                    log += size_prior(size * sigma_m, size * reach);
+                    log += size_prior(size * sigma_m, size * signal_of_unit_size);
                 }
                 total = log_add(total, log);
                 if log > best.log_evidence {
-                    best = Reached { log_evidence: log, sigma_m, geometry_ratio: ratio, size_ratio: size };
+                    best =
+                        EvidencePeak { log_evidence: log, sigma_m, geometry_ratio: ratio, size_ratio: size };
                 }
             }
         }

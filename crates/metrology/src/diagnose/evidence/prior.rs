@@ -1,6 +1,6 @@
 //! What is believed of sizes before the data are seen, and the grids over which they are summed.
 
-use crate::diagnose::marginal::{Noise, SIGMA_M, normal};
+use crate::diagnose::marginal::{NoisePrior, SIGMA_M, normal_pdf};
 use nalgebra::DVector;
 
 /// Prior weight of geometry exactly as drawn.
@@ -11,7 +11,7 @@ const SMALLEST: f64 = 1.0 / 64.0;
 
 /// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
 pub fn grids(
-    noise: &Noise,
+    noise: &NoisePrior,
     m: f64,
     yy: f64,
     lambda: &DVector<f64>,
@@ -37,7 +37,7 @@ pub fn geometry_prior(s_g: f64) -> f64 {
         return NO_GEOMETRY.ln();
     }
     let x = s_g.ln();
-    let density = 0.85 * normal(x, -0.3, 0.8) + 0.15 * normal(x, 1.6, 1.0);
+    let density = 0.85 * normal_pdf(x, -0.3, 0.8) + 0.15 * normal_pdf(x, 1.6, 1.0);
     ((1.0 - NO_GEOMETRY) * density * std::f64::consts::LN_2).max(1e-12).ln()
 }
 
@@ -48,9 +48,9 @@ const BY_NOISE: f64 = 0.5;
 /// for is of its usual size, or so large that these data just begin to ask for it, whatever is usual.
 pub fn size_prior(s: f64, rho: f64) -> f64 {
     let x = s.max(1e-9).ln();
-    let usual = 0.8 * normal(x, 0.0, 0.9) + 0.2 * normal(x, 1.2, 1.3);
-    let seen = normal(rho.max(1e-9).ln(), 0.0, 1.1);
-    let density = (1.0 - BY_NOISE) * usual + BY_NOISE * seen;
+    let prior_sigma = 0.8 * normal_pdf(x, 0.0, 0.9) + 0.2 * normal_pdf(x, 1.2, 1.3);
+    let seen = normal_pdf(rho.max(1e-9).ln(), 0.0, 1.1);
+    let density = (1.0 - BY_NOISE) * prior_sigma + BY_NOISE * seen;
     (density * std::f64::consts::LN_2).max(1e-12).ln()
 }
 
@@ -62,9 +62,11 @@ mod tests {
     /// keeps weight where it is far below what is usual.
     #[test]
     fn sizes_share_one_and_what_is_small_but_seen_is_not_shut_out() {
-        for reach in [0.01, 1.0, 300.0] {
-            let total: f64 =
-                (-60..60).map(|k| f64::from(k).exp2()).map(|s| size_prior(s, s * reach).exp()).sum();
+        for signal_of_unit_size in [0.01, 1.0, 300.0] {
+            let total: f64 = (-60..60)
+                .map(|k| f64::from(k).exp2())
+                .map(|s| size_prior(s, s * signal_of_unit_size).exp())
+                .sum();
             assert!((total - 1.0).abs() < 1e-3, "{total}");
         }
         // 1/300 of usual: 6.3 standard deviations of the usual sizes, but the middle of those by the noise:

@@ -1,20 +1,21 @@
 //! The search: the best effect above the alarm is added, then the next; each is tried against all others in
 //! its own place; what falls below is dropped.
 
-mod change;
+mod exchange;
 mod library;
-mod rank;
+mod ranking;
 
 pub use library::Library;
-pub use rank::{Hypothesis, Slot};
+pub use ranking::{Hypothesis, HypothesisRanking};
 
 use super::design::Design;
 use super::effects::{Candidate, steps_too_near};
-use super::evidence::{Background, Reached};
-use super::marginal::Noise;
-use change::Search;
-use library::Follower;
+use super::evidence::{EvidencePeak, NuisanceModel};
+use super::marginal::NoisePrior;
+use exchange::Search;
+use library::TrackedCandidate;
 use rayon::prelude::*;
+use robot_model::deform::EffectKind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Prior probability that nothing is there, and that something outside the library is.
@@ -44,7 +45,7 @@ const PASSES: usize = 3;
 
 /// One cause in the model.
 #[derive(Clone, Debug)]
-pub struct Chosen {
+pub struct ChosenCause {
     /// Index into the candidates.
     pub candidate: usize,
     /// Its columns in the design.
@@ -59,26 +60,26 @@ impl Library<'_> {
     /// Adds effects while one passes `alarm_nats`; then tries each against all others in its place, drops what
     /// falls under, and, where that changed anything, goes on.
     ///
-    /// `design` gains the chosen effects' columns; `place` remembers where.
+    /// `design` gains the chosen effects' columns; `column_index` remembers where.
     pub fn search(
         &mut self,
         design: &mut Design,
         subset: &[usize],
-        noise: Noise,
-        place: &mut BTreeMap<usize, Vec<usize>>,
+        noise: NoisePrior,
+        column_index: &mut BTreeMap<usize, Vec<usize>>,
         alarm_nats: f64,
-    ) -> Vec<Chosen> {
-        let mut background = Background::new(design, subset, &[], noise);
-        let followers = self.follow(&background, subset);
-        let null = background.null();
+    ) -> Vec<ChosenCause> {
+        let mut nuisance = NuisanceModel::new(design, subset, &[], noise);
+        let tracked = self.track(&nuisance, subset);
+        let null = nuisance.null();
         let uncalibrated = null.geometry_ratio * null.sigma_m > FAR_OFF;
         let (chosen, near) = (Vec::new(), BTreeSet::new());
-        let mut search = Search { design, subset, noise, place, chosen, near, followers };
+        let mut search = Search { design, subset, noise, column_index, chosen, near, tracked };
         for pass in 0..PASSES {
-            self.add_while(&mut search, &mut background, alarm_nats, uncalibrated);
+            self.add_while(&mut search, &mut nuisance, alarm_nats, uncalibrated);
             let many = search.chosen.len() > MOST_SWAPPED;
             // Over a fold the lines are chosen anew, but not settled: that takes as long as all the rest.
-            let settled = pass > 0 || subset.len() < search.design.atoms();
+            let settled = pass > 0 || subset.len() < search.design.groups();
             if search.chosen.len() < 2 || many && settled {
                 break;
             }
@@ -94,10 +95,10 @@ impl Library<'_> {
             if before == candidates(&search) {
                 break;
             }
-            background = search.background(&search.chosen);
-            search.followers.par_iter_mut().for_each(|f| {
+            nuisance = search.nuisance(&search.chosen);
+            search.tracked.par_iter_mut().for_each(|f| {
                 self.products[f.candidate].sum_more(subset, &mut f.sums);
-                f.projected = background.project(&f.sums);
+                f.projected = nuisance.project(&f.sums);
             });
         }
         self.drop_offsets(&mut search);
@@ -108,90 +109,91 @@ impl Library<'_> {
     fn add_while(
         &mut self,
         search: &mut Search<'_>,
-        background: &mut Background,
+        nuisance: &mut NuisanceModel,
         alarm_nats: f64,
         uncalibrated: bool,
     ) {
         loop {
             let beside = if search.chosen.is_empty() { 1.0 } else { BESIDE };
             let alarm_nats = beside * alarm_nats;
-            let open: Vec<&Follower> = search
-                .followers
+            let open: Vec<&TrackedCandidate> = search
+                .tracked
                 .iter()
                 .filter(|f| self.allowed(f.candidate, &search.chosen))
                 .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
                 .collect();
-            let slot = self.rank(background, &open, false);
-            search.near.extend(slot.ranked.iter().filter_map(|(h, _, _)| match h {
+            let ranking = self.rank(nuisance, &open, false);
+            search.near.extend(ranking.ranked.iter().filter_map(|(h, _, _)| match h {
                 Hypothesis::Effect(c) => Some(*c),
                 _ => None,
             }));
             // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
-            let offsets = slot.ranked.iter().find_map(|(h, _, r)| match h {
+            let offsets = ranking.ranked.iter().find_map(|(h, _, r)| match h {
                 Hypothesis::Effect(c) if self.all_offsets(*c) => {
-                    Some((*c, r.log_evidence - slot.null.log_evidence, *r))
+                    Some((*c, r.log_evidence - ranking.null.log_evidence, *r))
                 }
                 _ => None,
             });
-            let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&slot));
-            let Some((candidate, gain, reached)) = best else { return };
-            if gain < alarm_nats || background.freedom() < FEWEST_FREE {
+            let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&ranking));
+            let Some((candidate, gain, peak)) = best else { return };
+            if gain < alarm_nats || nuisance.freedom() < FEWEST_FREE {
                 return;
             }
-            let mut first = vec![(candidate, gain, reached)];
+            let mut first = vec![(candidate, gain, peak)];
             if self.all_offsets(candidate) {
-                first = self.single_offsets().into_iter().map(|c| (c, gain, reached)).collect();
+                first = self.single_offsets().into_iter().map(|c| (c, gain, peak)).collect();
             }
             let sure = first.len();
-            let wanted: Vec<Chosen> = first
+            let wanted: Vec<ChosenCause> = first
                 .into_iter()
-                .chain(self.more_lines(&slot, candidate))
-                .map(|(candidate, gain_nats, reached)| {
-                    let columns = self.place(search.design, search.place, candidate);
-                    Chosen { candidate, columns, gain_nats, size_ratio: reached.size_ratio }
+                .chain(self.more_lines(&ranking, candidate))
+                .map(|(candidate, gain_nats, peak)| {
+                    let columns = self.columns_in_design(search.design, search.column_index, candidate);
+                    ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
                 })
                 .collect();
             self.extend(search.design);
             for (i, mut one) in wanted.into_iter().enumerate() {
                 // A further line may be the shadow of those before it: it must be clear beside them.
                 if i >= sure {
-                    if background.freedom() < FEWEST_FREE {
+                    if nuisance.freedom() < FEWEST_FREE {
                         break;
                     }
-                    let projected = background.project(&self.products[one.candidate].sum(search.subset));
-                    let reached = self.evidence(background, &projected, one.candidate);
-                    one.gain_nats = reached.log_evidence - background.null().log_evidence;
-                    one.size_ratio = reached.size_ratio;
+                    let projected = nuisance.project(&self.products[one.candidate].sum(search.subset));
+                    let peak = self.evidence(nuisance, &projected, one.candidate);
+                    one.gain_nats = peak.log_evidence - nuisance.null().log_evidence;
+                    one.size_ratio = peak.size_ratio;
                     if one.gain_nats < CLEAR_NATS {
                         continue;
                     }
                 }
-                background.grow(search.design, search.subset, &one.columns);
+                nuisance.grow(search.design, search.subset, &one.columns);
                 search.chosen.push(one);
             }
-            self.catch_up(background, search.subset, &mut search.followers);
+            self.update_tracked(nuisance, search.subset, &mut search.tracked);
         }
     }
 
     /// Further gear lines of the same scan that are so clear, and so far from each other, that they need
     /// hardly wait for the next: a real gear has dozens.
-    fn more_lines(&self, slot: &Slot, first: usize) -> Vec<(usize, f64, Reached)> {
+    fn more_lines(&self, ranking: &HypothesisRanking, first: usize) -> Vec<(usize, f64, EvidencePeak)> {
         let mut lines: Vec<usize> = vec![first];
         let mut more = Vec::new();
-        for (hypothesis, _, reached) in &slot.ranked {
+        for (hypothesis, _, peak) in &ranking.ranked {
             let Hypothesis::Effect(c) = *hypothesis else { continue };
-            let form = &self.candidates[c].form;
-            let gain = reached.log_evidence + self.candidates[c].weight.ln() - slot.null.log_evidence;
+            let variant = &self.candidates[c].variant;
+            let gain = peak.log_evidence + self.candidates[c].weight.ln() - ranking.null.log_evidence;
             let far = lines.iter().all(|&l| {
-                let other = &self.candidates[l].form;
+                let other = &self.candidates[l].variant;
                 other.n.is_some()
-                    && (other.joint != form.joint || other.n.unwrap_or(0).abs_diff(form.n.unwrap_or(0)) > 3)
+                    && (other.joint != variant.joint
+                        || other.n.unwrap_or(0).abs_diff(variant.n.unwrap_or(0)) > 3)
             });
-            if form.n.is_none() || gain < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
+            if variant.n.is_none() || gain < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
                 continue;
             }
             lines.push(c);
-            more.push((c, gain, *reached));
+            more.push((c, gain, *peak));
         }
         more
     }
@@ -199,20 +201,20 @@ impl Library<'_> {
     /// Whether `candidate` is the offsets of all joints at once.
     fn all_offsets(&self, candidate: usize) -> bool {
         let this = &self.candidates[candidate];
-        this.effect().name() == "joint_offset" && this.form.joint.is_none()
+        this.kind == EffectKind::JointOffset && this.variant.joint.is_none()
     }
 
     /// The offsets of single joints.
     fn single_offsets(&self) -> Vec<usize> {
-        let offset = |c: &usize| self.candidates[*c].effect().name() == "joint_offset";
+        let offset = |c: &usize| self.candidates[*c].kind == EffectKind::JointOffset;
         (0..self.candidates.len()).filter(|c| offset(c) && !self.all_offsets(*c)).collect()
     }
 
     /// Whether `candidate` may join: not twice the same, not too many.
-    fn allowed(&self, candidate: usize, chosen: &[Chosen]) -> bool {
+    fn allowed(&self, candidate: usize, chosen: &[ChosenCause]) -> bool {
         let this = &self.candidates[candidate];
-        let line = |c: &Candidate| c.effect().name() == "gear_mesh";
-        let offset = |c: &Candidate| c.effect().name() == "joint_offset";
+        let line = |c: &Candidate| c.kind == EffectKind::GearMesh;
+        let offset = |c: &Candidate| c.kind == EffectKind::JointOffset;
         let count = |of: &dyn Fn(&Candidate) -> bool| {
             chosen.iter().filter(|c| of(&self.candidates[c.candidate])).count()
         };
@@ -224,12 +226,12 @@ impl Library<'_> {
         };
         room && chosen.iter().all(|c| {
             let other = &self.candidates[c.candidate];
-            let same = other.effect == this.effect
-                && other.form.joint == this.form.joint
-                && other.form.joint_b == this.form.joint_b
-                && other.form.n == this.form.n;
-            let steps = this.form.t0_min().zip(other.form.t0_min());
-            if steps.is_some_and(|(t0_min, other)| steps_too_near(self.scene, t0_min, other)) {
+            let same = other.kind == this.kind
+                && other.variant.joint == this.variant.joint
+                && other.variant.joint_b == this.variant.joint_b
+                && other.variant.n == this.variant.n;
+            let steps = this.variant.t0_min().zip(other.variant.t0_min());
+            if steps.is_some_and(|(t0_min, other)| steps_too_near(self.dataset, t0_min, other)) {
                 return false;
             }
             !same || steps.is_some_and(|(t0_min, other)| t0_min != other)
@@ -237,25 +239,25 @@ impl Library<'_> {
     }
 
     /// The candidate's columns in the design, appended when new; [`Self::extend`] has to follow.
-    pub fn place(
+    pub fn columns_in_design(
         &mut self,
         design: &mut Design,
-        place: &mut BTreeMap<usize, Vec<usize>>,
+        column_index: &mut BTreeMap<usize, Vec<usize>>,
         candidate: usize,
     ) -> Vec<usize> {
-        if let Some(columns) = place.get(&candidate) {
+        if let Some(columns) = column_index.get(&candidate) {
             return columns.clone();
         }
-        let columns = design.columns_of(self.scene, &self.candidates[candidate]);
+        let columns = design.columns_of(self.dataset, &self.candidates[candidate]);
         let at: Vec<usize> = design.append(columns).collect();
-        place.insert(candidate, at.clone());
+        column_index.insert(candidate, at.clone());
         at
     }
 }
 
 /// Columns of all chosen but `without`.
 #[must_use]
-pub fn flat(chosen: &[Chosen], without: Option<usize>) -> Vec<usize> {
+pub fn cause_columns(chosen: &[ChosenCause], without: Option<usize>) -> Vec<usize> {
     chosen
         .iter()
         .enumerate()

@@ -1,35 +1,36 @@
 //! The verdict: what the evidence says, what it cannot tell apart, and when it must not say anything.
 
-mod group;
+mod cause_group;
 mod noise;
 mod size;
 mod structure;
-mod words;
+mod wording;
 
-pub use words::{describe, describe_candidate};
+pub use wording::{describe, describe_candidate};
 
-use super::effects;
-use super::evidence::Background;
-use super::linearise::Linear;
+use super::evidence::NuisanceModel;
+use super::linearise::Linearised;
 use super::model::Model;
-use super::outcome::{Cause, Verdict, Where};
-use super::search::{ALARM_NATS, Chosen, Hypothesis, Slot};
-use group::{credible, groups, join_nested, scan};
-use noise::{LEFT_OVER, SLOW_NOISE, Scatter, joint_scatter, reduced_chi_square, slow_noise};
+use super::outcome::{Cause, Location, Verdict};
+use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
+use cause_group::{cause_groups, credible, join_nested, scan};
+use noise::{MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, joint_scatter, reduced_chi_square, slow_noise};
+use robot_model::deform::EffectKind;
 use size::{cause, cause_unfitted, line_among_many, moved_m, total_rms_m};
 use structure::{
-    MANY, SMALL_BESIDE, add_kernels, kernel_share, left_over_m, odds_over_causes, place_of_kernel, region_of,
-    rival_share, shape_of_lines, structure as structure_in, structure_odds, varying_cause,
+    MANY_CAUSES, SMALL_BESIDE, add_gp_alternatives, gp_alternative_share, left_over_m, location_of_gp,
+    odds_over_causes, region_of, rival_share, shape_of_lines, structure as structure_in, structure_odds,
+    varying_cause,
 };
-use words::{in_short, structure_reason};
+use wording::{in_short, structure_reason};
 
 /// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
-const KERNEL_RIVALS: f64 = 0.2;
+const GP_ALTERNATIVE_SHARE: f64 = 0.2;
 /// A set larger than this, with structure of no cause as likely, is no set.
 const LARGE_SET: usize = 6;
 
 /// The verdict and what it rests on.
-pub struct Judged {
+pub struct Judgement {
     /// Verdict.
     pub verdict: Verdict,
     /// One sentence.
@@ -37,9 +38,9 @@ pub struct Judged {
     /// Ranked causes.
     pub causes: Vec<Cause>,
     /// Rivals found wanting.
-    pub rivals: Vec<Cause>,
+    pub alternatives: Vec<Cause>,
     /// Where.
-    pub place: Where,
+    pub place: Location,
     /// Candidates of the likeliest cause and its likeliest rival.
     pub pair: Option<(usize, Option<usize>)>,
     /// Scatter against repeats.
@@ -52,117 +53,120 @@ const AS_A_CANDIDATE: f64 = 0.5;
 
 /// Judges the model.
 #[must_use]
-pub fn judge(model: &mut Model<'_>, linear: &Linear) -> Judged {
+pub fn judge(model: &mut Model<'_>, linear: &Linearised) -> Judgement {
     let chosen = model.chosen.clone();
     model.library.forget_columns();
-    add_kernels(model, linear, &chosen);
+    add_gp_alternatives(model, linear, &chosen);
     let (rest, geometry_gain) = scan(model, &chosen, None);
     let chi = reduced_chi_square(model, linear, &chosen);
     let along = joint_scatter(model, linear).filter(|j| j.gain_nats > ALARM_NATS);
     let scatter = Scatter { chi: chi.filter(|&(value, limit)| value > limit).map(|c| c.0), along };
-    let mut judged = if chosen.is_empty() {
+    let mut judgement = if chosen.is_empty() {
         without_cause(model, linear, &rest, geometry_gain, scatter)
     } else {
         with_causes(model, linear, &chosen, &rest, scatter)
     };
-    judged.reduced_chi_square = chi.map(|c| c.0);
-    if matches!(judged.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
-        for candidate in &mut judged.causes {
+    judgement.reduced_chi_square = chi.map(|c| c.0);
+    if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
+        for candidate in &mut judgement.causes {
             candidate.posterior *= AS_A_CANDIDATE;
         }
     }
-    judged
+    judgement
 }
 
 fn without_cause(
     model: &mut Model<'_>,
-    linear: &Linear,
-    slot: &Slot,
+    linear: &Linearised,
+    ranking: &HypothesisRanking,
     geometry_gain: f64,
     scatter: Scatter,
-) -> Judged {
-    let groups = groups(model, slot);
+) -> Judgement {
+    let cause_groups = cause_groups(model, ranking);
     let mut causes = Vec::new();
-    for group in groups.iter().take(3).filter(|g| g.probability > 0.001) {
-        causes.push(cause(model, linear, &[], None, group));
+    for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > 0.001) {
+        causes.push(cause(model, linear, &[], None, cause_group));
     }
-    let mut judged = Judged {
+    let mut judgement = Judgement {
         verdict: Verdict::NothingAboveNoise,
         reason: "no effect of the library stands out of the noise".to_owned(),
         causes,
-        rivals: Vec::new(),
-        place: Where::default(),
-        pair: groups.first().map(|g| (g.best, groups.get(1).map(|h| h.best))),
+        alternatives: Vec::new(),
+        place: Location::default(),
+        pair: cause_groups.first().map(|g| (g.best, cause_groups.get(1).map(|h| h.best))),
         reduced_chi_square: None,
     };
-    let found = structure_in(model, slot).filter(|(gain, _)| *gain > ALARM_NATS);
-    let slow = found.is_some_and(|(_, kernel)| slow_noise(model, linear, kernel));
+    let found = structure_in(model, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
+    let slow = found.is_some_and(|(_, gp_alternative)| slow_noise(model, linear, gp_alternative));
     if slow {
-        SLOW_NOISE.clone_into(&mut judged.reason);
+        SLOW_NOISE.clone_into(&mut judgement.reason);
     }
-    if let Some((_, kernel)) = found.filter(|_| !slow) {
-        judged.verdict = Verdict::UnexplainedStructure;
-        judged.place = place_of_kernel(model, linear, &[], kernel);
-        judged.reason =
-            structure_reason(model.library.kernels[kernel].kernel, linear.scene.time_min.is_some());
+    if let Some((_, gp_alternative)) = found.filter(|_| !slow) {
+        judgement.verdict = Verdict::UnexplainedStructure;
+        judgement.place = location_of_gp(model, linear, &[], gp_alternative);
+        judgement.reason = structure_reason(
+            model.library.gp_alternatives[gp_alternative].gp_alternative,
+            linear.dataset.time_min.is_some(),
+        );
     } else if scatter.chi.is_some() || scatter.along.is_some() {
-        judged.verdict = Verdict::UnexplainedScatter;
-        judged.place.joint = scatter.along.map(|a| a.joint + 1);
-        judged.reason = scatter.reason();
+        judgement.verdict = Verdict::UnexplainedScatter;
+        judgement.place.joint = scatter.along.map(|a| a.joint + 1);
+        judgement.reason = scatter.reason();
     } else if geometry_gain > ALARM_NATS {
-        judged.verdict = Verdict::Geometry;
-        "small errors of all joints' geometry take the gap; none stands out".clone_into(&mut judged.reason);
+        judgement.verdict = Verdict::Geometry;
+        "small errors of all joints' geometry take the gap; none stands out"
+            .clone_into(&mut judgement.reason);
     }
-    judged
+    judgement
 }
 
 fn with_causes(
     model: &mut Model<'_>,
-    linear: &Linear,
-    chosen: &[Chosen],
-    rest: &Slot,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+    rest: &HypothesisRanking,
     scatter: Scatter,
-) -> Judged {
+) -> Judgement {
     let mut causes = Vec::new();
-    let mut rivals = Vec::new();
+    let mut alternatives = Vec::new();
     let mut pair = None;
     let mut clear = 0;
-    let mut kernel_wins: Option<usize> = None;
+    let mut winning_gp: Option<usize> = None;
     let mut needed = 0;
     let mut lost = 0;
     for i in 0..chosen.len() {
-        if chosen.len() > MANY && model.library.candidates[chosen[i].candidate].form.n.is_some() {
+        if chosen.len() > MANY_CAUSES && model.library.candidates[chosen[i].candidate].variant.n.is_some() {
             causes.push(line_among_many(model, linear, chosen, i));
             needed += 1;
             clear += 1;
             continue;
         }
-        let (slot, _) = scan(model, chosen, Some(i));
-        let mut groups = groups(model, &slot);
-        join_nested(model, &mut groups);
-        let Some(first) = groups.first() else { continue };
-        let near = credible(&groups);
-        let nothing = slot.ranked.iter().find(|r| r.0 == Hypothesis::Null).map_or(0.0, |r| r.1);
-        if nothing > first.probability.max(kernel_share(&slot)) {
+        let (ranking, _) = scan(model, chosen, Some(i));
+        let mut cause_groups = cause_groups(model, &ranking);
+        join_nested(model, &mut cause_groups);
+        let Some(first) = cause_groups.first() else { continue };
+        let near = credible(&cause_groups);
+        let nothing = ranking.ranked.iter().find(|r| r.0 == Hypothesis::Null).map_or(0.0, |r| r.1);
+        if nothing > first.probability.max(gp_alternative_share(&ranking)) {
             // Beside the others it is no longer needed.
             continue;
         }
         needed += 1;
-        let kernels = rival_share(model, &slot, first.best);
+        let gp_alternatives = rival_share(model, &ranking, first.best);
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
-        if kernels > causes_share || near.len() > LARGE_SET && kernels > first.probability {
-            kernel_wins = structure_in(model, &slot).map(|s| s.1);
+        if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
+            winning_gp = structure_in(model, &ranking).map(|s| s.1);
             lost += 1;
         }
-        clear += usize::from(near.len() == 1 && kernels < KERNEL_RIVALS * causes_share);
+        clear += usize::from(near.len() == 1 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share);
         if i == 0 {
-            pair = Some((first.best, groups.get(1).map(|g| g.best)));
+            pair = Some((first.best, cause_groups.get(1).map(|g| g.best)));
         }
-        for group in &near {
-            causes.push(cause(model, linear, chosen, Some(i), group));
+        for cause_group in &near {
+            causes.push(cause(model, linear, chosen, Some(i), cause_group));
         }
-        for group in groups.iter().skip(near.len()).take(3) {
-            rivals.push(cause_unfitted(model, group));
+        for cause_group in cause_groups.iter().skip(near.len()).take(3) {
+            alternatives.push(cause_unfitted(model, cause_group));
         }
     }
     for a in (1..causes.len()).rev() {
@@ -170,10 +174,10 @@ fn with_causes(
             causes.remove(a);
         }
     }
-    let scale = causes.iter().any(|c| c.effect == "instrument_scale");
-    if scale && !causes.iter().any(|c| c.effect == "link_geometry") {
+    let scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
+    if scale && !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry) {
         // A scale of the instrument and a scale of all links are one and the same to these data.
-        causes.push(Cause::of(effects::LIBRARY[1], 0.0));
+        causes.push(Cause::of(EffectKind::LinkGeometry, 0.0));
     }
     let thousandths = |p: f64| (1000.0 * p).round();
     causes.sort_by(|a, b| {
@@ -181,7 +185,7 @@ fn with_causes(
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
 
-    let rivals = wanting(rivals, &causes);
+    let alternatives = rejected(alternatives, &causes);
     let cause_rms_m = total_rms_m(model, chosen);
     let left = structure_in(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(rest, k));
@@ -191,37 +195,40 @@ fn with_causes(
     let all = odds > structure_in(model, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
     let shape = shape_of_lines(model, chosen);
     let varies = varying_cause(model, rest);
-    kernel_wins = shape.or(varies).or(kernel_wins);
+    winning_gp = shape.or(varies).or(winning_gp);
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
     // Causes that most of them structure could replace are no causes but its parts.
     let parts = lost > 1 && 2 * lost > needed && left.is_some();
-    let alone = (kernel_wins.is_some() || together) && !beside || all || parts || shape.or(varies).is_some();
+    let alone = (winning_gp.is_some() || together) && !beside || all || parts || shape.or(varies).is_some();
 
-    let mut place = Where { joint: causes.first().and_then(|c| c.joint), ..Where::default() };
+    let mut place = Location { joint: causes.first().and_then(|c| c.joint), ..Location::default() };
     place.time = causes.first().map(|c| c.time);
     place.region = region_of(linear, &moved_m(model, linear, chosen));
-    let (verdict, reason) = if alone || left_rms_m > LEFT_OVER * cause_rms_m {
-        let kernel = kernel_wins.or(left.map(|l| l.1)).or_else(|| {
-            let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-            let bare = Background::new(&model.design, &atoms, &[], model.noise);
-            structure_in(model, &model.library.scan_kernels(&bare)).map(|s| s.1)
+    let (verdict, reason) = if alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m {
+        let gp_alternative = winning_gp.or(left.map(|l| l.1)).or_else(|| {
+            let groups: Vec<usize> = (0..model.design.groups()).collect();
+            let bare = NuisanceModel::new(&model.design, &groups, &[], model.noise);
+            structure_in(model, &model.library.rank_gp_alternatives(&bare)).map(|s| s.1)
         });
-        let reason = kernel.map_or_else(String::new, |k| {
-            structure_reason(model.library.kernels[k].kernel, linear.scene.time_min.is_some())
+        let reason = gp_alternative.map_or_else(String::new, |k| {
+            structure_reason(
+                model.library.gp_alternatives[k].gp_alternative,
+                linear.dataset.time_min.is_some(),
+            )
         });
-        match kernel {
-            Some(kernel) if slow_noise(model, linear, kernel) => {
-                place = Where::default();
+        match gp_alternative {
+            Some(gp_alternative) if slow_noise(model, linear, gp_alternative) => {
+                place = Location::default();
                 (Verdict::NothingAboveNoise, SLOW_NOISE.to_owned())
             }
-            Some(kernel) => {
-                place = place_of_kernel(model, linear, &[], kernel);
+            Some(gp_alternative) => {
+                place = location_of_gp(model, linear, &[], gp_alternative);
                 (Verdict::UnexplainedStructure, reason)
             }
             None => (Verdict::UnexplainedStructure, reason),
         }
-    } else if scatter.rivals(model, linear, cause_rms_m) {
+    } else if scatter.alternatives(model, linear, cause_rms_m) {
         place.joint = scatter.along.map(|a| a.joint + 1);
         (Verdict::UnexplainedScatter, scatter.reason())
     } else if clear < needed.min(2) || scale {
@@ -238,7 +245,7 @@ fn with_causes(
     } else {
         (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
     };
-    Judged { verdict, reason, causes, rivals, place, pair, reduced_chi_square: None }
+    Judgement { verdict, reason, causes, alternatives, place, pair, reduced_chi_square: None }
 }
 
 fn same(a: &Cause, b: &Cause) -> bool {
@@ -246,14 +253,14 @@ fn same(a: &Cause, b: &Cause) -> bool {
 }
 
 /// Each rival once, and none that is a cause itself in another place.
-fn wanting(rivals: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
-    let mut wanting: Vec<Cause> = Vec::new();
-    for rival in rivals {
-        if !causes.iter().chain(&wanting).any(|named| same(named, &rival)) {
-            wanting.push(rival);
+fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
+    let mut rejected: Vec<Cause> = Vec::new();
+    for rival in alternatives {
+        if !causes.iter().chain(&rejected).any(|named| same(named, &rival)) {
+            rejected.push(rival);
         }
     }
-    wanting
+    rejected
 }
 
 #[cfg(test)]
@@ -262,11 +269,13 @@ mod tests {
 
     #[test]
     fn what_is_named_is_not_ruled_out_in_another_place() {
-        let of =
-            |effect: usize, joint| Cause { joint: Some(joint), ..Cause::of(effects::LIBRARY[effect], 0.5) };
-        let left = wanting(vec![of(0, 2), of(1, 4), of(0, 2), of(0, 3)], &[of(1, 4), of(2, 2)]);
+        use EffectKind::{JointCompliance, JointOffset, LinkGeometry};
+        let of = |kind: EffectKind, joint| Cause { joint: Some(joint), ..Cause::of(kind, 0.5) };
+        let left = rejected(
+            vec![of(JointOffset, 2), of(LinkGeometry, 4), of(JointOffset, 2), of(JointOffset, 3)],
+            &[of(LinkGeometry, 4), of(JointCompliance, 2)],
+        );
         let named: Vec<_> = left.iter().map(|c| (c.effect, c.joint)).collect();
-        let first = effects::LIBRARY[0].name();
-        assert_eq!(named, [(first, Some(2)), (first, Some(3))]);
+        assert_eq!(named, [(JointOffset, Some(2)), (JointOffset, Some(3))]);
     }
 }

@@ -1,12 +1,12 @@
 //! Scatter that the model does not know, and noise that is only slow.
 
 use super::size::rms;
-use crate::diagnose::evidence::Background;
-use crate::diagnose::kernel::Kernel;
-use crate::diagnose::linearise::{Linear, norm3};
+use crate::diagnose::evidence::NuisanceModel;
+use crate::diagnose::gp_alternative::GpAlternative;
+use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{Model, solve};
 use crate::diagnose::scatter::{self, JointScatter};
-use crate::diagnose::search::{Chosen, flat};
+use crate::diagnose::search::{ChosenCause, cause_columns};
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
 const SCATTER: f64 = 1.5;
@@ -16,7 +16,7 @@ const STATED_SCATTER: f64 = 2.8;
 /// thousand (normal quantile).
 const BY_CHANCE: f64 = 2.878;
 /// Structure left that is larger than this share of the causes makes them doubtful.
-pub const LEFT_OVER: f64 = 0.5;
+pub const MAX_RESIDUAL_SHARE: f64 = 0.5;
 /// [`slow_noise`] in words.
 pub const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
      part of it, but together they scatter no more than the noise allows";
@@ -33,9 +33,9 @@ pub struct Scatter {
 impl Scatter {
     /// Whether it is not small against what the causes take.
     #[must_use]
-    pub fn rivals(&self, model: &Model<'_>, linear: &Linear, cause_rms_m: f64) -> bool {
-        self.along.is_some_and(|a| a.rms_m > LEFT_OVER * cause_rms_m)
-            || self.chi.is_some() && excess_m(model, linear) > LEFT_OVER * cause_rms_m
+    pub fn alternatives(&self, model: &Model<'_>, linear: &Linearised, cause_rms_m: f64) -> bool {
+        self.along.is_some_and(|a| a.rms_m > MAX_RESIDUAL_SHARE * cause_rms_m)
+            || self.chi.is_some() && excess_m(model, linear) > MAX_RESIDUAL_SHARE * cause_rms_m
     }
 
     /// In words.
@@ -52,14 +52,15 @@ impl Scatter {
 
 /// Scatter of the residuals along a joint.
 #[must_use]
-pub fn joint_scatter(model: &Model<'_>, linear: &Linear) -> Option<JointScatter> {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let background = Background::new(&model.design, &atoms, &flat(&model.chosen, None), model.noise);
+pub fn joint_scatter(model: &Model<'_>, linear: &Linearised) -> Option<JointScatter> {
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let nuisance =
+        NuisanceModel::new(&model.design, &groups, &cause_columns(&model.chosen, None), model.noise);
     // Orientation has rows of its own; half of the parameters are then the points'.
-    let share = 3.0 / linear.scene.rows_per_site as f64;
-    let used = share * background.parameters(model.reached.geometry_ratio);
+    let share = 3.0 / linear.dataset.rows_per_observation as f64;
+    let used = share * nuisance.parameters(model.peak.geometry_ratio);
     scatter::along_joints(
-        &linear.scene,
+        &linear.dataset,
         &model.residuals,
         &model.base_weights,
         &model.outliers,
@@ -69,40 +70,45 @@ pub fn joint_scatter(model: &Model<'_>, linear: &Linear) -> Option<JointScatter>
 }
 
 /// Scatter beyond the noise as known, 3-D rms, metres.
-fn excess_m(model: &Model<'_>, linear: &Linear) -> f64 {
+fn excess_m(model: &Model<'_>, linear: &Linearised) -> f64 {
     let Some((sigma_m, _)) = model.noise.known else { return 0.0 };
     let kept: Vec<f64> = model
         .residuals
         .iter()
         .zip(&model.outliers)
         .filter(|(_, out)| !**out)
-        .map(|(m, _)| norm3(m))
+        .map(|(m, _)| shift_m(m))
         .collect();
-    let expected = linear.scene.sites.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
-        / linear.scene.sites.len() as f64;
+    let expected =
+        linear.dataset.observations.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
+            / linear.dataset.observations.len() as f64;
     (rms(&kept).powi(2) - expected).max(0.0).sqrt()
 }
 
 /// Scatter about a model of `chosen` over what the repeats allow, and the limit for as many repeats as there are.
 #[must_use]
-pub fn reduced_chi_square(model: &Model<'_>, linear: &Linear, chosen: &[Chosen]) -> Option<(f64, f64)> {
+pub fn reduced_chi_square(
+    model: &Model<'_>,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+) -> Option<(f64, f64)> {
     let (sigma_m, freedom) = model.noise.known?;
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let background = Background::new(&model.design, &atoms, &flat(chosen, None), model.noise);
-    let ratio = background.null().geometry_ratio;
-    let fit = solve(&model.design, &atoms, chosen, Some(ratio));
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let nuisance = NuisanceModel::new(&model.design, &groups, &cause_columns(chosen, None), model.noise);
+    let ratio = nuisance.null().geometry_ratio;
+    let fit = solve(&model.design, &groups, chosen, Some(ratio));
     let mut sum = 0.0;
     let mut rows = 0.0;
     let residuals = model.design.residuals(&fit.coefficients);
-    for ((m, site), out) in residuals.iter().zip(&linear.scene.sites).zip(&model.outliers) {
+    for ((m, observation), out) in residuals.iter().zip(&linear.dataset.observations).zip(&model.outliers) {
         if !*out {
-            sum += norm3(m).powi(2) * site.repeats as f64;
-            rows += site.rows(3) as f64;
+            sum += shift_m(m).powi(2) * observation.repeats as f64;
+            rows += observation.rows(3) as f64;
         }
     }
-    let free: f64 = (rows - background.parameters(ratio)).max(6.0);
+    let free: f64 = (rows - nuisance.parameters(ratio)).max(6.0);
     let spread = 1.5 * (2.0 / freedom + 2.0 / free).sqrt();
-    let limit = if model.noise.seen {
+    let limit = if model.noise.from_repeats {
         (SCATTER + spread).max(variance_ratio(BY_CHANCE, free, freedom))
     } else {
         STATED_SCATTER + spread
@@ -123,14 +129,16 @@ fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
     ((middle + root) / square).powi(3)
 }
 
-/// Whether `kernel` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
+/// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
 /// in the model, no larger than the repeats or the statement say.
 #[must_use]
-pub fn slow_noise(model: &Model<'_>, linear: &Linear, kernel: usize) -> bool {
-    let over_time =
-        matches!(model.library.kernels[kernel].kernel, Kernel::Time | Kernel::TimeFine | Kernel::ToolTime);
+pub fn slow_noise(model: &Model<'_>, linear: &Linearised, gp_alternative: usize) -> bool {
+    let over_time = matches!(
+        model.library.gp_alternatives[gp_alternative].gp_alternative,
+        GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime
+    );
     over_time
-        && linear.scene.time_min.is_some()
+        && linear.dataset.time_min.is_some()
         && reduced_chi_square(model, linear, &[]).is_some_and(|(value, limit)| value <= limit)
 }
 

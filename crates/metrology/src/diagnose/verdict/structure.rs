@@ -2,15 +2,17 @@
 
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::evidence::{Background, Reached};
-use crate::diagnose::kernel::{self, Kernel};
-use crate::diagnose::linearise::{Linear, norm3};
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
+use crate::diagnose::gp_alternative::{self, GpAlternative};
+use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{Model, solve};
-use crate::diagnose::outcome::{Region, Where};
+use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
-    ALARM_NATS, Chosen, DROP_NATS, Hypothesis, NULL_PRIOR, Slot, UNEXPLAINED_PRIOR, flat,
+    ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR,
+    cause_columns,
 };
+use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,81 +25,86 @@ const VARYING_WEIGHT: f64 = 0.1;
 /// And structure smaller than this share leaves them in their right, even where it could replace one.
 pub const SMALL_BESIDE: f64 = 0.25;
 /// With more causes than this each gear line is not tried against all others again.
-pub const MANY: usize = 8;
+pub const MANY_CAUSES: usize = 8;
 
 /// Probability of all structure in a slot.
 #[must_use]
-pub fn kernel_share(slot: &Slot) -> f64 {
-    slot.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::Kernel(_))).map(|r| r.1).sum()
+pub fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
+    ranking.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::GpAlternative(_))).map(|r| r.1).sum()
 }
 
-/// Whether `kernel` is a mere shape of `candidate`: a joint that turns slowly over time, somehow, is what a joint does that
+/// Whether `gp_alternative` is a mere shape of `candidate`: a joint that turns slowly over time, somehow, is what a joint does that
 /// drifts as it warms.
-fn is_shape_of(model: &Model<'_>, kernel: usize, candidate: usize) -> bool {
+fn is_shape_of(model: &Model<'_>, gp_alternative: usize, candidate: usize) -> bool {
     let this = &model.library.candidates[candidate];
-    let warming = (this.effect().name() == "thermal_joint_drift").then_some(this.form.joint).flatten();
-    matches!(model.library.kernels[kernel].kernel, Kernel::JointTime(j) if Some(j) == warming)
+    let warming = (this.kind == EffectKind::ThermalJointDrift).then_some(this.variant.joint).flatten();
+    matches!(model.library.gp_alternatives[gp_alternative].gp_alternative, GpAlternative::JointTime(j) if Some(j) == warming)
 }
 
 /// Probability of the structure in a slot that is no mere shape of `candidate`.
 #[must_use]
-pub fn rival_share(model: &Model<'_>, slot: &Slot, candidate: usize) -> f64 {
-    let rival = |(h, _, _): &&(Hypothesis, f64, Reached)| matches!(h, Hypothesis::Kernel(k) if !is_shape_of(model, *k, candidate));
-    slot.ranked.iter().filter(rival).map(|r| r.1).sum()
+pub fn rival_share(model: &Model<'_>, ranking: &HypothesisRanking, candidate: usize) -> f64 {
+    let rival = |(h, _, _): &&(Hypothesis, f64, EvidencePeak)| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(model, *k, candidate));
+    ranking.ranked.iter().filter(rival).map(|r| r.1).sum()
 }
 
 /// ln evidence of structure over nothing, priors within the kernels included; and the likeliest kernel.
-pub fn structure(model: &Model<'_>, slot: &Slot) -> Option<(f64, usize)> {
-    let gain = log_sum(slot.ranked.iter().filter_map(|(h, _, r)| match h {
-        Hypothesis::Kernel(k) => {
-            Some(r.log_evidence + model.library.kernels[*k].log_prior - UNEXPLAINED_PRIOR.ln())
+pub fn structure(model: &Model<'_>, ranking: &HypothesisRanking) -> Option<(f64, usize)> {
+    let gain = log_sum(ranking.ranked.iter().filter_map(|(h, _, r)| match h {
+        Hypothesis::GpAlternative(k) => {
+            Some(r.log_evidence + model.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln())
         }
         _ => None,
-    })) - slot.null.log_evidence;
-    let best = slot.ranked.iter().find_map(|(h, _, _)| match h {
-        Hypothesis::Kernel(k) => Some(*k),
+    })) - ranking.null.log_evidence;
+    let best = ranking.ranked.iter().find_map(|(h, _, _)| match h {
+        Hypothesis::GpAlternative(k) => Some(*k),
         _ => None,
     })?;
     Some((gain, best))
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
-pub fn add_kernels(model: &mut Model<'_>, linear: &Linear, chosen: &[Chosen]) {
-    let scene = &linear.scene;
-    let mut list = kernel::kernels();
+pub fn add_gp_alternatives(model: &mut Model<'_>, linear: &Linearised, chosen: &[ChosenCause]) {
+    let dataset = &linear.dataset;
+    let mut list = gp_alternative::gp_alternatives();
     let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
     for (joint, lines) in lines_by_joint(model, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
     {
         let orders: Vec<u32> =
-            lines.iter().filter_map(|&i| model.library.candidates[chosen[i].candidate].form.n).collect();
+            lines.iter().filter_map(|&i| model.library.candidates[chosen[i].candidate].variant.n).collect();
         let common = orders.iter().copied().fold(0, greatest_common_divisor);
         periods.extend(orders.into_iter().chain([common]).filter(|n| *n > 0).map(|n| (joint, n)));
     }
     let of_line = |joint: usize, n: u32| {
-        let form = |c: &&Candidate| c.form.joint == Some(joint) && c.form.n == Some(n);
-        model.library.candidates.iter().find(form).map_or(0.0, |c| c.weight)
+        let variant = |c: &&Candidate| c.variant.joint == Some(joint) && c.variant.n == Some(n);
+        model.library.candidates.iter().find(variant).map_or(0.0, |c| c.weight)
     };
     for (joint, n) in periods {
         let weight = 0.5 * PERIOD_WEIGHT * of_line(joint, n);
-        list.extend([(Kernel::Periodic(joint, n), weight), (Kernel::Steps(joint, n), weight)]);
+        list.extend([
+            (GpAlternative::Periodic(joint, n), weight),
+            (GpAlternative::SquareWave(joint, n), weight),
+        ]);
     }
-    if scene.time_min.is_none() && chosen.len() <= MANY {
-        list.extend((0..chosen.len()).map(|i| (Kernel::Varying(i), VARYING_WEIGHT)));
+    if dataset.time_min.is_none() && chosen.len() <= MANY_CAUSES {
+        list.extend((0..chosen.len()).map(|i| (GpAlternative::TimeVaryingCause(i), VARYING_WEIGHT)));
     }
     let design = &model.design;
-    model.library.add_kernels(design, list, &|kernel| match kernel {
-        Kernel::Varying(i) => kernel::varying(design, scene, &chosen[i].columns),
-        other => kernel::columns(other, design, scene),
+    model.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
+        GpAlternative::TimeVaryingCause(i) => {
+            gp_alternative::time_varying_columns(design, dataset, &chosen[i].columns)
+        }
+        other => gp_alternative::columns(other, design, dataset),
     });
 }
 
 /// A kernel that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
 /// many gears.
-pub fn shape_of_lines(model: &Model<'_>, chosen: &[Chosen]) -> Option<usize> {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
+pub fn shape_of_lines(model: &Model<'_>, chosen: &[ChosenCause]) -> Option<usize> {
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
     let whole_m = total_rms_m(model, chosen);
     for (joint, lines) in lines_by_joint(model, chosen) {
-        let rest: Vec<Chosen> =
+        let rest: Vec<ChosenCause> =
             (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
         let taken_m = (whole_m.powi(2) - total_rms_m(model, &rest).powi(2)).max(0.0).sqrt();
         if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
@@ -107,19 +114,20 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[Chosen]) -> Option<usize> {
             .filter(|i| !lines.contains(i))
             .flat_map(|i| chosen[i].columns.iter().copied())
             .collect();
-        let background = Background::new(&model.design, &atoms, &others, model.noise);
-        let bare = background.null().log_evidence;
+        let nuisance = NuisanceModel::new(&model.design, &groups, &others, model.noise);
+        let bare = nuisance.null().log_evidence;
         let mut best: Option<(f64, usize)> = None;
-        for (k, structure) in model.library.kernels.iter().enumerate() {
-            let fits = match structure.kernel {
-                Kernel::Periodic(j, _) | Kernel::Steps(j, _) | Kernel::Joint(j) | Kernel::JointFine(j) => {
-                    j == joint
-                }
+        for (k, structure) in model.library.gp_alternatives.iter().enumerate() {
+            let fits = match structure.gp_alternative {
+                GpAlternative::Periodic(j, _)
+                | GpAlternative::SquareWave(j, _)
+                | GpAlternative::Joint(j)
+                | GpAlternative::JointFine(j) => j == joint,
                 _ => false,
             };
             if fits {
-                let reached = background.evidence(&background.project(&structure.sums));
-                let odds = reached.log_evidence - bare + structure.log_prior - NULL_PRIOR.ln();
+                let peak = nuisance.evidence(&nuisance.project(&structure.sums));
+                let odds = peak.log_evidence - bare + structure.log_prior - NULL_PRIOR.ln();
                 if best.is_none_or(|(b, _)| odds > b) {
                     best = Some((odds, k));
                 }
@@ -127,54 +135,61 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[Chosen]) -> Option<usize> {
         }
         let mut together = 0.0;
         for &i in &lines {
-            let background = Background::new(&model.design, &atoms, &others, model.noise);
+            let nuisance = NuisanceModel::new(&model.design, &groups, &others, model.noise);
             let c = chosen[i].candidate;
             together +=
-                model.library.gain(&background, &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+                model.library.gain(&nuisance, &groups, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
             others.extend(chosen[i].columns.iter().copied());
         }
-        if let Some((_, kernel)) = best.filter(|(odds, _)| *odds > together + DROP_NATS) {
-            return Some(kernel);
+        if let Some((_, gp_alternative)) = best.filter(|(odds, _)| *odds > together + DROP_NATS) {
+            return Some(gp_alternative);
         }
     }
     None
 }
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
-pub fn varying_cause(model: &Model<'_>, rest: &Slot) -> Option<usize> {
-    rest.ranked.iter().find_map(|(h, _, reached)| match h {
-        Hypothesis::Kernel(k) if matches!(model.library.kernels[*k].kernel, Kernel::Varying(_)) => {
-            (reached.log_evidence - rest.null.log_evidence > ALARM_NATS).then_some(*k)
+pub fn varying_cause(model: &Model<'_>, rest: &HypothesisRanking) -> Option<usize> {
+    rest.ranked.iter().find_map(|(h, _, peak)| match h {
+        Hypothesis::GpAlternative(k)
+            if matches!(
+                model.library.gp_alternatives[*k].gp_alternative,
+                GpAlternative::TimeVaryingCause(_)
+            ) =>
+        {
+            (peak.log_evidence - rest.null.log_evidence > ALARM_NATS).then_some(*k)
         }
         _ => None,
     })
 }
 
 /// How large the structure is that a kernel takes after the causes, 3-D rms, metres.
-pub fn left_over_m(slot: &Slot, kernel: usize) -> f64 {
-    let sigma_with = slot
+pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
+    let sigma_with = ranking
         .ranked
         .iter()
-        .find(|(h, _, _)| *h == Hypothesis::Kernel(kernel))
-        .map_or(slot.null.sigma_m, |r| r.2.sigma_m);
-    (3.0 * (slot.null.sigma_m.powi(2) - sigma_with.powi(2)).max(0.0)).sqrt()
+        .find(|(h, _, _)| *h == Hypothesis::GpAlternative(gp_alternative))
+        .map_or(ranking.null.sigma_m, |r| r.2.sigma_m);
+    (3.0 * (ranking.null.sigma_m.powi(2) - sigma_with.powi(2)).max(0.0)).sqrt()
 }
 
 /// ln odds of structure alone, of no cause a mere shape, over all causes together.
-pub fn odds_over_causes(model: &Model<'_>, chosen: &[Chosen]) -> f64 {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let over = |k: usize| Background::new(&model.design, &atoms, &flat(&chosen[..k], None), model.noise);
-    let slot = model.library.scan_kernels(&over(0));
-    let structure = log_sum(slot.ranked.iter().filter_map(|(h, _, reached)| match h {
-        Hypothesis::Kernel(k) if !chosen.iter().any(|c| is_shape_of(model, *k, c.candidate)) => {
-            Some(reached.log_evidence + model.library.kernels[*k].log_prior - NULL_PRIOR.ln())
+pub fn odds_over_causes(model: &Model<'_>, chosen: &[ChosenCause]) -> f64 {
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let over = |k: usize| {
+        NuisanceModel::new(&model.design, &groups, &cause_columns(&chosen[..k], None), model.noise)
+    };
+    let ranking = model.library.rank_gp_alternatives(&over(0));
+    let structure = log_sum(ranking.ranked.iter().filter_map(|(h, _, peak)| match h {
+        Hypothesis::GpAlternative(k) if !chosen.iter().any(|c| is_shape_of(model, *k, c.candidate)) => {
+            Some(peak.log_evidence + model.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
         }
         _ => None,
-    })) - slot.null.log_evidence;
+    })) - ranking.null.log_evidence;
     let mut causes = 0.0;
     for (k, one) in chosen.iter().enumerate() {
         let c = one.candidate;
-        causes += model.library.gain(&over(k), &atoms, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+        causes += model.library.gain(&over(k), &groups, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
     }
     structure - causes
 }
@@ -187,29 +202,34 @@ pub fn structure_odds(gain_nats: f64) -> f64 {
 
 /// Where the structure lies.
 #[must_use]
-pub fn place_of_kernel(model: &Model<'_>, linear: &Linear, chosen: &[Chosen], kernel: usize) -> Where {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let fit = solve(&model.design, &atoms, chosen, Some(model.reached.geometry_ratio));
-    let left: Vec<f64> = model.design.residuals(&fit.coefficients).iter().map(norm3).collect();
-    let kind = model.library.kernels[kernel].kernel;
-    Where {
+pub fn location_of_gp(
+    model: &Model<'_>,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+    gp_alternative: usize,
+) -> Location {
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let fit = solve(&model.design, &groups, chosen, Some(model.peak.geometry_ratio));
+    let left: Vec<f64> = model.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
+    let kind = model.library.gp_alternatives[gp_alternative].gp_alternative;
+    Location {
         joint: match kind {
-            Kernel::Joint(j)
-            | Kernel::JointFine(j)
-            | Kernel::Driven(_, j)
-            | Kernel::Joints(j)
-            | Kernel::Pair(_, _, j)
-            | Kernel::JointTime(j)
-            | Kernel::Periodic(j, _)
-            | Kernel::Steps(j, _) => Some(j + 1),
+            GpAlternative::Joint(j)
+            | GpAlternative::JointFine(j)
+            | GpAlternative::Driven(_, j)
+            | GpAlternative::Joints(j)
+            | GpAlternative::Pair(_, _, j)
+            | GpAlternative::JointTime(j)
+            | GpAlternative::Periodic(j, _)
+            | GpAlternative::SquareWave(j, _) => Some(j + 1),
             _ => None,
         },
         time: Some(match kind {
-            Kernel::Time
-            | Kernel::TimeFine
-            | Kernel::ToolTime
-            | Kernel::JointTime(_)
-            | Kernel::Varying(_) => "drift",
+            GpAlternative::Time
+            | GpAlternative::TimeFine
+            | GpAlternative::ToolTime
+            | GpAlternative::JointTime(_)
+            | GpAlternative::TimeVaryingCause(_) => "drift",
             _ => "constant",
         }),
         region: region_of(linear, &left),
@@ -218,17 +238,17 @@ pub fn place_of_kernel(model: &Model<'_>, linear: &Linear, chosen: &[Chosen], ke
 
 /// Where in the workspace stations move most.
 #[must_use]
-pub fn region_of(linear: &Linear, moved_m: &[f64]) -> Region {
-    let (centre, radius_m) = kernel::region(&linear.scene, moved_m);
+pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
+    let (centre, radius_m) = gp_alternative::region(&linear.dataset, moved_m);
     Region { center_mm: [centre.x, centre.y, centre.z].map(mm_from_m), radius_mm: mm_from_m(radius_m) }
 }
 
 /// Places in `chosen` of lines of each joint's gear.
-fn lines_by_joint(model: &Model<'_>, chosen: &[Chosen]) -> BTreeMap<usize, Vec<usize>> {
+fn lines_by_joint(model: &Model<'_>, chosen: &[ChosenCause]) -> BTreeMap<usize, Vec<usize>> {
     let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (i, one) in chosen.iter().enumerate() {
-        let form = &model.library.candidates[one.candidate].form;
-        if let (Some(joint), Some(_)) = (form.joint, form.n) {
+        let variant = &model.library.candidates[one.candidate].variant;
+        if let (Some(joint), Some(_)) = (variant.joint, variant.n) {
             lines.entry(joint).or_default().push(i);
         }
     }

@@ -5,7 +5,7 @@ use robot_model::deform::{GrowthLaw, Warmth};
 
 /// The robot stood from one minute to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stop {
+pub struct Standstill {
     /// Minutes since the cold start.
     pub from_min: f64,
     /// Minutes since the cold start.
@@ -71,7 +71,7 @@ pub(super) fn round(
 }
 
 /// The longest pause between touches, where it is long enough to be a stop.
-pub(super) fn longest_pause(touches: &Touches) -> Vec<Stop> {
+pub(super) fn longest_pause(touches: &Touches) -> Vec<Standstill> {
     let times: Vec<f64> = touches.touches.iter().map(|t| t.t_min).collect();
     let mut pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
     pauses.sort_by(f64::total_cmp);
@@ -79,14 +79,14 @@ pub(super) fn longest_pause(touches: &Touches) -> Vec<Stop> {
     let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     longest
         // The first round of touches after it takes its usual time.
-        .map(|w| Stop { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) })
+        .map(|w| Standstill { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) })
         .filter(|s| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN))
         .into_iter()
         .collect()
 }
 
 /// The share of the settled deformation at each minute, 0 cold to 1.
-pub(super) fn warmth(law: GrowthLaw, cool_min: Option<f64>, stops: &[Stop], t_min: &[f64]) -> Vec<f64> {
+pub(super) fn warmth(law: GrowthLaw, cool_min: Option<f64>, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
     t_min
         .iter()
         .map(|&t| {

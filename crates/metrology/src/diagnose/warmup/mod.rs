@@ -9,15 +9,16 @@ mod history;
 mod posterior;
 mod targets;
 
-pub use history::Stop;
-pub use targets::{AtTargets, Next, Place, at_targets};
+pub use history::Standstill;
+pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
 
 use crate::measure::{self, RegisterError, Station, Touches, register};
 use history::{cool_taus_min, taus_min, warmth};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 use posterior::{Posterior, Sums, log_evidence, posterior};
 use rayon::prelude::*;
-use robot_model::deform::identified::{Hangs, Identified, Kind, Seen, Shape, Term, Value};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::{Growth, Identified, MeasuredRange, PayloadScaling, Term, Value};
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
@@ -70,7 +71,7 @@ pub struct FitOptions {
     /// Place of the touching point in the flange's frame, metres, to about a millimetre.
     pub tool_m: Vector3<f64>,
     /// When the robot stood; `None` = the longest pause between touches.
-    pub stops: Option<Vec<Stop>>,
+    pub stops: Option<Vec<Standstill>>,
 }
 
 /// A fitted warm-up.
@@ -85,7 +86,7 @@ pub struct WarmUp {
     /// Time constant of cooling and its standard deviation, minutes; `None` without a stop.
     pub tau_cool_min: Option<[f64; 2]>,
     /// The stops used.
-    pub stops: Vec<Stop>,
+    pub stops: Vec<Standstill>,
     /// Noise of one coordinate of a touch, metres.
     pub sigma_m: f64,
     /// Settled deformation, in the order of a table's rows: metres and radians.
@@ -263,7 +264,7 @@ fn observed_m(
         let flange = chain.forward(q_rad);
         flange.translation.vector + flange.rotation * tool_m
     };
-    if touches.touches.iter().all(|t| t.seen_m.is_none()) {
+    if touches.touches.iter().all(|t| t.measured_m.is_none()) {
         // The point stands still: what the arm believes has moved is what it really moved by, the other way round.
         return Ok(touches.touches.iter().map(|t| -believed(&t.q_rad, &options.tool_m)).collect());
     }
@@ -276,8 +277,8 @@ fn observed_m(
             target: 0,
             t_min: Some(t.t_min),
             q_rad: t.q_rad,
-            seen: t.seen_m.map_or(measure::Seen::Touch { place: t.point }, |position_m| {
-                measure::Seen::Point { position_m }
+            reading: t.measured_m.map_or(measure::Reading::Touch { fixed_point: t.point }, |position_m| {
+                measure::Reading::Point { position_m }
             }),
             orientation: None,
             direction: None,
@@ -302,7 +303,7 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn sums(&self, law: GrowthLaw, cool_min: Option<f64>, stops: &[Stop]) -> Sums {
+    fn sums(&self, law: GrowthLaw, cool_min: Option<f64>, stops: &[Standstill]) -> Sums {
         let grown = warmth(law, cool_min, stops, &self.t_min);
         Sums::new(&self.signature, &grown, &self.observed_m)
     }
@@ -370,26 +371,22 @@ impl WarmUp {
 
     /// How much of a parameter the touches tell: 0 nothing beyond the prior, 1 all.
     #[must_use]
-    pub fn told(&self, i: usize) -> f64 {
+    pub fn share_from_data(&self, i: usize) -> f64 {
         (1.0 - self.covariance[(i, i)] / self.prior[usize::from(i % 6 >= 3)].powi(2)).clamp(0.0, 1.0)
     }
 
     /// The same as an identified model: joint 1's frame as base drift, the others as links.
     #[must_use]
     pub fn identified(&self, robot: &Robot) -> Identified {
-        let shape = match self.growth {
-            GrowthLaw::None => Shape::Always,
-            GrowthLaw::Exp { tau_min } => Shape::Exponential { tau_min },
-            GrowthLaw::TwoStage { tau_min } => Shape::TwoLags { tau_min },
-        };
+        let growth = Growth::from(self.growth);
         let terms = (0..6).map(|i| Term {
-            kind: if i == 0 { Kind::BaseDrift } else { Kind::LinkGeometry },
+            kind: if i == 0 { EffectKind::BaseDrift } else { EffectKind::LinkGeometry },
             joint: (i > 0).then(|| i - 1),
             joint_b: None,
             n: None,
-            shape,
+            growth,
             held_above_n_m: None,
-            hangs: Hangs::default(),
+            payload_scaling: PayloadScaling::default(),
             cause: true,
             values: (6 * i..6 * i + 6)
                 .map(|k| Value { value: self.settled[k], sigma: Some(self.sigma(k)) })
@@ -405,7 +402,12 @@ impl WarmUp {
             robot: robot.name.clone(),
             verdict: "warm-up".to_owned(),
             sigma_m: Some(self.sigma_m),
-            seen: Seen { rows: self.touches, q_rad, t_min: Some(self.span_min), ..Seen::default() },
+            measured_range: MeasuredRange {
+                rows: self.touches,
+                q_rad,
+                t_min: Some(self.span_min),
+                ..MeasuredRange::default()
+            },
             terms: terms.collect(),
             ..Identified::default()
         }

@@ -8,7 +8,7 @@ use robot_model::robot::Robot;
 
 /// Somewhere the tool goes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct WorkTarget {
     /// Its name.
     pub name: String,
     /// Nominal joints.
@@ -19,7 +19,7 @@ pub struct Place {
 
 /// One place, settled.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AtTarget {
+pub struct TargetDrift {
     /// Its name.
     pub name: String,
     /// Where the tool goes without correction, from where it should be: base axes, metres.
@@ -30,7 +30,7 @@ pub struct AtTarget {
 
 /// A point worth adding.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Next {
+pub struct SuggestedPoint {
     /// Joints in which to touch it.
     pub q_rad: [f64; 6],
     /// Where it stands in the base, metres.
@@ -41,9 +41,9 @@ pub struct Next {
 
 /// All places together, settled, rms in space, metres.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AtTargets {
+pub struct TargetForecast {
     /// One by one.
-    pub targets: Vec<AtTarget>,
+    pub targets: Vec<TargetDrift>,
     /// Without correction, as far as the fit says.
     pub drift_rms_m: f64,
     /// What the correction is expected to leave.
@@ -51,12 +51,17 @@ pub struct AtTargets {
     /// What one shift of the work object, the mean of the touched points' displacements, is expected to leave.
     pub shift_left_rms_m: f64,
     /// Where the next point helps most.
-    pub next: Option<Next>,
+    pub next: Option<SuggestedPoint>,
 }
 
 /// Looks at `places`; the next point is looked for among them and `candidates`.
 #[must_use]
-pub fn at_targets(warm_up: &WarmUp, robot: &Robot, places: &[Place], candidates: &[Place]) -> AtTargets {
+pub fn forecast_at_targets(
+    warm_up: &WarmUp,
+    robot: &Robot,
+    places: &[WorkTarget],
+    candidates: &[WorkTarget],
+) -> TargetForecast {
     let chain = Chain::nominal(robot);
     let signatures: Vec<Matrix3xX<f64>> =
         places.iter().map(|p| signature(&chain, &p.q_rad, &p.tool_m)).collect();
@@ -73,11 +78,11 @@ pub fn at_targets(warm_up: &WarmUp, robot: &Robot, places: &[Place], candidates:
         drift += drift_m.norm_squared() + variance.sum();
         left += variance.sum();
         shifted += (drift_m - shift_m).norm_squared() + variance.sum();
-        targets.push(AtTarget { name: place.name.clone(), drift_m, sigma_m: variance.map(f64::sqrt) });
+        targets.push(TargetDrift { name: place.name.clone(), drift_m, sigma_m: variance.map(f64::sqrt) });
     }
     let n = places.len().max(1) as f64;
     let rms = |sum: f64| (sum / n).sqrt();
-    AtTargets {
+    TargetForecast {
         targets,
         drift_rms_m: rms(drift),
         left_rms_m: rms(left),
@@ -91,9 +96,9 @@ fn next(
     warm_up: &WarmUp,
     chain: &Chain,
     signatures: &[Matrix3xX<f64>],
-    places: &[Place],
-    candidates: &[Place],
-) -> Option<Next> {
+    places: &[WorkTarget],
+    candidates: &[WorkTarget],
+) -> Option<SuggestedPoint> {
     let n = signatures.len();
     if n == 0 {
         return None;
@@ -106,7 +111,7 @@ fn next(
     let before = (&wanted * &warm_up.covariance).trace();
     // A point touched a dozen times cold and a dozen times warm tells its displacement to about a third of the noise.
     let noise_m2 = (warm_up.sigma_m / 3.0).powi(2);
-    let mut best: Option<(f64, &Place)> = None;
+    let mut best: Option<(f64, &WorkTarget)> = None;
     for place in places.iter().chain(candidates) {
         let one = signature(chain, &place.q_rad, &place.tool_m);
         let spread = &warm_up.covariance * one.transpose();
@@ -119,7 +124,7 @@ fn next(
     }
     best.map(|(after, place)| {
         let flange = chain.forward(&place.q_rad);
-        Next {
+        SuggestedPoint {
             q_rad: place.q_rad,
             at_m: flange.translation.vector + flange.rotation * place.tool_m,
             rms_m: after.max(0.0).sqrt(),

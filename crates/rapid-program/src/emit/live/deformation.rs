@@ -3,7 +3,8 @@
 use super::frames::{Step, steps};
 use super::turns::{Compliance, Turn};
 use nalgebra::{Matrix3, Vector3};
-use robot_model::deform::identified::{Identified, Kind, Shape, Term};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::{Growth, Identified, Term};
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
 
@@ -17,7 +18,7 @@ pub struct Function {
     /// The table's offsets where the function is 1, SI.
     pub offsets: FrameOffsets,
     /// The growth of an identified model's terms that is this function.
-    pub shape: Option<Shape>,
+    pub shape: Option<Growth>,
 }
 
 /// What a correction may be; beyond it the original target is used.
@@ -129,9 +130,9 @@ impl LiveModel {
 
     fn add(&mut self, term: &Term, functions: &[Function]) -> Result<(), String> {
         let name = || term.kind.name().to_owned();
-        let function = match term.shape {
-            Shape::Always => None,
-            Shape::Temperature { .. } => return Err(format!("{} by temperature", name())),
+        let function = match term.growth {
+            Growth::Always => None,
+            Growth::Temperature { .. } => return Err(format!("{} by temperature", name())),
             shape => match functions.iter().position(|f| f.shape == Some(shape)) {
                 Some(r) => Some(r),
                 None => return Err(format!("{} with a growth of its own", name())),
@@ -141,21 +142,21 @@ impl LiveModel {
         let joint = term.joint.unwrap_or(0).min(5);
         let mut turn = |joint: usize, turn: Turn| self.turns[joint].push(turn);
         match term.kind {
-            Kind::JointOffset => turn(joint, Turn::Constant { function: None, rad: v(0) }),
-            Kind::ThermalJointDrift => {
+            EffectKind::JointOffset => turn(joint, Turn::Constant { function: None, rad: v(0) }),
+            EffectKind::ThermalJointDrift => {
                 turn(joint, Turn::Constant { function, rad: v(0) });
                 turn(joint, Turn::Constant { function: None, rad: v(1) });
             }
-            Kind::JointGain => turn(joint, Turn::Gain { by: joint, gain: v(0) }),
-            Kind::JointCoupling => {
+            EffectKind::JointGain => turn(joint, Turn::Gain { by: joint, gain: v(0) }),
+            EffectKind::JointCoupling => {
                 turn(term.joint_b.unwrap_or(0).min(5), Turn::Gain { by: joint, gain: v(0) });
             }
-            Kind::GearEccentricity | Kind::GearSecondHarmonic | Kind::GearMesh => {
+            EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic | EffectKind::GearMesh => {
                 turn(joint, Turn::Gear { n: term.n.unwrap_or(1), sin_rad: v(0), cos_rad: v(1) });
             }
-            Kind::LinkGeometry => self.offset(function, joint + 1, std::array::from_fn(v)),
-            Kind::BaseDrift | Kind::BaseStep => self.offset(function, 0, std::array::from_fn(v)),
-            Kind::ThermalLinkGrowth => {
+            EffectKind::LinkGeometry => self.offset(function, joint + 1, std::array::from_fn(v)),
+            EffectKind::BaseDrift | EffectKind::BaseStep => self.offset(function, 0, std::array::from_fn(v)),
+            EffectKind::ThermalLinkGrowth => {
                 for i in (0..6).filter(|i| term.joint.is_none_or(|link| link == *i)) {
                     let next = self.robot.joints.get(i + 1).map(|j| j.previous_from_joint);
                     let [x, y, z] = next.unwrap_or(self.robot.joint6_from_flange).translation.vector.into();
@@ -164,16 +165,20 @@ impl LiveModel {
                     self.offset(None, i + 1, along.map(|x| x * v(1)));
                 }
             }
-            Kind::ToolDrift | Kind::ToolStep => {
+            EffectKind::ToolDrift | EffectKind::ToolStep => {
                 let shift = self.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2));
                 self.offset(function, 6, [shift.x, shift.y, shift.z, 0.0, 0.0, 0.0]);
             }
-            Kind::JointCompliance => {
+            EffectKind::JointCompliance => {
                 let own = self.compliance[joint].get_or_insert_default();
                 own.add(v(0), std::array::from_fn(|k| v(k + 1)));
             }
-            Kind::InstrumentScale => {}
-            Kind::Backlash | Kind::LinkBending | Kind::BaseTilt | Kind::PayloadMass | Kind::GearSpectrum => {
+            EffectKind::InstrumentScale | EffectKind::JointRounding | EffectKind::SwappedAxes => {}
+            EffectKind::Backlash
+            | EffectKind::LinkBending
+            | EffectKind::BaseTilt
+            | EffectKind::PayloadMass
+            | EffectKind::GearSpectrum => {
                 debug_assert!(!term.kind.is_known_at_run_time());
                 return Err(name());
             }

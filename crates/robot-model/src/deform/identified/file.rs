@@ -1,43 +1,12 @@
 //! The model's file: TOML in mm, degrees and ppm, twelve digits, so that what is read and written again is the same.
 
-use super::keys::Keys;
-use super::{Hangs, Identified, Kind, Mounting, Seen, Shape, Term, Value};
+use super::error::ModelError;
+use super::table_reader::TableReader;
+use super::{Growth, Identified, MeasuredRange, Mounting, PayloadScaling, Term, Value};
+use crate::deform::{EffectKind, GrowthLaw};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use rapid_syntax::diagnostic::Diagnostic;
 use std::fmt::Write as _;
-use thiserror::Error;
-
-/// Why a model cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum ModelError {
-    /// No TOML.
-    #[error("model, line {line}: {message}")]
-    Toml {
-        /// From 1.
-        line: usize,
-        /// What the TOML reader says.
-        message: String,
-    },
-    /// A key or value that makes no model.
-    #[error("model, {place}: {problem}")]
-    Value {
-        /// Which table and key.
-        place: String,
-        /// What is wrong.
-        problem: String,
-    },
-}
-
-impl From<ModelError> for Diagnostic {
-    fn from(error: ModelError) -> Self {
-        let code = match error {
-            ModelError::Toml { .. } => "model::toml",
-            ModelError::Value { .. } => "model::value",
-        };
-        Self::error(code, error.to_string()).help("docs/MODEL.md describes the file")
-    }
-}
 
 /// The layout that is written.
 const FORMAT: i64 = 1;
@@ -52,7 +21,7 @@ impl Identified {
             line: text.get(..e.span().map_or(0, |s| s.start)).unwrap_or(text).matches('\n').count() + 1,
             message: e.message().to_owned(),
         })?;
-        let mut top = Keys::new("top", table);
+        let mut top = TableReader::new("top", table);
         match top.integer("format")? {
             Some(FORMAT) => {}
             Some(other) => return Err(top.wrong("format", format!("{other} is not known, {FORMAT} is"))),
@@ -66,18 +35,19 @@ impl Identified {
         if let Some(mut data) = top.table("data")? {
             model.data = data.text("file")?.unwrap_or_default();
             model.data_sha256 = data.text("sha256")?.unwrap_or_default();
-            model.seen.rows = data.integer("rows")?.and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
+            model.measured_range.rows =
+                data.integer("rows")?.and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
             model.sigma_m = data.number("sigma_mm")?.map(m_from_mm);
             data.finish()?;
         }
-        if let Some(seen) = top.table("seen")? {
-            read_seen(seen, &mut model.seen)?;
+        if let Some(range) = top.table("seen")? {
+            read_measured_range(range, &mut model.measured_range)?;
         }
         if let Some(mounting) = top.table("mounting")? {
             model.mounting = Some(read_mounting(mounting)?);
         }
         for (i, effect) in top.tables("effect")?.into_iter().enumerate() {
-            model.terms.push(read_term(Keys::new(format!("[[effect]] {}", i + 1), effect))?);
+            model.terms.push(read_term(TableReader::new(format!("[[effect]] {}", i + 1), effect))?);
         }
         top.finish()?;
         Ok(model)
@@ -94,19 +64,19 @@ impl Identified {
         }
         let _ =
             writeln!(out, "\n[data]\nfile = {}\nsha256 = {}", quoted(&self.data), quoted(&self.data_sha256));
-        let _ = writeln!(out, "rows = {}", self.seen.rows);
+        let _ = writeln!(out, "rows = {}", self.measured_range.rows);
         if let Some(sigma_m) = self.sigma_m {
             let _ = writeln!(out, "sigma_mm = {}", number(mm_from_m(sigma_m)));
         }
         out += "\n[seen]  # ranges of the measurement; outside of them the model is a guess\n";
-        let _ = writeln!(out, "q_deg = {}", ranges(&self.seen.q_rad.map(|r| r.map(deg_from_rad))));
-        if let Some(range) = self.seen.t_min {
+        let _ = writeln!(out, "q_deg = {}", ranges(&self.measured_range.q_rad.map(|r| r.map(deg_from_rad))));
+        if let Some(range) = self.measured_range.t_min {
             let _ = writeln!(out, "t_min = {}", list(&range));
         }
-        if let Some(all) = &self.seen.joint_temperature_c {
+        if let Some(all) = &self.measured_range.joint_temperature_c {
             let _ = writeln!(out, "joint_temperature_c = {}", ranges(all));
         }
-        if let Some(range) = self.seen.payload_kg {
+        if let Some(range) = self.measured_range.payload_kg {
             let _ = writeln!(out, "payload_kg = {}", list(&range));
         }
         if let Some(mounting) = &self.mounting {
@@ -127,16 +97,16 @@ impl Identified {
     }
 }
 
-fn read_seen(mut keys: Keys, seen: &mut Seen) -> Result<(), ModelError> {
+fn read_measured_range(mut keys: TableReader, range: &mut MeasuredRange) -> Result<(), ModelError> {
     let q_deg: Option<[[f64; 2]; 6]> = keys.ranges("q_deg")?;
-    seen.q_rad = q_deg.unwrap_or_default().map(|r| r.map(rad_from_deg));
-    seen.t_min = keys.numbers("t_min")?;
-    seen.joint_temperature_c = keys.ranges("joint_temperature_c")?;
-    seen.payload_kg = keys.numbers("payload_kg")?;
+    range.q_rad = q_deg.unwrap_or_default().map(|r| r.map(rad_from_deg));
+    range.t_min = keys.numbers("t_min")?;
+    range.joint_temperature_c = keys.ranges("joint_temperature_c")?;
+    range.payload_kg = keys.numbers("payload_kg")?;
     keys.finish()
 }
 
-fn read_mounting(mut keys: Keys) -> Result<Mounting, ModelError> {
+fn read_mounting(mut keys: TableReader) -> Result<Mounting, ModelError> {
     let base_mm: [f64; 3] = keys.required("base_mm")?;
     let [w, x, y, z] = keys.required("base_wxyz")?;
     let turn = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-6)
@@ -168,22 +138,25 @@ fn write_mounting(out: &mut String, mounting: &Mounting) {
     );
 }
 
-fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
+fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
     let name = keys.text("effect")?.ok_or_else(|| keys.wrong("effect", "missing".to_owned()))?;
-    let kind = Kind::named(&name).ok_or_else(|| keys.wrong("effect", format!("`{name}` is not known")))?;
+    let kind = name.parse().ok().filter(|kind: &EffectKind| kind.is_model_term());
+    let kind = kind.ok_or_else(|| keys.wrong("effect", format!("`{name}` is not known")))?;
     let joint = keys.joint("joint")?;
     if kind.takes_joint() && joint.is_none() && !kind.may_be_of_all() {
         return Err(keys.wrong("joint", format!("{name} needs one, 1 to 6")));
     }
     let joint_b = keys.joint("joint_b")?;
-    if (kind == Kind::JointCoupling) != joint_b.is_some() {
+    if (kind == EffectKind::JointCoupling) != joint_b.is_some() {
         return Err(keys.wrong("joint_b", "joint_coupling needs it, no other effect takes it".to_owned()));
     }
     let n = keys.integer("n")?.and_then(|n| u32::try_from(n).ok());
     let n = match (kind, n) {
-        (Kind::GearEccentricity, _) => Some(1),
-        (Kind::GearSecondHarmonic, _) => Some(2),
-        (Kind::GearMesh, None) => return Err(keys.wrong("n", "gear_mesh needs periods per turn".to_owned())),
+        (EffectKind::GearEccentricity, _) => Some(1),
+        (EffectKind::GearSecondHarmonic, _) => Some(2),
+        (EffectKind::GearMesh, None) => {
+            return Err(keys.wrong("n", "gear_mesh needs periods per turn".to_owned()));
+        }
         (_, n) => n,
     };
     let mut values = Vec::new();
@@ -192,19 +165,19 @@ fn read_term(mut keys: Keys) -> Result<Term, ModelError> {
         let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
         values.push(Value { value, sigma });
     }
-    if kind == Kind::GearSpectrum {
+    if kind == EffectKind::GearSpectrum {
         values = read_spectrum(&mut keys)?;
     }
     let cause = keys.boolean("cause")?.unwrap_or(true);
     let held_above_n_m = keys.number("held_above_n_m")?;
-    let hangs = read_hangs(&mut keys)?;
-    let shape = read_shape(&mut keys)?;
+    let payload_scaling = read_payload_scaling(&mut keys)?;
+    let growth = read_growth(&mut keys)?;
     keys.finish()?;
-    Ok(Term { kind, joint, joint_b, n, shape, held_above_n_m, hangs, cause, values })
+    Ok(Term { kind, joint, joint_b, n, growth, held_above_n_m, payload_scaling, cause, values })
 }
 
 /// Lists of sines and cosines, sigmas beside them or not.
-fn read_spectrum(keys: &mut Keys) -> Result<Vec<Value>, ModelError> {
+fn read_spectrum(keys: &mut TableReader) -> Result<Vec<Value>, ModelError> {
     let parts = SPECTRUM.map(|key| (key, format!("sigma_{key}")));
     let mut lists = Vec::new();
     for (key, sigma_key) in &parts {
@@ -240,42 +213,48 @@ fn write_spectrum(out: &mut String, values: &[Value]) {
 
 /// Keys of a spectrum's values.
 const SPECTRUM: [&str; 2] = ["sin_deg", "cos_deg"];
-/// Names of [`Hangs`] in the file.
-const HANGS: [(&str, Hangs); 3] =
-    [("where-loaded", Hangs::WhereLoaded), ("always", Hangs::Always), ("per-kilogram", Hangs::PerKilogram)];
+/// Names of [`PayloadScaling`] in the file.
+const PAYLOAD_SCALINGS: [(&str, PayloadScaling); 3] = [
+    ("where-loaded", PayloadScaling::WhereLoaded),
+    ("always", PayloadScaling::Always),
+    ("per-kilogram", PayloadScaling::PerKilogram),
+];
 
-fn read_hangs(keys: &mut Keys) -> Result<Hangs, ModelError> {
-    let Some(name) = keys.text("hangs")? else { return Ok(Hangs::default()) };
-    let known = HANGS.iter().find(|(known, _)| *known == name).map(|(_, hangs)| *hangs);
+fn read_payload_scaling(keys: &mut TableReader) -> Result<PayloadScaling, ModelError> {
+    let Some(name) = keys.text("hangs")? else { return Ok(PayloadScaling::default()) };
+    let known = PAYLOAD_SCALINGS
+        .iter()
+        .find(|(known, _)| *known == name)
+        .map(|(_, payload_scaling)| *payload_scaling);
     known
         .ok_or_else(|| keys.wrong("hangs", format!("`{name}` is none of where-loaded, always, per-kilogram")))
 }
 
-fn read_shape(keys: &mut Keys) -> Result<Shape, ModelError> {
-    let Some(name) = keys.text("growth")? else { return Ok(Shape::Always) };
-    let positive = |keys: &mut Keys, key: &str| match keys.number(key)? {
+fn read_growth(keys: &mut TableReader) -> Result<Growth, ModelError> {
+    let Some(name) = keys.text("growth")? else { return Ok(Growth::Always) };
+    let positive = |keys: &mut TableReader, key: &str| match keys.number(key)? {
         Some(value) if value > 0.0 => Ok(value),
         _ => Err(keys.wrong(key, format!("growth `{name}` needs it, more than 0"))),
     };
     match name.as_str() {
-        "exp" => Ok(Shape::Exponential { tau_min: positive(keys, "tau_min")? }),
-        "two-stage" => Ok(Shape::TwoLags { tau_min: positive(keys, "tau_min")? }),
+        "exp" => Ok(Growth::Law(GrowthLaw::Exp { tau_min: positive(keys, "tau_min")? })),
+        "two-stage" => Ok(Growth::Law(GrowthLaw::TwoStage { tau_min: positive(keys, "tau_min")? })),
         "linear" => {
             let from_min = keys.number("from_min")?.unwrap_or(0.0);
             let to_min = keys.number("to_min")?.unwrap_or(0.0);
             if to_min <= from_min {
                 return Err(keys.wrong("to_min", "must come after from_min".to_owned()));
             }
-            Ok(Shape::Linear { from_min, to_min })
+            Ok(Growth::Linear { from_min, to_min })
         }
         "step" => {
             let t0_min = keys.number("t0_min")?;
             let t0_min = t0_min.ok_or_else(|| keys.wrong("t0_min", "growth `step` needs it".to_owned()))?;
-            Ok(Shape::Step { t0_min })
+            Ok(Growth::Step { t0_min })
         }
         "temperature" => {
             let from_c = keys.required("from_c")?;
-            Ok(Shape::Temperature { from_c, to_c: keys.required("to_c")? })
+            Ok(Growth::Temperature { from_c, to_c: keys.required("to_c")? })
         }
         _ => {
             Err(keys
@@ -294,7 +273,7 @@ fn write_term(out: &mut String, term: &Term) {
             let _ = writeln!(out, "{key} = {}", joint + 1);
         }
     }
-    if let (Kind::GearMesh, Some(n)) = (term.kind, term.n) {
+    if let (EffectKind::GearMesh, Some(n)) = (term.kind, term.n) {
         let _ = writeln!(out, "n = {n}");
     }
     for ((key, unit), value) in term.kind.parameters().iter().zip(&term.values) {
@@ -307,24 +286,30 @@ fn write_term(out: &mut String, term: &Term) {
             let _ = writeln!(out, "sigma_{key} = {}", number(unit.file(sigma)));
         }
     }
-    if term.kind == Kind::GearSpectrum {
+    if term.kind == EffectKind::GearSpectrum {
         write_spectrum(out, &term.values);
     }
     if let Some(limit) = term.held_above_n_m {
         let _ = writeln!(out, "held_above_n_m = {}", number(limit));
     }
-    if let Some((name, _)) = HANGS.iter().skip(1).find(|(_, hangs)| *hangs == term.hangs) {
+    if let Some((name, _)) =
+        PAYLOAD_SCALINGS.iter().skip(1).find(|(_, payload_scaling)| *payload_scaling == term.payload_scaling)
+    {
         let _ = writeln!(out, "hangs = {}", quoted(name));
     }
-    let _ = match term.shape {
-        Shape::Always => Ok(()),
-        Shape::Exponential { tau_min } => writeln!(out, "growth = \"exp\"\ntau_min = {}", number(tau_min)),
-        Shape::TwoLags { tau_min } => writeln!(out, "growth = \"two-stage\"\ntau_min = {}", number(tau_min)),
-        Shape::Linear { from_min, to_min } => {
+    let _ = match term.growth {
+        Growth::Always | Growth::Law(GrowthLaw::None) => Ok(()),
+        Growth::Law(GrowthLaw::Exp { tau_min }) => {
+            writeln!(out, "growth = \"exp\"\ntau_min = {}", number(tau_min))
+        }
+        Growth::Law(GrowthLaw::TwoStage { tau_min }) => {
+            writeln!(out, "growth = \"two-stage\"\ntau_min = {}", number(tau_min))
+        }
+        Growth::Linear { from_min, to_min } => {
             writeln!(out, "growth = \"linear\"\nfrom_min = {}\nto_min = {}", number(from_min), number(to_min))
         }
-        Shape::Step { t0_min } => writeln!(out, "growth = \"step\"\nt0_min = {}", number(t0_min)),
-        Shape::Temperature { from_c, to_c } => {
+        Growth::Step { t0_min } => writeln!(out, "growth = \"step\"\nt0_min = {}", number(t0_min)),
+        Growth::Temperature { from_c, to_c } => {
             writeln!(out, "growth = \"temperature\"\nfrom_c = {}\nto_c = {}", list(&from_c), list(&to_c))
         }
     };
@@ -362,7 +347,10 @@ mod tests {
     #[test]
     fn every_effect_is_read_and_written_without_loss() {
         let model = Identified::from_toml(TEXT).unwrap();
-        assert_eq!(model.terms.len(), super::super::kind::ALL.len());
+        assert_eq!(
+            model.terms.len(),
+            EffectKind::ALL.into_iter().filter(|kind| kind.is_model_term()).count()
+        );
         let written = model.to_toml();
         let again = Identified::from_toml(&written).unwrap();
         assert_eq!(again, model);

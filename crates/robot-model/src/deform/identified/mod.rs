@@ -4,21 +4,23 @@
 //! by [`Identified::from_toml`] and [`Identified::to_toml`]; its layout is described in `docs/MODEL.md`. Knows
 //! nothing of how a model is found, nor of RAPID.
 
+mod error;
 mod file;
-mod keys;
-mod kind;
+mod parameters;
+mod table_reader;
 mod term;
 
-pub use file::ModelError;
-pub use kind::{Kind, Parameter, Unit};
-pub use term::{Hangs, Shape, Term, Value};
-pub(in crate::deform) use term::{Moved, Standing};
+pub use error::ModelError;
+pub use parameters::{Parameter, Unit};
+pub(in crate::deform) use term::{ArmDelta, PoseState};
+pub use term::{Growth, PayloadScaling, Term, Value};
 
+use super::{EffectKind, GrowthLaw};
 use nalgebra::{Isometry3, Vector3};
 
 /// When, and how warm: what the terms of a model depend on besides the joints and the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct When {
+pub struct ThermalState {
     /// Minutes since the cold start; infinite when everything has settled.
     pub t_min: f64,
     /// Temperature of each joint, degrees Celsius, where it is known.
@@ -27,7 +29,7 @@ pub struct When {
 
 /// The ranges in which the model was found.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Seen {
+pub struct MeasuredRange {
     /// Rows of the measurement.
     pub rows: usize,
     /// Joints, radians.
@@ -63,7 +65,7 @@ pub struct Identified {
     /// Noise of one coordinate, metres.
     pub sigma_m: Option<f64>,
     /// Where it was found.
-    pub seen: Seen,
+    pub measured_range: MeasuredRange,
     /// How it was measured.
     pub mounting: Option<Mounting>,
     /// What was found.
@@ -79,7 +81,7 @@ impl Identified {
         let mut model = self.clone();
         let mut said = Vec::new();
         model.terms.retain(|term| {
-            let instrument = term.kind == Kind::InstrumentScale;
+            let instrument = term.kind == EffectKind::InstrumentScale;
             if instrument {
                 said.push(format!(
                     "{} is the instrument's, not the robot's: it is left out",
@@ -89,8 +91,8 @@ impl Identified {
             !instrument
         });
         for term in &mut model.terms {
-            if let Shape::Step { t0_min } = term.shape {
-                term.shape = Shape::Always;
+            if let Growth::Step { t0_min } = term.growth {
+                term.growth = Growth::Always;
                 said.push(format!("{} at minute {t0_min} is taken as having happened", term.kind.name()));
             }
         }
@@ -104,10 +106,10 @@ impl Identified {
         let mut names: Vec<String> = Vec::new();
         for term in &self.terms {
             let name = term.kind.name();
-            let why = match (term.shape, term.kind) {
-                (Shape::Temperature { .. }, _) => format!("{name} by temperature"),
-                (Shape::Always, kind) if kind.is_known_at_run_time() => continue,
-                (Shape::Always, _) => name.to_owned(),
+            let why = match (term.growth, term.kind) {
+                (Growth::Temperature { .. }, _) => format!("{name} by temperature"),
+                (Growth::Always, kind) if kind.is_known_at_run_time() => continue,
+                (Growth::Always, _) => name.to_owned(),
                 _ => format!("{name} with a growth of its own"),
             };
             if !names.contains(&why) {
@@ -120,13 +122,13 @@ impl Identified {
     /// Whether any term depends on the time.
     #[must_use]
     pub fn moves_with_time(&self) -> bool {
-        self.terms.iter().any(|t| !matches!(t.shape, Shape::Always | Shape::Temperature { .. }))
+        self.terms.iter().any(|t| !matches!(t.growth, Growth::Always | Growth::Temperature { .. }))
     }
 
     /// Whether any term depends on joint temperatures.
     #[must_use]
     pub fn needs_temperature(&self) -> bool {
-        self.terms.iter().any(|t| matches!(t.shape, Shape::Temperature { .. }))
+        self.terms.iter().any(|t| matches!(t.growth, Growth::Temperature { .. }))
     }
 
     /// Whether any term depends on the load.
@@ -138,7 +140,7 @@ impl Identified {
     /// Whether any term depends on the direction from which a joint came.
     #[must_use]
     pub fn needs_direction(&self) -> bool {
-        self.terms.iter().any(|t| t.kind == Kind::Backlash)
+        self.terms.iter().any(|t| t.kind == EffectKind::Backlash)
     }
 
     /// Minutes at which a term's growth may bend, ascending.
@@ -147,9 +149,9 @@ impl Identified {
         let mut all: Vec<f64> = self
             .terms
             .iter()
-            .flat_map(|t| match t.shape {
-                Shape::Linear { from_min, to_min } => vec![from_min, to_min],
-                Shape::Step { t0_min } => vec![t0_min],
+            .flat_map(|t| match t.growth {
+                Growth::Linear { from_min, to_min } => vec![from_min, to_min],
+                Growth::Step { t0_min } => vec![t0_min],
                 _ => Vec::new(),
             })
             .filter(|t_min| t_min.is_finite() && *t_min > 0.0)
@@ -161,12 +163,11 @@ impl Identified {
 
     /// The growth law of the term in time that moves most, for a clock that follows the robot's warmth.
     #[must_use]
-    pub fn growth(&self) -> Option<super::GrowthLaw> {
+    pub fn growth(&self) -> Option<GrowthLaw> {
         self.terms
             .iter()
-            .filter_map(|t| match t.shape {
-                Shape::Exponential { tau_min } => Some((t, super::GrowthLaw::Exp { tau_min })),
-                Shape::TwoLags { tau_min } => Some((t, super::GrowthLaw::TwoStage { tau_min })),
+            .filter_map(|t| match t.growth {
+                Growth::Law(law) => Some((t, law)),
                 _ => None,
             })
             .max_by(|a, b| a.0.size().total_cmp(&b.0.size()))

@@ -3,28 +3,21 @@
 //! First-order signatures as in the effects' library of the diagnosis: a turn of joint j is added to its angle, a frame
 //! that moves gets it as offsets.
 
-use super::{Kind, When};
+use super::ThermalState;
 use crate::deform::gravity::{Bend, Loads};
+use crate::deform::{EffectKind, GrowthLaw};
 use crate::kinematics::FrameOffsets;
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Vector3};
 
 /// Growth in time or temperature, 0 to about 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Shape {
+pub enum Growth {
     /// Always there.
     #[default]
     Always,
-    /// 1 - e^(-t/τ).
-    Exponential {
-        /// τ.
-        tau_min: f64,
-    },
-    /// 1 - (1 + t/τ) e^(-t/τ).
-    TwoLags {
-        /// τ.
-        tau_min: f64,
-    },
+    /// With warm-up time, by a growth law.
+    Law(GrowthLaw),
     /// From 0 to 1 between two minutes, held outside.
     Linear {
         /// 0 here.
@@ -46,15 +39,23 @@ pub enum Shape {
     },
 }
 
-impl Shape {
+impl From<GrowthLaw> for Growth {
+    fn from(law: GrowthLaw) -> Self {
+        match law {
+            GrowthLaw::None => Self::Always,
+            law => Self::Law(law),
+        }
+    }
+}
+
+impl Growth {
     /// How far it has grown for joint `joint` (from 0), or on average over all.
     #[must_use]
-    pub fn at(&self, when: &When, joint: Option<usize>) -> f64 {
+    pub fn at(&self, when: &ThermalState, joint: Option<usize>) -> f64 {
         let t_min = when.t_min;
         match *self {
             Self::Always => 1.0,
-            Self::Exponential { tau_min } => super::super::GrowthLaw::Exp { tau_min }.at(t_min),
-            Self::TwoLags { tau_min } => super::super::GrowthLaw::TwoStage { tau_min }.at(t_min),
+            Self::Law(law) => law.at(t_min),
             Self::Linear { from_min, to_min } => {
                 ((t_min.min(to_min).max(from_min) - from_min) / (to_min - from_min)).clamp(0.0, 1.0)
             }
@@ -73,7 +74,7 @@ impl Shape {
 
 /// Where a payload that is heavier than declared hangs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Hangs {
+pub enum PayloadScaling {
     /// Wherever a payload is declared.
     #[default]
     WhereLoaded,
@@ -83,7 +84,7 @@ pub enum Hangs {
     PerKilogram,
 }
 
-impl Hangs {
+impl PayloadScaling {
     /// The factor on the values where `payload_kg` is declared.
     #[must_use]
     pub fn at(self, payload_kg: f64) -> f64 {
@@ -108,7 +109,7 @@ pub struct Value {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
     /// Which.
-    pub kind: Kind,
+    pub kind: EffectKind,
     /// Joint or link, from 0; link i follows joint i.
     pub joint: Option<usize>,
     /// The joint that is driven, from 0.
@@ -116,30 +117,30 @@ pub struct Term {
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
     /// Growth.
-    pub shape: Shape,
+    pub growth: Growth,
     /// Backlash: above this torque gravity holds the teeth on one side, N.m; negative where gravity's side counts
     /// against the direction's (the joint lags behind its motor, and its load pulls it ahead).
     pub held_above_n_m: Option<f64>,
     /// Payload mass: where it hangs.
-    pub hangs: Hangs,
+    pub payload_scaling: PayloadScaling,
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
-    /// In the order of [`Kind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn.
+    /// In the order of [`EffectKind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn.
     pub values: Vec<Value>,
 }
 
 impl Term {
     /// A cause that is there from the cold start on and has nothing besides its joint and values.
     #[must_use]
-    pub fn plain(kind: Kind, joint: Option<usize>, values: Vec<Value>) -> Self {
+    pub fn plain(kind: EffectKind, joint: Option<usize>, values: Vec<Value>) -> Self {
         Self {
             kind,
             joint,
             joint_b: None,
             n: None,
-            shape: Shape::Always,
+            growth: Growth::Always,
             held_above_n_m: None,
-            hangs: Hangs::default(),
+            payload_scaling: PayloadScaling::default(),
             cause: true,
             values,
         }
@@ -147,9 +148,9 @@ impl Term {
 }
 
 /// The arm at one place, as terms see it.
-pub(in crate::deform) struct Standing<'a> {
+pub(in crate::deform) struct PoseState<'a> {
     pub robot: &'a Robot,
-    pub when: &'a When,
+    pub when: &'a ThermalState,
     pub q_rad: &'a [f64; 6],
     pub direction: [i8; 6],
     /// Loads, frames and flange of the nominal arm, where a term needs them.
@@ -160,7 +161,7 @@ pub(in crate::deform) struct Standing<'a> {
 
 /// What the terms do together.
 #[derive(Clone, Debug, Default)]
-pub(in crate::deform) struct Moved {
+pub(in crate::deform) struct ArmDelta {
     /// Added to the joints, radians.
     pub turns_rad: [f64; 6],
     /// d turn_i / d q_j of those that change fast with the joints.
@@ -183,21 +184,21 @@ impl Term {
     }
 
     /// Adds what the term does at `at`.
-    pub(in crate::deform) fn add(&self, at: &Standing<'_>, to: &mut Moved) {
+    pub(in crate::deform) fn add(&self, at: &PoseState<'_>, to: &mut ArmDelta) {
         let v = |i: usize| self.value(i);
         let joint = self.joint.unwrap_or(0).min(5);
-        let grown = self.shape.at(at.when, self.joint);
+        let grown = self.growth.at(at.when, self.joint);
         match self.kind {
-            Kind::JointOffset => to.turns_rad[joint] += v(0),
-            Kind::LinkGeometry => self.add_frame(joint + 1, grown, to),
-            Kind::BaseDrift | Kind::BaseStep => self.add_frame(0, grown, to),
-            Kind::GearEccentricity | Kind::GearSecondHarmonic | Kind::GearMesh => {
+            EffectKind::JointOffset => to.turns_rad[joint] += v(0),
+            EffectKind::LinkGeometry => self.add_frame(joint + 1, grown, to),
+            EffectKind::BaseDrift | EffectKind::BaseStep => self.add_frame(0, grown, to),
+            EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic | EffectKind::GearMesh => {
                 let n = f64::from(self.n.unwrap_or(1));
                 let (sin, cos) = (n * at.q_rad[joint]).sin_cos();
                 to.turns_rad[joint] += v(0) * sin + v(1) * cos;
                 to.slopes[joint][joint] += n * (v(0) * cos - v(1) * sin);
             }
-            Kind::GearSpectrum => {
+            EffectKind::GearSpectrum => {
                 let (sin1, cos1) = at.q_rad[joint].sin_cos();
                 let (mut sin, mut cos, mut n) = (sin1, cos1, 1.0);
                 for pair in self.values.chunks_exact(2) {
@@ -208,16 +209,16 @@ impl Term {
                     n += 1.0;
                 }
             }
-            Kind::JointGain => {
+            EffectKind::JointGain => {
                 to.turns_rad[joint] += v(0) * at.q_rad[joint];
                 to.slopes[joint][joint] += v(0);
             }
-            Kind::JointCoupling => {
+            EffectKind::JointCoupling => {
                 let driven = self.joint_b.unwrap_or(0).min(5);
                 to.turns_rad[driven] += v(0) * at.q_rad[joint];
                 to.slopes[driven][joint] += v(0);
             }
-            Kind::Backlash => {
+            EffectKind::Backlash => {
                 let mut side = f64::from(at.direction[joint]);
                 if let (Some(limit), Some((loads, _))) = (self.held_above_n_m, at.loads)
                     && loads.torque_n_m[joint].abs() > limit.abs()
@@ -226,28 +227,31 @@ impl Term {
                 }
                 to.turns_rad[joint] += 0.5 * v(0) * side;
             }
-            Kind::ThermalLinkGrowth => {
+            EffectKind::ThermalLinkGrowth => {
                 for i in (0..6).filter(|i| self.joint.is_none_or(|link| link == *i)) {
                     let next = at
                         .robot
                         .joints
                         .get(i + 1)
                         .map_or(&at.robot.joint6_from_flange, |j| &j.previous_from_joint);
-                    let strain = v(0) * self.shape.at(at.when, Some(i)) + v(1);
+                    let strain = v(0) * self.growth.at(at.when, Some(i)) + v(1);
                     for (to, along) in to.offsets.0[i + 1].iter_mut().zip(next.translation.vector.iter()) {
                         *to += along * strain;
                     }
                 }
             }
-            Kind::ThermalJointDrift => to.turns_rad[joint] += v(0) * grown + v(1),
-            Kind::ToolDrift | Kind::ToolStep => {
+            EffectKind::ThermalJointDrift => to.turns_rad[joint] += v(0) * grown + v(1),
+            EffectKind::ToolDrift | EffectKind::ToolStep => {
                 let shift = at.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2)) * grown;
                 for (to, by) in to.offsets.0[6].iter_mut().zip(shift.iter()) {
                     *to += by;
                 }
             }
-            Kind::InstrumentScale => {}
-            Kind::JointCompliance | Kind::LinkBending | Kind::BaseTilt | Kind::PayloadMass => {
+            EffectKind::InstrumentScale | EffectKind::JointRounding | EffectKind::SwappedAxes => {}
+            EffectKind::JointCompliance
+            | EffectKind::LinkBending
+            | EffectKind::BaseTilt
+            | EffectKind::PayloadMass => {
                 if let Some((loads, frames)) = at.loads {
                     self.add_load(joint, loads, frames, at.payload_kg, to);
                 }
@@ -255,7 +259,7 @@ impl Term {
         }
     }
 
-    fn add_frame(&self, frame: usize, factor: f64, to: &mut Moved) {
+    fn add_frame(&self, frame: usize, factor: f64, to: &mut ArmDelta) {
         if let Some(row) = to.offsets.0.get_mut(frame) {
             for (to, value) in row.iter_mut().zip(&self.values) {
                 *to += value.value * factor;
@@ -269,21 +273,21 @@ impl Term {
         loads: &Loads,
         frames: &[Isometry3<f64>; 7],
         payload_kg: f64,
-        to: &mut Moved,
+        to: &mut ArmDelta,
     ) {
         let v = |i: usize| self.value(i);
         match self.kind {
-            Kind::JointCompliance => {
+            EffectKind::JointCompliance => {
                 let links: f64 = (0..6).map(|k| v(k + 1) * loads.link_torque_n_m[joint][k]).sum();
                 to.turns_rad[joint] += v(0) * loads.torque_n_m[joint] + links;
             }
-            Kind::PayloadMass => {
-                let kg = self.hangs.at(payload_kg);
+            EffectKind::PayloadMass => {
+                let kg = self.payload_scaling.at(payload_kg);
                 for (j, turn_rad) in to.turns_rad.iter_mut().enumerate() {
                     *turn_rad += kg * v(j + 1) * loads.unit_torque_n_m[j];
                 }
             }
-            Kind::BaseTilt => {
+            EffectKind::BaseTilt => {
                 let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(&loads.base_moment_n_m);
                 for (k, moment) in loads.link_base_moment_n_m.iter().enumerate() {
                     turn += moment * v(k + 2);
@@ -291,7 +295,7 @@ impl Term {
                 to.offsets.0[0][3] += turn.x;
                 to.offsets.0[0][4] += turn.y;
             }
-            Kind::LinkBending => {
+            EffectKind::LinkBending => {
                 let link = joint.min(4);
                 let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
                 let (mut turn, mut sink) = (Vector3::zeros(), Vector3::zeros());

@@ -24,16 +24,16 @@ struct Compared {
     hopeless: Vec<Vec<bool>>,
 }
 
-/// `wanted` of the measurements of `signatures`, and how many exchanges led there.
+/// `count` of the measurements of `signatures`, and how many exchanges led there.
 #[must_use]
-pub fn choose(signatures: &Signatures, wanted: usize, sigma_m: f64, rounds: usize) -> (Vec<usize>, usize) {
+pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize) -> (Vec<usize>, usize) {
     let width = signatures.width;
     let rows: Vec<&[f64]> = signatures.rows.chunks_exact(3 * width).collect();
     let mut chosen: Vec<usize> =
-        (0..rows.len()).step_by((rows.len() / wanted.max(1)).max(1)).take(wanted).collect();
+        (0..rows.len()).step_by((rows.len() / count.max(1)).max(1)).take(count).collect();
     let weight = 1.0 / (sigma_m * sigma_m);
     let all = Information::of(&signatures.rows, width, sigma_m);
-    let Some(compared) = compared(signatures, &all, wanted as f64 / rows.len() as f64) else {
+    let Some(compared) = compared(signatures, &all, count as f64 / rows.len() as f64) else {
         return (chosen, 0);
     };
     let mut now = Information::none(width);

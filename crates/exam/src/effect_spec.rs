@@ -1,11 +1,11 @@
 //! Effects as a user names them: `joint_compliance:2`, `gear_mesh:3:20`, `joint_coupling:5:6`.
 
-use super::draw::Draw;
 use super::effect::Effect;
+use super::rng::Rng;
 use std::f64::consts::TAU;
 
 /// Names that can be asked for, with what may follow them.
-pub const NAMES: [(&str, &str); 25] = [
+pub const SYNTAX: [(&str, &str); 25] = [
     ("joint_offset", "JOINT"),
     ("link_geometry", "JOINT"),
     ("joint_compliance", "JOINT"),
@@ -35,17 +35,17 @@ pub const NAMES: [(&str, &str); 25] = [
 
 /// What is wrong with an effect as it was named.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum ChooseError {
+pub enum EffectSpecError {
     /// No effect has this name.
     #[error("there is no effect named {0}")]
     Unknown(String),
     /// A number is missing, is none or lies outside what it may be.
-    #[error("{name} is written {name}:{form}, with joints from 1 to 6; {given} is not")]
-    Form {
+    #[error("{name} is written {name}:{syntax}, with joints from 1 to 6; {given} is not")]
+    Syntax {
         /// The effect.
         name: &'static str,
         /// What follows its name.
-        form: &'static str,
+        syntax: &'static str,
         /// What was written.
         given: String,
     },
@@ -54,25 +54,25 @@ pub enum ChooseError {
 /// The effect that `text` names; what it leaves open (phases, directions) is drawn.
 ///
 /// # Errors
-/// [`ChooseError`], naming what was written and what would be right.
-pub fn effect(text: &str, draw: &mut Draw) -> Result<Effect, ChooseError> {
+/// [`EffectSpecError`], naming what was written and what would be right.
+pub fn parse(text: &str, rng: &mut Rng) -> Result<Effect, EffectSpecError> {
     let mut parts = text.split(':');
     let wanted = parts.next().unwrap_or_default().trim();
-    let (name, form) = NAMES
+    let (name, syntax) = SYNTAX
         .into_iter()
         .find(|(name, _)| *name == wanted)
-        .ok_or_else(|| ChooseError::Unknown(wanted.to_owned()))?;
-    let wrong = || ChooseError::Form { name, form, given: text.to_owned() };
+        .ok_or_else(|| EffectSpecError::Unknown(wanted.to_owned()))?;
+    let wrong = || EffectSpecError::Syntax { name, syntax, given: text.to_owned() };
     let numbers: Vec<u32> = parts.map(|p| p.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
-    let expected = if form.is_empty() { 0 } else { form.split(':').count() };
+    let expected = if syntax.is_empty() { 0 } else { syntax.split(':').count() };
     if numbers.len() != expected {
         return Err(wrong());
     }
     let joint =
         |k: usize| numbers.get(k).filter(|j| (1..=6).contains(*j)).map(|j| *j as usize).ok_or_else(wrong);
     let n = |k: usize| numbers.get(k).filter(|n| (1..=320).contains(*n)).copied().ok_or_else(wrong);
-    let phase_rad = draw.uniform(0.0, TAU);
-    let raw: [f64; 6] = std::array::from_fn(|_| draw.normal());
+    let phase_rad = rng.uniform(0.0, TAU);
+    let raw: [f64; 6] = std::array::from_fn(|_| rng.normal());
     let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
     let direction = raw.map(|x| x / norm);
     let across = [0.6, 0.48, 0.64];
@@ -88,7 +88,7 @@ pub fn effect(text: &str, draw: &mut Draw) -> Result<Effect, ChooseError> {
         "gear_mesh" => Effect::GearMesh { joint: joint(0)?, n: n(1)?, phase_rad },
         "joint_gain" => Effect::JointGain { joint: joint(0)? },
         "joint_coupling" => Effect::JointCoupling { joint: joint(0)?, joint_b: joint(1)? },
-        "backlash" => Effect::Backlash { joint: joint(0)?, holding_n_m: draw.log_uniform(2.0, 200.0) },
+        "backlash" => Effect::Backlash { joint: joint(0)?, holding_n_m: rng.log_uniform(2.0, 200.0) },
         "thermal_link_growth" => Effect::ThermalLinkGrowth { joint: joint(0)? },
         "thermal_joint_drift" => Effect::ThermalJointDrift { joint: joint(0)? },
         "base_drift" => Effect::BaseDrift { direction },
@@ -112,20 +112,20 @@ mod tests {
 
     #[test]
     fn every_name_is_understood_with_its_numbers_and_no_other() {
-        let mut draw = Draw::new(0, 0);
-        for (name, form) in NAMES {
-            let numbers: String = form.split(':').filter(|f| !f.is_empty()).map(|_| ":3").collect();
-            let chosen = effect(&format!("{name}{numbers}"), &mut draw).unwrap();
+        let mut rng = Rng::new(0, 0);
+        for (name, syntax) in SYNTAX {
+            let numbers: String = syntax.split(':').filter(|f| !f.is_empty()).map(|_| ":3").collect();
+            let chosen = parse(&format!("{name}{numbers}"), &mut rng).unwrap();
             if let Some(official) = chosen.name() {
                 assert_eq!(official, name);
             }
             assert!(matches!(
-                effect(&format!("{name}{numbers}:1"), &mut draw),
-                Err(ChooseError::Form { .. })
+                parse(&format!("{name}{numbers}:1"), &mut rng),
+                Err(EffectSpecError::Syntax { .. })
             ));
         }
-        assert!(matches!(effect("joint_ofset:2", &mut draw), Err(ChooseError::Unknown(_))));
-        assert!(matches!(effect("joint_offset:7", &mut draw), Err(ChooseError::Form { .. })));
-        assert!(matches!(effect("joint_offset:two", &mut draw), Err(ChooseError::Form { .. })));
+        assert!(matches!(parse("joint_ofset:2", &mut rng), Err(EffectSpecError::Unknown(_))));
+        assert!(matches!(parse("joint_offset:7", &mut rng), Err(EffectSpecError::Syntax { .. })));
+        assert!(matches!(parse("joint_offset:two", &mut rng), Err(EffectSpecError::Syntax { .. })));
     }
 }

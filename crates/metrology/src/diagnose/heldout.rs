@@ -1,9 +1,9 @@
 //! How far the gap shrinks: poses held out, selection done anew without them, and an interval.
 
-use super::linearise::{Linear, norm3};
+use super::dataset::Dataset;
+use super::linearise::{Linearised, shift_m};
 use super::model::{Model, solve};
-use super::outcome::{HeldOut, Shrink};
-use super::scene::Scene;
+use super::outcome::{ErrorReduction, HeldOutBlock};
 use super::search::ALARM_NATS;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,12 +13,12 @@ const FOLDS: usize = 5;
 const BLOCK: f64 = 0.2;
 const RESAMPLES: usize = 1000;
 /// A bootstrap over few poses is too narrow: 0.78 covered where 0.9 was said, 1.645 / 1.227.
-const WIDER: f64 = 1.34;
+const INTERVAL_INFLATION: f64 = 1.34;
 
 /// Which stations stay together, and which are held out together.
 pub struct Folds {
     /// Atom of each station.
-    pub atom_of: Vec<usize>,
+    pub group_of: Vec<usize>,
     /// Atoms of each fold.
     pub folds: Vec<Vec<usize>>,
     /// Atoms of the last part of the time.
@@ -29,11 +29,11 @@ pub struct Folds {
 
 /// Splits the stations: five folds by pose, the last of the time, a region.
 #[must_use]
-pub fn folds(scene: &Scene) -> Folds {
-    let n = scene.sites.len();
-    let poses: BTreeSet<usize> = scene.sites.iter().map(|s| s.pose).collect();
+pub fn folds(dataset: &Dataset) -> Folds {
+    let n = dataset.observations.len();
+    let poses: BTreeSet<usize> = dataset.observations.iter().map(|s| s.pose).collect();
     let mut shuffled: Vec<usize> = poses.into_iter().collect();
-    let mut random = Random::new(0x9e37_79b9_7f4a_7c15);
+    let mut random = SplitMix64::new(0x9e37_79b9_7f4a_7c15);
     for i in (1..shuffled.len()).rev() {
         shuffled.swap(i, random.below(i + 1));
     }
@@ -42,37 +42,37 @@ pub fn folds(scene: &Scene) -> Folds {
 
     let block = ((BLOCK * n as f64) as usize).max(1);
     let mut late = vec![false; n];
-    if scene.time_min.is_some() {
+    if dataset.time_min.is_some() {
         let mut order: Vec<usize> = (0..n).collect();
-        let at = |i: usize| scene.sites[i].t_min.unwrap_or(0.0);
+        let at = |i: usize| dataset.observations[i].t_min.unwrap_or(0.0);
         order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
         for &i in &order[n - block..] {
             late[i] = true;
         }
     }
     let mut inside = vec![false; n];
-    let middle = scene.sites.iter().map(|s| s.point_m).sum::<nalgebra::Vector3<f64>>() / n as f64;
-    let far = |i: usize| (scene.sites[i].point_m - middle).norm();
+    let middle = dataset.observations.iter().map(|s| s.point_m).sum::<nalgebra::Vector3<f64>>() / n as f64;
+    let far = |i: usize| (dataset.observations[i].point_m - middle).norm();
     let corner = (0..n).fold(0, |best, i| if far(i) > far(best) { i } else { best });
     let mut order: Vec<usize> = (0..n).collect();
-    let from = |i: usize| (scene.sites[i].point_m - scene.sites[corner].point_m).norm();
+    let from = |i: usize| (dataset.observations[i].point_m - dataset.observations[corner].point_m).norm();
     order.sort_by(|&a, &b| from(a).total_cmp(&from(b)).then(a.cmp(&b)));
     for &i in &order[..block] {
         inside[i] = true;
     }
 
     let keys: Vec<(usize, bool, bool)> =
-        (0..n).map(|i| (fold_of[&scene.sites[i].pose], late[i], inside[i])).collect();
-    let atoms: BTreeSet<(usize, bool, bool)> = keys.iter().copied().collect();
+        (0..n).map(|i| (fold_of[&dataset.observations[i].pose], late[i], inside[i])).collect();
+    let groups: BTreeSet<(usize, bool, bool)> = keys.iter().copied().collect();
     let number: BTreeMap<(usize, bool, bool), usize> =
-        atoms.iter().enumerate().map(|(k, key)| (*key, k)).collect();
+        groups.iter().enumerate().map(|(k, key)| (*key, k)).collect();
     let where_ = |test: &dyn Fn(&(usize, bool, bool)) -> bool| -> Vec<usize> {
-        atoms.iter().enumerate().filter(|(_, key)| test(key)).map(|(k, _)| k).collect()
+        groups.iter().enumerate().filter(|(_, key)| test(key)).map(|(k, _)| k).collect()
     };
     Folds {
-        atom_of: keys.iter().map(|key| number[key]).collect(),
+        group_of: keys.iter().map(|key| number[key]).collect(),
         folds: (0..FOLDS).map(|f| where_(&|key| key.0 == f)).filter(|f| !f.is_empty()).collect(),
-        time: scene.time_min.map(|_| where_(&|key| key.1)),
+        time: dataset.time_min.map(|_| where_(&|key| key.1)),
         region: where_(&|key| key.2),
     }
 }
@@ -82,39 +82,39 @@ type Squares = [f64; 3];
 
 /// Holds out every fold, the last of the time and a region; `geometry` says that geometry is the named cause.
 #[must_use]
-pub fn shrink(model: &mut Model<'_>, linear: &Linear, folds: &Folds, geometry: bool) -> Shrink {
-    let n = linear.scene.sites.len();
+pub fn shrink(model: &mut Model<'_>, linear: &Linearised, folds: &Folds, geometry: bool) -> ErrorReduction {
+    let n = linear.dataset.observations.len();
     let mut squares: Vec<Option<Squares>> = vec![None; n];
     for fold in &folds.folds {
         held_out(model, folds, fold, &mut squares);
     }
-    let counted: Vec<(usize, Squares)> = (0..n)
+    let n_reported: Vec<(usize, Squares)> = (0..n)
         .filter(|&i| !model.outliers[i])
-        .filter_map(|i| squares[i].map(|s| (linear.scene.sites[i].pose, s)))
+        .filter_map(|i| squares[i].map(|s| (linear.dataset.observations[i].pose, s)))
         .collect();
     let after = if geometry { 2 } else { 1 };
-    let Some(rms) = rms_mm(&counted) else { return Shrink::default() };
+    let Some(rms) = rms_mm(&n_reported) else { return ErrorReduction::default() };
     let ratio = if rms[0] > 0.0 { rms[after] / rms[0] } else { 1.0 };
-    let mut block = |atoms: &[usize]| {
+    let mut block = |groups: &[usize]| {
         let mut squares: Vec<Option<Squares>> = vec![None; n];
-        held_out(model, folds, atoms, &mut squares);
-        let counted: Vec<(usize, Squares)> =
+        held_out(model, folds, groups, &mut squares);
+        let n_reported: Vec<(usize, Squares)> =
             (0..n).filter(|&i| !model.outliers[i]).filter_map(|i| squares[i].map(|s| (i, s))).collect();
-        rms_mm(&counted).map(|rms| HeldOut {
-            n: counted.len(),
+        rms_mm(&n_reported).map(|rms| HeldOutBlock {
+            n: n_reported.len(),
             before_rms_mm: rms[0],
             after_rms_mm: rms[after],
             with_geometry_rms_mm: rms[2],
         })
     };
-    let time_block = folds.time.as_ref().and_then(|atoms| block(atoms));
+    let time_block = folds.time.as_ref().and_then(|groups| block(groups));
     let region_block = block(&folds.region);
-    Shrink {
+    ErrorReduction {
         before_rms_mm: Some(rms[0]),
         after_rms_mm: Some(rms[after]),
         floor_rms_mm: Some(mm_from_m(floor_m(model, linear))),
         ratio: Some(ratio),
-        ci90: Some(interval(&counted, after, ratio)),
+        ci90: Some(interval(&n_reported, after, ratio)),
         with_geometry_rms_mm: Some(rms[2]),
         time_block,
         region_block,
@@ -122,20 +122,21 @@ pub fn shrink(model: &mut Model<'_>, linear: &Linear, folds: &Folds, geometry: b
 }
 
 /// What noise alone leaves on a station, 3-D.
-fn floor_m(model: &Model<'_>, linear: &Linear) -> f64 {
-    let n = linear.scene.sites.len() as f64;
-    let sites = linear.scene.sites.iter();
-    let mean = model.base_weights.iter().zip(sites).map(|(w, s)| s.rows(3) as f64 / w).sum::<f64>() / n;
-    model.reached.sigma_m * mean.sqrt()
+fn floor_m(model: &Model<'_>, linear: &Linearised) -> f64 {
+    let n = linear.dataset.observations.len() as f64;
+    let observations = linear.dataset.observations.iter();
+    let mean =
+        model.base_weights.iter().zip(observations).map(|(w, s)| s.rows(3) as f64 / w).sum::<f64>() / n;
+    model.peak.sigma_m * mean.sqrt()
 }
 
-fn held_out(model: &mut Model<'_>, folds: &Folds, atoms: &[usize], squares: &mut [Option<Squares>]) {
-    let all: Vec<usize> = (0..model.design.atoms()).collect();
-    let train: Vec<usize> = (0..model.design.atoms()).filter(|a| !atoms.contains(a)).collect();
+fn held_out(model: &mut Model<'_>, folds: &Folds, groups: &[usize], squares: &mut [Option<Squares>]) {
+    let all: Vec<usize> = (0..model.design.groups()).collect();
+    let train: Vec<usize> = (0..model.design.groups()).filter(|a| !groups.contains(a)).collect();
     // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
     let alarm = ALARM_NATS * model.design.rows(&train) as f64 / model.design.rows(&all) as f64;
-    let chosen = model.library.search(&mut model.design, &train, model.noise, &mut model.place, alarm);
-    let ratio = Some(model.reached.geometry_ratio);
+    let chosen = model.library.search(&mut model.design, &train, model.noise, &mut model.column_index, alarm);
+    let ratio = Some(model.peak.geometry_ratio);
     let fits = [
         solve(&model.design, &train, &[], None),
         solve(&model.design, &train, &chosen, None),
@@ -143,30 +144,30 @@ fn held_out(model: &mut Model<'_>, folds: &Folds, atoms: &[usize], squares: &mut
     ];
     let left = fits.map(|fit| model.design.residuals(&fit.coefficients));
     for (i, square) in squares.iter_mut().enumerate() {
-        if atoms.contains(&folds.atom_of[i]) {
-            *square = Some([0, 1, 2].map(|k| norm3(&left[k][i]).powi(2)));
+        if groups.contains(&folds.group_of[i]) {
+            *square = Some([0, 1, 2].map(|k| shift_m(&left[k][i]).powi(2)));
         }
     }
 }
 
-fn rms_mm(counted: &[(usize, Squares)]) -> Option<Squares> {
-    if counted.is_empty() {
+fn rms_mm(n_reported: &[(usize, Squares)]) -> Option<Squares> {
+    if n_reported.is_empty() {
         return None;
     }
-    let n = counted.len() as f64;
-    Some([0, 1, 2].map(|k| mm_from_m((counted.iter().map(|c| c.1[k]).sum::<f64>() / n).sqrt())))
+    let n = n_reported.len() as f64;
+    Some([0, 1, 2].map(|k| mm_from_m((n_reported.iter().map(|c| c.1[k]).sum::<f64>() / n).sqrt())))
 }
 
 /// 90 % interval of after/before by resampling whole poses (Efron and Tibshirani 1993, ch. 13), widened.
-fn interval(counted: &[(usize, Squares)], after: usize, ratio: f64) -> [f64; 2] {
+fn interval(n_reported: &[(usize, Squares)], after: usize, ratio: f64) -> [f64; 2] {
     let mut poses: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
-    for (pose, s) in counted {
+    for (pose, s) in n_reported {
         let sum = poses.entry(*pose).or_default();
         sum[0] += s[0];
         sum[1] += s[after];
     }
     let sums: Vec<[f64; 2]> = poses.into_values().collect();
-    let mut random = Random::new(0xd1b5_4a32_d192_ed03);
+    let mut random = SplitMix64::new(0xd1b5_4a32_d192_ed03);
     let mut ratios: Vec<f64> = (0..RESAMPLES)
         .map(|_| {
             let mut total = [0.0; 2];
@@ -183,13 +184,13 @@ fn interval(counted: &[(usize, Squares)], after: usize, ratio: f64) -> [f64; 2] 
     if ratio <= 0.0 {
         return [0.0, at(0.95)];
     }
-    [ratio * (at(0.05) / ratio).powf(WIDER), ratio * (at(0.95) / ratio).powf(WIDER)]
+    [ratio * (at(0.05) / ratio).powf(INTERVAL_INFLATION), ratio * (at(0.95) / ratio).powf(INTERVAL_INFLATION)]
 }
 
 /// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
-pub struct Random(u64);
+pub struct SplitMix64(u64);
 
-impl Random {
+impl SplitMix64 {
     /// From a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {

@@ -5,9 +5,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 /// A stream of draws.
-pub struct Draw(ChaCha8Rng);
+pub struct Rng(ChaCha8Rng);
 
-impl Draw {
+impl Rng {
     /// The stream number `stream` of a seed; streams of one seed are independent.
     #[must_use]
     pub fn new(seed: u64, stream: u64) -> Self {
@@ -64,8 +64,8 @@ mod tests {
     #[test]
     fn a_stream_repeats_itself_and_differs_from_its_neighbours() {
         let take = |seed, stream| {
-            let mut draw = Draw::new(seed, stream);
-            (0..4).map(|_| draw.uniform(0.0, 1.0)).collect::<Vec<_>>()
+            let mut rng = Rng::new(seed, stream);
+            (0..4).map(|_| rng.uniform(0.0, 1.0)).collect::<Vec<_>>()
         };
         assert_eq!(take(7, 3), take(7, 3));
         assert_ne!(take(7, 3), take(7, 4));
@@ -74,9 +74,9 @@ mod tests {
 
     #[test]
     fn normals_have_mean_zero_and_variance_one() {
-        let mut draw = Draw::new(1, 0);
+        let mut rng = Rng::new(1, 0);
         let n = 20_000;
-        let values: Vec<f64> = (0..n).map(|_| draw.normal()).collect();
+        let values: Vec<f64> = (0..n).map(|_| rng.normal()).collect();
         let mean = values.iter().sum::<f64>() / f64::from(n);
         let variance = values.iter().map(|v| v * v).sum::<f64>() / f64::from(n);
         // five standard errors: 5/sqrt(n) and 5*sqrt(2/n)

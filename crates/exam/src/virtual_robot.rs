@@ -1,9 +1,9 @@
 //! The virtual robot of a data set once more: where it really stands at joints that a program commands.
 
 use super::arm::{Arm, Disturbance};
-use super::draw::Draw;
-use super::effect::{Effect, Moment};
+use super::effect::{ArmState, Effect};
 use super::registration::rms_after_registration_m;
+use super::rng::Rng;
 use super::truth::Truth;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::robot::Robot;
@@ -24,7 +24,7 @@ pub struct Commanded {
 
 /// The robot that a data set was measured on.
 #[derive(Clone, Debug)]
-pub struct Again {
+pub struct VirtualRobot {
     arm: Arm,
     effects: Vec<(Effect, f64)>,
 }
@@ -44,10 +44,10 @@ pub fn is_lasting(effect: &Effect) -> bool {
     )
 }
 
-impl Again {
+impl VirtualRobot {
     /// The robot of `truth`.
     #[must_use]
-    pub fn of(robot: &Robot, truth: &Truth) -> Self {
+    pub fn from_truth(robot: &Robot, truth: &Truth) -> Self {
         let effects = truth.effects.iter().map(|put| (put.effect, put.amplitude)).collect();
         Self { arm: Arm::new(robot), effects }
     }
@@ -57,7 +57,7 @@ impl Again {
     pub fn flange(&self, at: &Commanded) -> Isometry3<f64> {
         let payload_at_m = Point3::from(Vector3::from(at.payload_at_m));
         let nominal = self.arm.flange(&at.q_rad, &Disturbance::default());
-        let now = Moment {
+        let now = ArmState {
             q_rad: at.q_rad,
             t_min: 0.0,
             direction: at.direction,
@@ -88,10 +88,10 @@ pub fn measured_rms_m(
     flanges: &[Isometry3<f64>],
     off_m: &[Vector3<f64>],
     sigma_mm: f64,
-    draw: &mut Draw,
+    rng: &mut Rng,
 ) -> f64 {
     let points: Vec<Vector3<f64>> = flanges.iter().map(|f| f.translation.vector).collect();
     let noisy: Vec<Vector3<f64>> =
-        off_m.iter().map(|off| off + Vector3::from(draw.normal3()) * m_from_mm(sigma_mm)).collect();
+        off_m.iter().map(|off| off + Vector3::from(rng.normal3()) * m_from_mm(sigma_mm)).collect();
     rms_after_registration_m(flanges, &points, &noisy)
 }

@@ -1,14 +1,14 @@
 //! A TOML table whose keys are taken one by one, with messages that name the place.
 
-use super::ModelError;
+use super::error::ModelError;
 
 /// A table whose keys are taken one by one; what is left at the end is not known.
-pub(super) struct Keys {
+pub(super) struct TableReader {
     place: String,
     left: toml::Table,
 }
 
-impl Keys {
+impl TableReader {
     /// The keys of the table that `place` names.
     pub(super) fn new(place: impl Into<String>, left: toml::Table) -> Self {
         Self { place: place.into(), left }

@@ -1,9 +1,10 @@
 //! What stands in one place of the model, cause by cause: all forms of one effect in one joint together.
 
-use crate::diagnose::effects::{self, Candidate};
-use crate::diagnose::evidence::Background;
+use crate::diagnose::effects::Candidate;
+use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::model::Model;
-use crate::diagnose::search::{Chosen, Hypothesis, Slot, flat};
+use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, cause_columns};
+use robot_model::deform::EffectKind;
 
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
@@ -11,7 +12,7 @@ const RIVAL: f64 = 0.03;
 const CREDIBLE: f64 = 0.95;
 
 /// A cause over all its forms in one slot.
-pub struct Group {
+pub struct CauseGroup {
     /// Its likeliest form.
     pub best: usize,
     /// Of all its forms.
@@ -22,50 +23,49 @@ pub struct Group {
 
 /// The causes of a slot, likeliest first.
 #[must_use]
-pub fn groups(model: &Model<'_>, slot: &Slot) -> Vec<Group> {
-    let mut found: Vec<(Key, Group)> = Vec::new();
-    for (hypothesis, probability, reached) in &slot.ranked {
+pub fn cause_groups(model: &Model<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
+    let mut found: Vec<(Key, CauseGroup)> = Vec::new();
+    for (hypothesis, probability, peak) in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
         let this = key(&model.library.candidates[*c]);
         match found.iter_mut().find(|(k, _)| *k == this) {
-            Some((_, group)) => group.probability += probability,
+            Some((_, cause_group)) => cause_group.probability += probability,
             None => found.push((
                 this,
-                Group {
+                CauseGroup {
                     best: *c,
                     probability: *probability,
-                    gain_nats: reached.log_evidence - slot.null.log_evidence,
+                    gain_nats: peak.log_evidence - ranking.null.log_evidence,
                 },
             )),
         }
     }
-    let mut groups: Vec<Group> = found.into_iter().map(|(_, g)| g).collect();
-    groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-    groups
+    let mut cause_groups: Vec<CauseGroup> = found.into_iter().map(|(_, g)| g).collect();
+    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    cause_groups
 }
 
 /// Joins to the likeliest cause the rival that holds it as a special case: what the rival adds is not needed, and
 /// the simpler of two nested explanations is the one to name.
-pub fn join_nested(model: &Model<'_>, groups: &mut Vec<Group>) {
-    let Some(first) = groups.first() else { return };
+pub fn join_nested(model: &Model<'_>, cause_groups: &mut Vec<CauseGroup>) {
+    let Some(first) = cause_groups.first() else { return };
     let simple = key(&model.library.candidates[first.best]);
-    let nests = |g: &Group| {
+    let nests = |g: &CauseGroup| {
         let rich = key(&model.library.candidates[g.best]);
-        let name = |effect: usize| effects::LIBRARY[effect].name();
-        (name(simple.0), name(rich.0)) == ("joint_offset", "thermal_joint_drift") && simple.1 == rich.1
+        (simple.0, rich.0) == (EffectKind::JointOffset, EffectKind::ThermalJointDrift) && simple.1 == rich.1
     };
-    let more: f64 = groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
-    groups.retain(|g| !nests(g));
-    groups[0].probability += more;
+    let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
+    cause_groups.retain(|g| !nests(g));
+    cause_groups[0].probability += more;
 }
 
 /// The likeliest groups that together make up nearly all of the causes' probability.
 #[must_use]
-pub fn credible(groups: &[Group]) -> Vec<&Group> {
-    let total: f64 = groups.iter().map(|g| g.probability).sum();
-    let first = groups.first().map_or(0.0, |g| g.probability);
+pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
+    let total: f64 = cause_groups.iter().map(|g| g.probability).sum();
+    let first = cause_groups.first().map_or(0.0, |g| g.probability);
     let mut sum = 0.0;
-    groups
+    cause_groups
         .iter()
         .take_while(|g| {
             let more = sum < CREDIBLE * total && g.probability >= RIVAL * first;
@@ -77,17 +77,17 @@ pub fn credible(groups: &[Group]) -> Vec<&Group> {
 
 /// Every hypothesis in the place `without` of the model (none: beside it), and how much geometry is needed there.
 #[must_use]
-pub fn scan(model: &Model<'_>, chosen: &[Chosen], without: Option<usize>) -> (Slot, f64) {
-    let atoms: Vec<usize> = (0..model.design.atoms()).collect();
-    let background = Background::new(&model.design, &atoms, &flat(chosen, without), model.noise);
+pub fn scan(model: &Model<'_>, chosen: &[ChosenCause], without: Option<usize>) -> (HypothesisRanking, f64) {
+    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    let nuisance = NuisanceModel::new(&model.design, &groups, &cause_columns(chosen, without), model.noise);
     let taken: Vec<usize> =
         chosen.iter().enumerate().filter(|(i, _)| Some(*i) != without).map(|(_, c)| c.candidate).collect();
-    (model.library.scan(&background, &atoms, &taken), background.geometry_gain())
+    (model.library.scan(&nuisance, &groups, &taken), nuisance.geometry_gain())
 }
 
 /// What forms of one cause share.
-type Key = (usize, Option<usize>, Option<usize>);
+type Key = (EffectKind, Option<usize>, Option<usize>);
 
 fn key(c: &Candidate) -> Key {
-    (c.effect, c.form.joint, c.form.joint_b)
+    (c.kind, c.variant.joint, c.variant.joint_b)
 }

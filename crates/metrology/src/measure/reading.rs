@@ -4,11 +4,11 @@ use nalgebra::Vector3;
 
 /// What was seen at a row.
 ///
-/// A place is a point that stands still in the base's frame, unknown: an index into [`Measurements::places`].
+/// A place is a point that stands still in the base's frame, unknown: an index into [`Measurements::fixed_points`].
 ///
-/// [`Measurements::places`]: super::Measurements::places
+/// [`Measurements::fixed_points`]: super::Measurements::places
 #[derive(Clone, Debug, PartialEq)]
-pub enum Seen {
+pub enum Reading {
     /// The target on the tool, in the instrument's frame.
     Point {
         /// Metres.
@@ -17,37 +17,39 @@ pub enum Seen {
     /// A nest on base or floor, in the instrument's frame; the arm has no part in it.
     Nest {
         /// Which.
-        place: usize,
+        fixed_point: usize,
         /// Metres.
         position_m: Vector3<f64>,
     },
     /// The tip touches a fixed point: a closed loop without an instrument.
     Touch {
         /// Which.
-        place: usize,
+        fixed_point: usize,
     },
     /// How far the target is from a fixed point: a draw-wire, a ballbar.
     Length {
         /// Which.
-        place: usize,
+        fixed_point: usize,
         /// Metres.
         length_m: f64,
     },
 }
 
-impl Seen {
+impl Reading {
     /// The fixed place that takes part.
     #[must_use]
-    pub fn place(&self) -> Option<usize> {
+    pub fn fixed_point(&self) -> Option<usize> {
         match *self {
             Self::Point { .. } => None,
-            Self::Nest { place, .. } | Self::Touch { place } | Self::Length { place, .. } => Some(place),
+            Self::Nest { fixed_point, .. }
+            | Self::Touch { fixed_point }
+            | Self::Length { fixed_point, .. } => Some(fixed_point),
         }
     }
 
     /// Whether the arm takes part.
     #[must_use]
-    pub fn by_arm(&self) -> bool {
+    pub fn involves_arm(&self) -> bool {
         !matches!(self, Self::Nest { .. })
     }
 
@@ -62,7 +64,7 @@ impl Seen {
 
     /// The numbers that an instrument gave, metres, and how many they are; of a touch there is none.
     #[must_use]
-    pub fn reading_m(&self) -> Option<(Vector3<f64>, usize)> {
+    pub fn coordinates_m(&self) -> Option<(Vector3<f64>, usize)> {
         match *self {
             Self::Point { position_m } | Self::Nest { position_m, .. } => Some((position_m, 3)),
             Self::Length { length_m, .. } => Some((Vector3::new(length_m, 0.0, 0.0), 1)),
@@ -72,19 +74,21 @@ impl Seen {
 
     /// The same with another reading.
     #[must_use]
-    pub fn with_reading_m(&self, reading_m: Vector3<f64>) -> Self {
+    pub fn with_coordinates_m(&self, coordinates_m: Vector3<f64>) -> Self {
         match *self {
-            Self::Point { .. } => Self::Point { position_m: reading_m },
-            Self::Nest { place, .. } => Self::Nest { place, position_m: reading_m },
-            Self::Length { place, .. } => Self::Length { place, length_m: reading_m.x },
-            Self::Touch { place } => Self::Touch { place },
+            Self::Point { .. } => Self::Point { position_m: coordinates_m },
+            Self::Nest { fixed_point, .. } => Self::Nest { fixed_point, position_m: coordinates_m },
+            Self::Length { fixed_point, .. } => Self::Length { fixed_point, length_m: coordinates_m.x },
+            Self::Touch { fixed_point } => Self::Touch { fixed_point },
         }
     }
 
     /// The same read by an instrument whose unit is `factor` times as long.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        self.reading_m()
-            .map_or_else(|| self.clone(), |(reading_m, _)| self.with_reading_m(reading_m * factor))
+        self.coordinates_m().map_or_else(
+            || self.clone(),
+            |(coordinates_m, _)| self.with_coordinates_m(coordinates_m * factor),
+        )
     }
 }

@@ -3,10 +3,10 @@
 //! The hundreds of columns of a spectrum are never kept: each is its joint's turn times a number for each station, so
 //! that their products need one number for each pair of joints and station.
 
+use super::dataset::{Dataset, Twist, scaled};
 use super::design::registration;
 use super::design::{Design, Whitening};
 use super::effects::Candidate;
-use super::scene::{Motion, Scene, scaled};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -16,9 +16,9 @@ pub const LINE_RAD: f64 = 1e-4;
 const FRAMES: usize = 5;
 
 /// Which columns, in the order: registration, geometry, causes, lines joint by joint (sine and cosine in turn).
-pub struct Columns<'a> {
+pub struct ModelColumns<'a> {
     /// The arm at every station.
-    pub scene: &'a Scene,
+    pub dataset: &'a Dataset,
     /// Weights.
     pub whitening: &'a Whitening,
     /// Targets on the tool.
@@ -30,15 +30,15 @@ pub struct Columns<'a> {
 }
 
 /// Sums over some stations.
-pub struct Normal {
+pub struct NormalEquations {
     /// Products of all columns.
     pub gram: DMatrix<f64>,
     /// Products with the residuals.
-    pub right: DVector<f64>,
+    pub rhs: DVector<f64>,
 }
 
 /// Whitened columns at some stations.
-struct Rows {
+struct WhitenedRows {
     /// Registration, geometry, causes: rows of each station together.
     plain: DMatrix<f64>,
     /// Each spectrum joint's turn: one column.
@@ -49,41 +49,42 @@ struct Rows {
     data: DVector<f64>,
 }
 
-impl Rows {
+impl WhitenedRows {
     /// One number for each station: the turn of spectrum joint `a` times a column, over the station's rows.
-    fn along(&self, a: usize, other: &[f64], rows_per_site: usize) -> Vec<f64> {
+    fn along(&self, a: usize, other: &[f64], rows_per_observation: usize) -> Vec<f64> {
         let turn = self.turns.column(a);
-        let pairs = turn.as_slice().chunks_exact(rows_per_site).zip(other.chunks_exact(rows_per_site));
+        let pairs =
+            turn.as_slice().chunks_exact(rows_per_observation).zip(other.chunks_exact(rows_per_observation));
         pairs.map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum()).collect()
     }
 
-    fn right_into(&self, at: &[Range<usize>], rows_per_site: usize, right: &mut DVector<f64>) {
-        right.rows_mut(0, self.plain.ncols()).copy_from(&self.plain.tr_mul(&self.data));
+    fn rhs_into(&self, at: &[Range<usize>], rows_per_observation: usize, rhs: &mut DVector<f64>) {
+        rhs.rows_mut(0, self.plain.ncols()).copy_from(&self.plain.tr_mul(&self.data));
         for (a, columns) in at.iter().enumerate() {
-            let data = DVector::from_vec(self.along(a, self.data.as_slice(), rows_per_site));
-            right.rows_mut(columns.start, columns.len()).copy_from(&self.angles[a].tr_mul(&data));
+            let data = DVector::from_vec(self.along(a, self.data.as_slice(), rows_per_observation));
+            rhs.rows_mut(columns.start, columns.len()).copy_from(&self.angles[a].tr_mul(&data));
         }
     }
 }
 
-impl Columns<'_> {
+impl ModelColumns<'_> {
     /// Columns of registration.
     #[must_use]
-    pub fn flat(&self) -> Range<usize> {
-        0..registration::width(self.targets, self.scene.places, self.scene.rows_per_site)
+    pub fn registration(&self) -> Range<usize> {
+        0..registration::width(self.targets, self.dataset.fixed_points, self.dataset.rows_per_observation)
     }
 
     /// Columns of geometry, in tolerances.
     #[must_use]
     pub fn geometry(&self) -> Range<usize> {
-        let start = self.flat().end;
+        let start = self.registration().end;
         start..start + 6 * FRAMES
     }
 
     /// Columns of each cause, in usual sizes.
     #[must_use]
     pub fn of_causes(&self) -> Vec<Range<usize>> {
-        ranges(self.geometry().end, self.causes.iter().map(|c| c.usual.len()))
+        ranges(self.geometry().end, self.causes.iter().map(|c| c.prior_sigma.len()))
     }
 
     /// Columns of each spectrum, in [`LINE_RAD`].
@@ -93,46 +94,44 @@ impl Columns<'_> {
         ranges(start, self.lines.iter().map(|(_, n)| 2 * n.len()))
     }
 
-    fn rows(&self, sites: &[usize], residuals: &[Motion]) -> Rows {
-        let d = self.scene.rows_per_site;
+    fn rows(&self, observations: &[usize], residuals: &[Twist]) -> WhitenedRows {
+        let d = self.dataset.rows_per_observation;
         let width = self.of_causes().last().map_or(self.geometry().end, |r| r.end);
-        let mut rows = Rows {
-            plain: DMatrix::zeros(sites.len() * d, width),
-            turns: DMatrix::zeros(sites.len() * d, self.lines.len()),
-            angles: self.lines.iter().map(|(_, n)| DMatrix::zeros(sites.len(), 2 * n.len())).collect(),
-            data: DVector::zeros(sites.len() * d),
+        let mut rows = WhitenedRows {
+            plain: DMatrix::zeros(observations.len() * d, width),
+            turns: DMatrix::zeros(observations.len() * d, self.lines.len()),
+            angles: self.lines.iter().map(|(_, n)| DMatrix::zeros(observations.len(), 2 * n.len())).collect(),
+            data: DVector::zeros(observations.len() * d),
         };
-        let mut motions: Vec<Motion> = Vec::with_capacity(width);
-        for (row, &i) in sites.iter().enumerate() {
-            let site = &self.scene.sites[i];
-            motions.clear();
-            registration::motions(site, self.targets, self.scene.places, d, &mut motions);
+        let mut twists: Vec<Twist> = Vec::with_capacity(width);
+        for (row, &i) in observations.iter().enumerate() {
+            let observation = &self.dataset.observations[i];
+            twists.clear();
+            registration::twists(observation, self.targets, self.dataset.fixed_points, d, &mut twists);
             for frame in 1..=FRAMES {
-                motions.extend((0..6).map(|k| scaled(site.offset(frame, k), Design::tolerance(k))));
+                twists
+                    .extend((0..6).map(|k| scaled(observation.frame_offset(frame, k), Design::tolerance(k))));
             }
             for cause in &self.causes {
-                let from = motions.len();
-                cause.effect().motions(&cause.form, self.scene, site, &mut motions);
-                for (motion, usual) in motions.iter_mut().skip(from).zip(&cause.usual) {
-                    *motion = scaled(*motion, *usual);
-                }
+                cause.scaled_signature(self.dataset, observation, &mut twists);
             }
             let root = self.whitening.weights[i].sqrt();
-            let whiten = |motion: Motion, k: usize| {
-                site.seen(motion)[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m }
+            let whiten = |twist: Twist, k: usize| {
+                observation.observed(twist)[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m }
             };
             for k in 0..d {
-                for (column, motion) in motions.iter().enumerate() {
-                    rows.plain[(row * d + k, column)] = whiten(*motion, k);
+                for (column, twist) in twists.iter().enumerate() {
+                    rows.plain[(row * d + k, column)] = whiten(*twist, k);
                 }
                 for (column, (joint, _)) in self.lines.iter().enumerate() {
-                    rows.turns[(row * d + k, column)] = whiten(scaled(site.joint(*joint), LINE_RAD), k);
+                    rows.turns[(row * d + k, column)] =
+                        whiten(scaled(observation.jacobian_column(*joint), LINE_RAD), k);
                 }
                 rows.data[row * d + k] = whiten(residuals[i], k);
             }
             for (angles, (joint, all)) in rows.angles.iter_mut().zip(&self.lines) {
                 for (k, n) in all.iter().enumerate() {
-                    let (sin, cos) = (f64::from(*n) * site.q_rad[*joint]).sin_cos();
+                    let (sin, cos) = (f64::from(*n) * observation.q_rad[*joint]).sin_cos();
                     (angles[(row, 2 * k)], angles[(row, 2 * k + 1)]) = (sin, cos);
                 }
             }
@@ -140,16 +139,16 @@ impl Columns<'_> {
         rows
     }
 
-    /// The sums over `sites`.
+    /// The sums over `observations`.
     #[must_use]
-    pub fn sum(&self, sites: &[usize], residuals: &[Motion]) -> Normal {
-        let d = self.scene.rows_per_site;
-        let rows = self.rows(sites, residuals);
+    pub fn sum(&self, observations: &[usize], residuals: &[Twist]) -> NormalEquations {
+        let d = self.dataset.rows_per_observation;
+        let rows = self.rows(observations, residuals);
         let (at, plain) = (self.of_lines(), rows.plain.ncols());
         let width = at.last().map_or(plain, |r| r.end);
-        let mut normal = Normal { gram: DMatrix::zeros(width, width), right: DVector::zeros(width) };
+        let mut normal = NormalEquations { gram: DMatrix::zeros(width, width), rhs: DVector::zeros(width) };
         normal.gram.view_mut((0, 0), (plain, plain)).copy_from(&(rows.plain.transpose() * &rows.plain));
-        rows.right_into(&at, d, &mut normal.right);
+        rows.rhs_into(&at, d, &mut normal.rhs);
         let along = |a: usize, other: &[f64]| rows.along(a, other, d);
         let pairs: Vec<(usize, usize)> =
             (0..at.len()).flat_map(|a| (a..at.len()).map(move |b| (a, b))).collect();
@@ -170,7 +169,7 @@ impl Columns<'_> {
             normal.gram.view_mut(low, high).copy_from(&block.transpose());
         }
         for (a, columns) in at.iter().enumerate() {
-            let mut with_plain = DMatrix::zeros(sites.len(), plain);
+            let mut with_plain = DMatrix::zeros(observations.len(), plain);
             for (mut to, from) in with_plain.column_iter_mut().zip(rows.plain.column_iter()) {
                 to.copy_from_slice(&along(a, from.as_slice()));
             }
@@ -183,19 +182,19 @@ impl Columns<'_> {
 
     /// Products of all columns with `residuals`.
     #[must_use]
-    pub fn right(&self, sites: &[usize], residuals: &[Motion]) -> DVector<f64> {
-        let rows = self.rows(sites, residuals);
+    pub fn rhs(&self, observations: &[usize], residuals: &[Twist]) -> DVector<f64> {
+        let rows = self.rows(observations, residuals);
         let (at, plain) = (self.of_lines(), rows.plain.ncols());
-        let mut right = DVector::zeros(at.last().map_or(plain, |r| r.end));
-        rows.right_into(&at, self.scene.rows_per_site, &mut right);
-        right
+        let mut rhs = DVector::zeros(at.last().map_or(plain, |r| r.end));
+        rows.rhs_into(&at, self.dataset.rows_per_observation, &mut rhs);
+        rhs
     }
 
-    /// Squared distances that `solved` leaves at `sites`, metres.
+    /// Squared distances that `solved` leaves at `observations`, metres.
     #[must_use]
-    pub fn squares_m2(&self, sites: &[usize], residuals: &[Motion], solved: &DVector<f64>) -> Vec<f64> {
-        let d = self.scene.rows_per_site;
-        let rows = self.rows(sites, residuals);
+    pub fn squares_m2(&self, observations: &[usize], residuals: &[Twist], solved: &DVector<f64>) -> Vec<f64> {
+        let d = self.dataset.rows_per_observation;
+        let rows = self.rows(observations, residuals);
         let mut left = rows.data - &rows.plain * solved.rows(0, rows.plain.ncols());
         for ((a, columns), angles) in self.of_lines().into_iter().enumerate().zip(&rows.angles) {
             let turned = angles * solved.rows(columns.start, columns.len());
@@ -205,14 +204,14 @@ impl Columns<'_> {
                 }
             }
         }
-        let place = |(rows, &i): (&[f64], &usize)| {
+        let fixed_point = |(rows, &i): (&[f64], &usize)| {
             rows.iter().take(3).map(|v| v * v).sum::<f64>() / self.whitening.weights[i]
         };
-        left.as_slice().chunks_exact(d).zip(sites).map(place).collect()
+        left.as_slice().chunks_exact(d).zip(observations).map(fixed_point).collect()
     }
 }
 
-impl Normal {
+impl NormalEquations {
     /// The most probable values under `precisions` (noise variance over each column's), with their standard deviations at
     /// unit noise where those are `wanted`.
     #[must_use]
@@ -223,7 +222,7 @@ impl Normal {
             sum[(i, i)] += precision + 1e-10 * sum[(i, i)] + 1e-18;
         }
         let lower = lower_root(sum)?;
-        let half = lower.solve_lower_triangular(&self.right)?;
+        let half = lower.solve_lower_triangular(&self.rhs)?;
         let solved = lower.tr_solve_lower_triangular(&half)?;
         let sigmas = wanted
             .then(|| lower.solve_lower_triangular(&DMatrix::identity(lower.nrows(), lower.nrows())))
@@ -235,7 +234,7 @@ impl Normal {
     /// Less the sums over a part of the stations.
     #[must_use]
     pub fn without(&self, part: &Self) -> Self {
-        Self { gram: &self.gram - &part.gram, right: &self.right - &part.right }
+        Self { gram: &self.gram - &part.gram, rhs: &self.rhs - &part.rhs }
     }
 }
 
@@ -276,18 +275,18 @@ fn ranges(start: usize, widths: impl Iterator<Item = usize>) -> Vec<Range<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::scene::Site;
-    use crate::measure::{Channels, Registration, Seen, Station};
+    use crate::diagnose::dataset::Observation;
+    use crate::measure::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, Vector3};
     use robot_model::kinematics::Chain;
     use robot_model::robot::Robot;
 
-    fn scene() -> Scene {
+    fn dataset() -> Dataset {
         let robot = Robot::built_in("irb140").unwrap();
         let chain = Chain::nominal(&robot);
         let tools_m = vec![Vector3::new(0.03, -0.02, 0.1)];
         let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
-        let site = |i: usize| {
+        let observation = |i: usize| {
             let x = i as f64;
             let station = Station {
                 pose: i,
@@ -295,7 +294,7 @@ mod tests {
                 t_min: Some(x),
                 // Irrational steps fill the ranges evenly.
                 q_rad: std::array::from_fn(|j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
-                seen: Seen::Point { position_m: Vector3::zeros() },
+                reading: Reading::Point { position_m: Vector3::zeros() },
                 orientation: None,
                 direction: None,
                 payload_kg: None,
@@ -303,9 +302,13 @@ mod tests {
                 air_temperature_c: None,
                 rows: vec![i],
             };
-            Site::new(&robot, &chain, &registration, &station)
+            Observation::new(&robot, &chain, &registration, &station)
         };
-        Scene::new(&robot, (0..120).map(site).collect(), Channels { time: true, ..Channels::default() })
+        Dataset::new(
+            &robot,
+            (0..120).map(observation).collect(),
+            Channels { time: true, ..Channels::default() },
+        )
     }
 
     #[test]
@@ -322,22 +325,23 @@ mod tests {
     /// Two joints' lines put into the residuals by hand, with unequal weights: the sums find them again, and leave nothing.
     #[test]
     fn lines_put_in_are_found() {
-        let scene = scene();
+        let dataset = dataset();
         let whitening = Whitening { weights: (0..120).map(|i| 1.0 + f64::from(i % 3)).collect(), arm_m: 0.2 };
-        let columns = Columns {
-            scene: &scene,
+        let columns = ModelColumns {
+            dataset: &dataset,
             whitening: &whitening,
             targets: 1,
             causes: Vec::new(),
             lines: vec![(1, vec![3, 7]), (2, vec![5])],
         };
-        let residuals: Vec<Motion> = scene
-            .sites
+        let residuals: Vec<Twist> = dataset
+            .observations
             .iter()
-            .map(|site| {
-                let second = 2e-4 * (7.0 * site.q_rad[1]).sin() - 1e-4 * (3.0 * site.q_rad[1]).cos();
-                let third = 5e-5 * (5.0 * site.q_rad[2]).cos();
-                let (a, b) = (site.joint(1), site.joint(2));
+            .map(|observation| {
+                let second =
+                    2e-4 * (7.0 * observation.q_rad[1]).sin() - 1e-4 * (3.0 * observation.q_rad[1]).cos();
+                let third = 5e-5 * (5.0 * observation.q_rad[2]).cos();
+                let (a, b) = (observation.jacobian_column(1), observation.jacobian_column(2));
                 std::array::from_fn(|k| second * a[k] + third * b[k])
             })
             .collect();
@@ -345,7 +349,7 @@ mod tests {
         let normal = columns.sum(&all, &residuals);
         assert_eq!(normal.gram.ncols(), 9 + 30 + 6);
         assert!((&normal.gram - normal.gram.transpose()).norm() < 1e-12 * normal.gram.norm());
-        assert!((columns.right(&all, &residuals) - &normal.right).norm() == 0.0);
+        assert!((columns.rhs(&all, &residuals) - &normal.rhs).norm() == 0.0);
         let mut precisions = vec![0.0; 45];
         precisions[columns.geometry()].fill(1e-3);
         let (solved, sigmas) = normal.solve(&precisions, true).unwrap();

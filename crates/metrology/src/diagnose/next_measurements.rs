@@ -1,13 +1,13 @@
 //! What to measure next: poses, payloads and directions that tell the likeliest cause from its rival.
 
 use super::Options;
-use super::linearise::Linear;
+use super::dataset::{Observation, ObservationKind, Twist};
+use super::heldout::SplitMix64;
+use super::linearise::Linearised;
 use super::model::Model;
 use super::outcome::{NextMeasurement, Verdict};
-use super::scene::{Motion, Sight, Site, scaled};
-use super::shrink::Random;
 use super::verdict::describe_candidate;
-use crate::measure::{Registration, Seen, Station};
+use crate::measure::{Reading, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -23,50 +23,46 @@ const FLOOR_M: f64 = 0.1;
 
 /// Poses that separate `pair` best, and what they are good for.
 #[must_use]
-pub fn next(
+pub fn next_measurements(
     robot: &Robot,
     model: &Model<'_>,
-    linear: &Linear,
+    linear: &Linearised,
     pair: Option<(usize, Option<usize>)>,
     verdict: Verdict,
     options: &Options,
 ) -> (Vec<NextMeasurement>, String) {
     let Some((first, rival)) = pair else { return (Vec::new(), String::new()) };
-    let sites = candidate_sites(robot, linear, options);
+    let observations = candidate_observations(robot, linear, options);
     let candidates = model.library.candidates;
     let own = &candidates[first];
     let other = rival.map(|r| &candidates[r]);
-    let widths = own.usual.len() + other.map_or(0, |c| c.usual.len());
-    let scene = &linear.scene;
+    let widths = own.prior_sigma.len() + other.map_or(0, |c| c.prior_sigma.len());
+    let dataset = &linear.dataset;
     // Rows at one site: registration, the rival, then the cause itself.
-    let rows = |site: &Site| -> DMatrix<f64> {
-        let mut motions: Vec<Motion> = (0..6).map(|k| site.offset(0, k)).collect();
+    let rows = |observation: &Observation| -> DMatrix<f64> {
+        let mut twists: Vec<Twist> = (0..6).map(|k| observation.frame_offset(0, k)).collect();
         for k in 0..3 {
-            let axis = site.flange.column(k);
-            motions.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
+            let axis = observation.flange.column(k);
+            twists.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
         }
         for candidate in other.iter().copied().chain([own]) {
-            let from = motions.len();
-            candidate.effect().motions(&candidate.form, scene, site, &mut motions);
-            for (motion, usual) in motions.iter_mut().skip(from).zip(&candidate.usual) {
-                *motion = scaled(*motion, *usual);
-            }
+            candidate.scaled_signature(dataset, observation, &mut twists);
         }
-        DMatrix::from_fn(3, 9 + widths, |r, c| motions[c][r])
+        DMatrix::from_fn(3, 9 + widths, |r, c| twists[c][r])
     };
     let width = 9 + widths;
     let mut gram = DMatrix::zeros(width, width);
-    for site in &scene.sites {
-        let a = rows(site);
+    for observation in &dataset.observations {
+        let a = rows(observation);
         gram += a.transpose() * a;
     }
-    let each: Vec<DMatrix<f64>> = sites.iter().map(|(site, _)| rows(site)).collect();
+    let each: Vec<DMatrix<f64>> = observations.iter().map(|(observation, _)| rows(observation)).collect();
     let mut taken: Vec<usize> = Vec::new();
-    for _ in 0..CHOSEN.min(sites.len()) {
+    for _ in 0..CHOSEN.min(observations.len()) {
         let mut best: Option<(f64, usize)> = None;
         for (i, a) in each.iter().enumerate().filter(|(i, _)| !taken.contains(i)) {
             let with = &gram + a.transpose() * a;
-            let gain = told(&with, width - own.usual.len());
+            let gain = separation_m2(&with, width - own.prior_sigma.len());
             if best.is_none_or(|(b, _)| gain > b) {
                 best = Some((gain, i));
             }
@@ -75,7 +71,7 @@ pub fn next(
         gram += each[i].transpose() * &each[i];
         taken.push(i);
     }
-    let poses = taken.into_iter().map(|i| sites[i].1.clone()).collect();
+    let poses = taken.into_iter().map(|i| observations[i].1.clone()).collect();
     let name = describe_candidate(own);
     let reason = match (verdict, other) {
         (Verdict::Ambiguous, Some(rival)) => {
@@ -90,7 +86,7 @@ pub fn next(
 }
 
 /// Squared length of the cause's main column that registration and rival leave.
-fn told(gram: &DMatrix<f64>, from: usize) -> f64 {
+fn separation_m2(gram: &DMatrix<f64>, from: usize) -> f64 {
     let mut before = gram.view((0, 0), (from, from)).into_owned();
     let top = before.diagonal().max();
     for i in 0..from {
@@ -101,8 +97,12 @@ fn told(gram: &DMatrix<f64>, from: usize) -> f64 {
     gram[(from, from)] - cross.dot(&cholesky.solve(&cross))
 }
 
-fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Site, NextMeasurement)> {
-    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
+fn candidate_observations(
+    robot: &Robot,
+    linear: &Linearised,
+    options: &Options,
+) -> Vec<(Observation, NextMeasurement)> {
+    let mut random = SplitMix64::new(0x2545_f491_4f6c_dd1d);
     let chain = Chain::nominal(robot);
     let tool_m = options
         .tool_m
@@ -114,10 +114,14 @@ fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Si
         ..linear.registration.clone()
     };
     let payloads: Vec<f64> = {
-        let most = linear.scene.sites.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max);
-        if linear.scene.channels.payload { vec![0.0, if most > 0.0 { most } else { 5.0 }] } else { vec![0.0] }
+        let most = linear.dataset.observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max);
+        if linear.dataset.channels.payload {
+            vec![0.0, if most > 0.0 { most } else { 5.0 }]
+        } else {
+            vec![0.0]
+        }
     };
-    let time = linear.scene.time_min;
+    let time = linear.dataset.time_min;
     let ranges = ranges(robot, linear);
     let mut all = Vec::new();
     for _ in 0..20 * CANDIDATES {
@@ -136,31 +140,36 @@ fn candidate_sites(robot: &Robot, linear: &Linear, options: &Options) -> Vec<(Si
             target: 0,
             t_min: time.map(|[low, high]| low + (high - low) * random.unit()),
             q_rad,
-            seen: Seen::Point { position_m: Vector3::zeros() },
+            reading: Reading::Point { position_m: Vector3::zeros() },
             orientation: None,
             direction: Some(direction),
             payload_kg: Some(payload_kg),
             joint_temperature_c: linear
-                .scene
+                .dataset
                 .joint_temperature_c
                 .map(|ranges| ranges.map(|[low, high]| low + (high - low) * random.unit())),
             air_temperature_c: None,
             rows: vec![0],
         };
-        let site = Site::new(robot, &chain, &registration, &station);
-        if site.point_m.z < FLOOR_M || site.origins_m[3..].iter().any(|o| o.z < FLOOR_M) {
+        let observation = Observation::new(robot, &chain, &registration, &station);
+        if observation.point_m.z < FLOOR_M || observation.origins_m[3..].iter().any(|o| o.z < FLOOR_M) {
             continue;
         }
         let next = NextMeasurement { q_deg: q_rad.map(deg_from_rad), payload_kg, dir: direction };
-        all.push((site, next));
+        all.push((observation, next));
     }
     all
 }
 
 /// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
-fn ranges(robot: &Robot, linear: &Linear) -> Vec<[f64; 2]> {
+fn ranges(robot: &Robot, linear: &Linearised) -> Vec<[f64; 2]> {
     let measured = |j: usize| {
-        let all = linear.scene.sites.iter().filter(|s| s.sight != Sight::Nest).map(|s| s.q_rad[j]);
+        let all = linear
+            .dataset
+            .observations
+            .iter()
+            .filter(|s| s.kind != ObservationKind::Nest)
+            .map(|s| s.q_rad[j]);
         all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
     };
     let of = |(j, given): (usize, Option<[f64; 2]>)| {

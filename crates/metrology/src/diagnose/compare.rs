@@ -3,8 +3,8 @@
 
 use super::{Diagnosis, Options, Verdict, diagnose};
 use crate::measure::{
-    Channels, Measurements, RegisterError, Registration, Row, Seen, Station, Stations, check_rows, gather,
-    register,
+    Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, Station, Stations,
+    check_rows, gather, register,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::Chain;
@@ -21,7 +21,7 @@ const LISTED: usize = 10;
 
 /// Why two files cannot be compared.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ChangedError {
+pub enum CompareError {
     /// Too few poses were measured both times.
     #[error(
         "only {pairs} poses were measured both times (joints, target, payload and direction alike); {FEWEST} are needed"
@@ -43,7 +43,7 @@ pub enum ChangedError {
 
 /// What has changed.
 #[derive(Clone, Debug)]
-pub struct Changed {
+pub struct MeasurementComparison {
     /// Poses in both files.
     pub pairs: usize,
     /// Poses in one file alone: before, after.
@@ -74,25 +74,25 @@ struct Pair<'a> {
 /// Compares `after` with `before`.
 ///
 /// # Errors
-/// [`ChangedError`]
-pub fn changed(
+/// [`CompareError`]
+pub fn compare_measurements(
     before: &Measurements,
     after: &Measurements,
     robot: &Robot,
     options: &Options,
-) -> Result<Changed, ChangedError> {
+) -> Result<MeasurementComparison, CompareError> {
     let chain = Chain::nominal(robot);
     let stations = |m: &Measurements| {
-        let finding = check_rows(m, robot);
-        match finding.fault {
-            Some(fault) => Err(ChangedError::Fault { reason: fault.reason }),
-            None => Ok(gather(m, &finding.keep)),
+        let checked = check_rows(m, robot);
+        match checked.fault {
+            Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
+            None => Ok(gather(m, &checked.used)),
         }
     };
     let (old, new) = (stations(before)?, stations(after)?);
     let pairs = paired(&old, &new, before, after, &chain);
     if pairs.len() < FEWEST {
-        return Err(ChangedError::TooFew { pairs: pairs.len() });
+        return Err(CompareError::TooFew { pairs: pairs.len() });
     }
     let flange: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange).collect();
     let own = |of: fn(&Pair<'_>) -> Station, targets: usize| {
@@ -113,7 +113,7 @@ pub fn changed(
         .zip(&flange)
         .zip(&moved)
         .map(|((s, pose), moved)| Station {
-            seen: Seen::Point { position_m: was.predicted_m(s, pose) + moved },
+            reading: Reading::Point { position_m: was.predicted_m(s, pose) + moved },
             orientation: None,
             ..s.clone()
         })
@@ -140,7 +140,7 @@ pub fn changed(
     worst.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.0.cmp(&b.0)));
     worst.truncate(LISTED);
     let n = pairs.len() as f64;
-    Ok(Changed {
+    Ok(MeasurementComparison {
         pairs: pairs.len(),
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
         rms_m: (left.iter().map(Vector3::norm_squared).sum::<f64>() / n).sqrt(),
@@ -162,9 +162,9 @@ fn paired<'a>(
     chain: &Chain,
 ) -> Vec<Pair<'a>> {
     let mut free: Vec<&Station> =
-        new.stations.iter().filter(|s| matches!(s.seen, Seen::Point { .. })).collect();
+        new.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).collect();
     let mut pairs = Vec::new();
-    for station in old.stations.iter().filter(|s| matches!(s.seen, Seen::Point { .. })) {
+    for station in old.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })) {
         let alike = |other: &&Station| {
             let same = |a: Option<[i8; 6]>, b: Option<[i8; 6]>| a.is_none() || b.is_none() || a == b;
             let load = |a: Option<f64>, b: Option<f64>| a.is_none() || b.is_none() || a == b;
@@ -189,18 +189,18 @@ fn noise_m(old: &Stations, new: &Stations, options: &Options) -> Option<f64> {
 
 /// The differences as a measurement file of their own: the nominal arm, and what has changed.
 fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements) -> Measurements {
-    let rows: Vec<Row> = pairs
+    let rows: Vec<MeasurementRow> = pairs
         .iter()
         .zip(shown)
         .enumerate()
-        .map(|(i, (pair, shown))| Row {
+        .map(|(i, (pair, shown))| MeasurementRow {
             line: i as u64 + 2,
             id: None,
             pose: pair.before.pose,
             target: pair.before.target,
             t_min: None,
             q_rad: pair.before.q_rad,
-            seen: shown.seen.clone(),
+            reading: shown.reading.clone(),
             orientation: None::<UnitQuaternion<f64>>,
             direction: pair.before.direction,
             payload_kg: pair.before.payload_kg,
@@ -217,7 +217,7 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
         },
         rows,
         targets: before.targets.clone(),
-        places: Vec::new(),
+        fixed_points: Vec::new(),
         joint_decimals: 9,
         warnings: Vec::new(),
     }

@@ -1,11 +1,12 @@
 //! What is chosen, tried again: each cause against its rivals, gear lines against their neighbours, two against one.
 
-use super::library::{Follower, Library};
-use super::rank::Slot;
-use super::{Chosen, DROP_NATS, MOST_CAUSES, NULL_PRIOR, flat};
+use super::library::{Library, TrackedCandidate};
+use super::ranking::HypothesisRanking;
+use super::{ChosenCause, DROP_NATS, MOST_CAUSES, NULL_PRIOR, cause_columns};
 use crate::diagnose::design::Design;
-use crate::diagnose::evidence::{Background, Reached};
-use crate::diagnose::marginal::Noise;
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
+use crate::diagnose::marginal::NoisePrior;
+use robot_model::deform::EffectKind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many periods per turn to either side of a line are its neighbours.
@@ -15,41 +16,45 @@ const NEIGHBOURS: u32 = 5;
 pub(super) struct Search<'s> {
     pub design: &'s mut Design,
     pub subset: &'s [usize],
-    pub noise: Noise,
+    pub noise: NoisePrior,
     /// Where columns stand in the design.
-    pub place: &'s mut BTreeMap<usize, Vec<usize>>,
-    pub chosen: Vec<Chosen>,
+    pub column_index: &'s mut BTreeMap<usize, Vec<usize>>,
+    pub chosen: Vec<ChosenCause>,
     /// What was ever near the top: only these can take another's place.
     pub near: BTreeSet<usize>,
-    pub followers: Vec<Follower>,
+    pub tracked: Vec<TrackedCandidate>,
 }
 
 impl Search<'_> {
     /// What is chosen, but those in the places `without`.
-    fn others(&self, without: &[usize]) -> Vec<Chosen> {
+    fn others(&self, without: &[usize]) -> Vec<ChosenCause> {
         let kept = self.chosen.iter().enumerate().filter(|(i, _)| !without.contains(i));
         kept.map(|(_, one)| one.clone()).collect()
     }
 
     /// The background of `chosen`.
-    pub(super) fn background(&self, chosen: &[Chosen]) -> Background {
-        Background::new(self.design, self.subset, &flat(chosen, None), self.noise)
+    pub(super) fn nuisance(&self, chosen: &[ChosenCause]) -> NuisanceModel {
+        NuisanceModel::new(self.design, self.subset, &cause_columns(chosen, None), self.noise)
     }
 }
 
 impl Library<'_> {
     /// All that was ever near beside `others`, by its evidence.
-    fn rank_near(&self, search: &mut Search<'_>, others: &[Chosen]) -> (Background, Slot) {
-        let background = search.background(others);
+    fn rank_near(
+        &self,
+        search: &mut Search<'_>,
+        others: &[ChosenCause],
+    ) -> (NuisanceModel, HypothesisRanking) {
+        let nuisance = search.nuisance(others);
         for &c in &search.near {
-            let follower = &mut search.followers[c];
-            self.products[c].sum_more(search.subset, &mut follower.sums);
-            follower.projected = background.project(&follower.sums);
+            let tracked_candidate = &mut search.tracked[c];
+            self.products[c].sum_more(search.subset, &mut tracked_candidate.sums);
+            tracked_candidate.projected = nuisance.project(&tracked_candidate.sums);
         }
-        let open: Vec<&Follower> =
-            search.near.iter().filter(|&&c| self.allowed(c, others)).map(|&c| &search.followers[c]).collect();
-        let slot = self.rank(&background, &open, false);
-        (background, slot)
+        let open: Vec<&TrackedCandidate> =
+            search.near.iter().filter(|&&c| self.allowed(c, others)).map(|&c| &search.tracked[c]).collect();
+        let ranking = self.rank(&nuisance, &open, false);
+        (nuisance, ranking)
     }
 
     /// Puts `candidate` into place `i`.
@@ -59,11 +64,11 @@ impl Library<'_> {
         i: usize,
         candidate: usize,
         gain_nats: f64,
-        reached: &Reached,
+        peak: &EvidencePeak,
     ) {
-        let columns = self.place(search.design, search.place, candidate);
+        let columns = self.columns_in_design(search.design, search.column_index, candidate);
         self.extend(search.design);
-        search.chosen[i] = Chosen { candidate, columns, gain_nats, size_ratio: reached.size_ratio };
+        search.chosen[i] = ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio };
     }
 
     /// Each chosen effect against all that were ever near, in its place.
@@ -71,13 +76,13 @@ impl Library<'_> {
         let mut i = 0;
         while i < search.chosen.len() {
             let others = search.others(&[i]);
-            let (_, slot) = self.rank_near(search, &others);
-            match self.best_effect(&slot) {
+            let (_, ranking) = self.rank_near(search, &others);
+            match self.best_effect(&ranking) {
                 Some((_, gain, _)) if gain < DROP_NATS => {
                     search.chosen.remove(i);
                     continue;
                 }
-                Some((candidate, gain, reached)) => self.put(search, i, candidate, gain, &reached),
+                Some((candidate, gain, peak)) => self.put(search, i, candidate, gain, &peak),
                 None => {}
             }
             i += 1;
@@ -90,31 +95,31 @@ impl Library<'_> {
         let mut i = 0;
         while i < search.chosen.len() {
             let this = search.chosen[i].candidate;
-            let form = self.candidates[this].form;
-            let Some(n) = form.n else {
+            let variant = self.candidates[this].variant;
+            let Some(n) = variant.n else {
                 i += 1;
                 continue;
             };
-            let background = search.background(&search.others(&[i]));
-            let bare = background.null().log_evidence;
+            let nuisance = search.nuisance(&search.others(&[i]));
+            let bare = nuisance.null().log_evidence;
             let best = (0..self.candidates.len())
                 .filter(|&c| {
-                    let other = &self.candidates[c].form;
-                    other.joint == form.joint && other.n.is_some_and(|m| m.abs_diff(n) <= NEIGHBOURS)
+                    let other = &self.candidates[c].variant;
+                    other.joint == variant.joint && other.n.is_some_and(|m| m.abs_diff(n) <= NEIGHBOURS)
                 })
                 .filter(|&c| c == this || search.chosen.iter().all(|other| other.candidate != c))
-                .map(|c| (c, background.evidence(&background.project(&self.products[c].sum(search.subset)))))
+                .map(|c| (c, nuisance.evidence(&nuisance.project(&self.products[c].sum(search.subset)))))
                 .reduce(|a, b| {
-                    let odds = |x: &(usize, Reached)| x.1.log_evidence + self.log_prior[x.0];
+                    let odds = |x: &(usize, EvidencePeak)| x.1.log_evidence + self.log_prior[x.0];
                     if odds(&b) > odds(&a) { b } else { a }
                 });
             match best {
-                Some((_, reached)) if reached.log_evidence - bare < DROP_NATS => {
+                Some((_, peak)) if peak.log_evidence - bare < DROP_NATS => {
                     search.chosen.remove(i);
                     continue;
                 }
-                Some((candidate, reached)) => {
-                    self.put(search, i, candidate, reached.log_evidence - bare, &reached);
+                Some((candidate, peak)) => {
+                    self.put(search, i, candidate, peak.log_evidence - bare, &peak);
                 }
                 None => {}
             }
@@ -125,7 +130,7 @@ impl Library<'_> {
     /// Two causes in one joint against any one that was ever near, in the place of both: a shape can be taken
     /// for the sum of two others.
     pub(super) fn merge(&mut self, search: &mut Search<'_>) {
-        let joint = |of: &Chosen| self.candidates[of.candidate].form.joint;
+        let joint = |of: &ChosenCause| self.candidates[of.candidate].variant.joint;
         let chosen = &search.chosen;
         let pairs: Vec<(usize, usize)> = (0..chosen.len())
             .flat_map(|k| (0..k).map(move |i| (i, k)))
@@ -133,16 +138,16 @@ impl Library<'_> {
             .collect();
         for (i, k) in pairs.into_iter().rev() {
             let others = search.others(&[i, k]);
-            let (mut background, slot) = self.rank_near(search, &others);
-            let Some((candidate, gain, reached)) = self.best_effect(&slot) else { continue };
+            let (mut nuisance, ranking) = self.rank_near(search, &others);
+            let Some((candidate, gain, peak)) = self.best_effect(&ranking) else { continue };
             let odds = |gain: f64, c: usize| gain + self.log_prior[c] - NULL_PRIOR.ln();
             let (first, second) = (search.chosen[i].candidate, search.chosen[k].candidate);
-            let single = odds(reached.log_evidence - slot.null.log_evidence, candidate);
-            let mut both = odds(self.gain(&background, search.subset, first), first);
-            background.grow(search.design, search.subset, &search.chosen[i].columns);
-            both += odds(self.gain(&background, search.subset, second), second);
+            let single = odds(peak.log_evidence - ranking.null.log_evidence, candidate);
+            let mut both = odds(self.gain(&nuisance, search.subset, first), first);
+            nuisance.grow(search.design, search.subset, &search.chosen[i].columns);
+            both += odds(self.gain(&nuisance, search.subset, second), second);
             if candidate != first && candidate != second && single > both {
-                self.put(search, i, candidate, gain, &reached);
+                self.put(search, i, candidate, gain, &peak);
                 search.chosen.remove(k);
                 return;
             }
@@ -154,9 +159,9 @@ impl Library<'_> {
         let mut i = 0;
         while i < search.chosen.len() {
             let c = search.chosen[i].candidate;
-            if self.candidates[c].effect().name() == "joint_offset" && search.chosen.len() > MOST_CAUSES {
-                let background = search.background(&search.others(&[i]));
-                if self.gain(&background, search.subset, c) < DROP_NATS {
+            if self.candidates[c].kind == EffectKind::JointOffset && search.chosen.len() > MOST_CAUSES {
+                let nuisance = search.nuisance(&search.others(&[i]));
+                if self.gain(&nuisance, search.subset, c) < DROP_NATS {
                     search.chosen.remove(i);
                     continue;
                 }

@@ -1,17 +1,18 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
-use crate::measure::{Channels, Registration, Seen, Station};
+use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
+use robot_model::deform::identified::ThermalState;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 
 /// How the measured point moves: metres and radians in base axes, per unit of one parameter.
-pub type Motion = [f64; 6];
+pub type Twist = [f64; 6];
 
 /// How a station shows its point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sight {
+pub enum ObservationKind {
     /// An instrument sees the target on the tool.
     Instrument,
     /// An instrument sees a nest: only the base moves it.
@@ -24,11 +25,11 @@ pub enum Sight {
 
 /// The arm at one station.
 #[derive(Clone, Debug)]
-pub struct Site {
+pub struct Observation {
     /// How the point's motion shows.
-    pub sight: Sight,
+    pub kind: ObservationKind,
     /// The fixed place that takes part.
-    pub place: Option<usize>,
+    pub fixed_point: Option<usize>,
     /// Joints.
     pub q_rad: [f64; 6],
     /// Each joint's axis in the base.
@@ -61,11 +62,11 @@ pub struct Site {
     pub row: f64,
 }
 
-impl Site {
+impl Observation {
     /// The arm at `station`, and its pose.
     #[must_use]
     pub fn new(robot: &Robot, chain: &Chain, registration: &Registration, station: &Station) -> Self {
-        let frames = match station.seen.by_arm() {
+        let frames = match station.reading.involves_arm() {
             true => chain.frames(&station.q_rad),
             // No arm: all its frames are joint 1's, whose turn is the base's, and nothing else moves the nest.
             false => [chain.frames(&[0.0; 6])[0]; 7],
@@ -79,7 +80,7 @@ impl Site {
         let mut flange = rotation(&frames[6]);
         let point_m = registration.predicted_m(station, &station.pose(chain));
         let mut loads = Loads::default();
-        if station.seen.by_arm() {
+        if station.reading.involves_arm() {
             loads = loads_at(robot, &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0));
         } else {
             axes = [Vector3::zeros(); 6];
@@ -87,15 +88,15 @@ impl Site {
             parents.iter_mut().skip(1).for_each(|parent| *parent = Matrix3::zeros());
         }
         Self {
-            sight: match station.seen {
-                Seen::Point { .. } => Sight::Instrument,
-                Seen::Nest { .. } => Sight::Nest,
-                Seen::Touch { .. } => Sight::Touch,
-                Seen::Length { .. } => {
-                    Sight::Along(registration.along(station, &frames[6]).unwrap_or_default())
+            kind: match station.reading {
+                Reading::Point { .. } => ObservationKind::Instrument,
+                Reading::Nest { .. } => ObservationKind::Nest,
+                Reading::Touch { .. } => ObservationKind::Touch,
+                Reading::Length { .. } => {
+                    ObservationKind::Along(registration.along(station, &frames[6]).unwrap_or_default())
                 }
             },
-            place: station.seen.place(),
+            fixed_point: station.reading.fixed_point(),
             q_rad: station.q_rad,
             axes,
             origins_m: frames.map(|f| f.translation.vector),
@@ -114,62 +115,72 @@ impl Site {
         }
     }
 
+    /// Time and temperatures, as growth laws take them; minute 0 where no time was recorded.
+    #[must_use]
+    pub fn thermal_state(&self) -> ThermalState {
+        ThermalState { t_min: self.t_min.unwrap_or(0.0), joint_temperature_c: self.joint_temperature_c }
+    }
+
     /// What is seen of a motion of the point.
     #[must_use]
-    pub fn seen(&self, motion: Motion) -> Motion {
-        let [x, y, z, ..] = motion;
-        match self.sight {
-            Sight::Instrument => motion,
-            Sight::Nest | Sight::Touch => [x, y, z, 0.0, 0.0, 0.0],
-            Sight::Along(u) => {
+    pub fn observed(&self, twist: Twist) -> Twist {
+        let [x, y, z, ..] = twist;
+        match self.kind {
+            ObservationKind::Instrument => twist,
+            ObservationKind::Nest | ObservationKind::Touch => [x, y, z, 0.0, 0.0, 0.0],
+            ObservationKind::Along(u) => {
                 let along = u * u.dot(&Vector3::new(x, y, z));
                 [along.x, along.y, along.z, 0.0, 0.0, 0.0]
             }
         }
     }
 
-    /// Of `rows_per_site` rows those that carry a measured number.
+    /// Of `rows_per_observation` rows those that carry a measured number.
     #[must_use]
-    pub fn rows(&self, rows_per_site: usize) -> usize {
-        match self.sight {
-            Sight::Instrument => rows_per_site,
-            Sight::Nest | Sight::Touch => 3,
-            Sight::Along(_) => 1,
+    pub fn rows(&self, rows_per_observation: usize) -> usize {
+        match self.kind {
+            ObservationKind::Instrument => rows_per_observation,
+            ObservationKind::Nest | ObservationKind::Touch => 3,
+            ObservationKind::Along(_) => 1,
         }
     }
 
     /// The point's motion per radian of joint `j`, counted from 0: the geometric Jacobian's column.
     #[must_use]
-    pub fn joint(&self, j: usize) -> Motion {
-        self.turn_at(&self.axes[j], &self.origins_m[j])
+    pub fn jacobian_column(&self, j: usize) -> Twist {
+        self.rotation_about(&self.axes[j], &self.origins_m[j])
     }
 
     /// The point's motion per radian about `axis` through `through_m`.
     #[must_use]
-    pub fn turn_at(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Motion {
+    pub fn rotation_about(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Twist {
         let v = axis.cross(&(self.point_m - through_m));
         [v.x, v.y, v.z, axis.x, axis.y, axis.z]
     }
 
     /// The point's motion per unit of offset `k` (dx dy dz rx ry rz) of frame `i`.
     #[must_use]
-    pub fn offset(&self, i: usize, k: usize) -> Motion {
+    pub fn frame_offset(&self, i: usize, k: usize) -> Twist {
         let axis = self.parents[i].column(k % 3).into_owned();
-        if k < 3 { [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0] } else { self.turn_at(&axis, &self.origins_m[i]) }
+        if k < 3 {
+            [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0]
+        } else {
+            self.rotation_about(&axis, &self.origins_m[i])
+        }
     }
 }
 
-/// `motion` times `factor`.
+/// `twist` times `factor`.
 #[must_use]
-pub fn scaled(motion: Motion, factor: f64) -> Motion {
-    motion.map(|v| v * factor)
+pub fn scaled(twist: Twist, factor: f64) -> Twist {
+    twist.map(|v| v * factor)
 }
 
 /// Everything the effects may look at.
 #[derive(Clone, Debug)]
-pub struct Scene {
+pub struct Dataset {
     /// One for each station.
-    pub sites: Vec<Site>,
+    pub observations: Vec<Observation>,
     /// Optional columns that can be used.
     pub channels: Channels,
     /// First and last minute.
@@ -177,7 +188,7 @@ pub struct Scene {
     /// Lowest and highest temperature of each joint.
     pub joint_temperature_c: Option<[[f64; 2]; 6]>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
-    pub torque_limit_n_m: [[f64; 6]; 6],
+    pub torque_limit_n_m: [[f64; 5]; 6],
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
     /// Largest payload.
@@ -185,16 +196,16 @@ pub struct Scene {
     /// Place of the last row in the file.
     pub last_row: f64,
     /// Rows per station that count: 3 or, with orientation, 6.
-    pub rows_per_site: usize,
+    pub rows_per_observation: usize,
     /// Number of fixed places.
-    pub places: usize,
+    pub fixed_points: usize,
 }
 
-impl Scene {
-    /// Gathers the ranges over `sites`.
+impl Dataset {
+    /// Gathers the ranges over `observations`.
     #[must_use]
-    pub fn new(robot: &Robot, sites: Vec<Site>, channels: Channels) -> Self {
-        let times = sites.iter().filter_map(|s| s.t_min);
+    pub fn new(robot: &Robot, observations: Vec<Observation>, channels: Channels) -> Self {
+        let times = observations.iter().filter_map(|s| s.t_min);
         let time_min = channels
             .time
             .then(|| {
@@ -205,85 +216,45 @@ impl Scene {
             .filter(|[low, high]| high > low);
         let joint_temperature_c = channels.joint_temperature.then(|| {
             std::array::from_fn(|j| {
-                let values = sites.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
+                let values = observations.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
                 [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
             })
         });
         Self {
-            largest_payload_kg: sites.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
-            last_row: sites.iter().map(|s| s.row).fold(0.0, f64::max),
-            places: sites.iter().filter_map(|s| s.place).max().map_or(0, |last| last + 1),
-            torque_limit_n_m: super::effects::torque_limits_n_m(&sites),
-            sites,
+            largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
+            last_row: observations.iter().map(|s| s.row).fold(0.0, f64::max),
+            fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
+            torque_limit_n_m: torque_limits_n_m(&observations),
+            observations,
             channels,
             time_min,
             joint_temperature_c,
             masses_known: robot.links.is_some(),
-            rows_per_site: if channels.orientation { 6 } else { 3 },
+            rows_per_observation: if channels.orientation { 6 } else { 3 },
         }
     }
 
-    /// How far the measurement has gone at `site`, 0 to 1: by time or, where that is missing, by row.
+    /// How far the measurement has gone at `observation`, 0 to 1: by time or, where that is missing, by row.
     #[must_use]
-    pub fn progress(&self, site: &Site) -> f64 {
-        match (self.time_min, site.t_min) {
+    pub fn progress(&self, observation: &Observation) -> f64 {
+        match (self.time_min, observation.t_min) {
             (Some([low, high]), Some(t_min)) => (t_min - low) / (high - low),
-            _ => site.row / self.last_row.max(1.0),
-        }
-    }
-
-    /// How far the warm-up shape goes that `driver` names, 0 cold to about 1, at `site` for joint `j`.
-    #[must_use]
-    pub fn drive(&self, driver: Driver, site: &Site, j: Option<usize>) -> f64 {
-        let t_min = site.t_min.unwrap_or(0.0);
-        match driver {
-            Driver::None => 1.0,
-            Driver::Exponential { tau_min } => 1.0 - (-t_min.max(0.0) / tau_min).exp(),
-            Driver::TwoLags { tau_min } => {
-                let x = t_min.max(0.0) / tau_min;
-                1.0 - (1.0 + x) * (-x).exp()
-            }
-            Driver::Linear => {
-                let [low, high] = self.time_min.unwrap_or([0.0, 1.0]);
-                (t_min - low) / (high - low)
-            }
-            Driver::Step { t0_min } => f64::from(u8::from(t_min >= t0_min)),
-            Driver::Temperature => {
-                let (Some(ranges), Some(here)) = (self.joint_temperature_c, site.joint_temperature_c) else {
-                    return 0.0;
-                };
-                let one = |j: usize| {
-                    let [low, high] = ranges[j];
-                    if high - low > 1e-6 { (here[j] - low) / (high - low) } else { 0.0 }
-                };
-                j.map_or_else(|| (0..6).map(one).sum::<f64>() / 6.0, one)
-            }
+            _ => observation.row / self.last_row.max(1.0),
         }
     }
 }
 
-/// Shape in time or temperature.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Driver {
-    /// Always there.
-    None,
-    /// 1 - e^(-t/tau).
-    Exponential {
-        /// Time constant.
-        tau_min: f64,
-    },
-    /// 1 - (1 + t/tau) e^(-t/tau).
-    TwoLags {
-        /// Time constant.
-        tau_min: f64,
-    },
-    /// From 0 at the first to 1 at the last station.
-    Linear,
-    /// 0 before, 1 from `t0_min` on.
-    Step {
-        /// When.
-        t0_min: f64,
-    },
-    /// A joint's temperature over its range in the data.
-    Temperature,
+/// Shares of the observations whose torque about a joint is taken as large enough to hold its teeth on one side.
+const HELD_SHARES: [f64; 5] = [0.12, 0.3, 0.5, 0.7, 0.9];
+
+/// For each joint the torque above which each of [`HELD_SHARES`] of the observations lies, N.m.
+fn torque_limits_n_m(observations: &[Observation]) -> [[f64; 5]; 6] {
+    std::array::from_fn(|j| {
+        let mut torques: Vec<f64> = observations.iter().map(|s| s.loads.torque_n_m[j].abs()).collect();
+        torques.sort_by(f64::total_cmp);
+        HELD_SHARES.map(|share| {
+            let index = ((1.0 - share) * torques.len() as f64) as usize;
+            torques.get(index.min(torques.len().saturating_sub(1))).copied().unwrap_or(0.0)
+        })
+    })
 }

@@ -1,8 +1,8 @@
 //! Candidates that only turn one joint, by the thousand: their products come by matrix products.
 
 use super::{Design, Products};
+use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::scene::Scene;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
@@ -20,21 +20,27 @@ impl Design {
     /// Angles of the candidates that only turn `joint`: one row for each parameter, one column for each
     /// site in the order of atoms.
     #[must_use]
-    pub fn turning(&self, scene: &Scene, candidates: &[Candidate], joint: usize) -> Turning {
+    pub fn turning(&self, dataset: &Dataset, candidates: &[Candidate], joint: usize) -> Turning {
         let members: Vec<usize> = (0..candidates.len())
             .filter(|&c| {
-                let form = &candidates[c].form;
-                form.joint == Some(joint)
-                    && scene.sites.first().is_some_and(|s| candidates[c].effect().angles(form, s).is_some())
+                let variant = &candidates[c].variant;
+                variant.joint == Some(joint)
+                    && dataset
+                        .observations
+                        .first()
+                        .is_some_and(|s| candidates[c].effect().angles(variant, s).is_some())
             })
             .collect();
         let mut angles = DMatrix::zeros(2 * members.len(), self.order.len());
         for (mut column, &i) in angles.column_iter_mut().zip(&self.order) {
             for (k, &c) in members.iter().enumerate() {
                 let candidate = &candidates[c];
-                let here = candidate.effect().angles(&candidate.form, &scene.sites[i]).unwrap_or_default();
+                let here = candidate
+                    .effect()
+                    .angles(&candidate.variant, &dataset.observations[i])
+                    .unwrap_or_default();
                 for a in 0..2 {
-                    column[2 * k + a] = here[a] * candidate.usual.get(a).copied().unwrap_or(0.0);
+                    column[2 * k + a] = here[a] * candidate.prior_sigma.get(a).copied().unwrap_or(0.0);
                 }
             }
         }
@@ -45,19 +51,21 @@ impl Design {
     pub fn begin_turning(&self, turning: &Turning, products: &mut [Products]) {
         let squares = &self.turn_squares[turning.joint];
         for (k, &c) in turning.members.iter().enumerate() {
-            let mut own = Vec::with_capacity(self.atoms.len() * 4);
-            for rows in &self.atoms {
+            let mut own = Vec::with_capacity(self.groups.len() * 4);
+            for rows in &self.groups {
                 let mut sums = [0.0; 3];
-                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
-                for (site, w) in sites.clone().zip(&squares[sites]) {
-                    let (s, c) = (turning.angles[(2 * k, site)], turning.angles[(2 * k + 1, site)]);
+                let observations =
+                    rows.start / self.rows_per_observation..rows.end / self.rows_per_observation;
+                for (observation, w) in observations.clone().zip(&squares[observations]) {
+                    let (s, c) =
+                        (turning.angles[(2 * k, observation)], turning.angles[(2 * k + 1, observation)]);
                     sums[0] += w * s * s;
                     sums[1] += w * s * c;
                     sums[2] += w * c * c;
                 }
                 own.extend([sums[0], sums[1], sums[1], sums[2]]);
             }
-            products[c] = Products { p: 2, own, cross: vec![Vec::new(); self.atoms.len()] };
+            products[c] = Products { p: 2, own, cross: vec![Vec::new(); self.groups.len()] };
         }
     }
 
@@ -70,12 +78,15 @@ impl Design {
             return;
         }
         let crossed: Vec<DMatrix<f64>> = self
-            .atoms
+            .groups
             .par_iter()
             .map(|rows| {
-                let sites = rows.start / self.rows_per_site..rows.end / self.rows_per_site;
-                let with = DMatrix::from_fn(sites.len(), columns.len(), |r, c| columns[c][sites.start + r]);
-                turning.angles.columns(sites.start, sites.len()) * with
+                let observations =
+                    rows.start / self.rows_per_observation..rows.end / self.rows_per_observation;
+                let with = DMatrix::from_fn(observations.len(), columns.len(), |r, c| {
+                    columns[c][observations.start + r]
+                });
+                turning.angles.columns(observations.start, observations.len()) * with
             })
             .collect();
         for (k, &c) in turning.members.iter().enumerate() {
@@ -90,19 +101,19 @@ impl Design {
     }
 
     pub(super) fn multiply_turns(&mut self) {
-        let d = self.rows_per_site;
+        let d = self.rows_per_observation;
         for (turn, products) in self.turns.iter().zip(&mut self.turn_products) {
             for column in &self.columns[products.len()..] {
-                products.push(by_site(turn, column, d));
+                products.push(by_observation(turn, column, d));
             }
         }
     }
 }
 
 /// Products of two columns, summed over each site's rows.
-pub fn by_site(a: &[f64], b: &[f64], rows_per_site: usize) -> Vec<f64> {
-    a.chunks_exact(rows_per_site)
-        .zip(b.chunks_exact(rows_per_site))
+pub fn by_observation(a: &[f64], b: &[f64], rows_per_observation: usize) -> Vec<f64> {
+    a.chunks_exact(rows_per_observation)
+        .zip(b.chunks_exact(rows_per_observation))
         .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())
         .collect()
 }

@@ -1,30 +1,31 @@
 //! Where a registration starts: the base by Procrustes, fixed places by what touches, sees or measures to them.
 
 use super::register::{SPREAD_M, oriented};
-use super::{Registration, Seen, Station};
+use super::{Reading, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-pub(super) fn bare(
+pub(super) fn without_fit(
     tools_m: &[Vector3<f64>],
-    places: usize,
+    fixed_points: usize,
     instrument_from_base: Isometry3<f64>,
 ) -> Registration {
-    Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); places])
+    Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); fixed_points])
 }
 
 /// Fixed places as the base and the targets put them.
-pub(super) fn put_places(fit: &mut Registration, stations: &[Station], poses: &[Isometry3<f64>]) {
-    for place in 0..fit.places_m.len() {
-        let here = || stations.iter().zip(poses).filter(|(s, _)| s.seen.place() == Some(place));
+pub(super) fn place_fixed_points(fit: &mut Registration, stations: &[Station], poses: &[Isometry3<f64>]) {
+    for fixed_point in 0..fit.fixed_points_m.len() {
+        let here =
+            || stations.iter().zip(poses).filter(|(s, _)| s.reading.fixed_point() == Some(fixed_point));
         let mut sum = Vector3::zeros();
         let mut n = 0.0;
         for (station, pose) in here() {
-            match station.seen {
-                Seen::Nest { position_m, .. } => {
+            match station.reading {
+                Reading::Nest { position_m, .. } => {
                     sum += fit.instrument_from_base.inverse_transform_point(&position_m.into()).coords;
                 }
-                Seen::Touch { .. } => sum += fit.predicted_m(station, pose),
-                Seen::Point { .. } | Seen::Length { .. } => continue,
+                Reading::Touch { .. } => sum += fit.predicted_m(station, pose),
+                Reading::Point { .. } | Reading::Length { .. } => continue,
             }
             n += 1.0;
         }
@@ -32,14 +33,14 @@ pub(super) fn put_places(fit: &mut Registration, stations: &[Station], poses: &[
             Some(sum / n)
         } else {
             let lengths: Vec<(Vector3<f64>, f64)> = here()
-                .filter_map(|(station, pose)| match station.seen {
-                    Seen::Length { length_m, .. } => Some((fit.predicted_m(station, pose), length_m)),
+                .filter_map(|(station, pose)| match station.reading {
+                    Reading::Length { length_m, .. } => Some((fit.predicted_m(station, pose), length_m)),
                     _ => None,
                 })
                 .collect();
             trilaterated(&lengths)
         };
-        if let (Some(to), Some(put)) = (fit.places_m.get_mut(place), put) {
+        if let (Some(to), Some(put)) = (fit.fixed_points_m.get_mut(fixed_point), put) {
             *to = put;
         }
     }
@@ -56,23 +57,23 @@ fn trilaterated(lengths: &[(Vector3<f64>, f64)]) -> Option<Vector3<f64>> {
 
 /// Base by Procrustes for an assumed place of the target (Arun, Huang and Blostein, 1987), where points were measured;
 /// fixed places behind it.
-pub(super) fn start_from(
+pub(super) fn initial_guess(
     all: &[Station],
     all_poses: &[Isometry3<f64>],
     tools_m: &[Vector3<f64>],
-    places: usize,
+    fixed_points: usize,
 ) -> Option<Registration> {
     let seen: Vec<(&Station, &Isometry3<f64>, Vector3<f64>)> = all
         .iter()
         .zip(all_poses)
-        .filter_map(|(s, pose)| match s.seen {
-            Seen::Point { position_m } => Some((s, pose, position_m)),
+        .filter_map(|(s, pose)| match s.reading {
+            Reading::Point { position_m } => Some((s, pose, position_m)),
             _ => None,
         })
         .collect();
     if seen.is_empty() {
-        let mut start = bare(tools_m, places, Isometry3::identity());
-        put_places(&mut start, all, all_poses);
+        let mut start = without_fit(tools_m, fixed_points, Isometry3::identity());
+        place_fixed_points(&mut start, all, all_poses);
         return Some(start);
     }
     let n = seen.len() as f64;
@@ -103,12 +104,12 @@ pub(super) fn start_from(
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation));
     let instrument_from_base =
         Isometry3::from_parts(Translation3::from(seen_mean - rotation * model_mean), rotation);
-    let mut start = bare(tools_m, places, instrument_from_base);
+    let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
     if oriented(all) {
         let (station, pose, _) = seen.first()?;
         start.flange_from_sensor = Some(pose.rotation.inverse() * rotation.inverse() * station.orientation?);
     }
-    put_places(&mut start, all, all_poses);
+    place_fixed_points(&mut start, all, all_poses);
     Some(start)
 }
 
@@ -118,10 +119,10 @@ mod tests {
 
     #[test]
     fn a_place_is_where_its_lengths_meet() {
-        let place = Vector3::new(1.2, -0.4, 0.3);
+        let fixed_point = Vector3::new(1.2, -0.4, 0.3);
         let points = [[0.0, 0.0, 0.0], [0.5, 0.1, 0.2], [0.1, 0.6, -0.3], [-0.2, 0.3, 0.7], [0.4, -0.5, 0.4]];
         let lengths: Vec<(Vector3<f64>, f64)> =
-            points.iter().map(|p| (Vector3::from(*p), (Vector3::from(*p) - place).norm())).collect();
-        assert!((trilaterated(&lengths).unwrap() - place).norm() < 1e-12);
+            points.iter().map(|p| (Vector3::from(*p), (Vector3::from(*p) - fixed_point).norm())).collect();
+        assert!((trilaterated(&lengths).unwrap() - fixed_point).norm() < 1e-12);
     }
 }

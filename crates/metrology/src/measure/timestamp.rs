@@ -4,7 +4,7 @@ use robot_model::units::min_from_s;
 
 /// How a date and time is written: YYYY, MM, DD, hh, mm, ss stand for numbers, all else for itself.
 #[derive(Clone, Debug)]
-pub struct Stamp {
+pub struct TimestampFormat {
     format: String,
     parts: Vec<Part>,
 }
@@ -20,7 +20,7 @@ enum Part {
     Literal(char),
 }
 
-impl Stamp {
+impl TimestampFormat {
     /// Reads a format such as `DD.MM.YYYY hh:mm:ss`.
     ///
     /// # Errors
@@ -57,7 +57,7 @@ impl Stamp {
 
     /// Minutes since some moment that is the same for all stamps.
     #[must_use]
-    pub fn minutes(&self, text: &str) -> Option<f64> {
+    pub fn parse_min(&self, text: &str) -> Option<f64> {
         // Spreadsheets mark text by an apostrophe.
         let mut rest = text.trim().trim_start_matches('\'');
         let (mut year, mut month, mut day, mut hour, mut minute, mut second_s) = (1970, 1, 1, 0, 0, 0.0);
@@ -112,14 +112,17 @@ mod tests {
 
     #[test]
     fn stamps_count_minutes_over_midnight_months_and_leap_days() {
-        let stamp = Stamp::new("DD.MM.YYYY hh:mm:ss").unwrap();
-        let from = stamp.minutes("'28.02.2024 23:59:30.500").unwrap();
-        let to = stamp.minutes("1.03.2024 00:00:30").unwrap();
+        let timestamp = TimestampFormat::new("DD.MM.YYYY hh:mm:ss").unwrap();
+        let from = timestamp.parse_min("'28.02.2024 23:59:30.500").unwrap();
+        let to = timestamp.parse_min("1.03.2024 00:00:30").unwrap();
         // 2024 has a 29 February: a day and 59.5 s between.
         assert!((to - from - 1440.0 - 59.5 / 60.0).abs() < 1e-6, "{}", to - from);
-        assert_eq!(Stamp::new("YYYY-MM-DDThh:mm").unwrap().minutes("1970-01-02T01:30"), Some(1530.0));
-        assert_eq!(stamp.minutes("30.13.2024 00:00:00"), None);
-        assert_eq!(stamp.minutes("30.12.2024 00:00"), None);
-        assert!(Stamp::new("DD hh:mm").is_err());
+        assert_eq!(
+            TimestampFormat::new("YYYY-MM-DDThh:mm").unwrap().parse_min("1970-01-02T01:30"),
+            Some(1530.0)
+        );
+        assert_eq!(timestamp.parse_min("30.13.2024 00:00:00"), None);
+        assert_eq!(timestamp.parse_min("30.12.2024 00:00"), None);
+        assert!(TimestampFormat::new("DD hh:mm").is_err());
     }
 }

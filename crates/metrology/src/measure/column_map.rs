@@ -4,12 +4,14 @@
 //! numbers are.
 
 use super::read::{JOINTS, POINT, QUATERNION, known};
-use super::stamp::Stamp;
 use super::table::{Line, Table};
+use super::timestamp::TimestampFormat;
 use super::{MeasureError, Rotation};
 use csv::{ReaderBuilder, Trim};
 use nalgebra::{UnitQuaternion, Vector3};
-use robot_model::units::{deg_from_rad, m_from_inch, m_from_mm, min_from_s, mm_from_m, rad_from_deg};
+use robot_model::units::{
+    deg_from_rad, m_from_inch, m_from_mm, min_from_h, min_from_s, mm_from_m, rad_from_deg,
+};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -44,22 +46,22 @@ pub struct ColumnMap {
     /// Instead: how a date and time is written; minutes are then counted from the first row.
     time_format: Option<String>,
     /// Our names and theirs (or their numbers, from 1).
-    columns: BTreeMap<String, Theirs>,
+    columns: BTreeMap<String, SourceColumn>,
     /// Cells that are the same in every row.
     #[serde(default)]
     constant: BTreeMap<String, String>,
     /// A measured pose in six columns.
     pose: Option<PoseColumns>,
     /// Rows that are nests on base or floor.
-    base_rows: Option<Where>,
+    base_rows: Option<RowFilter>,
     /// Only rows like these count.
-    only: Option<Where>,
+    only: Option<RowFilter>,
 }
 
 /// A column of theirs.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
-enum Theirs {
+enum SourceColumn {
     Number(usize),
     Name(String),
 }
@@ -68,7 +70,7 @@ enum Theirs {
 #[serde(deny_unknown_fields)]
 struct PoseColumns {
     /// x, y, z and three angles.
-    columns: [Theirs; 6],
+    columns: [SourceColumn; 6],
     /// What the angles are.
     rotation: Rotation,
     /// Unit of the angles.
@@ -78,8 +80,8 @@ struct PoseColumns {
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Where {
-    column: Theirs,
+struct RowFilter {
+    column: SourceColumn,
     is: Vec<String>,
 }
 
@@ -168,16 +170,16 @@ impl ColumnMap {
     /// A column that is not there, a cell that is no number.
     pub fn table(&self, bytes: &[u8]) -> Result<Table, MeasureError> {
         let (header, lines) = self.cells(bytes)?;
-        let find = |theirs: &Theirs| self.find(theirs, &header);
-        let mut taken = Vec::new();
-        for (ours, theirs) in &self.columns {
-            taken.push((ours.as_str(), find(theirs)?));
+        let find = |source: &SourceColumn| self.find(source, &header);
+        let mut mapped = Vec::new();
+        for (our_name, source) in &self.columns {
+            mapped.push((our_name.as_str(), find(source)?));
         }
         let pose = match &self.pose {
             Some(pose) => {
                 let mut at = [0; 6];
-                for (to, theirs) in at.iter_mut().zip(&pose.columns) {
-                    *to = find(theirs)?;
+                for (to, source) in at.iter_mut().zip(&pose.columns) {
+                    *to = find(source)?;
                 }
                 Some((pose, at))
             }
@@ -185,10 +187,12 @@ impl ColumnMap {
         };
         let base = self.base_rows.as_ref().map(|w| Ok((find(&w.column)?, &w.is))).transpose()?;
         let only = self.only.as_ref().map(|w| Ok((find(&w.column)?, &w.is))).transpose()?;
-        let stamp = self.time_format.as_deref().map(Stamp::new).transpose().map_err(wrong)?;
+        let timestamp = self.time_format.as_deref().map(TimestampFormat::new).transpose().map_err(wrong)?;
 
-        let mut table =
-            Table { header: taken.iter().map(|(ours, _)| (*ours).to_owned()).collect(), lines: Vec::new() };
+        let mut table = Table {
+            header: mapped.iter().map(|(our_name, _)| (*our_name).to_owned()).collect(),
+            lines: Vec::new(),
+        };
         table.header.extend(self.constant.keys().cloned());
         if pose.is_some() {
             table.header.extend(POINT.iter().chain(&QUATERNION).map(|&name| name.to_owned()));
@@ -205,9 +209,15 @@ impl ColumnMap {
                 continue;
             }
             let mut cells = Vec::with_capacity(table.header.len());
-            for (ours, at) in &taken {
+            for (our_name, at) in &mapped {
                 let cell = line.cells.get(*at).map_or("", String::as_str);
-                cells.push(self.converted(ours, cell, line.number, stamp.as_ref(), &mut start_min)?);
+                cells.push(self.converted(
+                    our_name,
+                    cell,
+                    line.number,
+                    timestamp.as_ref(),
+                    &mut start_min,
+                )?);
             }
             cells.extend(self.constant.values().cloned());
             if let Some((pose, at)) = &pose {
@@ -264,14 +274,14 @@ impl ColumnMap {
         Ok(record.iter().map(str::to_owned).collect())
     }
 
-    fn find(&self, theirs: &Theirs, header: &Option<Vec<String>>) -> Result<usize, MeasureError> {
-        match (theirs, header) {
-            (Theirs::Number(0), _) => Err(wrong("columns count from 1".to_owned())),
-            (Theirs::Number(n), _) => Ok(n - 1),
-            (Theirs::Name(name), None) => {
+    fn find(&self, source: &SourceColumn, header: &Option<Vec<String>>) -> Result<usize, MeasureError> {
+        match (source, header) {
+            (SourceColumn::Number(0), _) => Err(wrong("columns count from 1".to_owned())),
+            (SourceColumn::Number(n), _) => Ok(n - 1),
+            (SourceColumn::Name(name), None) => {
                 Err(wrong(format!("without a header columns are numbers, not '{name}'")))
             }
-            (Theirs::Name(name), Some(header)) => {
+            (SourceColumn::Name(name), Some(header)) => {
                 let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
                 header
                     .iter()
@@ -294,47 +304,47 @@ impl ColumnMap {
     /// A cell in our units; the text as it stands where nothing is to be done.
     fn converted(
         &self,
-        ours: &str,
+        our_name: &str,
         cell: &str,
         line: u64,
-        stamp: Option<&Stamp>,
+        timestamp: Option<&TimestampFormat>,
         start_min: &mut Option<f64>,
     ) -> Result<String, MeasureError> {
         if cell.is_empty() {
             return Ok(String::new());
         }
-        let is_length = POINT.contains(&ours) || ours == "length_mm";
-        let is_text = ["id", "pose_id", "target", "kind", "fixed_id"].contains(&ours);
+        let is_length = POINT.contains(&our_name) || our_name == "length_mm";
+        let is_text = ["id", "pose_id", "target", "kind", "fixed_id"].contains(&our_name);
         if is_text {
             return Ok(cell.to_owned());
         }
-        if let (true, Some(stamp)) = (ours == "t_min", stamp) {
-            let at_min = stamp.minutes(cell).ok_or_else(|| MeasureError::NotATime {
+        if let (true, Some(timestamp)) = (our_name == "t_min", timestamp) {
+            let at_min = timestamp.parse_min(cell).ok_or_else(|| MeasureError::NotATime {
                 line,
                 text: cell.chars().take(40).collect(),
-                format: stamp.format().to_owned(),
+                format: timestamp.format().to_owned(),
             })?;
             return Ok(format!("{}", at_min - *start_min.get_or_insert(at_min)));
         }
-        let unchanged = match ours {
+        let unchanged = match our_name {
             _ if is_length => self.length_unit == LengthUnit::Mm,
             "t_min" => self.time_unit == TimeUnit::Min,
-            _ if JOINTS.contains(&ours) => self.joint_unit == AngleUnit::Deg,
+            _ if JOINTS.contains(&our_name) => self.joint_unit == AngleUnit::Deg,
             _ => true,
         };
         if unchanged && !self.decimal_comma {
             return Ok(cell.to_owned());
         }
-        let value = self.number(ours, cell, line)?;
+        let value = self.number(our_name, cell, line)?;
         if unchanged {
             return Ok(cell.replace(',', "."));
         }
-        let value = match ours {
+        let value = match our_name {
             _ if is_length => mm_from_m(self.length_unit.m(value)),
             "t_min" => match self.time_unit {
                 TimeUnit::Min => value,
                 TimeUnit::S => min_from_s(value),
-                TimeUnit::H => value * 60.0,
+                TimeUnit::H => min_from_h(value),
             },
             _ => deg_from_rad(self.joint_unit.rad(value)),
         };

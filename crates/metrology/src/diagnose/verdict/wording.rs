@@ -1,26 +1,23 @@
 //! Verdicts and causes in words.
 
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::kernel::Kernel;
+use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
+use robot_model::deform::EffectKind;
 
 /// A cause in words.
 #[must_use]
 pub fn describe(cause: &Cause) -> String {
-    let mut text = cause.effect.to_owned();
+    let mut text = cause.effect.to_string();
     match (cause.joint, cause.joint_b) {
         (Some(a), Some(b)) => text.push_str(&format!(" from joint {a} to joint {b}")),
         (Some(a), None) => {
-            let what = if cause.effect.starts_with("link") || cause.effect == "thermal_link_growth" {
-                "link"
-            } else {
-                "joint"
-            };
+            let what = if cause.effect.is_of_link() { "link" } else { "joint" };
             text.push_str(&format!(" of {what} {a}"));
         }
         _ => {}
     }
-    if let Some(n) = cause.n.filter(|_| cause.effect == "gear_mesh") {
+    if let Some(n) = cause.n.filter(|_| cause.effect == EffectKind::GearMesh) {
         text.push_str(&format!(", {n} per turn"));
     }
     if let Some(t0_min) = cause.t0_min {
@@ -32,36 +29,38 @@ pub fn describe(cause: &Cause) -> String {
 /// A candidate in words.
 #[must_use]
 pub fn describe_candidate(candidate: &Candidate) -> String {
-    let form = &candidate.form;
+    let variant = &candidate.variant;
     let one = |j: Option<usize>| j.map(|j| j + 1);
     describe(&Cause {
-        joint: one(form.joint),
-        joint_b: one(form.joint_b),
-        n: form.n,
-        t0_min: form.t0_min(),
-        ..Cause::of(candidate.effect(), 0.0)
+        joint: one(variant.joint),
+        joint_b: one(variant.joint_b),
+        n: variant.n,
+        t0_min: variant.t0_min(),
+        ..Cause::of(candidate.kind, 0.0)
     })
 }
 
 /// Structure in words; `timed`: the file has times.
 #[must_use]
-pub fn structure_reason(kernel: Kernel, timed: bool) -> String {
+pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
     let time = if timed { "time" } else { "the order of the rows; the time (t_min) is not in the file" };
-    let of = match kernel {
-        Kernel::Joint(j) | Kernel::JointFine(j) => format!("the angle of joint {}", j + 1),
-        Kernel::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
-        Kernel::Driven(a, b) => format!("joint {}, depending on the angle of joint {}", b + 1, a + 1),
-        Kernel::AllJoints => "the angles of several joints".to_owned(),
-        Kernel::Workspace | Kernel::WorkspaceFine => "the place in the workspace".to_owned(),
-        Kernel::Spot(..) => "one place of the workspace".to_owned(),
-        Kernel::Hand | Kernel::HandFine => "the angles of the wrist's joints".to_owned(),
-        Kernel::Pair(a, b, j) => {
+    let of = match gp_alternative {
+        GpAlternative::Joint(j) | GpAlternative::JointFine(j) => format!("the angle of joint {}", j + 1),
+        GpAlternative::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
+        GpAlternative::Driven(a, b) => format!("joint {}, depending on the angle of joint {}", b + 1, a + 1),
+        GpAlternative::AllJoints => "the angles of several joints".to_owned(),
+        GpAlternative::Workspace | GpAlternative::WorkspaceFine => "the place in the workspace".to_owned(),
+        GpAlternative::LocalBump(..) => "one place of the workspace".to_owned(),
+        GpAlternative::WristCable | GpAlternative::WristCableFine => {
+            "the angles of the wrist's joints".to_owned()
+        }
+        GpAlternative::Pair(a, b, j) => {
             format!("joint {}, depending on the angles of joints {} and {}", j + 1, a + 1, b + 1)
         }
-        Kernel::Time | Kernel::TimeFine | Kernel::Varying(_) => time.to_owned(),
-        Kernel::ToolTime => format!("the target on the flange, over {time}"),
-        Kernel::JointTime(j) => format!("joint {}, over {time}", j + 1),
-        Kernel::Periodic(j, n) | Kernel::Steps(j, n) => {
+        GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::TimeVaryingCause(_) => time.to_owned(),
+        GpAlternative::ToolTime => format!("the target on the flange, over {time}"),
+        GpAlternative::JointTime(j) => format!("joint {}, over {time}", j + 1),
+        GpAlternative::Periodic(j, n) | GpAlternative::SquareWave(j, n) => {
             format!("the angle of joint {}, {n} times per turn, with steps or corners", j + 1)
         }
     };
@@ -73,7 +72,7 @@ pub fn structure_reason(kernel: Kernel, timed: bool) -> String {
 pub fn in_short(causes: &[Cause]) -> String {
     const SAID: usize = 6;
     const LINES: usize = 4;
-    let line = |c: &&Cause| c.effect == "gear_mesh";
+    let line = |c: &&Cause| c.effect == EffectKind::GearMesh;
     let mut names: Vec<String> = Vec::new();
     let mut told: Vec<Option<usize>> = Vec::new();
     for cause in causes {

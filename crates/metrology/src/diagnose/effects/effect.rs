@@ -1,0 +1,136 @@
+//! What an effect is: parameters, unit, usual size and linear signature; nothing of evidence.
+
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::{Growth, PayloadScaling};
+
+/// An effect that can open a gap between model and robot.
+pub trait Effect: Sync {
+    /// The effect's kind, which gives it its name in every output.
+    fn kind(&self) -> EffectKind;
+    /// Unit of its size: mm, rad, rad/(N.m), 1, ppm, kg.
+    fn unit(&self) -> &'static str;
+    /// The size it usually has, in words for people.
+    fn usual_size(&self) -> &'static str;
+    /// The literature that signature and usual size come from.
+    fn source(&self) -> &'static str;
+    /// How it shows over time: constant, drift, step.
+    fn time(&self) -> &'static str {
+        "constant"
+    }
+    /// Why these data cannot show it; `None` where they can.
+    fn untestable(&self, _dataset: &Dataset) -> Option<String> {
+        None
+    }
+    /// Its variants to try: joints, harmonics, times, growths.
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate>;
+    /// The angles per unit of each parameter, where turning `variant.joint` is all that the effect does and
+    /// there are many variants of it: their products are then cheap.
+    fn angles(&self, _variant: &EffectVariant, _observation: &Observation) -> Option<[f64; 2]> {
+        None
+    }
+    /// The effect's linear signature: the measured point's twist at `observation` per unit of each parameter (SI),
+    /// pushed onto `out` in the order of [`Candidate::prior_sigma`].
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    );
+}
+
+/// Which variant of an effect: all that is scanned and not fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EffectVariant {
+    /// Joint or link, counted from 0; link i follows joint i.
+    pub joint: Option<usize>,
+    /// The joint that is driven by a coupling, counted from 0.
+    pub joint_b: Option<usize>,
+    /// Periods per turn of a gear line.
+    pub n: Option<u32>,
+    /// Growth in time or temperature.
+    pub growth: Growth,
+    /// Backlash: when gravity holds the teeth.
+    pub gravity_hold: GravityHold,
+    /// Payload mass: where the excess hangs.
+    pub payload_scaling: PayloadScaling,
+}
+
+/// When gravity, not the last motion, decides on which side the teeth of a gear with play lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GravityHold {
+    /// The last motion always decides.
+    #[default]
+    Never,
+    /// Gravity decides where its torque is above one of [`Dataset::torque_limit_n_m`].
+    Above {
+        /// Index of the limit.
+        limit: usize,
+        /// The file counts directions so that gravity's side has the sign of its torque; usually it is the opposite,
+        /// for a driven joint lags behind its motor while its load pulls it ahead.
+        same_sign: bool,
+    },
+}
+
+impl EffectVariant {
+    /// The variant without joint, period or growth.
+    pub const PLAIN: Self = Self {
+        joint: None,
+        joint_b: None,
+        n: None,
+        growth: Growth::Always,
+        gravity_hold: GravityHold::Never,
+        payload_scaling: PayloadScaling::WhereLoaded,
+    };
+
+    /// The plain variant of joint `j`, counted from 0.
+    #[must_use]
+    pub fn of_joint(j: usize) -> Self {
+        Self { joint: Some(j), ..Self::PLAIN }
+    }
+
+    /// The minute at which a step happens.
+    #[must_use]
+    pub fn t0_min(&self) -> Option<f64> {
+        match self.growth {
+            Growth::Step { t0_min } => Some(t0_min),
+            _ => None,
+        }
+    }
+}
+
+/// One variant of one effect, with the prior of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The effect that it is a variant of.
+    pub kind: EffectKind,
+    /// What is scanned.
+    pub variant: EffectVariant,
+    /// Prior standard deviation of each parameter, SI.
+    pub prior_sigma: Vec<f64>,
+    /// The first so many parameters make up the size that is reported.
+    pub n_reported: usize,
+    /// Factor from SI to the effect's unit.
+    pub display_scale: f64,
+    /// Prior weight within the effect, normalised by the library.
+    pub weight: f64,
+    /// Physics gives its first parameter a sign: a gear gives way to gravity, a warm link grows.
+    pub sign_constrained: bool,
+}
+
+impl Candidate {
+    /// A candidate of `kind` of weight 1, all parameters reported, unit SI.
+    #[must_use]
+    pub fn new(kind: EffectKind, variant: EffectVariant, prior_sigma: Vec<f64>) -> Self {
+        Self {
+            kind,
+            variant,
+            n_reported: prior_sigma.len(),
+            prior_sigma,
+            display_scale: 1.0,
+            weight: 1.0,
+            sign_constrained: false,
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! All effects, and the candidates that a data set lets them have.
+
+use super::effect::{Candidate, Effect};
+use super::*;
+use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
+use robot_model::deform::EffectKind;
+
+/// Every effect, in the order of the documentation.
+pub static LIBRARY: [&dyn Effect; 21] = [
+    &joint_offset::JointOffset,
+    &link_geometry::LinkGeometry,
+    &joint_compliance::JointCompliance,
+    &link_bending::LinkBending,
+    &base_tilt::BaseTilt,
+    &gear_eccentricity::GearEccentricity,
+    &gear_second_harmonic::GearSecondHarmonic,
+    &gear_mesh::GearMesh,
+    &joint_gain::JointGain,
+    &joint_coupling::JointCoupling,
+    &backlash::Backlash,
+    &thermal_link_growth::ThermalLinkGrowth,
+    &thermal_joint_drift::ThermalJointDrift,
+    &base_drift::BaseDrift,
+    &base_step::BaseStep,
+    &instrument_scale::InstrumentScale,
+    &tool_drift::ToolDrift,
+    &tool_step::ToolStep,
+    &payload_mass::PayloadMass,
+    &joint_rounding::JointRounding,
+    &swapped_axes::SwappedAxes,
+];
+
+/// The effect of this kind; `None` for kinds that only models have.
+#[must_use]
+pub fn effect(kind: EffectKind) -> Option<&'static dyn Effect> {
+    LIBRARY.into_iter().find(|effect| effect.kind() == kind)
+}
+
+impl Candidate {
+    /// The effect that it is a variant of.
+    ///
+    /// # Panics
+    /// Never: candidates are made by the library's effects.
+    #[must_use]
+    pub fn effect(&self) -> &'static dyn Effect {
+        effect(self.kind).unwrap_or(LIBRARY[0])
+    }
+
+    /// The linear signature at `observation` per prior standard deviation of each parameter, pushed onto `out`.
+    pub fn scaled_signature(&self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+        let from = out.len();
+        self.effect().signature(&self.variant, dataset, observation, out);
+        for (twist, sigma) in out.iter_mut().skip(from).zip(&self.prior_sigma) {
+            *twist = scaled(*twist, *sigma);
+        }
+    }
+}
+
+/// An effect that a data set cannot show, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UntestableEffect {
+    /// The effect's kind.
+    pub kind: EffectKind,
+    /// Why, as a phrase.
+    pub reason: String,
+}
+
+/// All candidates that these data can show, weights normalised within each effect; and the effects that they cannot.
+#[must_use]
+pub fn candidates(dataset: &Dataset) -> (Vec<Candidate>, Vec<UntestableEffect>) {
+    let mut all = Vec::new();
+    let mut untestable = Vec::new();
+    for effect in LIBRARY {
+        if let Some(reason) = effect.untestable(dataset) {
+            untestable.push(UntestableEffect { kind: effect.kind(), reason });
+            continue;
+        }
+        let mut variants = effect.candidates(dataset);
+        let total: f64 = variants.iter().map(|c| c.weight).sum();
+        for candidate in &mut variants {
+            candidate.weight /= total;
+        }
+        all.extend(variants);
+    }
+    (all, untestable)
+}

@@ -1,0 +1,78 @@
+//! What effects that change over the measurement share: times at which a step may lie, and how a drift may grow.
+
+use crate::diagnose::dataset::Dataset;
+use robot_model::deform::GrowthLaw;
+use robot_model::deform::identified::Growth;
+use robot_model::units::{h_from_min, min_from_h};
+
+/// Why an effect of time cannot be seen without a time column.
+pub const NO_TIME: &str = "the file has no usable time (t_min)";
+
+/// How base and target may drift over a measurement, with the prior weight of each; and the prior standard deviation
+/// of a shift, metres: 30 um per hour.
+pub fn drift(dataset: &Dataset) -> (Vec<(Growth, f64)>, f64) {
+    let Some([from_min, to_min]) = dataset.time_min else { return (Vec::new(), 0.0) };
+    let hours = h_from_min(to_min - from_min);
+    let span_min = min_from_h(hours);
+    let settling = |share: f64| Growth::Law(GrowthLaw::Exp { tau_min: share * span_min });
+    let growths =
+        vec![(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)];
+    (growths, 3e-5 * hours.clamp(0.5, 4.0))
+}
+
+/// Fewest observations on each side of a step, and between two steps: the six parameters of a rigid motion could absorb
+/// one or two false readings among fewer.
+const MIN_BESIDE_STEP: usize = 6;
+
+/// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
+pub fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
+    let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
+    let between =
+        dataset.observations.iter().filter_map(|s| s.t_min).filter(|t| low < *t && *t < high).count();
+    0 < between && between < MIN_BESIDE_STEP
+}
+
+/// Times at which a step may lie.
+pub fn step_times(dataset: &Dataset) -> Vec<f64> {
+    let times: Vec<f64> = dataset.observations.iter().filter_map(|s| s.t_min).collect();
+    let most = if times.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
+    gaps(times, most, MIN_BESIDE_STEP)
+}
+
+/// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
+/// a second step.
+const MAX_STEP_TIMES: usize = 240;
+/// In a set of more observations than this every step tried costs too much memory and time.
+const LARGE_SET: usize = 2000;
+
+/// Middle times between observations, at most `most`, with `aside` observations or more on each side.
+fn gaps(mut times: Vec<f64>, most: usize, aside: usize) -> Vec<f64> {
+    times.sort_by(f64::total_cmp);
+    if times.len() < 2 * aside {
+        return Vec::new();
+    }
+    let middles: Vec<f64> = times
+        .windows(2)
+        .skip(aside - 1)
+        .take(times.len() + 1 - 2 * aside)
+        .filter(|w| w[1] > w[0])
+        .map(|w| 0.5 * (w[0] + w[1]))
+        .collect();
+    let step = middles.len().div_ceil(most).max(1);
+    middles.into_iter().step_by(step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_STEP_TIMES, gaps};
+
+    /// 150 observations a minute apart, in any order: every gap but the outer three.
+    #[test]
+    fn a_step_is_looked_for_in_every_gap_of_an_ordinary_set() {
+        let times: Vec<f64> = (0..150).rev().map(f64::from).collect();
+        let expected: Vec<f64> = (3..146).map(|minute| f64::from(minute) + 0.5).collect();
+        assert_eq!(gaps(times.clone(), MAX_STEP_TIMES, 4), expected);
+        assert_eq!(gaps(times, 50, 4).len(), 48, "every third of 143");
+        assert_eq!(gaps(vec![1.0; 9], 50, 4), Vec::<f64>::new(), "all at once");
+    }
+}

@@ -1,0 +1,36 @@
+//! What signatures of several effects share: a joint that turns, a base or a target that moves rigidly.
+
+use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
+
+/// How far from the measured point a payload's centre usually lies, metres: the file does not say.
+pub const LEVER_M: f64 = 0.08;
+/// How wrong a link's mass in the robot file may be, as a ratio.
+pub const MASS_ERROR: f64 = 0.3;
+
+/// The geometric Jacobian's column of `joint` times `angle`.
+pub fn turn_joint(observation: &Observation, joint: Option<usize>, angle: f64, out: &mut Vec<Twist>) {
+    out.push(scaled(observation.jacobian_column(joint.unwrap_or(0).min(5)), angle));
+}
+
+/// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.
+pub fn move_base(observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
+    for k in 0..6 {
+        out.push(scaled(observation.frame_offset(0, k), factor));
+    }
+}
+
+/// A rigid motion of the target on the flange: three shifts in the flange's axes and, where the orientation
+/// is measured, three turns (without it a turn of the target is a shift), times `factor`.
+pub fn move_tool(dataset: &Dataset, observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
+    for k in 0..3 {
+        let axis = observation.flange.column(k);
+        out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], factor));
+    }
+    if dataset.rows_per_observation == 6 {
+        for k in 0..3 {
+            // About the measured point itself: its shift stands above.
+            let axis = observation.flange.column(k);
+            out.push(scaled([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]], factor));
+        }
+    }
+}

@@ -1,0 +1,375 @@
+//! Rivals that are no effect of the library: smooth structure of any shape along a joint, in the
+//! workspace, over time or over all joints, as Gaussian processes by low-rank features.
+//!
+//! They say that something is there that the library lacks, and where; never how it works.
+
+use super::dataset::{Dataset, Observation, scaled};
+use super::design::Design;
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+/// Structure of no named cause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GpAlternative {
+    /// Some function of one joint's angle turns that joint.
+    Joint(usize),
+    /// The same with finer detail.
+    JointFine(usize),
+    /// Some function of all joints' angles turns one joint.
+    Joints(usize),
+    /// Some function of the first two joints' angles turns the third.
+    Pair(usize, usize, usize),
+    /// Some function of the first joint's angle turns the second.
+    Driven(usize, usize),
+    /// Some function of each joint's own angle turns it, for all joints.
+    AllJoints,
+    /// A shift by place in the workspace.
+    Workspace,
+    /// The same, more local.
+    WorkspaceFine,
+    /// One shift near one place of the workspace: which of the places, and which of the reaches.
+    LocalBump(usize, usize),
+    /// A shift with the hand by the angles of the wrist's joints: hoses and cables pull so.
+    WristCable,
+    /// The same with finer detail.
+    WristCableFine,
+    /// A shift over time.
+    Time,
+    /// A faster shift over time.
+    TimeFine,
+    /// A shift of the target on the flange over time.
+    ToolTime,
+    /// A joint that turns slowly over time.
+    JointTime(usize),
+    /// A function of one joint's angle that repeats so many times per turn, of any shape: teeth, scratches.
+    Periodic(usize, u32),
+    /// The same, its second half the first turned over: even steps.
+    SquareWave(usize, u32),
+    /// The cause in this place of the model, growing or fading over the measurement.
+    TimeVaryingCause(usize),
+}
+
+/// Usual size of the structure at the point, metres.
+const PRIOR_SIGMA_M: f64 = 1e-4;
+/// Most features kept for a kernel.
+const MOST_FEATURES: usize = 28;
+/// Length scales: radians, metres, share of the time.
+const JOINT_RAD: [f64; 2] = [0.45, 0.13];
+const JOINTS_RAD: f64 = 1.0;
+const WORKSPACE_M: [f64; 2] = [0.15, 0.075];
+const WRIST_RAD: [f64; 2] = [2.0, 1.0];
+const PAIR_RAD: f64 = 1.0;
+/// Places at which a single shift is looked for, and how far it reaches, metres: shapes that are scanned at a price, for
+/// a process that may lie anywhere asks far more of the data than one place does.
+const BUMP_CENTRES: usize = 24;
+const BUMP_RADII_M: [f64; 3] = [0.07, 0.14, 0.28];
+/// Pairs of joints times joints that they turn, and features kept for each.
+const PAIRS: f64 = 90.0;
+const MOST_OF_PAIR: usize = 16;
+const TIME_SHARE: [f64; 2] = [0.25, 0.06];
+
+/// Every kernel that these data can show, with its prior weight.
+#[must_use]
+pub fn gp_alternatives() -> Vec<(GpAlternative, f64)> {
+    let mut all = vec![
+        (GpAlternative::Workspace, 2.0),
+        (GpAlternative::WorkspaceFine, 1.0),
+        (GpAlternative::AllJoints, 1.0),
+    ];
+    for j in 0..6 {
+        all.extend([
+            (GpAlternative::Joint(j), 0.5),
+            (GpAlternative::JointFine(j), 0.5),
+            (GpAlternative::Joints(j), 0.5),
+        ]);
+    }
+    for a in 0..6 {
+        all.extend((0..6).filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
+    }
+    for a in 0..6 {
+        for b in a + 1..6 {
+            all.extend((0..6).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / PAIRS)));
+        }
+    }
+    all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
+    for position in 0..BUMP_CENTRES {
+        let share = 2.0 / (BUMP_CENTRES * BUMP_RADII_M.len()) as f64;
+        all.extend(
+            (0..BUMP_RADII_M.len())
+                .map(|signal_of_unit_size| (GpAlternative::LocalBump(position, signal_of_unit_size), share)),
+        );
+    }
+    // Without a time column the rows still stand in the order in which they were measured.
+    all.extend([(GpAlternative::Time, 2.0), (GpAlternative::TimeFine, 1.0), (GpAlternative::ToolTime, 1.0)]);
+    all.extend((0..6).map(|j| (GpAlternative::JointTime(j), 0.5)));
+    let total: f64 = all.iter().map(|k| k.1).sum();
+    all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
+}
+
+/// The kernel's features as columns of `design`, largest first, sized to [`PRIOR_SIGMA_M`].
+#[must_use]
+pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> Vec<Vec<f64>> {
+    match gp_alternative {
+        GpAlternative::Joint(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[0]),
+        GpAlternative::JointFine(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[1]),
+        GpAlternative::Driven(a, b) => joint_columns(design, dataset, &[(a, b)], JOINT_RAD[0]),
+        GpAlternative::AllJoints => {
+            joint_columns(design, dataset, &[0, 1, 2, 3, 4, 5].map(|j| (j, j)), JOINT_RAD[0])
+        }
+        GpAlternative::Joints(j) => {
+            let at = |observation: &Observation| observation.q_rad.to_vec();
+            let centres = farthest_points(dataset, at, 48);
+            let features = |observation: &Observation| bumps(&at(observation), &centres, JOINTS_RAD);
+            compress(design.stack(dataset, centres.len(), |_, observation, out| {
+                out.extend(
+                    features(observation).into_iter().map(|f| scaled(observation.jacobian_column(j), f)),
+                );
+            }))
+        }
+        GpAlternative::Workspace => shift_columns(design, dataset, position, 40, WORKSPACE_M[0]),
+        GpAlternative::WorkspaceFine => shift_columns(design, dataset, position, 60, WORKSPACE_M[1]),
+        GpAlternative::LocalBump(which, signal_of_unit_size) => {
+            match farthest_points(dataset, position, BUMP_CENTRES).get(which) {
+                Some(centre) => {
+                    let centre = std::slice::from_ref(centre);
+                    compress(shifts(
+                        design,
+                        dataset,
+                        &position,
+                        &base,
+                        centre,
+                        BUMP_RADII_M[signal_of_unit_size],
+                    ))
+                }
+                None => Vec::new(),
+            }
+        }
+        GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
+        GpAlternative::WristCableFine => wrist_columns(design, dataset, WRIST_RAD[1]),
+        GpAlternative::Pair(a, b, j) => {
+            let at = |observation: &Observation| vec![observation.q_rad[a], observation.q_rad[b]];
+            let centres = farthest_points(dataset, at, 25);
+            let mut features = compress(design.stack(dataset, centres.len(), |_, observation, out| {
+                let features = bumps(&at(observation), &centres, PAIR_RAD);
+                out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
+            }));
+            features.truncate(MOST_OF_PAIR);
+            features
+        }
+        GpAlternative::Time => {
+            shift_columns(design, dataset, |s| vec![dataset.progress(s)], 10, TIME_SHARE[0])
+        }
+        GpAlternative::TimeFine => {
+            shift_columns(design, dataset, |s| vec![dataset.progress(s)], 30, TIME_SHARE[1])
+        }
+        GpAlternative::ToolTime => {
+            let centres: Vec<Vec<f64>> = (0..9).map(|k| vec![f64::from(k) / 8.0]).collect();
+            let at = |observation: &Observation| vec![dataset.progress(observation)];
+            compress(shifts(
+                design,
+                dataset,
+                &at,
+                &|observation| observation.flange,
+                &centres,
+                0.5 * TIME_SHARE[0],
+            ))
+        }
+        GpAlternative::JointTime(j) => {
+            let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
+            compress(design.stack(dataset, centres.len(), |_, observation, out| {
+                let features = bumps(&[dataset.progress(observation)], &centres, TIME_SHARE[0]);
+                out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
+            }))
+        }
+        GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
+        GpAlternative::SquareWave(j, n) => periodic_columns(design, dataset, j, n, 2),
+        GpAlternative::TimeVaryingCause(_) => Vec::new(),
+    }
+}
+
+/// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
+/// that is not constant leaves beside its mean.
+#[must_use]
+pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> Vec<Vec<f64>> {
+    const WAVES: i32 = 3;
+    let mut all = Vec::new();
+    for k in 1..=WAVES {
+        let wave = |observation: &Observation| {
+            (std::f64::consts::PI * f64::from(k) * dataset.progress(observation)).cos() / f64::from(k)
+        };
+        all.extend(cause.iter().map(|&column| design.modulated(dataset, column, wave)));
+    }
+    compress(all)
+}
+
+/// Overtones of a periodic structure, and the usual size of the first.
+const OVERTONES: u32 = 16;
+const PERIODIC_RAD: f64 = 1e-4;
+
+/// Every `stride`-th overtone of n periods per turn. Steps and teeth: the k-th has 1/k of the first's size.
+fn periodic_columns(design: &Design, dataset: &Dataset, j: usize, n: u32, stride: usize) -> Vec<Vec<f64>> {
+    let overtones = || (1..=OVERTONES).step_by(stride);
+    design.stack(dataset, 2 * overtones().count(), |_, observation, out| {
+        for k in overtones() {
+            let size_rad = PERIODIC_RAD / f64::from(k);
+            let (sin, cos) = (f64::from(k * n) * observation.q_rad[j]).sin_cos();
+            out.extend([
+                scaled(observation.jacobian_column(j), size_rad * sin),
+                scaled(observation.jacobian_column(j), size_rad * cos),
+            ]);
+        }
+    })
+}
+
+fn position(observation: &Observation) -> Vec<f64> {
+    observation.point_m.iter().copied().collect()
+}
+
+/// Functions of the first joint's angle that turn the second, for each of `pairs`.
+fn joint_columns(
+    design: &Design,
+    dataset: &Dataset,
+    pairs: &[(usize, usize)],
+    length_rad: f64,
+) -> Vec<Vec<f64>> {
+    let mut all = Vec::new();
+    for &(j, turned) in pairs {
+        let values = dataset.observations.iter().map(|s| s.q_rad[j]);
+        let low = values.clone().fold(f64::INFINITY, f64::min);
+        let high = values.fold(f64::NEG_INFINITY, f64::max);
+        let count = (((high - low) / (0.8 * length_rad)).ceil() as usize + 1).clamp(2, 64);
+        let centres: Vec<Vec<f64>> =
+            (0..count).map(|k| vec![low + (high - low) * k as f64 / (count - 1) as f64]).collect();
+        let width = length_rad.max(0.8 * (high - low) / count as f64);
+        all.extend(design.stack(dataset, count, |_, observation, out| {
+            out.extend(
+                bumps(&[observation.q_rad[j]], &centres, width)
+                    .into_iter()
+                    .map(|f| scaled(observation.jacobian_column(turned), f)),
+            );
+        }));
+    }
+    compress(all)
+}
+
+fn shift_columns(
+    design: &Design,
+    dataset: &Dataset,
+    at: impl Fn(&Observation) -> Vec<f64> + Copy,
+    most: usize,
+    length: f64,
+) -> Vec<Vec<f64>> {
+    compress(shifts(design, dataset, &at, &base, &farthest_points(dataset, at, most), length))
+}
+
+/// A shift along each of three axes for each bump.
+fn shifts(
+    design: &Design,
+    dataset: &Dataset,
+    at: &dyn Fn(&Observation) -> Vec<f64>,
+    axes: &dyn Fn(&Observation) -> Matrix3<f64>,
+    centres: &[Vec<f64>],
+    length: f64,
+) -> Vec<Vec<f64>> {
+    design.stack(dataset, 3 * centres.len(), |_, observation, out| {
+        let axes = axes(observation);
+        for f in bumps(&at(observation), centres, length) {
+            out.extend(axes.column_iter().map(|a| [f * a[0], f * a[1], f * a[2], 0.0, 0.0, 0.0]));
+        }
+    })
+}
+
+fn base(_: &Observation) -> Matrix3<f64> {
+    Matrix3::identity()
+}
+
+/// Functions of the wrist's angles that shift the target along the flange's axes.
+fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> Vec<Vec<f64>> {
+    let at = |observation: &Observation| observation.q_rad[3..].to_vec();
+    compress(shifts(
+        design,
+        dataset,
+        &at,
+        &|observation| observation.flange,
+        &farthest_points(dataset, at, 40),
+        length_rad,
+    ))
+}
+
+fn bumps(at: &[f64], centres: &[Vec<f64>], length: f64) -> Vec<f64> {
+    centres
+        .iter()
+        .map(|centre| {
+            let d2: f64 = centre.iter().zip(at).map(|(c, x)| (c - x) * (c - x)).sum();
+            (-0.5 * d2 / (length * length)).exp()
+        })
+        .collect()
+}
+
+/// Points far from each other, one after the other (Gonzalez 1985).
+fn farthest_points(dataset: &Dataset, at: impl Fn(&Observation) -> Vec<f64>, most: usize) -> Vec<Vec<f64>> {
+    let points: Vec<Vec<f64>> = dataset.observations.iter().map(at).collect();
+    let mut far = vec![f64::INFINITY; points.len()];
+    let mut chosen = Vec::new();
+    let mut next = 0;
+    while chosen.len() < most.min(points.len()) {
+        let centre = points[next].clone();
+        for (d, point) in far.iter_mut().zip(&points) {
+            let d2: f64 = centre.iter().zip(point).map(|(a, b)| (a - b) * (a - b)).sum();
+            *d = d.min(d2);
+        }
+        chosen.push(centre);
+        let mut best = 0.0;
+        for (i, d) in far.iter().enumerate() {
+            if *d > best {
+                best = *d;
+                next = i;
+            }
+        }
+        if best <= 0.0 {
+            break;
+        }
+    }
+    chosen
+}
+
+/// Principal features, largest first, sized so that the structure is [`PRIOR_SIGMA_M`] on average.
+fn compress(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let n = columns.len();
+    let rows = columns.first().map_or(0, Vec::len);
+    if n == 0 || rows == 0 {
+        return columns;
+    }
+    let flat = DMatrix::from_fn(rows, n, |r, c| columns[c][r]);
+    let eigen = (flat.transpose() * &flat).symmetric_eigen();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    let top = eigen.eigenvalues[order[0]];
+    if top <= 0.0 {
+        return Vec::new();
+    }
+    order.truncate(MOST_FEATURES);
+    order.retain(|&i| eigen.eigenvalues[i] > 1e-6 * top);
+    let mean_square = eigen.eigenvalues.iter().sum::<f64>() / (rows as f64 / 3.0);
+    let scale = PRIOR_SIGMA_M / mean_square.sqrt();
+    let kept = &flat * eigen.eigenvectors.select_columns(&order) * scale;
+    kept.column_iter().map(|c| c.iter().copied().collect()).collect()
+}
+
+/// Middle and radius of the structure: stations weighted by how far they are moved.
+#[must_use]
+pub fn region(dataset: &Dataset, moved_m: &[f64]) -> (Vector3<f64>, f64) {
+    // The fourth power lets the few that move most count.
+    let largest = moved_m.iter().fold(0.0, |a: f64, b| a.max(*b)).max(1e-300);
+    let weights: Vec<f64> = moved_m.iter().map(|m| (m / largest).powi(4)).collect();
+    let total: f64 = weights.iter().sum::<f64>().max(1e-300);
+    let centre =
+        dataset.observations.iter().zip(&weights).map(|(s, w)| s.point_m * *w).sum::<Vector3<f64>>() / total;
+    let square = dataset
+        .observations
+        .iter()
+        .zip(&weights)
+        .map(|(s, w)| (s.point_m - centre).norm_squared() * w)
+        .sum::<f64>()
+        / total;
+    (centre, square.sqrt())
+}

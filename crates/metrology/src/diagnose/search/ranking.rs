@@ -1,0 +1,208 @@
+//! All hypotheses for one place of the model, by their evidence.
+
+use super::NULL_PRIOR;
+use super::library::{Library, TrackedCandidate};
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, ScreeningPoint};
+use crate::diagnose::marginal::{log_sum, normal_cdf};
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// Candidates that are looked at after their upper bounds.
+const LONG_LIST: usize = 320;
+/// Candidates that are evaluated in full after a first look.
+const SHORT_LIST: usize = 96;
+/// A kernel this far behind is not looked at again.
+const FAR_BEHIND_NATS: f64 = 7.0;
+
+/// Probability that an effect has the sign that physics gives it: a controller may take off too much of it.
+const RIGHT_SIGN: f64 = 0.9;
+
+/// What stands in one place of the model, and how likely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hypothesis {
+    /// Nothing.
+    Null,
+    /// A candidate, by index.
+    Effect(usize),
+    /// A kernel, by index.
+    GpAlternative(usize),
+}
+
+/// All hypotheses for one place, likeliest first, with ln posterior weights that sum to 1.
+#[derive(Clone, Debug)]
+pub struct HypothesisRanking {
+    /// Hypothesis, probability, what it reached.
+    pub ranked: Vec<(Hypothesis, f64, EvidencePeak)>,
+    /// Evidence with nothing here.
+    pub null: EvidencePeak,
+}
+
+impl Library<'_> {
+    /// Every hypothesis over `nuisance` of all atoms, `subset`, but the candidates in `without`.
+    #[must_use]
+    pub fn scan(&self, nuisance: &NuisanceModel, subset: &[usize], without: &[usize]) -> HypothesisRanking {
+        let tracked = self.track(nuisance, subset);
+        let open: Vec<&TrackedCandidate> =
+            tracked.iter().filter(|f| !without.contains(&f.candidate)).collect();
+        self.rank(nuisance, &open, true)
+    }
+
+    /// Every kernel over `nuisance` of all atoms, weighed against nothing.
+    #[must_use]
+    pub fn rank_gp_alternatives(&self, nuisance: &NuisanceModel) -> HypothesisRanking {
+        self.rank(nuisance, &[], true)
+    }
+
+    /// ln evidence of one candidate over nothing.
+    #[must_use]
+    pub fn gain(&self, nuisance: &NuisanceModel, subset: &[usize], candidate: usize) -> f64 {
+        let projected = nuisance.project(&self.products[candidate].sum(subset));
+        self.evidence(nuisance, &projected, candidate).log_evidence - nuisance.null().log_evidence
+    }
+
+    /// Evidence of a candidate, the sign that physics gives it included.
+    pub(super) fn evidence(
+        &self,
+        nuisance: &NuisanceModel,
+        projected: &Projected,
+        candidate: usize,
+    ) -> EvidencePeak {
+        let mut peak = nuisance.evidence(projected);
+        if self.candidates[candidate].sign_constrained {
+            peak.log_evidence += sign_nats(nuisance.sign(projected, &peak));
+        }
+        peak
+    }
+
+    /// Every hypothesis over `nuisance`, its candidates already projected.
+    pub(super) fn rank(
+        &self,
+        nuisance: &NuisanceModel,
+        tracked: &[&TrackedCandidate],
+        gp_alternatives: bool,
+    ) -> HypothesisRanking {
+        let null = nuisance.null();
+        let screening_grid = nuisance.screening_grid(&null);
+        let best = |scores: Vec<f64>, among: Vec<usize>, most: usize| {
+            let mut order: Vec<(usize, f64)> = among.into_iter().zip(scores).collect();
+            order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            order.truncate(most);
+            order.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
+        };
+        let all: Vec<usize> = (0..tracked.len()).collect();
+        let score = |among: &[usize], of: &(dyn Fn(&Projected) -> f64 + Sync)| -> Vec<f64> {
+            among
+                .par_iter()
+                .map(|&i| of(&tracked[i].projected) + self.log_prior[tracked[i].candidate])
+                .collect()
+        };
+        let upper_bounds = score(&all, &|p| nuisance.evidence_upper_bound(p, &screening_grid));
+        let long = best(upper_bounds, all, LONG_LIST);
+        let firsts = score(&long, &|p| nuisance.screening_evidence(p, &screening_grid).log_evidence);
+        let seen: Vec<usize> = best(firsts, long, LONG_LIST);
+        let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
+        // Thousands of gear lines must not push out the one form of an effect that explains as much.
+        let mut kinds = BTreeSet::new();
+        let order: Vec<usize> = seen
+            .into_iter()
+            .enumerate()
+            .filter(|(rank, i)| {
+                let this = &self.candidates[tracked[*i].candidate];
+                kinds.insert((this.kind, this.variant.joint, this.variant.joint_b)) || *rank < most
+            })
+            .map(|(_, i)| i)
+            .collect();
+        let mut ranked: Vec<(Hypothesis, f64, EvidencePeak)> = order
+            .par_iter()
+            .map(|&i| {
+                let TrackedCandidate { candidate: c, projected, .. } = tracked[i];
+                let peak = self.evidence(nuisance, projected, *c);
+                (Hypothesis::Effect(*c), peak.log_evidence + self.log_prior[*c], peak)
+            })
+            .collect();
+        if gp_alternatives {
+            let scanned = self.scanned(nuisance, &screening_grid, &null);
+            ranked.extend(scanned);
+        }
+        ranked.push((Hypothesis::Null, null.log_evidence + NULL_PRIOR.ln(), null));
+        let total = log_sum(ranked.iter().map(|r| r.1));
+        for entry in &mut ranked {
+            entry.1 = (entry.1 - total).exp();
+        }
+        ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
+        HypothesisRanking { ranked, null }
+    }
+
+    /// Every kernel by its evidence: in full what comes near the best of them or nothing, a first look for the others.
+    fn scanned(
+        &self,
+        nuisance: &NuisanceModel,
+        screening_grid: &[ScreeningPoint],
+        null: &EvidencePeak,
+    ) -> Vec<(Hypothesis, f64, EvidencePeak)> {
+        let seen: Vec<(Projected, EvidencePeak)> = self
+            .gp_alternatives
+            .par_iter()
+            .map(|s| {
+                let projected = nuisance.project(&s.sums);
+                let first = nuisance.screening_evidence(&projected, screening_grid);
+                (projected, first)
+            })
+            .collect();
+        let best = seen
+            .iter()
+            .zip(&self.gp_alternatives)
+            .map(|((_, first), s)| first.log_evidence + s.log_prior)
+            .fold(null.log_evidence + NULL_PRIOR.ln(), f64::max);
+        seen.par_iter()
+            .zip(&self.gp_alternatives)
+            .enumerate()
+            .map(|(k, ((projected, first), s))| {
+                let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
+                let peak = if near { nuisance.evidence(projected) } else { *first };
+                (Hypothesis::GpAlternative(k), peak.log_evidence + s.log_prior, peak)
+            })
+            .collect()
+    }
+
+    /// Best candidate of `ranking` and its effect's ln evidence over nothing, the prior within the effect included.
+    pub(super) fn best_effect(&self, ranking: &HypothesisRanking) -> Option<(usize, f64, EvidencePeak)> {
+        let (best, peak) = ranking.ranked.iter().find_map(|(h, _, r)| match h {
+            Hypothesis::Effect(c) => Some((*c, *r)),
+            _ => None,
+        })?;
+        Some((best, self.effect_gain(ranking, best), peak))
+    }
+
+    /// ln evidence of the whole effect that `candidate` belongs to, over nothing.
+    #[must_use]
+    pub fn effect_gain(&self, ranking: &HypothesisRanking, candidate: usize) -> f64 {
+        let kind = self.candidates[candidate].kind;
+        log_sum(ranking.ranked.iter().filter_map(|(h, _, r)| match h {
+            Hypothesis::Effect(c) if self.candidates[*c].kind == kind => {
+                Some(r.log_evidence + self.candidates[*c].weight.ln())
+            }
+            _ => None,
+        })) - ranking.null.log_evidence
+    }
+}
+
+/// What the right sign adds to ln evidence, and the wrong one takes off it; `z`: by how many standard deviations the size
+/// is positive.
+fn sign_nats(z: f64) -> f64 {
+    let sign_constrained = normal_cdf(z);
+    (2.0 * (RIGHT_SIGN * sign_constrained + (1.0 - RIGHT_SIGN) * (1.0 - sign_constrained))).ln()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sign_nats;
+
+    /// A sign that the data do not tell says nothing; one that they tell has nine times the weight of the other.
+    #[test]
+    fn the_sign_of_physics_counts_where_the_data_tell_it() {
+        assert!(sign_nats(0.0).abs() < 1e-6);
+        assert!((sign_nats(9.0) - 1.8_f64.ln()).abs() < 1e-12);
+        assert!((sign_nats(-9.0) - 0.2_f64.ln()).abs() < 1e-12);
+    }
+}

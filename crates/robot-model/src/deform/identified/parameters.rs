@@ -1,0 +1,119 @@
+//! The parameters that each effect has in a model, in order, with their keys and units in the file.
+
+use crate::deform::EffectKind;
+use crate::units::{deg_from_rad, m_from_mm, mm_from_m, ppm_from_ratio, rad_from_deg, ratio_from_ppm};
+
+/// Unit of a parameter in the model file; inside it is SI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Keys that end in `_mm`; metres inside.
+    Millimetre,
+    /// Keys that end in `_deg`; radians inside.
+    Degree,
+    /// Keys that end in `_ppm`; a ratio inside.
+    PartsPerMillion,
+    /// Written as it is: rad/(N.m), kg, or a ratio.
+    Plain,
+}
+
+impl Unit {
+    /// SI value of the file's number.
+    #[must_use]
+    pub fn si(self, file: f64) -> f64 {
+        match self {
+            Self::Millimetre => m_from_mm(file),
+            Self::Degree => rad_from_deg(file),
+            Self::PartsPerMillion => ratio_from_ppm(file),
+            Self::Plain => file,
+        }
+    }
+
+    /// The file's number for an SI value.
+    #[must_use]
+    pub fn file(self, si: f64) -> f64 {
+        match self {
+            Self::Millimetre => mm_from_m(si),
+            Self::Degree => deg_from_rad(si),
+            Self::PartsPerMillion => ppm_from_ratio(si),
+            Self::Plain => si,
+        }
+    }
+}
+
+/// A parameter: its key in the file and its unit.
+pub type Parameter = (&'static str, Unit);
+
+const FRAME: [Parameter; 6] = [
+    ("dx_mm", Unit::Millimetre),
+    ("dy_mm", Unit::Millimetre),
+    ("dz_mm", Unit::Millimetre),
+    ("rx_deg", Unit::Degree),
+    ("ry_deg", Unit::Degree),
+    ("rz_deg", Unit::Degree),
+];
+const LINKS: [Parameter; 6] = [
+    ("link1_rad_per_n_m", Unit::Plain),
+    ("link2_rad_per_n_m", Unit::Plain),
+    ("link3_rad_per_n_m", Unit::Plain),
+    ("link4_rad_per_n_m", Unit::Plain),
+    ("link5_rad_per_n_m", Unit::Plain),
+    ("link6_rad_per_n_m", Unit::Plain),
+];
+const JOINTS: [Parameter; 6] = [
+    ("joint1_rad_per_n_m", Unit::Plain),
+    ("joint2_rad_per_n_m", Unit::Plain),
+    ("joint3_rad_per_n_m", Unit::Plain),
+    ("joint4_rad_per_n_m", Unit::Plain),
+    ("joint5_rad_per_n_m", Unit::Plain),
+    ("joint6_rad_per_n_m", Unit::Plain),
+];
+const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
+const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
+const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
+const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS);
+const PER_BEND: [Parameter; 8] = joined([COMPLIANCE, UNEVEN], LINKS);
+const PER_TILT: [Parameter; 8] = joined(TILT, LINKS);
+const PER_JOINT: [Parameter; 7] = joined([("kg", Unit::Plain)], JOINTS);
+const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];
+
+/// `first`, then `each`; N = A + 6.
+const fn joined<const A: usize, const N: usize>(
+    first: [Parameter; A],
+    each: [Parameter; 6],
+) -> [Parameter; N] {
+    assert!(N == A + each.len());
+    let mut all = [each[0]; N];
+    let mut i = 0;
+    while i < N {
+        all[i] = if i < A { first[i] } else { each[i - A] };
+        i += 1;
+    }
+    all
+}
+
+impl EffectKind {
+    /// Its parameters in a model, in the order of a term's values; none are listed for a spectrum, which has any number
+    /// of sines and cosines in turn.
+    #[must_use]
+    pub fn parameters(self) -> &'static [Parameter] {
+        match self {
+            Self::JointOffset => &[("offset_deg", Unit::Degree)],
+            Self::LinkGeometry | Self::BaseDrift | Self::BaseStep => &FRAME,
+            Self::JointCompliance => &PER_LINK,
+            Self::LinkBending => &PER_BEND,
+            Self::BaseTilt => &PER_TILT,
+            Self::GearEccentricity | Self::GearSecondHarmonic | Self::GearMesh => &GEAR,
+            Self::JointGain | Self::JointCoupling => &[("gain", Unit::Plain)],
+            Self::Backlash => &[("gap_deg", Unit::Degree)],
+            Self::ThermalLinkGrowth => {
+                &[("growth_ppm", Unit::PartsPerMillion), ("constant_ppm", Unit::PartsPerMillion)]
+            }
+            Self::GearSpectrum => &[],
+            Self::ThermalJointDrift => &[("drift_deg", Unit::Degree), ("constant_deg", Unit::Degree)],
+            Self::InstrumentScale => &[("scale_ppm", Unit::PartsPerMillion)],
+            Self::ToolDrift | Self::ToolStep => FRAME.split_at(3).0,
+            Self::PayloadMass => &PER_JOINT,
+            Self::JointRounding | Self::SwappedAxes => &[],
+        }
+    }
+}
