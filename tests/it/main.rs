@@ -37,5 +37,4 @@ mod shop;
 mod simulate;
 mod tabulate;
 mod tree_check;
-mod tree_memory;
 mod virtual_controller;

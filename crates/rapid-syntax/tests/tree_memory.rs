@@ -1,5 +1,8 @@
 //! What a program's tree takes of memory, counted by the allocator: programs of a million moves are held whole.
 
+#![allow(unsafe_code, reason = "a global allocator is unsafe to implement; this one counts and hands on")]
+#![allow(clippy::unwrap_used)]
+
 use rapid_syntax::parse;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
