@@ -1,5 +1,55 @@
-//! Drift compensation for ABB RAPID programs, and diagnosis of why a robot does not stand where its
-//! model says.
+//! Drift compensation for ABB RAPID programs, and diagnosis of why a robot does not stand where its model says.
+//!
+//! # A program corrected for the warm-up
+//!
+//! A RoboDK export of 45 targets, for an IRB 140 that deforms as the reference paper measured it: uncorrected the tool misses by
+//! 0.19 mm after three hours, corrected by 0.005 mm.
+//!
+//! ```
+//! use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+//!
+//! let robot = Robot::built_in("irb140").expect("it is one of the library's");
+//! let program = ProgramFiles::one("Cube45.mod", *include_bytes!("../fixtures/robodk/irc5/Cube45.mod"));
+//!
+//! let compensation = Compensation::new(robot, Deformation::paper());
+//! let result = compensation.run(&program)?;
+//!
+//! let summary = &result.plan.summary;
+//! assert!((0.00019..0.00020).contains(&summary.worst_before_m), "{}", summary.worst_before_m);
+//! assert!(summary.worst_after_m < 0.0000051, "{}", summary.worst_after_m);
+//! let text = String::from_utf8_lossy(result.text().expect("one module"));
+//! assert!(text.contains("MoveJ tc1{tcK()}"), "each motion asks for its target");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A robot that does not stand where its model says
+//!
+//! ```
+//! use driftpost::{Diagnosis, Measurements, Robot};
+//!
+//! let robot = Robot::from_toml(include_str!("../fixtures/measurements/r2000ic/robot.toml"))?;
+//! let measured = Measurements::from_csv(include_bytes!("../fixtures/measurements/r2000ic/measurements.csv"))?;
+//!
+//! let found = Diagnosis::new(robot).run(&measured);
+//! println!("{}", found.text());
+//! assert!(found.findings.causes.len() > 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What is found goes back into a program with [`Diagnosis::and_identify`] and [`Compensation::with_model`]; [`Simulation`] executes
+//! any program on the deformed robot, and shares no code with what corrected it.
+//!
+//! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
+//! [`virtual_controller`], [`metrology`] and [`exam`].
 
-pub mod cli;
+pub mod application;
 pub mod report;
+
+pub use application::{
+    Compensated, Compensation, Course, Diagnosed, Diagnosis, Fit, Named, ProgramFiles, Question, Refusal,
+    Rehearsal, Simulation,
+};
+pub use metrology::measure::{Measurements, Touches};
+pub use robot_model::deform::Deformation;
+pub use robot_model::robot::Robot;
+pub use virtual_controller::TrueRobot;

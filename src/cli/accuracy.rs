@@ -5,7 +5,7 @@ use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
-use crate::report::{Told, accuracy as report};
+use driftpost::report::{Told, accuracy as report};
 use metrology::measure::{ComparisonFrame, PerformanceError, performance};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;

@@ -3,7 +3,7 @@
 use super::number::positive;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
-use crate::report::changed as report;
+use driftpost::report::changed as report;
 use metrology::diagnose::{CompareError, MeasurementComparison, compare_measurements};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;

@@ -4,7 +4,7 @@
 //! dropped, the work goes on and the exit code is what it would have been.
 
 use super::Outcome;
-use crate::report::{self, Look, Told};
+use driftpost::report::{self, Look, Told};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, IsTerminal, Write};
 
@@ -35,12 +35,6 @@ impl Console {
     /// Where messages go.
     pub fn err(&mut self) -> &mut dyn Write {
         &mut self.err
-    }
-
-    /// Whether messages are read by a person at a terminal (colours, progress).
-    #[must_use]
-    pub fn is_interactive(&self) -> bool {
-        self.err_is_terminal
     }
 
     /// Does long work; a person at a terminal sees that something goes on.

@@ -3,9 +3,10 @@
 use super::measured::MeasurementArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files};
-use crate::report::shop::{self, Standing};
-use crate::report::{diagnosis, plots};
-use metrology::diagnose::{Diagnosis, diagnose, diagnose_and_identify};
+use driftpost::application::Diagnosis;
+use driftpost::report::plots;
+use driftpost::report::shop::{self, Standing};
+use metrology::diagnose::Diagnosis as Findings;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -77,64 +78,62 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
     let clean_out = args.clean_out.as_deref().map(files::Pending::new).transpose()?;
-    let (diagnosis, mut identified) = if model_out.is_some() || rapid_out.is_some() {
-        diagnose_and_identify(&measurements, &robot, &options)
-    } else {
-        (diagnose(&measurements, &robot, &options), None)
-    };
+    let job = Diagnosis { robot, options, identify: model_out.is_some() || rapid_out.is_some() };
+    let mut found = job.run(&measurements);
+    let diagnosis = &found.findings;
     for warning in &diagnosis.warnings {
         console.say(format_args!("warning[{}]: {}", warning.code, warning.message));
     }
-    let text = as_json(&diagnosis)?;
+    let text = found.json()?;
     if to_stdout {
         console.out().write_all(text.as_bytes())?;
     } else {
-        console.out().write_all(diagnosis::text(&diagnosis, &robot.name).as_bytes())?;
+        console.out().write_all(found.text().as_bytes())?;
     }
     if let Some(json) = json {
         json.write(text.as_bytes())?;
     }
-    if let Some(model) = &mut identified {
+    if let Some(model) = &mut found.model {
         (model.data, model.data_sha256) = (given.name, given.sha256);
     }
     if let Some(file) = rapid_out {
-        let text = identified.as_ref().and_then(|model| shop::rapid(model, &standing));
-        let text = text.ok_or_else(|| none(&diagnosis, file.path()))?;
+        let text = found.model.as_ref().and_then(|model| shop::rapid(model, &standing));
+        let text = text.ok_or_else(|| none(&found.findings, file.path()))?;
         file.write(text.as_bytes())?;
     }
-    if let (false, Some(model)) = (to_stdout, &identified) {
+    if let (false, Some(model)) = (to_stdout, &found.model) {
         console.out().write_all(shop::axis_table(model).as_bytes())?;
     }
     if let Some(file) = clean_out {
-        file.write(&cleaned(args, &diagnosis)?)?;
+        file.write(&cleaned(args, &found.findings)?)?;
     }
-    match (model_out, identified) {
+    match (model_out, &found.model) {
         (Some(file), Some(identified)) => file.write(identified.to_toml().as_bytes())?,
-        (Some(file), None) => return Err(none(&diagnosis, file.path()).into()),
+        (Some(file), None) => return Err(none(&found.findings, file.path()).into()),
         (None, _) => {}
     }
     if let Some(csv) = csv {
-        csv.write(diagnosis::residuals_csv(&diagnosis).as_bytes())?;
+        csv.write(found.residuals_csv().as_bytes())?;
     }
     if let Some(folder) = &args.plots {
-        for (name, picture) in plots::pictures(&diagnosis, &robot.name) {
+        for (name, picture) in plots::pictures(&found.findings, &job.robot.name) {
             files::Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
         }
     }
     Ok(Outcome::Done)
 }
 
-fn none(diagnosis: &Diagnosis, path: &Path) -> Diagnostic {
-    let message = format!("no model can be made of these data: {}", diagnosis.reason);
+fn none(findings: &Findings, path: &Path) -> Diagnostic {
+    let message = format!("no model can be made of these data: {}", findings.reason);
     Diagnostic::error("model::none", message).help(format!("{} was not written", path.display()))
 }
 
 /// The measurement file without its false lines, byte for byte.
-fn cleaned(args: &Args, diagnosis: &Diagnosis) -> Result<Vec<u8>, Diagnostic> {
+fn cleaned(args: &Args, findings: &Findings) -> Result<Vec<u8>, Diagnostic> {
     let Some(path) = &args.source.measurements else { return Ok(Vec::new()) };
     let bytes = files::read(path, "measurement file")?;
     let lines = bytes.split_inclusive(|b| *b == b'\n').zip(1_u64..);
-    let kept = lines.filter(|(_, number)| diagnosis.false_lines.binary_search(number).is_err());
+    let kept = lines.filter(|(_, number)| findings.false_lines.binary_search(number).is_err());
     Ok(kept.flat_map(|(line, _)| line.iter().copied()).collect())
 }
 
@@ -161,10 +160,4 @@ fn standing(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<Standing, Diagn
         load: named("loaddata", &args.loaddata, shop::LOAD)?,
         tool_m,
     })
-}
-
-fn as_json(diagnosis: &Diagnosis) -> anyhow::Result<String> {
-    let mut text = serde_json::to_string_pretty(diagnosis)?;
-    text.push('\n');
-    Ok(text)
 }

@@ -1,11 +1,11 @@
 //! `driftpost diff`: two programs, line by line, motion by motion and bucket by bucket.
 
 use super::files::Output;
-use super::given::{self, Given};
+use super::given::Given;
 use super::inspect::Format;
 use super::shared::RobotName;
 use super::{Console, Outcome};
-use crate::report::{self, Compared, Told};
+use driftpost::report::{self, Compared, Told};
 use rapid_program::compensate::compare::compare;
 use rapid_program::emit::differences;
 use rapid_program::program::{Overrides, Program};
@@ -83,8 +83,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 fn program(given: &Given, console: &mut Console) -> Option<Program> {
-    let files = given.sources();
-    if let Err(message) = given::check_modules(&files) {
+    let files = given.program().sources();
+    if let Err(message) = driftpost::application::check_modules(&files) {
         console.explain(&[Told::new(message, &files)], true);
         return None;
     }

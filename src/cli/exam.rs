@@ -1,15 +1,13 @@
 //! `driftpost exam`: runs the diagnosis on a folder of sealed data sets and scores it.
 
 use super::{Console, Outcome, files, model};
+use driftpost::application::Question;
 use exam::generate::Task;
 use exam::score::{Answer, Measure, score};
 use exam::truth::{Sealed, Truth, seal};
-use metrology::diagnose::{Options, diagnose};
 use metrology::measure::Measurements;
-use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
-use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
 /// Options of `exam`.
@@ -34,7 +32,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let answers: Vec<Answer> = sealed
         .sets
         .par_iter()
-        .map(|truth| answer(&args.dir.join(&truth.name)))
+        .map(|truth| Ok(read(&args.dir.join(&truth.name))?.answer()?))
         .collect::<anyhow::Result<_>>()?;
     let answered: Vec<(Truth, Answer)> = sealed.sets.into_iter().zip(answers).collect();
     let table = score(&answered);
@@ -73,20 +71,15 @@ fn open(dir: &Path) -> Result<Sealed, Diagnostic> {
     })
 }
 
-/// What the diagnosis says of one set, by way of the JSON that any script reads.
-fn answer(folder: &Path) -> anyhow::Result<Answer> {
+/// One set as it was made.
+fn read(folder: &Path) -> anyhow::Result<Question> {
     let task: Task =
         toml::from_str(&String::from_utf8_lossy(&files::read(&folder.join("task.toml"), "task")?))?;
     let robot = model::robot(&task.robot)?;
     let path = folder.join("measurements.csv");
     let measurements = Measurements::from_csv(&files::read(&path, "measurement file")?)
         .map_err(|e| Diagnostic::error("measure::file", format!("{}: {e}", path.display())))?;
-    let options = Options {
-        tool_m: task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
-        sigma_m: task.sigma_mm.map(m_from_mm),
-    };
-    let answer = serde_json::to_value(diagnose(&measurements, &robot, &options))?;
-    Ok(serde_json::from_value(answer)?)
+    Ok(Question { task, robot, measurements })
 }
 
 /// A row of the table: measure, value with interval, number of sets, what passes, what is world-class.

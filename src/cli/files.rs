@@ -104,14 +104,6 @@ impl Pending {
         fs::create_dir_all(folder_of(&self.path)).map_err(failed)
     }
 
-    /// What was written, from its beginning.
-    ///
-    /// # Errors
-    /// `output::unwritable`.
-    pub fn written(&self) -> Result<fs::File, Diagnostic> {
-        self.file.reopen().map_err(|cause| unwritable(&self.path, cause))
-    }
-
     /// The file, still beside its place, to be written to.
     pub fn out(&mut self) -> &mut dyn io::Write {
         &mut self.file

@@ -4,16 +4,13 @@ use super::given::Given;
 use super::measured::MeasurementArgs;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
-use crate::report::fit as report;
-use metrology::diagnose::warmup::{
-    FitError, FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget, fit, forecast_at_targets,
-};
+use driftpost::application::{Fit, targets_of_program};
+use driftpost::report::fit as report;
+use metrology::diagnose::warmup::{FitError, FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget};
 use nalgebra::Vector3;
 use rapid_program::compensate::{self, targets};
-use rapid_program::program::{Overrides, Program};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
-use robot_model::units::{m_from_mm, rad_from_deg};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -82,16 +79,16 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
 
-    let warm_up = fit(&touches, &robot, &options).map_err(|error| refused(&error))?;
-    let places = places(args, &robot, &warm_up)?;
-    let there = (!places.is_empty())
-        .then(|| forecast_at_targets(&warm_up, &robot, &places, &variants(&robot, &places)));
+    let job = Fit { robot, options };
+    let warm_up = job.run(&touches).map_err(|error| refused(&error))?;
+    let places = places(args, &job.robot, &warm_up)?;
+    let there = job.forecast_at_targets(&warm_up, &places);
 
     if let Some(file) = table_out {
         file.write(report::table_csv(&warm_up).as_bytes())?;
     }
     if let Some(file) = model_out {
-        let mut identified = warm_up.identified(&robot);
+        let mut identified = warm_up.identified(&job.robot);
         (identified.data, identified.data_sha256) = (given.name, given.sha256);
         file.write(identified.to_toml().as_bytes())?;
     }
@@ -163,43 +160,5 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Wo
     if args.program.is_empty() {
         return Ok(Vec::new());
     }
-    let given = Given::read(&args.program)?;
-    let program = Program::read(given.sources(), &Overrides::default());
-    let loose = compensate::Options {
-        max_correction_m: m_from_mm(1e3),
-        max_correction_rad: rad_from_deg(90.0),
-        ..compensate::Options::default()
-    };
-    let plan = compensate::plan(&program, robot, &warm_up.deformation(), &loose)
-        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
-    let mut places = Vec::new();
-    for (motion, planned) in program.motions.iter().zip(&plan.motions) {
-        let tool = motion.setup.tool.as_ref().filter(|tool| tool.robhold);
-        for target in &planned.targets {
-            places.push(WorkTarget {
-                name: format!("line {}", motion.line),
-                q_rad: target.nominal_q_rad,
-                tool_m: tool.map_or_else(Vector3::zeros, |t| t.frame_from_tcp.translation.vector),
-            });
-        }
-    }
-    Ok(places)
-}
-
-/// Poses round the places in which another point could be touched.
-fn variants(robot: &Robot, places: &[WorkTarget]) -> Vec<WorkTarget> {
-    const TURNS_DEG: [(usize, f64); 6] = [(0, 25.0), (1, 15.0), (2, 15.0), (3, 40.0), (4, 25.0), (5, 60.0)];
-    let mut all = Vec::new();
-    for place in places.iter().step_by(places.len().div_ceil(60).max(1)) {
-        for (j, turn_deg) in TURNS_DEG {
-            for sign in [-1.0, 1.0] {
-                let mut q_rad = place.q_rad;
-                q_rad[j] += rad_from_deg(sign * turn_deg);
-                if robot.within_range(&q_rad).is_ok() {
-                    all.push(WorkTarget { q_rad, ..place.clone() });
-                }
-            }
-        }
-    }
-    all
+    Ok(targets_of_program(&Given::read(&args.program)?.program(), robot, warm_up)?)
 }

@@ -1,11 +1,9 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
+use driftpost::application::{ProgramFiles, check_text};
 use rapid_program::program::modules_of_pgf;
-use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId};
-use rapid_syntax::tree::FileItem;
-use rayon::prelude::*;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -57,20 +55,18 @@ impl Given {
         };
         for path in &given.paths {
             let bytes = files::read(path, "program")?;
-            check(path, &bytes)?;
+            check_text(&path.display().to_string(), &bytes)?;
             given.bytes.push(bytes.into());
         }
         Ok(given)
     }
 
-    /// The files, parsed on all cores.
+    /// The modules as the library takes them.
     #[must_use]
-    pub fn sources(&self) -> Vec<SourceFile> {
-        let files = self.paths.par_iter().zip(&self.bytes).enumerate();
-        let read = |(id, (path, bytes)): (usize, (&PathBuf, &Arc<[u8]>))| {
-            SourceFile::read(FileId(id as u32), slashed(path), Arc::clone(bytes))
-        };
-        files.map(read).collect()
+    pub fn program(&self) -> ProgramFiles {
+        let files = self.paths.iter().map(|path| slashed(path)).zip(self.bytes.iter().cloned());
+        let label = self.places.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
+        ProgramFiles::new(files).called(label)
     }
 
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
@@ -163,62 +159,6 @@ impl Given {
     }
 }
 
-/// Refuses what no parser needs to see: nothing, or no text.
-fn check(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
-    let shown = path.display();
-    if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(Diagnostic::error("input::empty", format!("{shown} is empty")).help("export it again"));
-    }
-    if u32::try_from(bytes.len()).is_err() {
-        return Err(Diagnostic::error("input::too-large", format!("{shown} is larger than 4 GB"))
-            .help("split the program"));
-    }
-    if let Some(at) = memchr::memchr(0, bytes) {
-        let text = format!("{shown} is no text: byte {at} is zero");
-        return Err(Diagnostic::error("input::binary", text)
-            .help("give a RAPID module as text; one in UTF-16 must be saved as UTF-8 or Latin-1 first"));
-    }
-    Ok(())
-}
-
-/// Refuses files that hold no module, or one that ends before its ENDMODULE, or a routine without its ENDPROC.
-///
-/// # Errors
-/// `input::no-module` or `input::truncated`, at their place.
-pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
-    for file in files {
-        let modules = file.tree.items.iter().filter_map(|item| match item {
-            FileItem::Module(module) => Some(module),
-            _ => None,
-        });
-        let mut count = 0;
-        for module in modules {
-            count += 1;
-            if module.end.is_none() {
-                let name = String::from_utf8_lossy(file.text(module.name)).into_owned();
-                let text = format!("{}: module {name} has no ENDMODULE: the file is cut off", file.path);
-                return Err(Diagnostic::error("input::truncated", text)
-                    .at(file.span(module.head))
-                    .help("export or copy the file again"));
-            }
-            if let Some(routine) = module.routines().find(|routine| routine.end.is_none()) {
-                let name = String::from_utf8_lossy(file.text(routine.name)).into_owned();
-                let text =
-                    format!("{}: routine {name} has no END word: where it ends cannot be said", file.path);
-                return Err(Diagnostic::error("input::truncated", text)
-                    .at(file.span(routine.head))
-                    .help("no controller loads this; export or copy the file again"));
-            }
-        }
-        if count == 0 {
-            let text = format!("{} holds no RAPID module", file.path);
-            return Err(Diagnostic::error("input::no-module", text)
-                .help("a module begins with MODULE NAME and ends with ENDMODULE"));
-        }
-    }
-    Ok(())
-}
-
 /// Whether a file's extension is one of `known` (lower case).
 fn has_extension(path: &Path, known: &[&str]) -> bool {
     path.extension().is_some_and(|e| known.contains(&e.to_string_lossy().to_ascii_lowercase().as_str()))
@@ -287,13 +227,5 @@ mod tests {
         assert_eq!(given.places, ["a/x.mod", "b/y.mod"].map(PathBuf::from));
         let given = Given::list(Shape::One, &paths[0], &paths[..1]);
         assert_eq!(given.places, [PathBuf::from("x.mod")]);
-    }
-
-    #[test]
-    fn nothing_and_no_text_are_refused() {
-        let code = |bytes: &[u8]| check(Path::new("x.mod"), bytes).map_err(|d| d.code);
-        assert_eq!(code(b" \r\n"), Err("input::empty"));
-        assert_eq!(code(b"M\0O\0D\0"), Err("input::binary"));
-        assert_eq!(code(b"MODULE \xfc ENDMODULE"), Ok(()));
     }
 }

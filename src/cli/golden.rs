@@ -4,13 +4,14 @@
 //! (`tolerance-mm = 0.05`, `strict = true`, `tool = ["t=[...]"]`; files are relative to the case), and
 //! `CASE/expected/` the emitted files, `review.txt`, `changes.diff` and `messages.txt`.
 
-use super::compensate::{self, Job, write_diff};
+use super::compensate;
 use super::destination::Destination;
 use super::files::{self, Output, Pending};
 use super::given::Given;
 use super::{Console, Outcome};
-use crate::report::{self, Look};
 use clap::{Args as _, FromArgMatches};
+use driftpost::application::write_file_diff;
+use driftpost::report::{self, Look};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -109,15 +110,16 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
     let mut said = Vec::new();
     let mut diff = Vec::new();
     let mut take = |program: &Program, file: EmittedFile| {
-        write_diff(&mut diff, program, &file, &given, &destination)
+        let to = destination.path_of(&file, &given).display().to_string();
+        write_file_diff(&mut diff, program, &file, &to)
             .map_err(|cause| Diagnostic::error("output::unwritable", cause.to_string()))?;
         let path = destination.path_of(&file, &given);
         let place = path.strip_prefix("expected").unwrap_or(&path).to_string_lossy().replace('\\', "/");
         result.entry(place).or_default().extend(file.bytes);
         Ok(())
     };
-    let job = Job::new(&args)?;
-    let messages = match job.make(&given, &mut take) {
+    let job = args.compensation()?;
+    let messages = match job.run_each(&given.program(), &mut take) {
         Ok(made) => {
             let mut text = Vec::new();
             made.write_review(&mut text, true)?;

@@ -1,10 +1,10 @@
 //! `driftpost inspect`: what a program's motions are, and which can be compensated.
 
 use super::files::Output;
-use super::given::{self, Given};
+use super::given::Given;
 use super::{Console, Outcome};
-use crate::report::{self, Told};
 use clap::ValueEnum;
+use driftpost::report::{self, Told};
 use rapid_program::program::{Overrides, Program};
 use std::path::PathBuf;
 
@@ -46,8 +46,8 @@ pub enum Format {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let given = Given::read(&args.program)?;
-    let files = given.sources();
-    if let Err(message) = given::check_modules(&files) {
+    let files = given.program().sources();
+    if let Err(message) = driftpost::application::check_modules(&files) {
         console.explain(&[Told::new(message, &files)], true);
         return Ok(Outcome::Refused);
     }

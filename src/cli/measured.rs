@@ -1,8 +1,8 @@
 //! Measurements as the options name them: one file or two, in our layout or another.
 
 use super::{Console, files, model};
-use crate::report::Told;
 use clap::ValueEnum;
+use driftpost::report::Told;
 use metrology::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -93,7 +93,7 @@ impl MeasurementArgs {
             )
         })?;
         console.explain(&Told::all(unmatched(&joined, points, joints), &[]), true);
-        whole.sha256 = model::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
+        whole.sha256 = driftpost::application::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;
         Ok(whole)
@@ -141,7 +141,11 @@ fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagno
             map.table(&bytes).map_err(|e| refused(&shown, &e))?
         }
     };
-    Ok(MeasurementInput { table, name: model::file_name(path), sha256: model::sha256(&bytes) })
+    Ok(MeasurementInput {
+        table,
+        name: model::file_name(path),
+        sha256: driftpost::application::sha256(&bytes),
+    })
 }
 
 fn refused(name: &str, error: &MeasureError) -> Diagnostic {

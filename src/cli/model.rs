@@ -1,37 +1,12 @@
 //! The robot and its deformation, as the options name them.
 
 use super::{files, suggest};
-use rapid_program::emit::Provenance;
+use driftpost::application::Named;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
-use sha2::{Digest, Sha256};
 use std::path::Path;
-
-/// The reference paper's Table 2 as a file: what the built-in deformation's SHA-256 is that of.
-const PAPER: &[u8] = include_bytes!("../../fixtures/paper/table2_deformation.csv");
-
-/// A model and where it comes from.
-#[derive(Clone, Debug)]
-pub struct Named<T> {
-    /// The model.
-    pub model: T,
-    /// Its name and SHA-256.
-    pub source: Provenance,
-}
-
-impl<T> Named<T> {
-    fn new(model: T, name: impl Into<String>, bytes: &[u8]) -> Self {
-        Self { model, source: Provenance { name: name.into(), sha256: sha256(bytes) } }
-    }
-}
-
-/// SHA-256 in hexadecimal digits.
-pub fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
-}
 
 /// As [`robot`], with what the header of an emitted program says of it.
 ///
@@ -55,7 +30,7 @@ pub fn deformation_with_source(
 ) -> Result<Named<Deformation>, Diagnostic> {
     let model = deformation(file, growth)?;
     Ok(match file {
-        None => Named::new(model, "paper, Table 2", PAPER),
+        None => Named::of_paper_table(model),
         Some(path) => Named::new(model, file_name(path), &files::read(path, "deformation table")?),
     })
 }
@@ -72,17 +47,6 @@ pub fn identified(path: &Path) -> Result<Named<Identified>, Diagnostic> {
     Ok(Named::new(model, file_name(path), &bytes))
 }
 
-/// A warning where a model was found on another robot.
-pub fn of_another_robot(model: &Identified, robot: &Robot) -> Option<Diagnostic> {
-    (!model.robot.is_empty() && model.robot != robot.name).then(|| {
-        Diagnostic::warning(
-            "model::robot",
-            format!("the model is of {}, the robot is {}", model.robot, robot.name),
-        )
-        .help("name the robot it was found on with --robot")
-    })
-}
-
 /// The deformation beside a model: the table that is named, else none, growing as the model's own terms do.
 ///
 /// # Errors
@@ -92,18 +56,10 @@ pub fn deformation_beside(
     file: Option<&Path>,
     growth: Option<&str>,
 ) -> Result<Named<Deformation>, Diagnostic> {
-    if file.is_none() {
-        let law = growth.map(growth_law).transpose()?;
-        let law = law.or_else(|| model.model.growth()).unwrap_or(GrowthLaw::None);
-        return Ok(Named {
-            model: Deformation::from_static(FrameOffsets::default(), law),
-            source: model.source.clone(),
-        });
+    match file {
+        None => Ok(Named::of_model_alone(model, growth.map(growth_law).transpose()?)),
+        Some(_) => Ok(deformation_with_source(file, growth)?.with_model(model)),
     }
-    let table = deformation_with_source(file, growth)?;
-    let sha256 = sha256(format!("{}{}", table.source.sha256, model.source.sha256).as_bytes());
-    let name = format!("{} and model {}", table.source.name, model.source.name);
-    Ok(Named { model: table.model, source: Provenance { name, sha256 } })
 }
 
 /// The last part of a path: what an emitted program calls a file, wherever it stood.
@@ -172,7 +128,10 @@ mod tests {
     #[test]
     fn names_and_paths_are_told_apart() {
         assert_eq!(robot("irb120").unwrap().name, "ABB IRB 120-3/0.58");
-        assert_eq!(robot("src/robot/built_in/irb120.toml").unwrap().name, "ABB IRB 120-3/0.58");
+        assert_eq!(
+            robot("crates/robot-model/src/robot/built_in/irb120.toml").unwrap().name,
+            "ABB IRB 120-3/0.58"
+        );
         assert_eq!(robot("irb121").unwrap_err().code, "robot::unknown");
         assert_eq!(robot("mine.toml").unwrap_err().code, "input::missing");
         assert_eq!(robot("IRB 2400").unwrap_err().code, "robot::coupled");

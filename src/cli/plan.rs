@@ -3,7 +3,7 @@
 use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files};
-use crate::report::plan as report;
+use driftpost::report::plan as report;
 use metrology::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;

@@ -2,7 +2,7 @@
 
 use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
-use crate::report::Told;
+use driftpost::report::Told;
 use rapid_program::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;

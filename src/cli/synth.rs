@@ -57,8 +57,8 @@ pub struct Args {
     pub rho: f64,
 
     /// How the poses are spread (not with mix or weak).
-    #[arg(long, value_enum, default_value_t = Spread::Wide)]
-    pub poses: Spread,
+    #[arg(long, value_enum, default_value_t = SpreadName::Wide)]
+    pub poses: SpreadName,
 
     /// Instead: so many fixed points touched over a warm-up and one stop, for fit.
     #[arg(long, value_name = "POINTS", value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -91,6 +91,30 @@ pub struct Args {
     /// What was made, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+}
+
+/// How the poses are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum SpreadName {
+    /// All over the arm's reach.
+    Wide,
+    /// In a box of 0.3 × 0.6 × 0.3 m before the robot.
+    Cube,
+    /// A few degrees round one posture.
+    Narrow,
+    /// One joint at a time.
+    Sweeps,
+}
+
+impl From<SpreadName> for Spread {
+    fn from(name: SpreadName) -> Self {
+        match name {
+            SpreadName::Wide => Self::Wide,
+            SpreadName::Cube => Self::Cube,
+            SpreadName::Narrow => Self::Narrow,
+            SpreadName::Sweeps => Self::Sweeps,
+        }
+    }
 }
 
 /// Makes the sets.
@@ -226,7 +250,7 @@ impl<'a> Ask<'a> {
             n: args.n as usize,
             sigma_mm: args.sigma_mm,
             rho: args.rho,
-            spread: args.poses,
+            spread: args.poses.into(),
         }
     }
 }

@@ -4,8 +4,8 @@ use super::measured::MeasurementArgs;
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
-use crate::report::Told;
 use clap::ValueEnum;
+use driftpost::report::Told;
 use metrology::diagnose::{PoseSubset, RefitScope, ValidateError, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
@@ -62,7 +62,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let identified = model::identified(&args.model)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
-    console.explain(&Told::all(model::of_another_robot(&identified.model, &robot), &[]), false);
+    console.explain(
+        &Told::all(driftpost::application::model_of_another_robot(&identified.model, &robot), &[]),
+        false,
+    );
     let which = match args.register {
         RefitScopeName::BaseTool => RefitScope::BaseAndTool,
         RefitScopeName::Base => RefitScope::Base,

@@ -22,7 +22,7 @@ pub fn rounded(value: f64) -> f64 {
 /// What `compensate` found and did.
 ///
 /// Is made row by row while it is written: a program may have many motions.
-pub struct Compensation<'a> {
+pub struct CompensationJson<'a> {
     /// The program as it was read.
     pub program: &'a Program,
     /// What becomes of its motions.
@@ -31,7 +31,7 @@ pub struct Compensation<'a> {
     pub messages: &'a [Told],
 }
 
-impl Serialize for Compensation<'_> {
+impl Serialize for CompensationJson<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self { plan, messages, .. } = self;
         let Plan { schedule, temperature_c, summary: s, .. } = plan;
@@ -71,11 +71,11 @@ impl Serialize for Compensation<'_> {
 }
 
 /// Its rows of motions.
-struct Motions<'m>(&'m Compensation<'m>);
+struct Motions<'m>(&'m CompensationJson<'m>);
 
 impl Serialize for Motions<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Compensation { program, plan, .. } = self.0;
+        let CompensationJson { program, plan, .. } = self.0;
         let rows = program.motions.iter().zip(&plan.motions).enumerate();
         serializer.collect_seq(rows.map(|(i, (motion, planned))| planned_row(program, i, motion, planned)))
     }

@@ -18,6 +18,7 @@ pub mod plan;
 pub mod plots;
 mod review;
 pub mod shop;
+pub mod simulation;
 mod svg;
 mod table;
 
@@ -25,7 +26,7 @@ pub use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::{JointRow, JointTable};
-pub use json::{Compensation, messages, refusal, rounded};
+pub use json::{CompensationJson, messages, refusal, rounded};
 pub use message::{Look, Told, write_message, write_messages};
 pub use motion_rows::MotionRows;
 pub use review::{Review, write_review};

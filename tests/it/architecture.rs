@@ -21,7 +21,7 @@ const MODULES: [(&str, &[&str]); 4] = [
     ("robot_model", &["units", "csv_lines", "robot", "kinematics", "deform"]),
     ("rapid_program", &["program", "schedule", "compensate", "emit"]),
     ("metrology", &["measure", "diagnose", "plan"]),
-    ("driftpost", &["report", "cli"]),
+    ("driftpost", &["report", "application", "cli"]),
 ];
 
 /// Modules that must not use another's although the crates would let them.

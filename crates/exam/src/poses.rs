@@ -9,7 +9,7 @@ use robot_model::units::rad_from_deg;
 use serde::{Deserialize, Serialize};
 
 /// How the poses are spread.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spread {
     /// All over the arm's reach.

@@ -5,11 +5,12 @@
     reason = "doc comments of options are their help texts: brackets are brackets"
 )]
 
-use crate::cli::model::{self, Named};
+use crate::cli::model;
 use crate::cli::number::positive;
 use crate::cli::shared::RobotName;
 use crate::cli::suggest;
 use clap::ValueEnum;
+use driftpost::application::{Compensation, Named};
 use rapid_program::compensate::{FormChoice, Options};
 use rapid_program::emit::{Clock, Core, EmitOptions, Sensor};
 use rapid_program::program::Overrides;
@@ -226,7 +227,7 @@ impl Args {
     /// What is asked of the compensation.
     #[must_use]
     pub fn options(&self, identified: Option<&Named<Identified>>) -> Options {
-        let [max_mm, max_deg] = if identified.is_some() { [3.0, 0.5] } else { [0.5, 0.1] };
+        let [max_m, max_rad] = Compensation::largest_correction(identified.is_some());
         Options {
             form: self.form.into(),
             model: identified.map(|named| Arc::new(named.model.clone())),
@@ -235,8 +236,8 @@ impl Args {
             tolerance_m: m_from_mm(self.tolerance_mm),
             until: self.until,
             width: self.bucket_min.map_or(Width::Tolerance, |width_min| Width::Fixed { width_min }),
-            max_correction_m: m_from_mm(self.max_correction_mm.unwrap_or(max_mm)),
-            max_correction_rad: rad_from_deg(self.max_correction_deg.unwrap_or(max_deg)),
+            max_correction_m: self.max_correction_mm.map_or(max_m, m_from_mm),
+            max_correction_rad: self.max_correction_deg.map_or(max_rad, rad_from_deg),
             path_tolerance_m: m_from_mm(self.path_tolerance_mm),
             keep_moveabsj: self.keep_moveabsj,
             absolute_accuracy: self.absolute_accuracy,
@@ -258,6 +259,23 @@ impl Args {
             None => model::deformation_with_source(table, growth)?,
         };
         Ok(Models { robot, deformation, identified })
+    }
+
+    /// The job, all names resolved.
+    ///
+    /// # Errors
+    /// What is wrong with the robot or the deformation.
+    pub fn compensation(&self) -> Result<Compensation, Diagnostic> {
+        let Models { robot, deformation, identified } = self.models()?;
+        Ok(Compensation {
+            options: self.options(identified.as_ref()),
+            emit: self.emit_options(&robot, &deformation),
+            overrides: self.overrides(),
+            allow_non_nominal: self.allow_non_nominal,
+            default_table: self.deformation.is_none() && self.model.is_none(),
+            robot,
+            deformation,
+        })
     }
 
     /// How the program is emitted.

@@ -1,20 +1,16 @@
 //! `driftpost compensate`: the main job.
 
 mod args;
-mod compensated;
-mod work;
 
 pub(in crate::cli) use args::temperatures;
-pub use args::{Args, ClockName, CoreName, FormName, Models, Temperatures};
-use compensated::Compensated;
-pub(in crate::cli) use compensated::Refusal;
-pub(in crate::cli) use work::{Job, write_diff};
+pub use args::{Args, Temperatures};
+use driftpost::application::{Compensated, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing};
 use super::files::{Output, Pending};
 use super::given::Given;
 use super::{Console, Outcome};
-use crate::report;
+use driftpost::report;
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -35,7 +31,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Err(refusal) => {
             console.explain(&refusal.messages, args.all);
             console.say("nothing was written");
-            json.map_or(Ok(()), |json| json.stream(console, |out| refusal.write_json(out)))?;
+            json.map_or(Ok(()), |json| json.stream(console, |out| Ok(refusal.write_json(out)?)))?;
             Ok(Outcome::Refused)
         }
     }
@@ -49,8 +45,9 @@ fn work(
 ) -> Result<anyhow::Result<()>, Box<Refusal>> {
     args.check()?;
     let given = Given::read(&args.program)?;
+    let program = given.program();
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
-    let job = Job::new(args)?;
+    let job = args.compensation()?;
     destination.keep_apart(&[args.json.as_deref(), args.diff.as_deref(), args.joints_csv.as_deref()])?;
     destination.open()?;
     let mut diff_file = diff_file(args)?;
@@ -70,11 +67,12 @@ fn work(
     let mut diff = diff.map(|out| BufWriter::with_capacity(1 << 16, out));
     let mut accept = |program: &Program, file: EmittedFile| {
         if let Some(diff) = &mut diff {
-            write_diff(diff, program, &file, &given, &destination).map_err(|cause| no_output(&cause))?;
+            let path = destination.path_of(&file, &given).display().to_string();
+            write_file_diff(diff, program, &file, &path).map_err(|cause| no_output(&cause))?;
         }
         writing.add(&destination, &given, file)
     };
-    let made = console.while_busy("compensating", || job.make(&given, &mut accept))?;
+    let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
     let flushed = diff.map_or(Ok(()), |mut diff| diff.flush().map_err(|cause| no_output(&cause)));
     let dropped = cut.dropped;
     let finished = flushed.and_then(|()| {
@@ -86,7 +84,7 @@ fn work(
         if let Some(diff) = diff_file {
             diff.write(&[])?;
         }
-        let streamed = joints_file.stream(console, |out| made.write_joints(out));
+        let streamed = joints_file.stream(console, |out| Ok(made.write_joints(out)?));
         streamed.map_err(|error| no_output(&std::io::Error::other(error)))?;
         if !quiet {
             show(console, (&made, args.all), &head, dropped).map_err(|cause| no_output(&cause))?;
@@ -107,7 +105,7 @@ fn work(
         console.say(format_args!("wrote {} ({size} bytes)", path.display()));
     }
     let json = json.take().unwrap_or(Output::Nowhere);
-    Ok(json.stream(console, |out| made.write_json(out)))
+    Ok(json.stream(console, |out| Ok(made.write_json(out)?)))
 }
 
 /// The review and the diff, on standard output.

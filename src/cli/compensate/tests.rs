@@ -1,8 +1,8 @@
 //! What is made of a program in several files.
 
 use super::*;
-use crate::report::{Look, write_messages};
 use clap::{Args as _, FromArgMatches as _};
+use driftpost::report::{Look, write_messages};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -25,14 +25,14 @@ fn out(words: &[&str]) -> Out {
     let command = Args::augment_args(clap::Command::new("compensate"));
     let args = Args::from_arg_matches(&command.try_get_matches_from(words).unwrap()).unwrap();
     let given = Given::read(&args.program).unwrap();
-    let job = Job::new(&args).unwrap();
+    let job = args.compensation().unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     let mut accept = |_: &Program, file: EmittedFile| {
         assert!(files.insert(file.path, file.bytes).is_none(), "each file is given once");
         Ok(())
     };
     let (mut json, mut texts, mut said) = (Vec::new(), Vec::new(), Vec::new());
-    let messages = match job.make(&given, &mut accept) {
+    let messages = match job.run_each(&given.program(), &mut accept) {
         Ok(made) => {
             let (mut review, mut joints) = (Vec::new(), Vec::new());
             made.write_review(&mut review, args.all).unwrap();

@@ -1,16 +1,16 @@
 //! A compensated program, and the reasons why there is none.
 
-use crate::report::{self, Compensation, JointRow, MotionRows, Review, Told};
+use crate::report::{self, CompensationJson, JointRow, MotionRows, Review, Told};
 use rapid_program::compensate::plan::{Plan, Totals};
 use rapid_program::compensate::{CompensateError, FormChoice, joints_every_minute};
-use rapid_program::emit::EmitError;
+use rapid_program::emit::{EmitError, EmittedFile};
 use rapid_program::program::Program;
 use rapid_program::program::motion::Keep;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use super::Job;
+use super::compensation::Compensation;
 
 /// More text than this is said to be large, bytes.
 const LARGE_BYTES: usize = 8_000_000;
@@ -18,15 +18,17 @@ const LARGE_BYTES: usize = 8_000_000;
 const CORRECTION_BYTES: usize = 105;
 
 /// A compensated program.
-pub struct Compensated<'j> {
+pub struct Compensated<'c> {
     /// How it was asked for.
-    pub(super) job: &'j Job,
+    pub compensation: &'c Compensation,
+    /// Changed and new files; empty after [`Compensation::run_each`], which has handed them on.
+    pub files: Vec<EmittedFile>,
     /// The program as it was read.
     pub program: Program,
     /// What becomes of its motions.
     pub plan: Plan,
     /// Counts and largest corrections over all motions.
-    pub(super) totals: Totals,
+    pub totals: Totals,
     /// All that was emitted, bytes.
     pub(super) text_bytes: usize,
     /// Clock and index are in the module itself.
@@ -73,13 +75,52 @@ impl From<EmitError> for EmitFailure {
 }
 
 impl Compensated<'_> {
+    /// The text of the program's only changed module, in the encoding of the source.
+    #[must_use]
+    pub fn text(&self) -> Option<&[u8]> {
+        match self.files.as_slice() {
+            [file] => Some(&file.bytes),
+            _ => None,
+        }
+    }
+
+    /// All modules as a controller loads them, changed or not: path and bytes.
+    #[must_use]
+    pub fn loaded(&self) -> Vec<(&str, &[u8])> {
+        let changed = |id: usize| self.files.iter().any(|f| f.source.is_some_and(|s| s.0 as usize == id));
+        let sources = self.program.files.iter().enumerate().filter(|(id, _)| !changed(*id));
+        let files = self.files.iter().map(|file| (file.path.as_str(), file.bytes.as_slice()));
+        sources.map(|(_, file)| (file.path.as_str(), &*file.bytes)).chain(files).collect()
+    }
+
+    /// What changed, as a unified diff of all files against their sources.
+    #[must_use]
+    pub fn diff(&self) -> Vec<u8> {
+        let mut diff = Vec::new();
+        for file in &self.files {
+            // a vector takes all that is written to it
+            let _ = write_file_diff(&mut diff, &self.program, file, &file.path);
+        }
+        diff
+    }
+
+    /// What happened as the JSON of the contract.
+    ///
+    /// # Errors
+    /// A number that JSON cannot hold.
+    pub fn json(&self) -> io::Result<serde_json::Value> {
+        let mut text = Vec::new();
+        self.write_json(&mut text)?;
+        Ok(serde_json::from_slice(&text)?)
+    }
+
     /// What happened, for scripts.
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
+    pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { program, plan, messages, .. } = self;
-        pretty(out, &Compensation { program, plan, messages })
+        pretty(out, &CompensationJson { program, plan, messages })
     }
 
     /// Whether there is a table of joints at every minute.
@@ -95,22 +136,22 @@ impl Compensated<'_> {
     ///
     /// # Errors
     /// Those of `out`; there is none where the schedule goes by temperature.
-    pub fn write_joints(&self, out: &mut dyn Write) -> anyhow::Result<()> {
-        let Job { robot, deformation, options, .. } = self.job;
+    pub fn write_joints(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Compensation { robot, deformation, options, .. } = self.compensation;
         let rows = joints_every_minute(&self.program, &self.plan, &robot.model, &deformation.model, options)
-            .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+            .map_err(|error| io::Error::other(Diagnostic::error(error.code(), error.to_string())))?;
         let mut table = report::JointTable::new(out)?;
         for row in rows {
             if let Some(row) = JointRow::of_program(&self.program, &row) {
                 table.add(row)?;
             }
         }
-        Ok(table.finish()?)
+        table.finish()
     }
 
     /// What `auto` would write, where arrays are large.
     pub fn size_note(&self) -> Option<String> {
-        let form = self.job.options.form;
+        let form = self.compensation.options.form;
         (form == FormChoice::Schedule && self.text_bytes > LARGE_BYTES).then(|| {
             let targets: usize = self.totals.targets.iter().sum();
             let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();
@@ -160,18 +201,37 @@ impl Refusal {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn write_json(&self, out: &mut dyn Write) -> anyhow::Result<()> {
+    pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => pretty(out, &Compensation { program, plan, messages }),
+            Some(plan) => pretty(out, &CompensationJson { program, plan, messages }),
             None => pretty(out, &report::refusal(program, &self.kept, messages)),
         }
     }
 }
 
-fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> anyhow::Result<()> {
+/// The diff of a changed file, which goes to `path`, or of a new one.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_file_diff(
+    out: &mut dyn Write,
+    program: &Program,
+    file: &EmittedFile,
+    path: &str,
+) -> io::Result<()> {
+    match file.source {
+        Some(id) => {
+            let source = program.file(id);
+            report::write_edits(out, &source.path, path, &source.bytes, &file.edits)
+        }
+        None => report::write_created(out, path, &mut io::Cursor::new(&file.bytes)),
+    }
+}
+
+fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, value)?;
-    Ok(out.write_all(b"\n")?)
+    out.write_all(b"\n")
 }
 
 impl From<Diagnostic> for Box<Refusal> {

@@ -1,65 +1,135 @@
-//! From given files to an emitted program, or to the reasons why there is none. Writes nothing.
+//! Compensation of a program: from its files and a deformed robot to the emitted files, or to the reasons why there are none.
 
 use super::compensated::{Compensated, EmitFailure, Refusal};
-use super::{Args, Models};
-use crate::cli::destination::Destination;
-use crate::cli::given::{Given, check_modules};
-use crate::cli::model::{self, Named};
-use crate::report::{self, Told};
+use super::named::{Named, model_of_another_robot};
+use super::program_files::{ProgramFiles, check_modules, check_text};
+use crate::report::Told;
 use rapid_program::compensate::plan::Totals;
-use rapid_program::compensate::{self, CompensateError, Options};
-use rapid_program::emit::{EmitOptions, EmittedFile, emit_each};
+use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
+use rapid_program::emit::{Clock, EmitOptions, EmittedFile, emit_each};
 use rapid_program::program::motion::Keep;
 use rapid_program::program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
+use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
-use std::io::{self, Write};
+use robot_model::units::{m_from_mm, rad_from_deg};
 use std::sync::Arc;
 
-/// What is to be done, all names resolved.
-pub struct Job {
-    pub(super) robot: Named<Robot>,
-    pub(super) deformation: Named<Deformation>,
-    pub(super) options: Options,
-    emit: EmitOptions,
-    overrides: Overrides,
-    allow_non_nominal: bool,
-    /// No table and no model was given.
-    default_table: bool,
+/// A compensation that waits for its program.
+///
+/// ```
+/// use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+///
+/// let robot = Robot::built_in("irb140").expect("it is one of the library's");
+/// let compensation = Compensation::new(robot, Deformation::paper());
+/// let program = ProgramFiles::one("Nothing.mod", *b"MODULE Nothing\nENDMODULE\n");
+/// let refusal = compensation.run(&program).err().expect("there is no motion in it");
+/// assert_eq!(refusal.messages[0].diagnostic.code, "compensate::nothing");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Compensation {
+    /// The arm as its model says.
+    pub robot: Named<Robot>,
+    /// How it deforms.
+    pub deformation: Named<Deformation>,
+    /// What is asked of the corrections.
+    pub options: Options,
+    /// How the program is written.
+    pub emit: EmitOptions,
+    /// Tools and work objects that stand for the program's own.
+    pub overrides: Overrides,
+    /// A program that was exported with calibrated kinematics is taken as it is.
+    pub allow_non_nominal: bool,
+    /// The deformation was named by nobody: a warning says so where the robot is not the paper's.
+    pub default_table: bool,
 }
 
 /// The robot that the built-in deformation table is of.
 const PAPER_ROBOT: &str = "irb140";
 
-impl Job {
-    /// Resolves what the options name.
-    ///
-    /// # Errors
-    /// What is wrong with the robot or the deformation.
-    pub fn new(args: &Args) -> Result<Self, Diagnostic> {
-        let Models { robot, deformation, identified } = args.models()?;
-        Ok(Self {
-            options: args.options(identified.as_ref()),
-            emit: args.emit_options(&robot, &deformation),
-            overrides: args.overrides(),
-            allow_non_nominal: args.allow_non_nominal,
-            default_table: args.deformation.is_none() && args.model.is_none(),
+impl Compensation {
+    /// A robot that deforms as `deformation` says, form `schedule`, the clock by warm-up.
+    #[must_use]
+    pub fn new(robot: impl Into<Named<Robot>>, deformation: impl Into<Named<Deformation>>) -> Self {
+        let (robot, deformation) = (robot.into(), deformation.into());
+        let options = Options::default();
+        let growth = deformation.model.growth().copied();
+        let emit = EmitOptions {
+            form: options.form,
+            clock: Clock::Warmth { growth, tau_cool_min: None, gap_min: options.gap_min.unwrap_or_default() },
+            growth,
+            core: None,
+            robot: robot.source.clone(),
+            deformation: deformation.source.clone(),
+            absolute_accuracy: false,
+            self_test: false,
+        };
+        Self {
             robot,
             deformation,
-        })
+            options,
+            emit,
+            overrides: Overrides::default(),
+            allow_non_nominal: false,
+            default_table: false,
+        }
     }
 
-    /// Reads, plans and emits; each changed file is given to `accept` with the program.
+    /// A robot as a diagnosis found it; corrections may be as large as such models make them.
+    #[must_use]
+    pub fn with_model(robot: impl Into<Named<Robot>>, identified: Named<Identified>) -> Self {
+        let [max_m, max_rad] = Self::largest_correction(true);
+        let mut new = Self::new(robot, Named::of_model_alone(&identified, None));
+        new.emit.growth = None;
+        new.options.max_correction_m = max_m;
+        new.options.max_correction_rad = max_rad;
+        new.options.model = Some(Arc::new(identified.model));
+        new
+    }
+
+    /// The largest corrections that are no sign of a mistake, metres and radians: with an identified model, and without.
+    #[must_use]
+    pub fn largest_correction(identified: bool) -> [f64; 2] {
+        let [mm, deg] = if identified { [3.0, 0.5] } else { [0.5, 0.1] };
+        [m_from_mm(mm), rad_from_deg(deg)]
+    }
+
+    /// The same with motions that ask for their targets in another form.
+    #[must_use]
+    pub fn in_form(mut self, form: FormChoice) -> Self {
+        self.options.form = form;
+        self.emit.form = form;
+        self
+    }
+
+    /// Reads, plans and emits.
+    ///
+    /// # Errors
+    /// Why not, with all messages.
+    pub fn run(&self, program: &ProgramFiles) -> Result<Compensated<'_>, Box<Refusal>> {
+        let mut files = Vec::new();
+        let mut made = self.run_each(program, &mut |_, file| {
+            files.push(file);
+            Ok(())
+        })?;
+        made.files = files;
+        Ok(made)
+    }
+
+    /// As [`run`](Self::run), but each changed file is given to `accept` with the program, one after the other: the result of a
+    /// large program is larger than what is needed to make it.
     ///
     /// # Errors
     /// Why not; what was accepted until then must not be used.
-    pub fn make<'j>(
-        &'j self,
-        given: &Given,
+    pub fn run_each(
+        &self,
+        program: &ProgramFiles,
         accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
-    ) -> Result<Compensated<'j>, Box<Refusal>> {
-        let files = given.sources();
+    ) -> Result<Compensated<'_>, Box<Refusal>> {
+        program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
+        let label = program.label();
+        let files = program.sources();
         if let Err(message) = check_modules(&files) {
             let messages = vec![Told::new(message, &files)];
             let program = Program { files, ..Program::default() };
@@ -94,8 +164,18 @@ impl Job {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
         let totals = Totals::of(&program, &plan);
-        let provenance = self.provenance(given);
-        Ok(Compensated { job: self, program, plan, totals, text_bytes, embedded, messages, provenance })
+        let provenance = self.provenance(label);
+        Ok(Compensated {
+            compensation: self,
+            files: Vec::new(),
+            program,
+            plan,
+            totals,
+            text_bytes,
+            embedded,
+            messages,
+            provenance,
+        })
     }
 
     /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
@@ -133,7 +213,7 @@ impl Job {
     /// Warnings where the program or the deformation belongs to another robot.
     fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let robot = &self.robot.model.name;
-        let other = self.options.model.as_deref().and_then(|m| model::of_another_robot(m, &self.robot.model));
+        let other = self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model));
         let mut messages: Vec<Diagnostic> = other.into_iter().collect();
         if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
             let text = format!("made for {}, and taken as one for {robot}", remark.robot);
@@ -148,14 +228,13 @@ impl Job {
         messages
     }
 
-    fn provenance(&self, given: &Given) -> Vec<(&'static str, String)> {
+    fn provenance(&self, program: &str) -> Vec<(&'static str, String)> {
         let named = |name: &str, sha256: &str| format!("{name}, SHA-256 {sha256}");
-        let program = given.places.iter().map(|p| p.display().to_string()).collect::<Vec<_>>();
         let growth = self.deformation.model.growth().map(|law| format!("growth {law}; "));
         let deformation = named(&self.deformation.source.name, &self.deformation.source.sha256);
         let robot = named(&self.robot.source.name, &self.robot.source.sha256);
         vec![
-            ("program", program.join(", ")),
+            ("program", program.to_owned()),
             ("robot", format!("{}; {robot}", self.robot.model.name)),
             ("deformation", format!("{}{deformation}", growth.unwrap_or_default())),
         ]
@@ -175,25 +254,4 @@ fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<Keep>>) {
     };
     messages.push(Diagnostic::error(code, text));
     (messages, kept)
-}
-
-/// The diff of a changed file, or of a new one.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write_diff(
-    out: &mut dyn Write,
-    program: &Program,
-    file: &EmittedFile,
-    given: &Given,
-    destination: &Destination,
-) -> io::Result<()> {
-    let path = destination.path_of(file, given).display().to_string();
-    match file.source {
-        Some(id) => {
-            let source = program.file(id);
-            report::write_edits(out, &source.path, &path, &source.bytes, &file.edits)
-        }
-        None => report::write_created(out, &path, &mut io::Cursor::new(&file.bytes)),
-    }
 }

@@ -1,0 +1,85 @@
+//! Diagnosis of a robot from measured poses.
+
+use crate::report::diagnosis;
+use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify};
+use metrology::measure::Measurements;
+use robot_model::deform::identified::Identified;
+use robot_model::robot::Robot;
+
+/// A diagnosis that waits for its measurements.
+///
+/// ```
+/// use driftpost::{Diagnosis, Measurements, Robot};
+///
+/// let robot = Robot::from_toml(include_str!("../../fixtures/measurements/ur10/robot.toml"))?;
+/// let measured = Measurements::from_csv(include_bytes!("../../fixtures/measurements/ur10_a/measurements.csv"))?;
+/// let found = Diagnosis::new(robot).run(&measured);
+/// assert!(found.text().contains("mm"), "{}", found.text());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Diagnosis {
+    /// The robot as its model says.
+    pub robot: Robot,
+    /// What is known of the measurement: the target's place on the flange, the noise.
+    pub options: Options,
+    /// What is found is made into a model as well, for [`Compensation::with_model`](super::Compensation::with_model).
+    pub identify: bool,
+}
+
+/// What a diagnosis found.
+#[derive(Clone, Debug)]
+pub struct Diagnosed {
+    /// Verdict, causes, shrink and what to measure next.
+    pub findings: diagnose::Diagnosis,
+    /// The model, where one was asked for and can be made.
+    pub model: Option<Identified>,
+    robot: String,
+}
+
+impl Diagnosis {
+    /// A diagnosis with nothing known of the measurement.
+    #[must_use]
+    pub fn new(robot: Robot) -> Self {
+        Self { robot, options: Options::default(), identify: false }
+    }
+
+    /// The same, and a model of what is found.
+    #[must_use]
+    pub fn and_identify(self) -> Self {
+        Self { identify: true, ..self }
+    }
+
+    /// Finds which unmodelled effects explain the measurements, and when that cannot be said.
+    #[must_use]
+    pub fn run(&self, measurements: &Measurements) -> Diagnosed {
+        let (findings, model) = if self.identify {
+            diagnose_and_identify(measurements, &self.robot, &self.options)
+        } else {
+            (diagnose(measurements, &self.robot, &self.options), None)
+        };
+        Diagnosed { findings, model, robot: self.robot.name.clone() }
+    }
+}
+
+impl Diagnosed {
+    /// The report as people read it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        diagnosis::text(&self.findings, &self.robot)
+    }
+
+    /// The JSON of the contract, with a line end.
+    ///
+    /// # Errors
+    /// A number that JSON cannot hold.
+    pub fn json(&self) -> serde_json::Result<String> {
+        Ok(serde_json::to_string_pretty(&self.findings)? + "\n")
+    }
+
+    /// Residuals of every row before and after, as CSV.
+    #[must_use]
+    pub fn residuals_csv(&self) -> String {
+        diagnosis::residuals_csv(&self.findings)
+    }
+}

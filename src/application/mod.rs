@@ -1,0 +1,23 @@
+//! What a user of the library calls: one job a file, each a struct with a `run` that gives a result with its text and JSON.
+//!
+//! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
+
+mod compensated;
+mod compensation;
+mod diagnosis;
+mod fit;
+mod named;
+mod program_files;
+mod question;
+mod rehearsal;
+mod simulation;
+
+pub use compensated::{Compensated, Refusal, write_file_diff};
+pub use compensation::Compensation;
+pub use diagnosis::{Diagnosed, Diagnosis};
+pub use fit::{Fit, targets_of_program};
+pub use named::{Named, model_of_another_robot, sha256};
+pub use program_files::{ProgramFiles, check_modules, check_text};
+pub use question::Question;
+pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};
+pub use simulation::{Course, Simulation};

@@ -1,0 +1,128 @@
+//! The files of a program as bytes: where they stand on a disk is of no matter here.
+
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use rapid_syntax::tree::FileItem;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// The modules of one task.
+#[derive(Clone, Debug, Default)]
+pub struct ProgramFiles {
+    /// Path as the user knows it, `/` between folders, and bytes; [`FileId`] is the position.
+    files: Vec<(String, Arc<[u8]>)>,
+    /// What a review calls them.
+    label: String,
+}
+
+impl ProgramFiles {
+    /// Modules by their path, in the order that they are loaded in.
+    pub fn new(files: impl IntoIterator<Item = (impl Into<String>, impl Into<Arc<[u8]>>)>) -> Self {
+        let files: Vec<(String, Arc<[u8]>)> =
+            files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect();
+        let label = files.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", ");
+        Self { files, label }
+    }
+
+    /// A program of one module.
+    pub fn one(path: impl Into<String>, bytes: impl Into<Arc<[u8]>>) -> Self {
+        Self::new([(path, bytes)])
+    }
+
+    /// The same under a name of its own in reviews.
+    #[must_use]
+    pub fn called(self, label: impl Into<String>) -> Self {
+        Self { label: label.into(), ..self }
+    }
+
+    /// What a review calls them: their paths, or what [`called`](Self::called) says.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// Path and bytes of each file.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.files.iter().map(|(path, bytes)| (path.as_str(), &**bytes))
+    }
+
+    /// The files, parsed on all cores.
+    #[must_use]
+    pub fn sources(&self) -> Vec<SourceFile> {
+        let read = |(id, (path, bytes)): (usize, &(String, Arc<[u8]>))| {
+            SourceFile::read(FileId(id as u32), path.as_str(), Arc::clone(bytes))
+        };
+        self.files.par_iter().enumerate().map(read).collect()
+    }
+}
+
+/// Refuses what no parser needs to see: nothing, or no text.
+///
+/// # Errors
+/// `input::*`, naming the file `shown`.
+pub fn check_text(shown: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(Diagnostic::error("input::empty", format!("{shown} is empty")).help("export it again"));
+    }
+    if u32::try_from(bytes.len()).is_err() {
+        return Err(Diagnostic::error("input::too-large", format!("{shown} is larger than 4 GB"))
+            .help("split the program"));
+    }
+    if let Some(at) = memchr::memchr(0, bytes) {
+        let text = format!("{shown} is no text: byte {at} is zero");
+        return Err(Diagnostic::error("input::binary", text)
+            .help("give a RAPID module as text; one in UTF-16 must be saved as UTF-8 or Latin-1 first"));
+    }
+    Ok(())
+}
+
+/// Refuses files that hold no module, or one that ends before its ENDMODULE, or a routine without its ENDPROC.
+///
+/// # Errors
+/// `input::no-module` or `input::truncated`, at their place.
+pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
+    for file in files {
+        let modules = file.tree.items.iter().filter_map(|item| match item {
+            FileItem::Module(module) => Some(module),
+            _ => None,
+        });
+        let mut count = 0;
+        for module in modules {
+            count += 1;
+            if module.end.is_none() {
+                let name = String::from_utf8_lossy(file.text(module.name)).into_owned();
+                let text = format!("{}: module {name} has no ENDMODULE: the file is cut off", file.path);
+                return Err(Diagnostic::error("input::truncated", text)
+                    .at(file.span(module.head))
+                    .help("export or copy the file again"));
+            }
+            if let Some(routine) = module.routines().find(|routine| routine.end.is_none()) {
+                let name = String::from_utf8_lossy(file.text(routine.name)).into_owned();
+                let text =
+                    format!("{}: routine {name} has no END word: where it ends cannot be said", file.path);
+                return Err(Diagnostic::error("input::truncated", text)
+                    .at(file.span(routine.head))
+                    .help("no controller loads this; export or copy the file again"));
+            }
+        }
+        if count == 0 {
+            let text = format!("{} holds no RAPID module", file.path);
+            return Err(Diagnostic::error("input::no-module", text)
+                .help("a module begins with MODULE NAME and ends with ENDMODULE"));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_and_no_text_are_refused() {
+        let code = |bytes: &[u8]| check_text("x.mod", bytes).map_err(|d| d.code);
+        assert_eq!(code(b" \r\n"), Err("input::empty"));
+        assert_eq!(code(b"M\0O\0D\0"), Err("input::binary"));
+        assert_eq!(code(b"MODULE \xfc ENDMODULE"), Ok(()));
+    }
+}

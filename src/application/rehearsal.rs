@@ -1,0 +1,178 @@
+//! The whole loop on a virtual robot: an effect is withheld, the robot measured, the measurements diagnosed, a program
+//! compensated for what was found, and its targets measured again on the same robot.
+
+use super::compensation::Compensation;
+use super::diagnosis::Diagnosis;
+use super::named::Named;
+use super::program_files::ProgramFiles;
+use exam::generate::{DataSet, Recipe, data_set};
+use exam::rng::Rng;
+use exam::virtual_robot::{Commanded, VirtualRobot, is_lasting, measured_rms_m};
+use metrology::diagnose::{self, Options};
+use metrology::measure::Measurements;
+use nalgebra::{Isometry3, Vector3};
+use rapid_program::emit::Clock;
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use robot_model::deform::identified::Identified;
+use robot_model::robot::Robot;
+use robot_model::units::{m_from_mm, mm_from_m};
+use virtual_controller::{Controller, Move};
+
+/// A rehearsal that waits for its program.
+#[derive(Clone, Debug)]
+pub struct Rehearsal {
+    /// The robot as its model says.
+    pub robot: Named<Robot>,
+    /// How the virtual robot differs from it, and how it is measured.
+    pub recipe: Recipe,
+    /// The withheld effects in words, for messages.
+    pub withheld: String,
+}
+
+/// What was found in the measurements of a virtual robot.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// The diagnosis, which was not told what was withheld.
+    pub findings: diagnose::Diagnosis,
+    /// The model of what it found.
+    pub model: Identified,
+    set: DataSet,
+}
+
+impl Rehearsal {
+    /// Measures the virtual robot and diagnoses it.
+    ///
+    /// # Errors
+    /// `rehearse::effect` for an effect that does not last, `synth::no-signal` for one that cannot be made, `model::none` where
+    /// nothing is found that a model could hold.
+    pub fn identify(&self, rng: &mut Rng) -> Result<Identification, Diagnostic> {
+        let robot = &self.robot.model;
+        if let Some((effect, _)) = self.recipe.effects.iter().find(|(effect, _)| !is_lasting(effect)) {
+            let name = effect.name().unwrap_or("this effect");
+            return Err(Diagnostic::error(
+                "rehearse::effect",
+                format!("{name} changes with time or is the instrument's"),
+            )
+            .help("withhold effects of the arm that stay; drift over a warm-up is `fit`'s"));
+        }
+        let set = data_set(robot, &self.robot.source.name, &self.recipe, rng).ok_or_else(|| {
+            Diagnostic::error(
+                "synth::no-signal",
+                format!("{} cannot be made as large as asked", self.withheld),
+            )
+            .help("it lies inside the registration of base and tool, or --rho is too large for it")
+        })?;
+        let measurements = Measurements::from_csv(set.csv.as_bytes())
+            .map_err(|error| Diagnostic::error("measure::file", error.to_string()))?;
+        let mut diagnosis = Diagnosis::new(robot.clone()).and_identify();
+        diagnosis.options = Options {
+            tool_m: set.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
+            sigma_m: set.task.sigma_mm.map(m_from_mm),
+        };
+        let found = diagnosis.run(&measurements);
+        let Some(model) = found.model else {
+            let text = format!("no model can be made of these data: {}", found.findings.reason);
+            return Err(Diagnostic::error("model::none", text));
+        };
+        Ok(Identification { findings: found.findings, model, set })
+    }
+
+    /// What is left at a program's targets before it is compensated for what was found, and after.
+    ///
+    /// # Errors
+    /// A program that cannot be compensated or executed, for its reason.
+    pub fn measure_again(
+        &self,
+        found: &Identification,
+        program: &ProgramFiles,
+        rng: &mut Rng,
+    ) -> Result<[LeftAtTargets; 2], Diagnostic> {
+        let robot = &self.robot.model;
+        let model = Named::new(found.model.clone(), "what was found", &[]);
+        let mut compensation = Compensation::with_model(self.robot.clone(), model);
+        compensation.emit.clock = Clock::Elapsed;
+        let made = compensation.run(program).map_err(|refusal| {
+            let error = refusal.messages.iter().find(|m| m.diagnostic.severity == Severity::Error);
+            error.map_or_else(
+                || Diagnostic::error("compensate::nothing", "the program cannot be compensated"),
+                |error| error.diagnostic.clone(),
+            )
+        })?;
+        let plain: Vec<(&str, &[u8])> = program.iter().collect();
+        let meant = moves(robot, &plain)?;
+        let done = moves(robot, &made.loaded())?;
+        let under_test = VirtualRobot::from_truth(robot, &found.set.truth);
+        let sigma_mm = self.recipe.sigma_mm;
+        Ok([&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng)))
+    }
+}
+
+/// The moves that a controller makes of a program: called cold first, where it has a clock.
+fn moves(robot: &Robot, program: &[(&str, &[u8])]) -> Result<Vec<Move>, Diagnostic> {
+    let refused =
+        |error: virtual_controller::SimulateError| Diagnostic::error(error.code(), error.to_string());
+    let mut controller = Controller::with_robot(robot).map_err(refused)?;
+    for (path, bytes) in program {
+        controller.load(path, bytes).map_err(refused)?;
+        controller.put_file(path, bytes);
+    }
+    for name in ["tcColdStart", "tcUpdate"] {
+        if controller.has_routine(name) {
+            controller.call(name, 1).map_err(refused)?;
+        }
+    }
+    let entry = controller.entry().map_err(refused)?;
+    controller.call(&entry, 1).map_err(refused)?;
+    Ok(controller.arm_mut().map(virtual_controller::Arm::take_moves).unwrap_or_default())
+}
+
+/// What is left at a program's targets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftAtTargets {
+    /// Number of targets.
+    pub n: usize,
+    /// Root mean square of the measured errors, base and tool fitted, mm.
+    pub measured_mm: f64,
+    /// Root mean square of the true errors, mm.
+    pub true_mm: f64,
+    /// Largest true error, mm.
+    pub max_mm: f64,
+}
+
+/// The moves of `done` on the true robot, against where `meant` goes on a perfect one.
+fn left_at_targets(
+    robot_under_test: &VirtualRobot,
+    meant: &[Move],
+    done: &[Move],
+    sigma_mm: f64,
+    rng: &mut Rng,
+) -> LeftAtTargets {
+    let mut flanges: Vec<Isometry3<f64>> = Vec::new();
+    let mut off_m: Vec<Vector3<f64>> = Vec::new();
+    for (a, b) in meant.iter().zip(done) {
+        let (Some(meant_rad), Some(q_rad)) = (a.q_rad, b.q_rad) else { continue };
+        let payload = b.setup.payload;
+        let at = Commanded {
+            q_rad,
+            direction: b.direction,
+            payload_kg: payload.mass_kg,
+            payload_at_m: payload.cog_m,
+        };
+        let perfect = robot_under_test.nominal(&meant_rad);
+        let tip = |flange: &Isometry3<f64>| {
+            let on_flange =
+                if b.setup.tool_held { b.setup.frame_from_tcp } else { b.setup.frame_from_object };
+            (flange * on_flange).translation.vector
+        };
+        off_m.push(tip(&robot_under_test.flange(&at)) - tip(&perfect));
+        flanges.push(perfect);
+    }
+    let n = off_m.len();
+    let true_m = (off_m.iter().map(Vector3::norm_squared).sum::<f64>() / n.max(1) as f64).sqrt();
+    LeftAtTargets {
+        n,
+        measured_mm: mm_from_m(measured_rms_m(&flanges, &off_m, sigma_mm, rng)),
+        true_mm: mm_from_m(true_m),
+        max_mm: mm_from_m(off_m.iter().map(Vector3::norm).fold(0.0, f64::max)),
+    }
+}

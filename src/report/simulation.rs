@@ -1,0 +1,141 @@
+//! What an executed program did, as JSON, CSV and words.
+
+use robot_model::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+use virtual_controller::session::{Pass, Spread, Worst};
+use virtual_controller::{EffortRange, Message, Report};
+
+fn spread(s: &Spread) -> Value {
+    json!({ "max_mm": mm_from_m(s.max_m), "rms_mm": mm_from_m(s.rms_m), "max_deg": deg_from_rad(s.max_rad) })
+}
+
+fn worst(w: &Worst) -> Value {
+    json!({ "t_min": w.t_min, "file": w.file, "line": w.line, "target": w.target, "mm": mm_from_m(w.miss_m) })
+}
+
+fn message(m: &Message) -> Value {
+    json!({ "source": m.source, "text": m.text, "file": m.at.file, "line": m.at.line })
+}
+
+/// What a function takes that motions call: each count as `[least, most]`.
+fn effort(name: &str, e: &EffortRange) -> Value {
+    json!({
+        "name": name, "calls": e.calls,
+        "statements": [e.fewest.statements, e.most.statements],
+        "arithmetic": [e.fewest.arithmetic, e.most.arithmetic],
+        "trigonometric": [e.fewest.trigonometric, e.most.trigonometric],
+    })
+}
+
+/// What was found, as the JSON of the contract.
+#[must_use]
+pub fn json(report: &Report) -> Value {
+    let pass = |p: &Pass| {
+        json!({
+            "t_min": p.t_min, "n": p.n, "before": spread(&p.before), "after": spread(&p.after),
+            "corrected": spread(&p.corrected), "path_after_mm": p.path_after_m.map(mm_from_m), "at_min": p.at_min, "index": p.index,
+            "program_min": p.program_min, "unreached": p.unreached, "failure": p.failure,
+            "mismatch": p.mismatch.as_ref().map(ToString::to_string),
+        })
+    };
+    json!({
+        "minutes": report.passes.iter().map(pass).collect::<Vec<_>>(),
+        "worst": report.worst.as_ref().map(worst),
+        "switches": report.switches.iter()
+            .map(|s| json!({ "t_min": s.t_min, "jump_mm": mm_from_m(s.jump_m) })).collect::<Vec<_>>(),
+        "unchanged": report.unchanged.iter()
+            .map(|((file, line), m)| json!({ "file": file, "line": line, "mm": mm_from_m(*m) })).collect::<Vec<_>>(),
+        "unknown_instructions": report.unknown_instructions,
+        "messages": report.messages.iter().map(message).collect::<Vec<_>>(),
+        "functions": report.efforts.iter().map(|(name, e)| effort(name, e)).collect::<Vec<_>>(),
+    })
+}
+
+/// Pass by pass, as CSV.
+///
+/// # Errors
+/// Those of the `csv` library.
+pub fn csv(report: &Report) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "t_min",
+        "at_min",
+        "n",
+        "before_max_mm",
+        "before_rms_mm",
+        "before_max_deg",
+        "after_max_mm",
+        "after_rms_mm",
+        "after_max_deg",
+        "path_after_mm",
+        "index",
+        "program_min",
+    ])?;
+    let number = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
+    for p in &report.passes {
+        let mut record = vec![p.t_min.to_string(), p.at_min.to_string(), p.n.to_string()];
+        for s in [&p.before, &p.after] {
+            record.extend([mm_from_m(s.max_m), mm_from_m(s.rms_m)].map(|mm| format!("{mm:.7}")));
+            record.push(format!("{:.8}", deg_from_rad(s.max_rad)));
+        }
+        record.push(number(p.path_after_m.map(mm_from_m)));
+        record.extend([number(p.index), number(p.program_min)]);
+        writer.write_record(record)?;
+    }
+    writer.into_inner().map_err(|error| error.into_error())
+}
+
+/// The passes in words; the last line says whether all stand within `tolerance_mm`.
+///
+/// # Errors
+/// Those of `to`.
+pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, within: bool) -> io::Result<()> {
+    let most = |of: fn(&Pass) -> f64| report.passes.iter().map(of).fold(0.0, f64::max);
+    let moves: usize = report.passes.iter().map(|p| p.n).sum();
+    writeln!(to, "{} passes, {moves} moves executed", report.passes.len())?;
+    writeln!(
+        to,
+        "before: up to {:.4} mm and {:.4} deg; after: up to {:.4} mm and {:.4} deg; way up to {:.4} mm",
+        mm_from_m(most(|p| p.before.max_m)),
+        deg_from_rad(most(|p| p.before.max_rad)),
+        mm_from_m(most(|p| p.after.max_m)),
+        deg_from_rad(most(|p| p.after.max_rad)),
+        mm_from_m(most(|p| p.path_after_m.unwrap_or(0.0))),
+    )?;
+    if let Some(w) = &report.worst {
+        let (mm, t) = (mm_from_m(w.miss_m), w.t_min);
+        writeln!(to, "worst: {}:{} {} {mm:.4} mm at warm-up minute {t:.1}", w.file, w.line, w.target)?;
+    }
+    if !report.switches.is_empty() {
+        let jump = report.switches.iter().map(|s| s.jump_m).fold(0.0, f64::max);
+        writeln!(to, "{} changes of bucket, jump up to {:.4} mm", report.switches.len(), mm_from_m(jump))?;
+    }
+    for ((file, line), miss_m) in report.unchanged.iter().take(20) {
+        writeln!(to, "{file}:{line} is as in the original, off by up to {:.4} mm", mm_from_m(*miss_m))?;
+    }
+    for p in &report.passes {
+        let mismatch = p.mismatch.as_ref().map(ToString::to_string);
+        for why in p.failure.iter().chain(&mismatch) {
+            writeln!(to, "minute {:.1}: {why}", p.t_min)?;
+        }
+        if p.unreached > 0 {
+            writeln!(
+                to,
+                "minute {:.1}: {} moves that the original makes are not made",
+                p.t_min, p.unreached
+            )?;
+        }
+    }
+    if !report.unknown_instructions.is_empty() {
+        writeln!(to, "not known and passed over: {}", report.unknown_instructions.join(", "))?;
+    }
+    for m in report.messages.iter().take(20) {
+        writeln!(to, "{} ({}:{}): {}", m.source, m.at.file, m.at.line, m.text)?;
+    }
+    if report.messages.len() > 20 {
+        writeln!(to, "... and {} messages more", report.messages.len() - 20)?;
+    }
+    let verdict = if within { "within" } else { "NOT within" };
+    writeln!(to, "{verdict} {tolerance_mm} mm of what was meant")
+}
