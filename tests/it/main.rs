@@ -16,6 +16,7 @@ mod corpus;
 mod deformed_inverse;
 mod diagnose;
 mod emit;
+mod exam_page;
 mod executed;
 mod fit;
 mod folders;
