@@ -5,7 +5,7 @@ use rapid_program::compensate::plan::{Plan, Totals};
 use rapid_program::compensate::{CompensateError, FormChoice, joints_every_minute};
 use rapid_program::emit::{EmitError, EmittedFile};
 use rapid_program::program::Program;
-use rapid_program::program::motion::Keep;
+use rapid_program::program::motion::SkipReason;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -17,7 +17,7 @@ const LARGE_BYTES: usize = 8_000_000;
 /// What a correction and its call take, about, bytes.
 const CORRECTION_BYTES: usize = 105;
 
-/// A compensated program.
+/// A program with its plan, emitted.
 pub struct Compensated<'c> {
     /// How it was asked for.
     pub compensation: &'c Compensation,
@@ -46,12 +46,12 @@ pub struct Refusal {
     /// The plan as far as it was made.
     pub plan: Option<Plan>,
     /// Why each motion is kept, where all are.
-    pub kept: Vec<Arc<Keep>>,
+    pub kept: Vec<Arc<SkipReason>>,
     /// Warnings, and at least one error.
     pub messages: Vec<Told>,
 }
 
-/// Why emitting stopped.
+/// Why no program, or none but a part, was emitted.
 pub(super) enum EmitFailure {
     /// The program cannot be emitted.
     Emit(EmitError),

@@ -7,7 +7,7 @@ use crate::report::Told;
 use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
 use rapid_program::emit::{Clock, EmitOptions, EmittedFile, emit_each};
-use rapid_program::program::motion::Keep;
+use rapid_program::program::motion::SkipReason;
 use rapid_program::program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
@@ -246,7 +246,7 @@ fn is_error(message: &Told) -> bool {
 }
 
 /// What there is to be said, and why each motion is kept.
-fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<Keep>>) {
+fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<SkipReason>>) {
     let (code, text) = (error.code(), error.to_string());
     let (mut messages, kept) = match error {
         CompensateError::NothingToCompensate { diagnostics, kept, .. } => (diagnostics, kept),

@@ -3,7 +3,6 @@
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::FileItem;
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// The modules of one task.
@@ -46,13 +45,13 @@ impl ProgramFiles {
         self.files.iter().map(|(path, bytes)| (path.as_str(), &**bytes))
     }
 
-    /// The files, parsed on all cores.
+    /// The files, parsed; by one thread, as what trees have held is then there for what is made of them.
     #[must_use]
     pub fn sources(&self) -> Vec<SourceFile> {
         let read = |(id, (path, bytes)): (usize, &(String, Arc<[u8]>))| {
             SourceFile::read(FileId(id as u32), path.as_str(), Arc::clone(bytes))
         };
-        self.files.par_iter().enumerate().map(read).collect()
+        self.files.iter().enumerate().map(read).collect()
     }
 }
 

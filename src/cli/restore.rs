@@ -3,7 +3,7 @@
 use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
 use driftpost::report::Told;
-use rapid_program::emit::{Altered, RestoreError, Restored, TouchedInto, altered_core, restore};
+use rapid_program::emit::{Altered, ModifiedIn, RestoreError, Restored, altered_core, restore};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
 use std::fs;
@@ -56,8 +56,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
         for touched in &restored.touched {
             let into = match touched.into {
-                TouchedInto::Motion => "the motion",
-                TouchedInto::Declaration => "the declaration",
+                ModifiedIn::Motion => "the motion",
+                ModifiedIn::Declaration => "the declaration",
             };
             console.say(format_args!(
                 "{}:{}: {} was touched up on the controller by {:.4} {}; its new value is in {into}",

@@ -2,7 +2,7 @@
 
 use super::motion_rows::target_name;
 use super::{Align, Table, rounded};
-use rapid_program::compensate::compare::{ComparedMotion, Comparison, Step};
+use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
 use rapid_program::emit::Difference;
 use rapid_program::program::Program;
 use rapid_program::program::motion::Motion;
@@ -92,7 +92,7 @@ impl Compared<'_> {
                     .partial_cmp(&(b.distance_m, b.angle_rad))
                     .unwrap_or(std::cmp::Ordering::Equal)
             });
-            let shown: Vec<(usize, Option<&Step>)> = match (all, worst) {
+            let shown: Vec<(usize, Option<&TargetChange>)> = match (all, worst) {
                 (_, None) => vec![(0, None)],
                 (true, _) => compared.steps.iter().enumerate().map(|(k, step)| (k, Some(step))).collect(),
                 (false, Some((k, step))) => vec![(k, Some(step))],
@@ -139,7 +139,7 @@ impl Compared<'_> {
         writeln!(out, "{:<44}{}\n", "configuration and branch of the arm", same(figures.same_configuration))
     }
 
-    fn row(&self, compared: &ComparedMotion, k: usize, step: Option<&Step>) -> Vec<String> {
+    fn row(&self, compared: &ComparedMotion, k: usize, step: Option<&TargetChange>) -> Vec<String> {
         let (before, after) = self.motions(compared);
         let number = |x: f64, digits: usize| format!("{x:.digits$}");
         let arm = step.and_then(|s| s.arm);
@@ -212,7 +212,7 @@ impl Compared<'_> {
         for compared in &self.comparison.motions {
             let (before, after) = self.motions(compared);
             for (k, step) in compared.steps.iter().enumerate() {
-                let arm = |f: &dyn Fn(&rapid_program::compensate::compare::ArmStep) -> f64| {
+                let arm = |f: &dyn Fn(&rapid_program::compensate::compare::ArmChange) -> f64| {
                     step.arm.as_ref().map_or_else(String::new, |a| rounded(f(a)).to_string())
                 };
                 csv.write_record([
@@ -358,7 +358,7 @@ impl Serialize for Motions<'_> {
     }
 }
 
-fn step_json(bucket: Option<usize>, step: &Step) -> Value {
+fn step_json(bucket: Option<usize>, step: &TargetChange) -> Value {
     let mm = |m: f64| rounded(mm_from_m(m));
     let deg = |rad: f64| rounded(deg_from_rad(rad));
     json!({
@@ -381,7 +381,7 @@ fn bucket(compared: &ComparedMotion, k: usize) -> Option<usize> {
     if compared.steps.len() > 1 { k.checked_sub(1) } else { None }
 }
 
-fn is_none(step: &Step) -> bool {
+fn is_none(step: &TargetChange) -> bool {
     step.distance_m == 0.0
         && step.angle_rad == 0.0
         && step.same_configuration

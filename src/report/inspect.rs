@@ -31,7 +31,7 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         "work objects",
         program.motions.iter().map(|m| m.setup.wobj_name.as_deref().unwrap_or("wobj0")),
     )?;
-    let kept = program.motions.iter().filter(|m| m.keep.is_some()).count();
+    let kept = program.motions.iter().filter(|m| m.skip_reason.is_some()).count();
     writeln!(
         out,
         "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
@@ -66,7 +66,10 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
             motion.setup.tool_name.as_deref().unwrap_or_default().to_owned(),
             motion.setup.wobj_name.as_deref().unwrap_or_default().to_owned(),
             motion.targets.last().and_then(|t| t.value()).map_or_else(String::new, |value| numbers(&value)),
-            motion.keep.as_ref().map_or_else(String::new, |why| format!("{} ({})", why.reason, why.code)),
+            motion
+                .skip_reason
+                .as_ref()
+                .map_or_else(String::new, |why| format!("{} ({})", why.reason, why.code)),
         ]);
     }
     table.write(out, "")?;
@@ -86,7 +89,7 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
         "file", "line", "routine", "index", "kind", "target", "tool", "wobj", "can", "code", "reason",
     ])?;
     for (index, motion) in program.motions.iter().enumerate() {
-        let keep = motion.keep.as_ref();
+        let keep = motion.skip_reason.as_ref();
         csv.write_record([
             program.file(motion.file).path.as_str(),
             &motion.line.to_string(),
@@ -122,9 +125,9 @@ pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
                 "targets": targets,
                 "tool": motion.setup.tool_name.as_deref(),
                 "wobj": motion.setup.wobj_name.as_deref(),
-                "can": motion.keep.is_none(),
-                "code": motion.keep.as_ref().map(|why| why.code),
-                "reason": motion.keep.as_ref().map(|why| &why.reason),
+                "can": motion.skip_reason.is_none(),
+                "code": motion.skip_reason.as_ref().map(|why| why.code),
+                "reason": motion.skip_reason.as_ref().map(|why| &why.reason),
             })
         })
         .collect();
@@ -148,7 +151,7 @@ pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
 fn form(program: &Program) -> (&'static str, String) {
     /// Targets of which every bucket is still looked at in one file.
     const FEW: usize = 2000;
-    let can = program.motions.iter().filter(|m| m.keep.is_none());
+    let can = program.motions.iter().filter(|m| m.skip_reason.is_none());
     let targets: usize = can.map(|m| m.targets.len()).sum();
     let run_time = program.motions.iter().filter(|m| m.run_time).count();
     if run_time > 0 {

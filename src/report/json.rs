@@ -4,7 +4,7 @@ use super::message::Told;
 use super::motion_rows::target_name;
 use rapid_program::compensate::plan::{Plan, PlannedMotion, Status};
 use rapid_program::program::Program;
-use rapid_program::program::motion::{Keep, Motion};
+use rapid_program::program::motion::{Motion, SkipReason};
 use rapid_syntax::diagnostic::Severity;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -100,7 +100,7 @@ fn motion_row(
     program: &Program,
     index: usize,
     motion: &Motion,
-    (status, why): (&str, Option<&Keep>),
+    (status, why): (&str, Option<&SkipReason>),
     [correction_mm, correction_deg]: [f64; 2],
     mid_path_mm: Option<f64>,
 ) -> Value {
@@ -124,8 +124,8 @@ fn motion_row(
 /// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
 /// are.
 #[must_use]
-pub fn refusal(program: &Program, kept: &[Arc<Keep>], list: &[Told]) -> Value {
-    let row = |(index, (motion, why)): (usize, (&Motion, &Arc<Keep>))| {
+pub fn refusal(program: &Program, kept: &[Arc<SkipReason>], list: &[Told]) -> Value {
+    let row = |(index, (motion, why)): (usize, (&Motion, &Arc<SkipReason>))| {
         motion_row(program, index, motion, ("kept", Some(why)), [0.0; 2], None)
     };
     json!({

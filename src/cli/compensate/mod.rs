@@ -26,7 +26,7 @@ const DIFF_LINES: usize = 2000;
 /// A JSON file or standard output that cannot be written; everything else is a refusal, which says why.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut json = Some(Output::new(args.json.as_deref())?);
-    match work(args, console, &mut json) {
+    match write_result(args, console, &mut json) {
         Ok(written) => written.map(|()| Outcome::Done),
         Err(refusal) => {
             console.explain(&refusal.messages, args.all);
@@ -38,7 +38,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// Gives what came of writing the JSON, for which `json` is taken.
-fn work(
+fn write_result(
     args: &Args,
     console: &mut Console,
     json: &mut Option<Output>,

@@ -9,7 +9,7 @@ use crate::folders;
 use rapid_program::compensate::FormChoice;
 use rapid_program::compensate::plan::Plan;
 use rapid_program::emit::{
-    Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, RestoreError, TouchedInto, emit, restore,
+    Clock, Core, EmitError, EmitOptions, EmittedFile, ModifiedIn, Provenance, RestoreError, emit, restore,
 };
 use rapid_program::program::Program;
 use rapid_program::program::motion::Motion;
@@ -322,15 +322,15 @@ fn touched_up_targets_keep_their_new_value() {
     let restored = restore(&bytes).unwrap();
     assert!(!restored.exact);
     let text = String::from_utf8(restored.bytes).unwrap();
-    let into: Vec<(&str, TouchedInto)> =
+    let into: Vec<(&str, ModifiedIn)> =
         restored.touched.iter().map(|t| (t.array.as_deref().unwrap(), t.into)).collect();
     assert_eq!(
         into,
         [
-            ("tcp10", TouchedInto::Declaration),
-            ("tc31", TouchedInto::Motion),
-            ("tc32", TouchedInto::Motion),
-            ("tcp10_4", TouchedInto::Motion),
+            ("tcp10", ModifiedIn::Declaration),
+            ("tc31", ModifiedIn::Motion),
+            ("tc32", ModifiedIn::Motion),
+            ("tcp10_4", ModifiedIn::Motion),
         ]
     );
     let expected = String::from_utf8_lossy(NAMED)

@@ -131,7 +131,7 @@ impl Reader<'_> {
             setup: Arc::new(setup),
             targets,
             previous: None,
-            keep: None,
+            skip_reason: None,
             run_time: false,
             from_search: false,
         });
@@ -226,7 +226,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             error_m: None,
         };
         if kept.contains(&i) {
-            let keep = rapid_program::program::motion::Keep {
+            let keep = rapid_program::program::motion::SkipReason {
                 code: "keep::test",
                 reason: "the test says so".into(),
                 because: None,

@@ -32,9 +32,9 @@ fn every_motion_of_real_programs_is_known_or_has_a_reason() {
             let program = Program::read(files, &Overrides::default());
             assert!(start.elapsed().as_secs() < 20, "{paths:?}");
             for motion in &program.motions {
-                let code = motion.keep.as_ref().map_or("-", |k| k.code);
+                let code = motion.skip_reason.as_ref().map_or("-", |k| k.code);
                 *tally.entry(code).or_default() += 1;
-                if let Some(keep) = &motion.keep {
+                if let Some(keep) = &motion.skip_reason {
                     assert!(!keep.reason.is_empty());
                     if std::env::var_os("DRIFTPOST_SHOW").is_some_and(|show| show == code) {
                         let file = program.file(motion.file);

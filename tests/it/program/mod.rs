@@ -35,7 +35,7 @@ fn main_of(data: &str, statements: &str) -> Program {
 
 /// The code of a motion's reason to be kept.
 fn code(motion: &Motion) -> Option<&'static str> {
-    motion.keep.as_ref().map(|k| k.code)
+    motion.skip_reason.as_ref().map(|k| k.code)
 }
 
 /// The codes of all motions, `-` for those that can be compensated.
@@ -56,7 +56,7 @@ fn warnings(program: &Program) -> Vec<&'static str> {
 
 /// The line (from 1) where a motion's reason is to be seen.
 fn because_line(program: &Program, motion: usize) -> u32 {
-    let span = program.motions[motion].keep.as_ref().unwrap().because.unwrap();
+    let span = program.motions[motion].skip_reason.as_ref().unwrap().because.unwrap();
     program.file(span.file).line(span.range)
 }
 

@@ -84,7 +84,7 @@ fn loops_by_goto() {
     assert_eq!(loops, [(true, None), (false, None)]);
     let of: Vec<_> = read.motions.iter().map(|m| m.setup.loops.clone()).collect();
     assert_eq!(of, [vec![], vec![0], vec![0, 1], vec![0], vec![]]);
-    assert_eq!(read.motions[4].keep.as_ref().map(|k| k.code), Some("keep::unreachable"));
+    assert_eq!(read.motions[4].skip_reason.as_ref().map(|k| k.code), Some("keep::unreachable"));
     let forward = main_of("", &format!("GOTO over;\nover:\n{m}"));
     assert!(forward.loops.is_empty());
 }

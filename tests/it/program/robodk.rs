@@ -29,7 +29,7 @@ fn the_cube_of_45_is_understood_in_every_dialect() {
         let program = fixture(name);
         assert_eq!(program.motions.len(), 46, "{name}");
         for (i, motion) in program.motions.iter().enumerate() {
-            assert!(motion.keep.is_none(), "{name}:{}", motion.line);
+            assert!(motion.skip_reason.is_none(), "{name}:{}", motion.line);
             assert_eq!(motion.previous.map(MotionId::index), i.checked_sub(1), "{name}:{}", motion.line);
             assert_eq!(*motion.targets[0].origin(), Origin::Inline);
             let literal = motion.targets[0].literal(motion.file).unwrap();
@@ -55,7 +55,7 @@ fn calcrobt_gives_the_joints_that_reach_the_pose() {
         let program = fixture(name);
         assert_eq!(program.motions.len(), 45);
         let motion = &program.motions[1];
-        assert!(motion.keep.is_none());
+        assert!(motion.skip_reason.is_none());
         assert_eq!(*motion.targets[0].origin(), Origin::Expression);
         let Some(TargetValue::FromJoints(j)) = motion.targets[0].value() else { panic!("joints") };
         assert!((j.q_rad[0].unwrap().to_degrees() - 24.120983).abs() < 1e-9);
@@ -65,7 +65,7 @@ fn calcrobt_gives_the_joints_that_reach_the_pose() {
 #[test]
 fn the_rich_program_has_two_tools_two_frames_and_a_subroutine() {
     let program = fixture("irc5/RichProg.mod");
-    let keeps: Vec<_> = program.motions.iter().filter_map(|m| m.keep.as_ref()).collect();
+    let keeps: Vec<_> = program.motions.iter().filter_map(|m| m.skip_reason.as_ref()).collect();
     assert!(keeps.is_empty(), "{keeps:?}");
     assert_eq!(program.motions.len(), 8);
     let tcp_z = |i: usize| program.motions[i].setup.tool.as_ref().unwrap().frame_from_tcp.translation.z;
@@ -94,7 +94,7 @@ fn the_rich_program_has_two_tools_two_frames_and_a_subroutine() {
 #[test]
 fn an_undefined_speed_is_guessed_with_a_warning() {
     let program = fixture("irc5_simplified/RichProg.mod");
-    assert!(program.motions.iter().all(|m| m.keep.is_none()));
+    assert!(program.motions.iter().all(|m| m.skip_reason.is_none()));
     assert_eq!(program.motions[3].setup.speed.unwrap().v_tcp_m_s, 0.083);
     assert_eq!(codes(&program).iter().filter(|c| **c == "resolve::not-predefined").count(), 1);
 }
@@ -122,7 +122,7 @@ fn twenty_thousand_moves_in_six_files() {
     let program = read_files(&folder, &names);
     assert_eq!(program.motions.len(), 20_000);
     for motion in &program.motions {
-        assert!(motion.keep.is_none(), "line {}", motion.line);
+        assert!(motion.skip_reason.is_none(), "line {}", motion.line);
         assert_eq!(motion.setup.tool.as_ref().unwrap().frame_from_tcp.translation.z, 0.15);
         assert_eq!(motion.setup.wobj.as_ref().unwrap().uframe.translation.x, 0.45);
     }

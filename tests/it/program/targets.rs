@@ -49,7 +49,7 @@ CONST robtarget again:=p10;",
     let program = main_of(&data, &body);
     assert_eq!(program.motions.len(), forms.len());
     for (i, (form, expected)) in forms.iter().enumerate() {
-        assert_eq!(code(&program.motions[i]), None, "{form}: {:?}", program.motions[i].keep);
+        assert_eq!(code(&program.motions[i]), None, "{form}: {:?}", program.motions[i].skip_reason);
         assert_eq!(position_mm(&program, i), *expected, "{form}");
     }
     let origin = |i: usize| program.motions[i].targets[0].origin();

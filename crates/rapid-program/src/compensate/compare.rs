@@ -3,11 +3,12 @@
 //!
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
+use super::error::CompensateError;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::resolve;
+use super::options::Options;
 use super::placement::Placement;
-use super::{CompensateError, Options};
 use crate::program::Program;
 use crate::program::data::RobTarget;
 use crate::program::motion::{Motion, TargetValue};
@@ -18,7 +19,7 @@ use robot_model::robot::Robot;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Two programs, compared.
+/// Two programs compared motion by motion.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     /// Motions that stand in both, in the order of the first program.
@@ -40,13 +41,13 @@ pub struct ComparedMotion {
     pub same_frames: bool,
     /// One step for each element of a scheduled target, the original first; one where it is not scheduled;
     /// none where a target of either is only known at run time.
-    pub steps: Vec<Step>,
+    pub steps: Vec<TargetChange>,
 }
 
 /// How one element of a target differs from the motion of the first program; of an arc's two points the
 /// worse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct TargetChange {
     /// Between the two TCP positions in the work object, metres.
     pub distance_m: f64,
     /// The second one (an arc's end point), metres.
@@ -54,14 +55,14 @@ pub struct Step {
     /// Between the two orientations, radians.
     pub angle_rad: f64,
     /// Joints of the nominal arm, where both targets are within its reach.
-    pub arm: Option<ArmStep>,
+    pub arm: Option<ArmChange>,
     /// Confdata and external axes are the same numbers.
     pub same_configuration: bool,
 }
 
 /// The same on the nominal arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArmStep {
+pub struct ArmChange {
     /// Largest change of a joint, radians.
     pub joint_rad: f64,
     /// That joint, from 1.
@@ -148,7 +149,7 @@ fn motion(
                 let a = a.get(k).or(a.first())?;
                 step(a, from, &b, to, q_rad.get(n), model)
             });
-            let compared: Vec<Step> = compared.collect();
+            let compared: Vec<TargetChange> = compared.collect();
             steps = if n == 0 { compared } else { steps.into_iter().zip(compared).map(worse).collect() };
         }
     }
@@ -188,16 +189,22 @@ fn step(
     to: Placement,
     known_q_rad: Option<&[f64; 6]>,
     model: &Model,
-) -> Option<Step> {
+) -> Option<TargetChange> {
     let (start, end) = (pose(a, from, model)?, pose(b, to, model)?);
     let q_a = start.q_rad.or(known_q_rad.copied()).or_else(|| as_configured(a, &start, model));
     if a == b && from == to {
-        let arm = q_a.map(|q_a| arm_step(&q_a, &q_a, model));
+        let arm = q_a.map(|q_a| arm_change(&q_a, &q_a, model));
         let position_m = end.object_from_tcp.translation.vector.into();
-        return Some(Step { distance_m: 0.0, position_m, angle_rad: 0.0, arm, same_configuration: true });
+        return Some(TargetChange {
+            distance_m: 0.0,
+            position_m,
+            angle_rad: 0.0,
+            arm,
+            same_configuration: true,
+        });
     }
     let q_b = end.q_rad.or_else(|| Some(model.closed.nearest(&end.base_from_flange, &q_a?)?.q_rad));
-    let arm = q_a.zip(q_b).map(|(q_a, q_b)| arm_step(&q_a, &q_b, model));
+    let arm = q_a.zip(q_b).map(|(q_a, q_b)| arm_change(&q_a, &q_b, model));
     let apart = start.object_from_tcp.inv_mul(&end.object_from_tcp);
     let same_configuration = match (a, b) {
         (TargetValue::Rob(a), TargetValue::Rob(b)) => a.conf == b.conf && a.ext == b.ext,
@@ -205,7 +212,7 @@ fn step(
         (TargetValue::FromJoints(_), _) | (_, TargetValue::FromJoints(_)) => true,
         _ => false,
     };
-    Some(Step {
+    Some(TargetChange {
         distance_m: apart.translation.vector.norm(),
         position_m: end.object_from_tcp.translation.vector.into(),
         angle_rad: apart.rotation.angle(),
@@ -222,7 +229,7 @@ fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64
     solutions.iter().find(|s| model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
 }
 
-fn arm_step(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmStep {
+fn arm_change(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmChange {
     let (mut joint, mut joint_rad) = (1, 0.0);
     for (k, (a, b)) in q_a.iter().zip(q_b).enumerate() {
         if (a - b).abs() > joint_rad {
@@ -230,7 +237,7 @@ fn arm_step(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmStep {
         }
     }
     let posture = model.closed.posture(q_b);
-    ArmStep {
+    ArmChange {
         joint_rad,
         joint,
         limit_rad: model.robot().margins_rad(q_b).into_iter().flatten().reduce(f64::min),
@@ -241,14 +248,14 @@ fn arm_step(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmStep {
     }
 }
 
-fn worse((a, b): (Step, Step)) -> Step {
+fn worse((a, b): (TargetChange, TargetChange)) -> TargetChange {
     let arm = a.arm.zip(b.arm).map(|(a, b)| {
         let larger = if b.joint_rad > a.joint_rad { b } else { a };
         let limit_rad = match (a.limit_rad, b.limit_rad) {
             (Some(a), Some(b)) => Some(a.min(b)),
             (one, other) => one.or(other),
         };
-        ArmStep {
+        ArmChange {
             joint_rad: larger.joint_rad,
             joint: larger.joint,
             limit_rad,
@@ -258,7 +265,7 @@ fn worse((a, b): (Step, Step)) -> Step {
             same_branch: a.same_branch && b.same_branch,
         }
     });
-    Step {
+    TargetChange {
         distance_m: a.distance_m.max(b.distance_m),
         position_m: b.position_m,
         angle_rad: a.angle_rad.max(b.angle_rad),

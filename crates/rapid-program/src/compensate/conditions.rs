@@ -1,7 +1,7 @@
 //! What an identified model asks of each motion besides its joints: the load from the tool, the direction from the
 //! program's own order of motions; and warnings where a motion leaves the ranges in which the model was found.
 
-use super::messages::{Messages, place};
+use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::nominal::Resolved;
 use crate::program::Program;
@@ -116,7 +116,7 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
             let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
-            let message = Diagnostic::warning("model::gripload", text).at(place(motion));
+            let message = Diagnostic::warning("model::gripload", text).at(span_of(motion));
             let help =
                 "the tool's own load data are taken; --payload-kg KG names the whole load on the flange";
             messages.add(Some(motion.setup.routine), message.help(help));
@@ -164,9 +164,9 @@ fn check_point(
 ) {
     let Some(identified) = &model.identified else { return };
     let seen = &identified.measured_range;
-    let mut say = |code, text: String, help: &'static str| {
+    let mut warn = |code, text: String, help: &'static str| {
         let message = Diagnostic::warning(code, format!("line {}: {text}", motion.line));
-        messages.add(Some(motion.setup.routine), message.at(place(motion)).help(help));
+        messages.add(Some(motion.setup.routine), message.at(span_of(motion)).help(help));
     };
     let slack_rad = rad_from_deg(SLACK_DEG);
     let outside = (0..6).find(|&j| {
@@ -175,7 +175,7 @@ fn check_point(
     });
     if let Some(j) = outside {
         let [low, high] = seen.q_rad[j].map(deg_from_rad);
-        say(
+        warn(
             "model::range",
             format!(
                 "axis {} stands at {:.1} deg; the model was found between {low:.1} and {high:.1} deg",
@@ -188,14 +188,14 @@ fn check_point(
     let kg = conditions.payload.mass_kg;
     let [low, high] = seen.payload_kg.unwrap_or([0.0, 0.0]);
     if identified.needs_load() && (kg < low - SLACK_KG || kg > high + SLACK_KG) {
-        say(
+        warn(
             "model::payload",
             format!("the load is {kg} kg; the model was found with {low} to {high} kg"),
             "measure with that load too, or name the load with --payload-kg",
         );
     }
     if let Some(j) = playing.iter().find(|&&j| conditions.direction[j] == 0) {
-        say(
+        warn(
             "model::direction",
             format!("from which side axis {} comes is not known; its play is taken at the middle", j + 1),
             "a joint move before it, from a known place, would say it",

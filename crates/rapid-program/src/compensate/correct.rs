@@ -1,22 +1,20 @@
 //! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
 //! like to the nominal controller, and whether that may be sent.
 
-use super::Options;
 use super::model::{Model, WarmBucket};
 use super::nominal::{Point, Resolved};
+use super::options::Options;
 use super::placement::keep;
-use super::plan::{Corrected, Corrections, Form, PlannedMotion, PlannedTarget, Status};
+use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::ramp::Ramp;
+use super::warm_joints::warm_joints;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
-use crate::program::motion::{Keep, Motion, Target, TargetValue};
+use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::{Conditions, DeformedArm};
-use robot_model::kinematics::{Configuration, solve};
-use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use robot_model::kinematics::Configuration;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use std::sync::Arc;
-
-/// A joint that would change by more is near a singularity, degrees.
-pub(super) const JOINT_CHANGE_DEG: f64 = 1.0;
 
 /// A motion's plan and what the summary needs of it.
 pub(super) struct MotionCorrection {
@@ -31,8 +29,8 @@ pub(super) struct MotionCorrection {
 }
 
 /// The plan of a motion that stays as it is.
-pub(super) fn kept(why: Arc<Keep>) -> MotionCorrection {
-    MotionCorrection::without_figures(PlannedMotion { status: Status::Kept(why), ..no_figures() })
+pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
+    MotionCorrection::without_figures(PlannedMotion::kept(why))
 }
 
 /// Corrects a motion's points for all buckets, or for all nodes of time functions.
@@ -45,7 +43,7 @@ pub(super) fn correct(
     let warm = at.warm();
     let count = resolved.q_rad().len();
     let mut made = MotionCorrection {
-        planned: PlannedMotion { form: options.form.of_known(), ..no_figures() },
+        planned: PlannedMotion::compensated(options.form.of_known()),
         error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
@@ -56,23 +54,23 @@ pub(super) fn correct(
     for (point, value) in resolved.points(motion, model).zip(values) {
         let joints = match joints_per_bucket(&point, warm, model) {
             Ok(joints) => joints,
-            Err(NoJoints::Keep(why)) => return kept(Arc::new(why)),
+            Err(NoJoints::Skip(why)) => return kept(Arc::new(why)),
             Err(NoJoints::Refuse(why)) => {
                 refusal.get_or_insert(why);
                 continue;
             }
         };
         let meant = point.object_from_tcp();
-        let told: Vec<Isometry3<f64>> =
+        let commanded: Vec<Isometry3<f64>> =
             joints.iter().map(|q| point.placement.object_from_tcp(&model.nominal.forward(q))).collect();
-        made.add_corrections(&meant, &told);
+        made.add_corrections(&meant, &commanded);
         let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
             Moments::Buckets(warm) => {
                 made.add_errors(&point, &joints, warm);
                 Corrections::InBuckets(match by_joints {
                     true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
-                    false => told.iter().map(|told| as_written(told, &meant)).collect(),
+                    false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
                 })
             }
             Moments::Nodes(ramp) => {
@@ -106,7 +104,7 @@ pub(super) enum Moments {
 }
 
 impl Moments {
-    /// The arms.
+    /// The arms at these moments.
     pub(super) fn warm(&self) -> &[WarmBucket] {
         match self {
             Self::Buckets(warm) => warm,
@@ -120,19 +118,6 @@ impl Moments {
             Self::Buckets(_) => None,
             Self::Nodes(ramp) => Some(ramp),
         }
-    }
-}
-
-/// A motion of which nothing is known yet.
-pub(super) fn no_figures() -> PlannedMotion {
-    PlannedMotion {
-        status: Status::Compensated,
-        form: Form::default(),
-        targets: Box::default(),
-        max_correction_m: 0.0,
-        max_correction_rad: 0.0,
-        mid_path_m: None,
-        error_m: None,
     }
 }
 
@@ -172,9 +157,9 @@ fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
 /// Why a target has no corrected joints.
 enum NoJoints {
     /// The motion stays as it is.
-    Keep(Keep),
+    Skip(SkipReason),
     /// The program is refused.
-    Refuse(Keep),
+    Refuse(SkipReason),
 }
 
 /// The deformed arm's joints for each bucket.
@@ -183,7 +168,7 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
     let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
     let mut refusal = None;
     for bucket in warm {
-        let q_rad = warm_joints(point, &bucket.at).map_err(NoJoints::Keep)?;
+        let q_rad = warm_joints(point, &bucket.at).map_err(NoJoints::Skip)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -199,31 +184,7 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
     refusal.map_or(Ok(joints), |why| Err(NoJoints::Refuse(why)))
 }
 
-/// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
-pub(super) fn warm_joints(point: &Point, arm: &DeformedArm) -> Result<[f64; 6], Keep> {
-    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
-        .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
-        .q_rad;
-    let (joint, change_rad) = q_rad
-        .iter()
-        .zip(&point.q_rad)
-        .map(|(a, b)| (a - b).abs())
-        .enumerate()
-        .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
-    if change_rad > rad_from_deg(JOINT_CHANGE_DEG) {
-        return Err(keep(
-            "singular::joint-change",
-            format!(
-                "axis {} would change by {:.3} deg: too near a singularity",
-                joint + 1,
-                deg_from_rad(change_rad)
-            ),
-        ));
-    }
-    Ok(q_rad)
-}
-
-fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<Keep> {
+fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {
     if planned.max_correction_m > options.max_correction_m {
         return Some(keep(
             "refuse::correction",
@@ -253,8 +214,8 @@ impl MotionCorrection {
     }
 
     /// How far the nominal controller is told to go from the original target.
-    fn add_corrections(&mut self, meant: &Isometry3<f64>, told: &[Isometry3<f64>]) {
-        for (k, object_from_tcp) in told.iter().enumerate() {
+    fn add_corrections(&mut self, meant: &Isometry3<f64>, commanded: &[Isometry3<f64>]) {
+        for (k, object_from_tcp) in commanded.iter().enumerate() {
             let moved_m = (object_from_tcp.translation.vector - meant.translation.vector).norm();
             let turned_rad = meant.rotation.angle_to(&object_from_tcp.rotation);
             if moved_m > self.planned.max_correction_m {

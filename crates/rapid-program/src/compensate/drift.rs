@@ -93,7 +93,7 @@ impl Drift for ProgramPoints<'_> {
     }
 }
 
-/// Some points.
+/// Some points of a program.
 pub(super) struct Points<'a> {
     pub(super) model: &'a Model<'a>,
     pub(super) points: Vec<Point<'a>>,

@@ -6,7 +6,7 @@ use super::model::{Model, WarmBucket};
 use super::nominal::Resolved;
 use super::path::Leg;
 use super::plan::{PlannedMotion, Status, Summary};
-use super::rigid;
+use super::wobj_shift_baseline;
 use crate::program::Program;
 use crate::program::motion::MotionId;
 use crate::schedule::{Chosen, Moment, Schedule};
@@ -106,7 +106,7 @@ impl Tally {
             let fine = drift.errors_m(bucket.at_min, &moments);
             summary.worst_after_m = fine.into_iter().flatten().fold(summary.worst_after_m, f64::max);
         }
-        summary.rigid_shift_worst_m = rigid::worst_m(compensated, schedule);
+        summary.rigid_shift_worst_m = wobj_shift_baseline::worst_m(compensated, schedule);
         summary
     }
 }

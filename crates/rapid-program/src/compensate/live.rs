@@ -1,58 +1,26 @@
-//! Targets that are known at run time alone: what the deformed model at run time is made of, and which motions can ask it.
+//! Targets that are known at run time alone: which motions can ask the deformed model.
 
-use super::Options;
-use super::correct::{JOINT_CHANGE_DEG, no_figures};
+use super::live_basis::LiveBasis;
 use super::model::Model;
+use super::options::Options;
 use super::placement::keep;
-use super::plan::{Form, PlannedMotion, Status};
+use super::plan::{Form, PlannedMotion};
+use super::warm_joints::JOINT_CHANGE_DEG;
 use crate::program::Program;
-use crate::program::motion::{Keep, Motion, Path, Target, TargetValue};
+use crate::program::motion::{Motion, Path, SkipReason, Target, TargetValue};
 use crate::schedule::TimeFunctions;
-use robot_model::deform::identified::Identified;
-use robot_model::kinematics::{Configuration, FrameOffsets};
-use robot_model::robot::Robot;
+use robot_model::kinematics::Configuration;
 use robot_model::units::rad_from_deg;
-use std::sync::Arc;
 
-/// What a program needs to hold the deformed model.
-#[derive(Clone, Debug)]
-pub struct LiveBasis {
-    /// The constructive model.
-    pub robot: Robot,
-    /// For each time function what its node moves the frames by.
-    pub offsets: Vec<FrameOffsets>,
-    /// An identified model, on top of the table.
-    pub identified: Option<Arc<Identified>>,
-    /// A correction that moves the TCP by more is not made, metres.
-    pub max_correction_m: f64,
-    /// A correction that turns the TCP by more is not made, radians.
-    pub max_correction_rad: f64,
-    /// A joint of a joint target that would change by more is near a singularity, radians.
-    pub max_joint_change_rad: f64,
-}
-
-impl LiveBasis {
-    pub(super) fn new(model: &Model, functions: &TimeFunctions, options: &Options) -> Self {
-        Self {
-            robot: model.robot().clone(),
-            offsets: functions.nodes.iter().map(|&node| model.offsets(node)).collect(),
-            identified: model.identified.clone(),
-            max_correction_m: options.max_correction_m,
-            max_correction_rad: options.max_correction_rad,
-            max_joint_change_rad: rad_from_deg(JOINT_CHANGE_DEG),
-        }
-    }
-
-    /// Why RAPID cannot hold it.
-    fn lacks(&self) -> Option<Keep> {
-        let names = self.identified.as_ref().map(|model| model.beyond_run_time()).unwrap_or_default();
-        (!names.is_empty()).then(|| {
-            let names = names.join(", ");
-            keep(
-                "keep::live-model",
-                format!("a program that asks at run time cannot hold of the model: {names}"),
-            )
-        })
+/// What a program must hold whose corrections are scaled by `functions`.
+pub(super) fn basis(model: &Model<'_>, functions: &TimeFunctions, options: &Options) -> LiveBasis {
+    LiveBasis {
+        robot: model.robot().clone(),
+        offsets: functions.nodes.iter().map(|&node| model.offsets(node)).collect(),
+        identified: model.identified.clone(),
+        max_correction_m: options.max_correction_m,
+        max_correction_rad: options.max_correction_rad,
+        max_joint_change_rad: rad_from_deg(JOINT_CHANGE_DEG),
     }
 }
 
@@ -61,7 +29,7 @@ pub(super) fn run_time(
     program: &Program,
     motion: &Motion,
     live: &LiveBasis,
-) -> Option<Result<PlannedMotion, Keep>> {
+) -> Option<Result<PlannedMotion, SkipReason>> {
     if !motion.run_time {
         return None;
     }
@@ -77,7 +45,7 @@ pub(super) fn run_time(
     });
     Some(match why_not {
         Some(why) => Err(why),
-        None => Ok(PlannedMotion { status: Status::Compensated, form: Form::Live, ..no_figures() }),
+        None => Ok(PlannedMotion::compensated(Form::Live)),
     })
 }
 
@@ -104,7 +72,7 @@ pub(super) fn form_of_known(
 }
 
 /// What the controller that the program is for lacks.
-fn of_controller(program: &Program, motion: &Motion) -> Option<Keep> {
+fn of_controller(program: &Program, motion: &Motion) -> Option<SkipReason> {
     let path = &program.file(motion.file).path;
     let s4c = path.rsplit('.').next().is_some_and(|extension| extension.eq_ignore_ascii_case("prg"));
     s4c.then(|| keep("keep::live-controller", "an S4C controller has no CalcJointT to ask at run time"))

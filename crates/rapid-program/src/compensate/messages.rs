@@ -1,9 +1,9 @@
 //! Messages, each said once per routine however often it applies.
 
-use super::Options;
+use super::options::Options;
 use super::plan::{Form, PlannedMotion, Status, Summary};
 use crate::program::Program;
-use crate::program::motion::{Keep, Motion, Origin, Path, RoutineId, Target};
+use crate::program::motion::{Motion, Origin, Path, RoutineId, SkipReason, Target};
 use crate::schedule::{Chosen, Width};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
@@ -29,18 +29,33 @@ impl Messages {
     }
 
     /// Why a motion stays as it is.
-    pub(super) fn add_kept(&mut self, motion: &Motion, why: &Keep) {
+    pub(super) fn add_kept(&mut self, motion: &Motion, why: &SkipReason) {
         let message =
             format!("line {}: this {} stays as it is: {}", motion.line, motion.setup.kind, why.reason);
-        let mut message = Diagnostic::warning(why.code, message).at(place(motion));
+        let mut message = Diagnostic::warning(why.code, message).at(span_of(motion));
         if let Some(because) = why.because {
             message = message.label(because, "because of this");
         }
         self.add(Some(motion.setup.routine), message);
     }
 
+    /// What there is to be said of planned motions; `long_gaps` are those from which on the arm may move for longer than the
+    /// clock's gap without asking.
+    pub(super) fn add_motions(
+        &mut self,
+        program: &Program,
+        planned: &[PlannedMotion],
+        options: &Options,
+        long_gaps: &[usize],
+    ) {
+        self.add_statuses(program, planned);
+        self.add_paths(program, planned, options);
+        self.add_search_results(program, planned);
+        self.add_long_gaps(program, long_gaps);
+    }
+
     /// What was kept and refused, and why.
-    pub(super) fn add_statuses(&mut self, program: &Program, planned: &[PlannedMotion]) {
+    fn add_statuses(&mut self, program: &Program, planned: &[PlannedMotion]) {
         for (motion, planned) in program.motions.iter().zip(planned) {
             match &planned.status {
                 Status::Compensated => {}
@@ -48,7 +63,7 @@ impl Messages {
                 Status::Refused(why) => {
                     let message =
                         format!("line {}: {} is refused: {}", motion.line, described(motion), why.reason);
-                    let mut message = Diagnostic::error(why.code, message).at(place(motion));
+                    let mut message = Diagnostic::error(why.code, message).at(span_of(motion));
                     if let Some(because) = why.because {
                         message = message.label(because, "because of this");
                     }
@@ -59,7 +74,7 @@ impl Messages {
     }
 
     /// Linear moves that leave their line.
-    pub(super) fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
+    fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
         let mut worst: BTreeMap<RoutineId, (f64, &Motion, usize)> = BTreeMap::new();
         for (motion, planned) in program.motions.iter().zip(planned) {
             let Some(far_m) = planned.mid_path_m else { continue };
@@ -81,7 +96,7 @@ impl Messages {
             );
             let help =
                 "more points on the line bring it down; after a kept motion the line starts uncorrected";
-            self.add(Some(routine), Diagnostic::warning("path::mid", message).at(place(motion)).help(help));
+            self.add(Some(routine), Diagnostic::warning("path::mid", message).at(span_of(motion)).help(help));
         }
     }
 
@@ -105,7 +120,7 @@ impl Messages {
     }
 
     /// Points that searches have found and that are corrected as other targets are.
-    pub(super) fn add_search_results(&mut self, program: &Program, planned: &[PlannedMotion]) {
+    fn add_search_results(&mut self, program: &Program, planned: &[PlannedMotion]) {
         let live =
             |planned: &PlannedMotion| planned.status == Status::Compensated && planned.form == Form::Live;
         for (motion, _) in program.motions.iter().zip(planned).filter(|(m, p)| m.from_search && live(p)) {
@@ -116,14 +131,14 @@ impl Messages {
             let help = "the warm arm found it with its drift: leave the motion as it is where it must meet what was found";
             self.add(
                 Some(motion.setup.routine),
-                Diagnostic::warning("live::search-result", message).at(place(motion)).help(help),
+                Diagnostic::warning("live::search-result", message).at(span_of(motion)).help(help),
             );
         }
     }
 
     /// Ways on which the arm moves for longer than the clock's gap without asking.
-    pub(super) fn add_long_gaps(&mut self, program: &Program, too_long: &[usize]) {
-        for motion in too_long.iter().filter_map(|&i| program.motions.get(i)) {
+    fn add_long_gaps(&mut self, program: &Program, long_gaps: &[usize]) {
+        for motion in long_gaps.iter().filter_map(|&i| program.motions.get(i)) {
             let message = format!(
                 "line {}: from here on the arm may move for longer without asking than the gap that the clock takes for a \
                  pause",
@@ -133,12 +148,12 @@ impl Messages {
                 "it would then take the arm for cooling: call tcUpdate there, or give a longer --gap-min";
             self.add(
                 Some(motion.setup.routine),
-                Diagnostic::warning("clock::long-motion", message).at(place(motion)).help(help),
+                Diagnostic::warning("clock::long-motion", message).at(span_of(motion)).help(help),
             );
         }
     }
 
-    /// All, by place.
+    /// All messages, in the order of their places.
     pub(super) fn finish(self) -> Vec<Diagnostic> {
         let mut all: Vec<Diagnostic> = self
             .0
@@ -164,6 +179,6 @@ fn described(motion: &Motion) -> String {
 }
 
 /// Where a motion stands.
-pub(super) fn place(motion: &Motion) -> Span {
+pub(super) fn span_of(motion: &Motion) -> Span {
     Span { file: motion.file, range: motion.range }
 }

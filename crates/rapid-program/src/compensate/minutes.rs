@@ -1,10 +1,11 @@
 //! The offline table: each compensated target's joints at every minute, streamed.
 
+use super::error::CompensateError;
 use super::model::Model;
 use super::nominal::Point;
+use super::options::Options;
 use super::placement::Placement;
 use super::plan::{Plan, PlannedMotion, Status};
-use super::{CompensateError, Options};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
@@ -24,7 +25,7 @@ pub struct MinuteJoints {
     pub motion: MotionId,
     /// Which of the motion's targets.
     pub target: usize,
-    /// Warm-up minute.
+    /// The warm-up minute, from 0.
     pub t_min: f64,
     /// Joints of the warm arm, radians.
     pub q_rad: [f64; 6],

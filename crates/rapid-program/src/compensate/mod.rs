@@ -2,12 +2,15 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+mod clock_gaps;
 pub mod compare;
 mod conditions;
 mod correct;
 mod drift;
+mod error;
 mod figures;
 mod live;
+mod live_basis;
 mod messages;
 mod minutes;
 mod model;
@@ -18,76 +21,17 @@ mod placement;
 pub mod plan;
 mod planner;
 mod ramp;
-mod rigid;
-mod silence;
 pub mod tabulate;
 pub mod targets;
 mod track;
+mod warm_joints;
+mod wobj_shift_baseline;
 
-pub use live::LiveBasis;
+pub use error::CompensateError;
+pub use live_basis::LiveBasis;
 pub use minutes::{MinuteJoints, joints_every_minute};
 pub use options::{FormChoice, Options};
 pub use planner::plan;
-
-use crate::program::motion::Keep;
-use crate::schedule::ScheduleError;
-use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::kinematics::StructureError;
-use std::sync::Arc;
-
-/// Why there is no plan at all.
-#[derive(Clone, Debug, thiserror::Error)]
-pub enum CompensateError {
-    /// The robot's structure has no closed form.
-    #[error("the robot cannot be compensated: {0}")]
-    Structure(#[from] StructureError),
-    /// The deformation goes by temperature.
-    #[error("the deformation goes by temperature; a table of joints by warm-up time needs one with t_min")]
-    Temperature,
-    /// The model goes by joint temperatures.
-    #[error(
-        "the model has terms in joint temperature: say how warm the joints are, --temperature-c T or six values"
-    )]
-    ModelTemperature,
-    /// No schedule.
-    #[error("no schedule: {0}")]
-    Schedule(#[from] ScheduleError),
-    /// There is no motion.
-    #[error("the program holds no motion")]
-    NoMotion,
-    /// Every motion stays as it is.
-    #[error(
-        "none of the {motions} motions can be compensated; the first, in line {line}, is kept because {} [{}]",
-        first.reason, first.code
-    )]
-    NothingToCompensate {
-        /// How many there are.
-        motions: usize,
-        /// Line of the first.
-        line: u32,
-        /// Its reason.
-        first: Arc<Keep>,
-        /// The reasons of all, by motion.
-        kept: Vec<Arc<Keep>>,
-        /// What there is to be said about all of them.
-        diagnostics: Vec<Diagnostic>,
-    },
-}
-
-impl CompensateError {
-    /// Stable code of the message, listed in `docs/MESSAGES.md`.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Structure(_) => "robot::structure",
-            Self::Temperature => "schedule::temperature",
-            Self::ModelTemperature => "model::temperature",
-            Self::Schedule(error) => error.code(),
-            Self::NoMotion => "compensate::no-motion",
-            Self::NothingToCompensate { .. } => "compensate::nothing",
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests;

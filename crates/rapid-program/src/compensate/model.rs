@@ -1,6 +1,7 @@
 //! The arm as the controller believes it and as warm-up has made it.
 
-use super::{CompensateError, Options};
+use super::error::CompensateError;
+use super::options::Options;
 use crate::schedule::{Bucket, Moment, Schedule};
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index};

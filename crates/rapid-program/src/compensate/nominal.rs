@@ -1,13 +1,12 @@
 //! Where each motion is meant to go, and with which joints: the branch by confdata and by where the arm
 //! comes from.
 
-use super::conditions;
-use super::messages::{Messages, place};
+use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::placement::{Placement, keep};
 use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget};
-use crate::program::motion::{Keep, Motion, MotionId, Path, Target, TargetValue};
+use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::deform::{Conditions, Payload};
@@ -70,7 +69,7 @@ pub(super) struct Resolved {
     /// Nominal joints at each of its targets' values on the branch that is meant, radians; none where they are not known.
     joints: Joints,
     /// Why it stays as it is.
-    kept: Option<Arc<Keep>>,
+    kept: Option<Arc<SkipReason>>,
     /// For each value load and direction, where a model asks for them.
     conditions: Option<Box<[Conditions]>>,
     /// Its values are the elements of an array, and only run time tells which of them it goes to.
@@ -104,7 +103,7 @@ impl Joints {
 
 impl Resolved {
     /// Why the motion stays as it is; `None` where it can be corrected.
-    pub(super) fn kept(&self) -> Option<&Arc<Keep>> {
+    pub(super) fn kept(&self) -> Option<&Arc<SkipReason>> {
         self.kept.as_ref()
     }
 
@@ -144,7 +143,7 @@ impl Resolved {
     }
 
     /// Leaves the motion as it is; where it ends stays known.
-    pub(super) fn keep(&mut self, why: Arc<Keep>) {
+    pub(super) fn keep(&mut self, why: Arc<SkipReason>) {
         self.kept = Some(why);
     }
 
@@ -179,7 +178,7 @@ enum Note {
     Unset,
 }
 
-/// All motions of a program, in their order.
+/// All motions of a program, in their order; load and direction are still to be filled in.
 pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages) -> Vec<Resolved> {
     let motions = &program.motions;
     let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
@@ -209,9 +208,7 @@ pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages)
         }
     }
     // Collected in place: a second list would be as much again.
-    let mut resolved: Vec<Resolved> = done.into_iter().flatten().collect();
-    conditions::fill(program, model, &mut resolved);
-    resolved
+    done.into_iter().flatten().collect()
 }
 
 fn resolve_motion(
@@ -228,17 +225,17 @@ fn resolve_motion(
         Ok((placement, q_rad)) => (Some(placement), q_rad, None),
         Err(why) => (None, Vec::new(), Some(why)),
     };
-    let kept = match (&motion.keep, failed) {
+    let kept = match (&motion.skip_reason, failed) {
         (Some(why), _) => Some(Arc::clone(why)),
         (None, Some(why)) => Some(Arc::new(why)),
         (None, None) => ill_posed(motion, &q_rad, model).map(Arc::new),
     };
-    let ends_at_target = motion.keep.is_none();
+    let ends_at_target = motion.skip_reason.is_none();
     Resolved { placement, joints: Joints::new(q_rad), kept, conditions: None, indexed, ends_at_target }
 }
 
 /// Why the arm cannot be corrected there at all.
-fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Keep> {
+fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<SkipReason> {
     for q_rad in joints {
         if let Err(out) = model.robot().within_range(q_rad) {
             return Some(keep("reach::range", format!("its own target is out of range: {out}")));
@@ -261,7 +258,7 @@ fn place_targets(
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
-) -> Result<(Arc<Placement>, Vec<[f64; 6]>), Keep> {
+) -> Result<(Arc<Placement>, Vec<[f64; 6]>), SkipReason> {
     let placement = Placement::of(motion)?;
     let placement = match last.take() {
         Some(same) if *same == placement => same,
@@ -294,7 +291,7 @@ fn place_targets(
     Ok((Arc::clone(placement), joints))
 }
 
-fn all_axes(joints: &JointTarget) -> Result<[f64; 6], Keep> {
+fn all_axes(joints: &JointTarget) -> Result<[f64; 6], SkipReason> {
     let mut q_rad = [0.0; 6];
     for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
         *q_rad = joint.ok_or_else(|| {
@@ -314,7 +311,7 @@ fn branch(
     conf: &ConfData,
     from: Option<[f64; 6]>,
     model: &Model,
-) -> Result<([f64; 6], Option<Note>), Keep> {
+) -> Result<([f64; 6], Option<Note>), SkipReason> {
     let solutions = model.closed.solutions(base_from_flange);
     if solutions.is_empty() {
         let anywhere = model.closed.branches(base_from_flange).iter().any(Option::is_some);
@@ -373,7 +370,7 @@ fn report_branch(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Me
     let ConfData { cf1, cf4, cf6, cfx } = conf;
     let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
     let held = motion.setup.conf_monitored != Some(false);
-    let span: Span = place(motion);
+    let span: Span = span_of(motion);
     let message = match note {
         Note::Disagrees if held => Diagnostic::warning(
             "conf::disagrees",

@@ -9,12 +9,12 @@ use std::sync::Arc;
 /// The forms that motions may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FormChoice {
-    /// `schedule` alone.
+    /// `schedule` alone, for every motion.
     #[default]
     Schedule,
-    /// `ramp` alone.
+    /// `ramp` alone, for every motion.
     Ramp,
-    /// `live` alone.
+    /// `live` alone, where the controller and the model allow it.
     Live,
     /// `ramp` where the target is known, `live` where it is not.
     Auto,

@@ -85,9 +85,10 @@ impl Leg<'_> {
             let pose = |q_rad: &[f64; 6]| placement.object_from_tcp(&model.nominal.forward(q_rad));
             Track::new(pose(&ends.start), ends.via.as_ref().map(pose), pose(&ends.end))
         };
-        let told = placement.base_from_flange(&track(ends).pose(s)?);
+        let commanded = placement.base_from_flange(&track(ends).pose(s)?);
         let branch = model.closed.configuration(&ends.end).cfx;
-        let mut q_rad = model.closed.branches(&told).get(usize::try_from(branch).ok()?).copied().flatten()?;
+        let mut q_rad =
+            model.closed.branches(&commanded).get(usize::try_from(branch).ok()?).copied().flatten()?;
         for (q_rad, near) in q_rad.iter_mut().zip(halfway) {
             *q_rad += TAU * ((near - *q_rad) / TAU).round();
         }

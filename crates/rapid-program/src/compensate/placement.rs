@@ -2,7 +2,7 @@
 //! stationary one.
 
 use crate::program::data::{ToolData, WobjData};
-use crate::program::motion::{Keep, Motion, Path};
+use crate::program::motion::{Motion, Path, SkipReason};
 use nalgebra::{Isometry3, Vector3};
 
 /// Where tool and work object are.
@@ -17,7 +17,7 @@ pub(super) enum Placement {
 impl Placement {
     /// The placement of a motion, or why it is not known. A MoveAbsJ needs none: its flange counts where its
     /// tool is not known.
-    pub(super) fn of(motion: &Motion) -> Result<Self, Keep> {
+    pub(super) fn of(motion: &Motion) -> Result<Self, SkipReason> {
         let wobj0 = WobjData::wobj0();
         let wobj = match (&motion.setup.wobj, &motion.setup.wobj_name) {
             (Some(wobj), _) => Some(wobj),
@@ -32,7 +32,7 @@ impl Placement {
         }
     }
 
-    fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, Keep> {
+    fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, SkipReason> {
         if !wobj.ufprog {
             return Err(keep(
                 "keep::wobj-moved",
@@ -94,8 +94,8 @@ impl Placement {
 }
 
 /// A reason without a place of its own.
-pub(super) fn keep(code: &'static str, reason: impl Into<String>) -> Keep {
-    Keep { code, reason: reason.into(), because: None }
+pub(super) fn keep(code: &'static str, reason: impl Into<String>) -> SkipReason {
+    SkipReason { code, reason: reason.into(), because: None }
 }
 
 #[cfg(test)]

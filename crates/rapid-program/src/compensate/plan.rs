@@ -1,9 +1,9 @@
 //! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
 
-use super::live::LiveBasis;
+use super::live_basis::LiveBasis;
 use crate::program::Program;
 use crate::program::data::RobTarget;
-use crate::program::motion::{Keep, Motion, Target, TargetValue};
+use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use crate::schedule::{Schedule, TimeFunctions};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Conditions;
@@ -57,9 +57,9 @@ pub enum Status {
     /// Its targets are replaced.
     Compensated,
     /// It stays as it is.
-    Kept(Arc<Keep>),
+    Kept(Arc<SkipReason>),
     /// The whole program is refused because of it.
-    Refused(Arc<Keep>),
+    Refused(Arc<SkipReason>),
 }
 
 /// A target and what it becomes.
@@ -121,7 +121,7 @@ pub enum Correction {
     },
     /// Of a jointtarget: what is added to the joints, radians.
     Joints {
-        /// Six angles.
+        /// Six angles, in the order of the axes, radians.
         turn_rad: [f64; 6],
     },
 }
@@ -135,6 +135,26 @@ impl PlannedTarget {
 }
 
 impl PlannedMotion {
+    /// A motion that is compensated in a form; its targets and figures are to be filled in.
+    #[must_use]
+    pub fn compensated(form: Form) -> Self {
+        Self {
+            status: Status::Compensated,
+            form,
+            targets: Box::default(),
+            max_correction_m: 0.0,
+            max_correction_rad: 0.0,
+            mid_path_m: None,
+            error_m: None,
+        }
+    }
+
+    /// A motion that stays as it is.
+    #[must_use]
+    pub fn kept(why: Arc<SkipReason>) -> Self {
+        Self { status: Status::Kept(why), ..Self::compensated(Form::default()) }
+    }
+
     /// For each target of a motion that takes its targets from arrays, what it becomes in a bucket; `None` where there is no
     /// such bucket.
     #[must_use]
@@ -157,9 +177,9 @@ pub enum Corrected {
         /// w, x, y, z, normalised.
         orientation_wxyz: [f64; 4],
     },
-    /// A jointtarget.
+    /// The joints of a jointtarget.
     Joints {
-        /// Radians.
+        /// The six axes, radians.
         q_rad: [f64; 6],
     },
 }
@@ -167,7 +187,7 @@ pub enum Corrected {
 /// Counts and largest corrections over a program's motions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Totals {
-    /// Motions.
+    /// How many motions there are.
     pub motions: usize,
     /// Motions that are compensated.
     pub compensated: usize,

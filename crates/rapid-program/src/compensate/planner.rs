@@ -1,18 +1,22 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
-use super::correct::{Moments, MotionCorrection, correct, kept, warm_joints};
+use super::correct::{Moments, MotionCorrection, correct, kept};
 use super::drift::ProgramPoints;
+use super::error::CompensateError;
 use super::figures::{self, Tally};
-use super::live::{self, LiveBasis};
+use super::live;
+use super::live_basis::LiveBasis;
 use super::messages::Messages;
 use super::model::Model;
 use super::nominal::{Resolved, resolve};
+use super::options::{FormChoice, Options};
 use super::plan::{Form, Plan, PlannedMotion, Status};
 use super::ramp::{Ramp, Sample};
-use super::{CompensateError, FormChoice, Options, conditions, placement, silence};
+use super::warm_joints::warm_joints;
+use super::{clock_gaps, conditions, placement};
 use crate::program::Program;
-use crate::program::motion::{Keep, Motion, MotionId, Path};
+use crate::program::motion::{Motion, MotionId, Path, SkipReason};
 use crate::schedule::{Chosen, Moment, choose};
 use rayon::prelude::*;
 use robot_model::deform::Deformation;
@@ -44,6 +48,7 @@ pub fn plan(
     let model = Model::new(robot, deformation, options, temperature_c.map(|range_c| range_c[0]))?;
     let mut messages = Messages::default();
     let mut resolved = resolve(program, &model, &mut messages);
+    conditions::fill(program, &model, &mut resolved);
     keep_as_asked(program, options, &mut resolved);
     keep_what_cannot_be_followed(program, &model, &mut resolved);
     conditions::check(program, &model, &resolved, &mut messages);
@@ -54,34 +59,11 @@ pub fn plan(
         let reason = |i: usize| resolved.get(i)?.kept();
         return Err(nothing(program, reason, &model, messages));
     }
-    let (chosen, at) = match options.form {
-        FormChoice::Schedule => {
-            let chosen = choose(&points, &options.request())?;
-            let warm = model.warm(&chosen.schedule);
-            (chosen, Moments::Buckets(warm))
-        }
-        FormChoice::Ramp | FormChoice::Live | FormChoice::Auto => {
-            let ramp = Ramp::choose(&model, samples(program, &points), options)?;
-            (Chosen::without_buckets(ramp.until_min), Moments::Nodes(ramp))
-        }
-    };
+    let (chosen, at) = choose_moments(program, &points, options)?;
     drop(points);
-    let live = at.ramp().map(|ramp| Arc::new(LiveBasis::new(&model, &ramp.functions, options)));
+    let live = at.ramp().map(|ramp| Arc::new(live::basis(&model, &ramp.functions, options)));
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref() };
-    let mut tally = Tally::new(&chosen);
-    let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
-    let mut worst_bucket = Vec::with_capacity(resolved.len());
-    for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
-        let one = |(motion, resolved): (&Motion, &Resolved)| corrector.correct(motion, resolved);
-        let made: Vec<MotionCorrection> = some.par_iter().zip(resolved).map(one).collect();
-        for made in made {
-            tally.add(MotionId::new(motions.len()), &made);
-            worst_bucket.push(made.worst_bucket as u32);
-            // Copied: what stays lies together, not among what the threads worked with.
-            motions.push(made.planned.clone());
-        }
-    }
-    figures::follow_paths((program, &resolved), at.warm(), &model, &worst_bucket, &mut motions);
+    let (mut motions, tally) = corrector.correct_all(&resolved, &chosen);
     let corrected = |planned: &PlannedMotion| !matches!(planned.status, Status::Kept(_));
     if !motions.iter().any(corrected) {
         let reason = |i: usize| match &motions.get(i)?.status {
@@ -97,16 +79,11 @@ pub fn plan(
     if options.strict {
         motions.iter_mut().for_each(refuse_kept);
     }
-    let too_long = silence::too_long(program, &resolved, &motions, (&model, options.gap_min));
     let mut of_plan = Messages::default();
     of_plan.add_schedule(&chosen, &summary, options);
     conditions::check_model(&model, Some(&chosen.schedule), &mut of_plan);
-    messages.add_statuses(program, &motions);
-    messages.add_paths(program, &motions, options);
-    messages.add_search_results(program, &motions);
-    messages.add_long_gaps(program, &too_long);
-    let mut diagnostics = of_plan.finish();
-    diagnostics.extend(messages.finish());
+    let long_gaps = clock_gaps::long_gaps(program, &resolved, &motions, (&model, options.gap_min));
+    messages.add_motions(program, &motions, options, &long_gaps);
     Ok(Plan {
         functions: at.ramp().map(|ramp| ramp.functions.clone()),
         schedule: chosen.schedule,
@@ -114,7 +91,27 @@ pub fn plan(
         motions,
         live,
         summary,
-        diagnostics,
+        diagnostics: [of_plan.finish(), messages.finish()].concat(),
+    })
+}
+
+/// The schedule or the time functions, and the moments for which corrections are made.
+fn choose_moments(
+    program: &Program,
+    points: &ProgramPoints<'_>,
+    options: &Options,
+) -> Result<(Chosen, Moments), CompensateError> {
+    let model = points.model;
+    Ok(match options.form {
+        FormChoice::Schedule => {
+            let chosen = choose(points, &options.request())?;
+            let warm = model.warm(&chosen.schedule);
+            (chosen, Moments::Buckets(warm))
+        }
+        FormChoice::Ramp | FormChoice::Live | FormChoice::Auto => {
+            let ramp = Ramp::choose(model, samples(program, points), options)?;
+            (Chosen::without_buckets(ramp.until_min), Moments::Nodes(ramp))
+        }
     })
 }
 
@@ -129,6 +126,26 @@ struct Corrector<'a> {
 }
 
 impl Corrector<'_> {
+    /// The plans of all motions, with the figures of each, and the program's worst cases.
+    fn correct_all(&self, resolved: &[Resolved], chosen: &Chosen) -> (Vec<PlannedMotion>, Tally) {
+        let program = self.program;
+        let mut tally = Tally::new(chosen);
+        let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
+        let mut worst_bucket = Vec::with_capacity(resolved.len());
+        for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
+            let one = |(motion, resolved): (&Motion, &Resolved)| self.correct(motion, resolved);
+            let made: Vec<MotionCorrection> = some.par_iter().zip(resolved).map(one).collect();
+            for made in made {
+                tally.add(MotionId::new(motions.len()), &made);
+                worst_bucket.push(made.worst_bucket as u32);
+                // Copied: what stays lies together, not among what the threads worked with.
+                motions.push(made.planned.clone());
+            }
+        }
+        figures::follow_paths((program, resolved), self.at.warm(), self.model, &worst_bucket, &mut motions);
+        (motions, tally)
+    }
+
     fn correct(&self, motion: &Motion, resolved: &Resolved) -> MotionCorrection {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);
@@ -147,7 +164,7 @@ impl Corrector<'_> {
     }
 
     /// The plan of a motion that is not known well enough: what can be asked at run time is.
-    fn at_run_time(&self, motion: &Motion, why: &Arc<Keep>) -> MotionCorrection {
+    fn at_run_time(&self, motion: &Motion, why: &Arc<SkipReason>) -> MotionCorrection {
         let live = self.live.filter(|_| self.options.form.corrects_run_time());
         match live.map(|live| live::run_time(self.program, motion, live)) {
             Some(Some(Ok(planned))) => MotionCorrection::without_figures(planned),
@@ -179,7 +196,7 @@ fn samples<'a>(program: &Program, points: &ProgramPoints<'a>) -> Vec<Sample<'a>>
 /// Why nothing can be compensated; `reason` gives each motion's.
 fn nothing<'k>(
     program: &Program,
-    reason: impl Fn(usize) -> Option<&'k Arc<Keep>>,
+    reason: impl Fn(usize) -> Option<&'k Arc<SkipReason>>,
     model: &Model<'_>,
     mut messages: Messages,
 ) -> CompensateError {

@@ -3,13 +3,14 @@
 //! A correction is proportional to the drift to second order, so that one correction and the share of the drift that has
 //! come replace a staircase of corrected targets; a table with several laws in time takes a few of each.
 
-use super::correct::warm_joints;
 use super::drift::{Points, furthest_m};
+use super::error::CompensateError;
 use super::model::{Model, WarmBucket};
 use super::nominal::Point;
+use super::options::Options;
 use super::placement::Placement;
 use super::plan::Correction;
-use super::{CompensateError, Options};
+use super::warm_joints::warm_joints;
 use crate::program::data::JointTarget;
 use crate::program::motion::TargetValue;
 use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
@@ -128,11 +129,11 @@ impl Ramp {
                         turn_rad: std::array::from_fn(|i| q_rad[i] - point.q_rad[i]),
                     };
                 }
-                let told = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
-                let turn = told.rotation * meant.rotation.inverse();
+                let commanded = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+                let turn = commanded.rotation * meant.rotation.inverse();
                 let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
                 Correction::Pose {
-                    shift_m: (told.translation.vector - meant.translation.vector).into(),
+                    shift_m: (commanded.translation.vector - meant.translation.vector).into(),
                     turn: [sign * turn.i, sign * turn.j, sign * turn.k],
                 }
             })
@@ -160,8 +161,8 @@ impl Ramp {
         for check in &self.checks {
             let before = point.miss_m(&check.arm, &point.q_rad).norm();
             let deformed = check.arm.under(&point.conditions).forward(&point.q_rad);
-            let told = nominal * deformed.inverse() * nominal;
-            let after = solve(&model.nominal, &told, &point.q_rad)
+            let commanded = nominal * deformed.inverse() * nominal;
+            let after = solve(&model.nominal, &commanded, &point.q_rad)
                 .map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
             worst = [worst[0].max(before), worst[1].max(after)];
         }
@@ -232,9 +233,9 @@ fn commanded_q_rad(
         return Some(q_rad);
     }
     let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
-    let told =
+    let commanded =
         Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
-    let base_from_flange = point.placement.base_from_flange(&told);
+    let base_from_flange = point.placement.base_from_flange(&commanded);
     solve(&model.nominal, &base_from_flange, &point.q_rad).ok().map(|solved| solved.q_rad)
 }
 
@@ -257,10 +258,11 @@ fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance
     let rows_of = |Sample { point, .. }: &Sample<'_>| -> Option<Vec<[f64; 6]>> {
         let course = |arm: &DeformedArm| {
             let q_rad = warm_joints(point, arm).ok()?;
-            let told = model.nominal.forward(&q_rad);
-            let turn = (told.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;
+            let commanded = model.nominal.forward(&q_rad);
+            let turn =
+                (commanded.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;
             let at = |frame: &Isometry3<f64>| frame * nalgebra::Point3::from(point.flange_point_m);
-            let shift = at(&told) - at(&point.base_from_flange);
+            let shift = at(&commanded) - at(&point.base_from_flange);
             Some([shift.x, shift.y, shift.z, turn.x, turn.y, turn.z])
         };
         arms.iter().map(course).collect()

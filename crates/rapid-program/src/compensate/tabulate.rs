@@ -24,7 +24,7 @@ pub struct Table {
 pub struct Row {
     /// Index of the target.
     pub target: usize,
-    /// Warm-up minute.
+    /// The warm-up minute, from 0.
     pub t_min: f64,
     /// Joints at which the deformed arm stands on the target, radians.
     pub q_rad: [f64; 6],
@@ -43,7 +43,7 @@ pub struct Row {
 /// How far the targets are missed at a minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MinuteMiss {
-    /// Warm-up minute.
+    /// The warm-up minute, from 0.
     pub t_min: f64,
     /// With the nominal joints.
     pub before: Miss,
@@ -51,14 +51,14 @@ pub struct MinuteMiss {
     pub after: Miss,
 }
 
-/// Distances from targets.
+/// How far all targets are missed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Miss {
-    /// Largest distance, metres.
+    /// Largest distance of any target, metres.
     pub max_m: f64,
     /// Root of the mean square of the distances, metres.
     pub rms_m: f64,
-    /// Largest angle, radians.
+    /// Largest angle of any target, radians.
     pub max_rad: f64,
 }
 
@@ -103,23 +103,23 @@ pub enum TabulateError {
     /// The nominal arm cannot stand on a target.
     #[error("target {name} (line {line}): {problem}")]
     Target {
-        /// Its name.
+        /// The name of the target.
         name: String,
         /// Its line, from 1.
         line: u64,
-        /// Why not.
+        /// Why it has no joints.
         problem: NoJoints,
     },
     /// The deformed arm cannot stand on a target.
     #[error("target {name} (line {line}) at minute {t_min}: {problem}")]
     Minute {
-        /// Its name.
+        /// The name of the target.
         name: String,
         /// Its line, from 1.
         line: u64,
-        /// Warm-up minute.
+        /// The warm-up minute, from 0.
         t_min: f64,
-        /// Why not.
+        /// Why it has no joints.
         problem: NoJoints,
     },
 }
@@ -127,7 +127,7 @@ pub enum TabulateError {
 /// Why no joints are given for a target.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum NoJoints {
-    /// Out of reach.
+    /// It is out of the arm's reach.
     #[error("the arm does not reach it")]
     OutOfReach,
     /// In reach, but not within the joints' ranges.

@@ -26,7 +26,7 @@ pub enum TargetsError {
     /// The file is not CSV.
     #[error("targets, line {line}: {message}")]
     Csv {
-        /// From 1.
+        /// Its number, counted from 1.
         line: u64,
         /// What the CSV reader says.
         message: String,
@@ -37,7 +37,7 @@ pub enum TargetsError {
          `No. point,X[mm],Y[mm],Z[mm][,Ox[deg],Oy[deg],Oz[deg]]`"
     )]
     Header {
-        /// As found.
+        /// As the file has it.
         header: String,
     },
     /// A field cannot be used.
@@ -45,13 +45,13 @@ pub enum TargetsError {
         "targets, line {line}, column {column} (`{name}`): `{text}` is not a finite number; write a plain number with a decimal point"
     )]
     Field {
-        /// From 1.
+        /// Its number, counted from 1.
         line: u64,
-        /// From 1.
+        /// Its number, counted from 1.
         column: usize,
-        /// The column's name.
+        /// The name of the column.
         name: String,
-        /// As found.
+        /// As the file has it.
         text: String,
     },
     /// Positions alone do not say how the flange stands.

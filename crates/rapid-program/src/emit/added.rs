@@ -9,7 +9,7 @@ use super::insertion::{self, LayoutStyle};
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
 use super::point;
-use super::target::{MAX_LINE, TargetArray, element1};
+use super::target::{MAX_LINE, TargetArray, first_element};
 use crate::compensate::plan::{Corrected, Correction, Corrections, Form, PlannedMotion, PlannedTarget};
 use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -120,8 +120,8 @@ impl<'p> Added<'p> {
                 self.add_shares(&original, corrected);
                 let literal = target.literal(file.id).filter(|_| target.value().is_some());
                 let literal = literal.map(|span| context.program.file(span.file).text(span.range));
-                let element1 = element1(literal, Some(&original))?;
-                rows.push((original, element1, corrected));
+                let first_element = first_element(literal, Some(&original))?;
+                rows.push((original, first_element, corrected));
             }
             let (base, index) = match target.value() {
                 Some(_) => (argument, None),

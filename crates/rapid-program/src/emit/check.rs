@@ -4,8 +4,8 @@
 //! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
+use super::aggregate::singles;
 use super::insertion::white;
-use super::target::singles;
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
 
@@ -62,7 +62,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Of none yet.
+    /// The letters of no element yet.
     #[must_use]
     pub fn new() -> Self {
         Self { all: Fnv::new(), each: Vec::new() }
@@ -78,7 +78,7 @@ impl Elements {
         self.each.extend(own.letters::<2>());
     }
 
-    /// The letters.
+    /// Three letters for all, two for each.
     #[must_use]
     pub fn letters(&self) -> Vec<u8> {
         [&self.all.letters::<3>()[..], &self.each].concat()

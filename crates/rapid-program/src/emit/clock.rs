@@ -6,7 +6,7 @@
 //! add up from motion to motion.
 
 use super::names::{MAX_NAME, Names};
-use super::number::write_num;
+use super::number::num;
 use super::options::{Clock, EmitError, Sensor};
 use super::scale::Scaled;
 use crate::schedule::Schedule;
@@ -35,18 +35,18 @@ const CASE_LINE: usize = 120;
 pub enum Law {
     /// Two equal lags in a row, warming and cooling with a time constant each, minutes.
     TwoStage {
-        /// Warming.
+        /// Time constant of warming, minutes.
         tau_min: f64,
-        /// Cooling.
+        /// Time constant of cooling, minutes.
         tau_cool_min: f64,
         /// A longer pause than this is standing.
         gap_min: f64,
     },
-    /// One lag.
+    /// One lag, warming and cooling.
     OneLag {
-        /// Warming.
+        /// Time constant of warming, minutes.
         tau_min: f64,
-        /// Cooling.
+        /// Time constant of cooling, minutes.
         tau_cool_min: f64,
         /// A longer pause than this is standing.
         gap_min: f64,
@@ -146,7 +146,7 @@ pub enum Choice<'a> {
 /// The core of a program: its clock, and what is asked of it.
 #[derive(Clone, Debug)]
 pub struct CoreText<'a> {
-    /// The clock's law.
+    /// The law that the clock follows.
     pub law: &'a Law,
     /// The law of the drift's growth, where all of it follows one.
     pub growth: Option<GrowthLaw>,
@@ -339,13 +339,6 @@ fn cases(schedule: &Schedule) -> Vec<String> {
         lines.push(format!("        tcNew:={k};"));
     }
     lines
-}
-
-/// A number as RAPID text.
-pub fn num(value: f64) -> String {
-    let mut out = Vec::new();
-    write_num(&mut out, value);
-    String::from_utf8_lossy(&out).into_owned()
 }
 
 #[cfg(test)]

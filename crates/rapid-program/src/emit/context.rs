@@ -30,7 +30,7 @@ pub struct EmitContext<'e> {
     pub program: &'e Program,
     /// What becomes of its motions.
     pub plan: &'e Plan,
-    /// Names in use.
+    /// Names in use for what is added.
     pub names: Names,
     /// Where clock and functions live.
     pub core: Core,

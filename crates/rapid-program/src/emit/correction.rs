@@ -15,7 +15,7 @@ const TURN_DECIMALS: i32 = 8;
 /// The correction of a target, or of all elements of an array, at the node of one function of time.
 #[derive(Clone, Debug)]
 pub struct CorrectionData {
-    /// Its name.
+    /// The name of the data.
     pub name: String,
     /// It is an array, for a target that is one of an array's elements.
     pub indexed: bool,

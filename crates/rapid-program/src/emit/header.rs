@@ -29,7 +29,7 @@ pub struct Record {
     pub targets: usize,
     /// How many other data declarations.
     pub data: usize,
-    /// How many routines.
+    /// How many routines were added.
     pub routines: usize,
     /// Names of the core that are in use under another one.
     pub renamed: BTreeMap<String, String>,
@@ -57,9 +57,9 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
     for text in about {
         wrap(&mut lines, "! ", "!   ", text);
     }
-    let mut told: Vec<(String, String)> = Vec::new();
-    let mut tell = |key: &str, text: &str| {
-        told.push((key.to_owned(), text.to_owned()));
+    let mut entries: Vec<(String, String)> = Vec::new();
+    let mut add = |key: &str, text: &str| {
+        entries.push((key.to_owned(), text.to_owned()));
         let first = format!("{MARK}{key}: ");
         let mut rest = text;
         let mut prefix = first.as_str();
@@ -75,30 +75,30 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         }
     };
     if record.is_core {
-        tell("core", "no source");
+        add("core", "no source");
     } else {
-        tell("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
+        add("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
         let Record { targets, data, routines, .. } = record;
-        tell("added", &format!("{targets} targets, {data} data, {routines} routines"));
+        add("added", &format!("{targets} targets, {data} data, {routines} routines"));
         for (name, text) in &record.was {
-            tell("was", &format!("{name} {}", escape(text)));
+            add("was", &format!("{name} {}", escape(text)));
         }
         if !record.shares.is_empty() {
             let largest = record.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
             let shares: Vec<String> =
                 record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
-            tell("shares", &shares.join(" "));
+            add("shares", &shares.join(" "));
         }
     }
     for (name, by) in &record.renamed {
-        tell("renamed", &format!("{name} {by}"));
+        add("renamed", &format!("{name} {by}"));
     }
     for (key, letters) in [("points", &record.points), ("targets", &record.letters), ("code", &record.code)] {
         if !letters.is_empty() {
-            tell(key, &String::from_utf8_lossy(letters));
+            add(key, &String::from_utf8_lossy(letters));
         }
     }
-    let sum = check::of_lines(told.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
+    let sum = check::of_lines(entries.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
     lines.push(format!("{MARK}sum: {}", String::from_utf8_lossy(&sum)));
     lines.push(format!("{MARK}end"));
     lines
@@ -182,7 +182,7 @@ impl Record {
 /// # Errors
 /// A sentence.
 pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize), String> {
-    let mut told: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
+    let mut entries: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
     let mut count = 0;
     let mut ended = false;
     for line in lines {
@@ -196,21 +196,21 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
         let Some(colon) = memchr::memmem::find(text, b": ") else { continue };
         let (key, rest) = (&text[..colon], &text[colon + 2..]);
         if key == b"more" {
-            if let Some((_, last)) = told.last_mut() {
+            if let Some((_, last)) = entries.last_mut() {
                 last.extend_from_slice(rest);
             }
         } else {
-            told.push((key.to_vec(), rest.to_vec()));
+            entries.push((key.to_vec(), rest.to_vec()));
         }
     }
     if !ended {
         return Err("the comment block after MODULE has no end".to_owned());
     }
     let mut record = Record::default();
-    let pairs = || told.iter().map(|(key, text)| (key.as_slice(), text.as_slice()));
+    let pairs = || entries.iter().map(|(key, text)| (key.as_slice(), text.as_slice()));
     let sum = check::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
     record.is_whole = pairs().any(|(key, text)| key == b"sum" && text == sum);
-    for (key, text) in told {
+    for (key, text) in entries {
         let broken =
             || format!("the line `{}` of the comment block is damaged", String::from_utf8_lossy(&key));
         let utf8 = std::str::from_utf8(&text).map_err(|_| broken())?;
@@ -233,7 +233,7 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 record.renamed.insert(name.to_owned(), by.to_owned());
             }
             b"shares" => {
-                // Where lines are lost others may have been added to this one: then nothing is told of shares.
+                // Where lines are lost others may have been added to this one: then nothing is entries of shares.
                 record.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
             }
             b"was" => {

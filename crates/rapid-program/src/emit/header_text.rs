@@ -1,9 +1,10 @@
 //! The comment block's lines for people.
 
 use super::clock::{Choice, CoreText};
+use super::header;
 use super::names::Names;
+use super::number::num;
 use super::options::{Clock, Core, EmitOptions, Provenance, Sensor};
-use super::{header, target};
 use crate::compensate::plan::{Form, Plan, Totals};
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -26,8 +27,7 @@ pub fn header_text(
     ];
     match &text.choice {
         Choice::Bucket(_) => {
-            let edges: Vec<String> =
-                schedule.buckets.iter().map(|b| target::spelled(zero + b.from_min)).collect();
+            let edges: Vec<String> = schedule.buckets.iter().map(|b| num(zero + b.from_min)).collect();
             about.push(format!("Buckets from {unit} {}; the last holds on", edges.join(", ")));
         }
         Choice::Scale(scaled) => about.push(format!(

@@ -22,16 +22,16 @@ pub enum Difference {
     Added(String),
     /// What was added to a compensated module is not as it was made.
     Altered {
-        /// Its file.
+        /// The file of the module.
         file: String,
-        /// What.
+        /// What was changed in it.
         what: Altered,
     },
     /// A compensated module of the second program was edited where it must not be.
     Damaged {
-        /// Its file.
+        /// The file of the module.
         file: String,
-        /// How.
+        /// What is wrong with it.
         error: RestoreError,
     },
 }

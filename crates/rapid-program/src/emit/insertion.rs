@@ -71,7 +71,6 @@ pub fn majority_eol(source: &[u8]) -> &'static [u8] {
     }
 }
 
-/// Blank or tab.
 fn blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }

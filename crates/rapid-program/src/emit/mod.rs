@@ -6,6 +6,7 @@
 //! Declarations of the source are never edited. Knows nothing of how the plan was found.
 
 mod added;
+mod aggregate;
 mod change;
 mod check;
 mod clock;
@@ -31,4 +32,4 @@ pub use emission::{compensated_at, emit, emit_each};
 pub use identity::{Difference, differences};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
-pub use restore::{Altered, RestoreError, Restored, Touched, TouchedInto, altered_core, restore};
+pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};

@@ -123,7 +123,7 @@ fn written(added: &Added, style: &LayoutStyle) -> Result<Vec<Written>, EmitError
         .collect()
 }
 
-/// Hexadecimal digits.
+/// Bytes as lower-case hexadecimal digits.
 pub fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }

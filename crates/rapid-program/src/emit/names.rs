@@ -24,7 +24,7 @@ const PUBLIC: [&str; 11] = [
     "tcDegrees",
 ];
 
-/// RAPID's longest identifier.
+/// The longest identifier that RAPID takes, characters.
 pub const MAX_NAME: usize = 32;
 
 /// The names of the core's data and routines, as they were thought out, and the words of the given files

@@ -58,7 +58,7 @@ fn write_expanded(out: &mut Vec<u8>, mantissa: &[u8], exponent: &[u8]) {
     }
 }
 
-/// Appends `[a,b,...]`.
+/// Appends numbers as an aggregate, `[a,b,...]`.
 pub fn write_list<const N: usize>(out: &mut Vec<u8>, values: [f64; N]) {
     out.push(b'[');
     for (i, value) in values.into_iter().enumerate() {
@@ -90,6 +90,13 @@ pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) {
 /// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`.
 pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) {
     write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)));
+}
+
+/// A number as RAPID text.
+pub fn num(value: f64) -> String {
+    let mut out = Vec::new();
+    write_num(&mut out, value);
+    String::from_utf8_lossy(&out).into_owned()
 }
 
 #[cfg(test)]

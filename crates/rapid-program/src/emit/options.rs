@@ -35,7 +35,7 @@ pub enum Clock {
 /// Where a program reads a temperature, degrees Celsius.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Sensor {
-    /// An analog input.
+    /// An analog input, by its name.
     Signal(String),
     /// A persistent `num` that is written from outside.
     Pers(String),
@@ -59,18 +59,18 @@ pub struct Provenance {
     pub sha256: String,
 }
 
-/// How to emit.
+/// How a program is emitted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmitOptions {
     /// What was asked for, as the comment block names it.
     pub form: FormChoice,
-    /// The clock.
+    /// What the emitted program tells the warmth by.
     pub clock: Clock,
     /// The law of the drift's growth, where all of it follows one.
     pub growth: Option<GrowthLaw>,
     /// Where clock and functions live; `None` = in the module if only one is changed, else separate.
     pub core: Option<Core>,
-    /// The robot.
+    /// The robot that the targets are made for.
     pub robot: Provenance,
     /// The deformation or model.
     pub deformation: Provenance,
@@ -87,7 +87,7 @@ pub struct EmittedFile {
     pub source: Option<FileId>,
     /// The source's path, or that of a new file beside it; `/` between folders.
     pub path: String,
-    /// The file.
+    /// The file that is concerned.
     pub bytes: Vec<u8>,
     /// What was changed of the source, in source order; empty for a new file.
     pub edits: Vec<Edit>,
@@ -102,7 +102,7 @@ pub enum EmitError {
         path.display()
     )]
     AlreadyCompensated {
-        /// The file.
+        /// The file that is concerned.
         path: PathBuf,
         /// The line of its header.
         line: u32,
@@ -128,23 +128,23 @@ pub enum EmitError {
     /// A signal's or persistent's name that cannot be used.
     #[error("{name} cannot be the clock's temperature: {why}")]
     BadSensor {
-        /// As given.
+        /// As it was given.
         name: String,
-        /// A reason.
+        /// Why it cannot be used.
         why: &'static str,
     },
     /// A time that is not a positive number of minutes.
     #[error("{name} must be a positive number of minutes, not {minutes}")]
     BadTime {
-        /// Which.
+        /// Which of the times it is.
         name: &'static str,
-        /// As given.
+        /// As it was given.
         minutes: f64,
     },
     /// The core cannot be embedded in several modules.
     #[error("{modules} modules hold compensated motion and share one clock: use --core separate")]
     EmbeddedInSeveral {
-        /// How many.
+        /// How many modules are changed.
         modules: usize,
     },
     /// Motion of several tasks, which are several robots.
@@ -154,13 +154,13 @@ pub enum EmitError {
         tasks.join(", ")
     )]
     SeveralTasks {
-        /// The tasks' folders.
+        /// The folders of the tasks.
         tasks: Vec<String>,
     },
     /// There is no place for data and routines.
     #[error("{}:{line}: no MODULE ... ENDMODULE round this motion, so there is no place for its targets", path.display())]
     NoModule {
-        /// The file.
+        /// The file that is concerned.
         path: PathBuf,
         /// The motion's or module's line.
         line: u32,
@@ -168,17 +168,17 @@ pub enum EmitError {
     /// What was emitted does not give its original back.
     #[error("{}: the original cannot be got back from the result, so it is not written: {what}", path.display())]
     NotRestored {
-        /// The file.
+        /// The file that is concerned.
         path: PathBuf,
-        /// What is wrong.
+        /// What is wrong with it.
         what: String,
     },
     /// No name of 32 characters is free.
     #[error("{}:{line}: no free name of at most 32 characters for the target", path.display())]
     NoName {
-        /// The file.
+        /// The file that is concerned.
         path: PathBuf,
-        /// The motion's line.
+        /// The line of the motion.
         line: u32,
     },
     /// The plan was made for another program or is not whole.
@@ -187,15 +187,15 @@ pub enum EmitError {
     /// Two changes at one place.
     #[error("{}: {error}", path.display())]
     Edit {
-        /// The file.
+        /// The file that is concerned.
         path: PathBuf,
-        /// What is wrong.
+        /// What is wrong with it.
         error: EditError,
     },
 }
 
 impl EmitError {
-    /// Its stable code.
+    /// The stable code of the message, listed in `docs/MESSAGES.md`.
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {

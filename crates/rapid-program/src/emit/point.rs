@@ -1,8 +1,8 @@
 //! Originals that stay in a module, known again by letters in its comment block: which of them was touched up, and by how
 //! much.
 
+use super::aggregate::is_plain;
 use super::check;
-use super::target::is_plain;
 use crate::program::motion::Motion;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Module, ModuleItem, Routine, StmtKind};
@@ -88,7 +88,7 @@ impl Points {
         new
     }
 
-    /// The letters.
+    /// The letters of all originals.
     #[must_use]
     pub fn letters(self) -> Vec<u8> {
         self.letters
@@ -148,7 +148,7 @@ pub fn moved(text: &[u8], made: &[u8]) -> Option<(f64, &'static str)> {
 /// Position in mm, or six joints in degrees, and the step in which they are told.
 fn places(text: &[u8]) -> (Vec<f64>, f64) {
     let mut numbers: Vec<f64> =
-        super::target::singles(text).unwrap_or_default().into_iter().map(f64::from).collect();
+        super::aggregate::singles(text).unwrap_or_default().into_iter().map(f64::from).collect();
     let joints = numbers.len() == JOINTTARGET;
     numbers.truncate(if joints { 6 } else { 3 });
     (numbers, if joints { STEP_DEG } else { STEP_MM })

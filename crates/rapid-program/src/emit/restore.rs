@@ -6,17 +6,21 @@
 
 mod altered;
 mod arrays;
+mod comment_block;
+mod findings;
 mod removal;
 
-pub use altered::{Altered, altered_core};
+pub use altered::altered_core;
+pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 
 use super::header;
 use super::insertion;
 use super::module::hex;
 use super::names::words;
 use altered::altered_code;
+use comment_block::{comment_block, header_of};
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
-use rapid_syntax::tree::{FileItem, Module, ModuleItem};
+use rapid_syntax::tree::FileItem;
 use rapid_syntax::{apply, parse};
 use removal::{Remover, removal};
 use sha2::{Digest, Sha256};
@@ -25,92 +29,16 @@ use std::collections::BTreeSet;
 /// An original, got back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Restored {
-    /// The file.
+    /// The bytes of the whole file.
     pub bytes: Vec<u8>,
     /// The name it had.
     pub source_name: String,
     /// Targets that were touched up in the emitted module: the file holds the originals that this means.
-    pub touched: Vec<Touched>,
+    pub touched: Vec<ModifiedTarget>,
     /// What else was changed in the emitted module: it is in no way in the file.
     pub altered: Vec<Altered>,
     /// The file is the original byte for byte, as its SHA-256 proves.
     pub exact: bool,
-}
-
-/// A target that was touched up in the emitted module.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Touched {
-    /// Its array; `None` where the original itself was touched up.
-    pub array: Option<String>,
-    /// What stands in the motion of the original.
-    pub target: String,
-    /// The new value of the original.
-    pub value: String,
-    /// Where the original stands in the emitted module, or the first line that names its array, from 1.
-    pub line: u32,
-    /// Where the new value stands in the result.
-    pub into: TouchedInto,
-    /// How far the original has moved.
-    pub moved: f64,
-    /// In `mm`, or in `deg` for joints and for a turn alone.
-    pub unit: &'static str,
-}
-
-/// Where a touched-up value went.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TouchedInto {
-    /// Into the motion.
-    Motion,
-    /// Into the target's declaration.
-    Declaration,
-}
-
-/// Why there is no original.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum RestoreError {
-    /// No module of the file was made by this program.
-    #[error("no module of this file is a compensated one: there is no `! driftpost` comment after MODULE")]
-    NotEmitted,
-    /// The module is the common one, which has no original.
-    #[error(
-        "this module belongs to a compensated program and has no original: remove it when that is removed"
-    )]
-    IsCore,
-    /// Two touched-up elements of one target do not mean the same original.
-    #[error(
-        "line {line}: two elements of {array} were touched up and mean different originals: {first} and {second}; undo one of them"
-    )]
-    Disagree {
-        /// The array.
-        array: String,
-        /// Its first line, from 1.
-        line: u32,
-        /// What the first means.
-        first: String,
-        /// What the other means.
-        second: String,
-    },
-    /// The module was edited where it must not be.
-    #[error("line {line}: {what}; take the original file, or undo that edit")]
-    Damaged {
-        /// The line, from 1.
-        line: u32,
-        /// What is the matter.
-        what: String,
-    },
-}
-
-impl RestoreError {
-    /// Its stable code.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::NotEmitted => "restore::not-emitted",
-            Self::IsCore => "restore::core",
-            Self::Disagree { .. } => "restore::disagree",
-            Self::Damaged { .. } => "restore::damaged",
-        }
-    }
 }
 
 /// Gives the original of an emitted module.
@@ -183,28 +111,4 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let exact = hex(&Sha256::digest(&restored)) == sha256;
     altered.sort_by_key(Altered::line);
     Ok(Restored { bytes: restored, source_name, touched, altered, exact })
-}
-
-/// The first comment of a block of ours in a module.
-pub(super) fn header_of(bytes: &[u8], module: &Module) -> Option<TextRange> {
-    module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_))).find_map(|item| match item
-    {
-        ModuleItem::Comment(range) if header::begins(range.of(bytes)) => Some(*range),
-        _ => None,
-    })
-}
-
-/// The lines from `start` on, without line ends, as long as they are comments.
-pub(super) fn comment_block(bytes: &[u8], start: u32) -> Vec<TextRange> {
-    let mut lines = Vec::new();
-    let mut at = start as usize;
-    while at < bytes.len() {
-        let eol = memchr::memchr2(b'\n', b'\r', &bytes[at..]).map_or(bytes.len(), |e| at + e);
-        if bytes[at..eol].trim_ascii_start().first() != Some(&b'!') {
-            break;
-        }
-        lines.push(TextRange::new(at as u32, eol as u32));
-        at = insertion::past_eol(bytes, eol);
-    }
-    lines
 }

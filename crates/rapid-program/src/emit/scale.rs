@@ -1,8 +1,8 @@
 //! The functions that a motion of the forms `ramp` and `live` asks, as RAPID: what the drift has come to, and a target
 //! with as much of its correction.
 
-use super::clock::num;
 use super::live::{LiveModel, TestTarget};
+use super::number::num;
 use crate::schedule::{Course, TimeFunctions};
 use robot_model::deform::GrowthLaw;
 
@@ -79,7 +79,7 @@ impl Scaled<'_> {
         lines
     }
 
-    /// The routines' text.
+    /// The lines of the routines that scale.
     #[must_use]
     pub fn routines(&self) -> Vec<String> {
         let count = self.functions.count();
@@ -148,7 +148,6 @@ impl Scaled<'_> {
     }
 }
 
-/// The shifted position.
 fn shift(corrections: &[String]) -> String {
     let axis = |k: &str| {
         let by: String = (1..).zip(corrections).map(|(r, c)| format!("+tcF{r}*{c}.trans.{k}")).collect();

@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
+use super::aggregate::{has_components, is_plain, tail_of};
 use super::check::Elements;
 use super::insertion::{LayoutStyle, white};
-use super::number::{write_num, write_optional, write_orient, write_pos, write_robjoint};
+use super::number::{write_optional, write_orient, write_pos, write_robjoint};
 use super::options::EmitError;
 use crate::compensate::plan::Corrected;
 use crate::program::data::{ExtJoint, RobTarget};
@@ -12,7 +13,7 @@ use crate::program::motion::TargetValue;
 use nalgebra::Vector3;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
-/// RAPID's longest line.
+/// The longest line that RAPID takes, characters.
 pub const MAX_LINE: usize = 255;
 
 /// The text of element 1 of a target's array, on one line if it came so from the source.
@@ -22,7 +23,7 @@ pub const MAX_LINE: usize = 255;
 ///
 /// # Errors
 /// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
-pub fn element1<'s>(
+pub fn first_element<'s>(
     literal: Option<&'s [u8]>,
     original: Option<&TargetValue>,
 ) -> Result<Cow<'s, [u8]>, EmitError> {
@@ -70,7 +71,7 @@ fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
 
 /// The array of a target, or of all elements of an array that it is one of.
 pub struct TargetArray<'p> {
-    /// Its name.
+    /// The name of the array.
     pub name: String,
     /// Which row is in force is an index of its own: the source names an array's element.
     pub indexed: bool,
@@ -104,7 +105,7 @@ impl TargetArray<'_> {
         let rows = if self.indexed { format!("{},", self.rows.len()) } else { String::new() };
         out.extend_from_slice(format!("{{{rows}{}}}:=[", buckets + 1).as_bytes());
         out.extend_from_slice(style.eol);
-        for (r, (_, element1, corrected)) in self.rows.iter().enumerate() {
+        for (r, (_, first_element, corrected)) in self.rows.iter().enumerate() {
             let last_row = r + 1 == self.rows.len();
             let mut line = out.len();
             out.extend_from_slice(&style.indent);
@@ -113,7 +114,7 @@ impl TargetArray<'_> {
                 out.push(b'[');
             }
             let from = out.len();
-            out.extend_from_slice(element1);
+            out.extend_from_slice(first_element);
             elements.add(out.get(from..).unwrap_or_default());
             for corrected in *corrected {
                 end_element(out, line, b",", style);
@@ -121,7 +122,7 @@ impl TargetArray<'_> {
                 out.extend_from_slice(&style.indent);
                 out.extend_from_slice(&style.unit);
                 let from = out.len();
-                write_corrected(out, corrected, joint, element1)
+                write_corrected(out, corrected, joint, first_element)
                     .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
                 elements.add(out.get(from..).unwrap_or_default());
             }
@@ -152,7 +153,7 @@ pub fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
     }
 }
 
-/// Appends the target of a bucket: what does not change as `element1` has it.
+/// Appends the target of a bucket: what does not change as `first_element` has it.
 ///
 /// # Errors
 /// What is wrong where a robtarget's correction is given as joints or the other way.
@@ -160,7 +161,7 @@ pub fn write_corrected(
     out: &mut Vec<u8>,
     corrected: &Corrected,
     joint: bool,
-    element1: &[u8],
+    first_element: &[u8],
 ) -> Result<(), &'static str> {
     match (corrected, joint) {
         (Corrected::Pose { position_m, orientation_wxyz }, false) => {
@@ -176,7 +177,7 @@ pub fn write_corrected(
         _ => return Err("a bucket's target is of another type than the original"),
     }
     out.push(b',');
-    out.extend_from_slice(tail_of(element1, if joint { 1 } else { 2 }));
+    out.extend_from_slice(tail_of(first_element, if joint { 1 } else { 2 }));
     Ok(())
 }
 
@@ -202,70 +203,6 @@ fn end_element(out: &mut Vec<u8>, line: usize, end: &[u8], style: &LayoutStyle) 
     out.extend_from_slice(style.eol);
 }
 
-/// Everything of an aggregate's text from its component `from` on, closing bracket included.
-pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
-    let (mut depth, mut commas) = (0_u32, 0_usize);
-    for (at, &byte) in text.iter().enumerate() {
-        match byte {
-            b'[' => depth += 1,
-            b']' => depth = depth.saturating_sub(1),
-            b',' if depth == 1 => {
-                commas += 1;
-                if commas == from {
-                    let tail = &text[at + 1..];
-                    return &tail[tail.iter().position(|&b| b != b' ').unwrap_or(0)..];
-                }
-            }
-            _ => {}
-        }
-    }
-    b"]"
-}
-
-/// Whether an aggregate has so many components.
-fn has_components(text: &[u8], count: usize) -> bool {
-    tail_of(text, count - 1) != b"]" && tail_of(text, count) == b"]"
-}
-
-/// Whether an aggregate's text is nothing but brackets, commas, blanks and signed decimal numbers.
-#[must_use]
-pub fn is_plain(text: &[u8]) -> bool {
-    let mut previous = b'[';
-    for &byte in text {
-        let fits = match byte {
-            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => true,
-            b'+' | b'-' => matches!(previous, b'[' | b',' | b'e' | b'E'),
-            b'e' | b'E' => previous.is_ascii_digit() || previous == b'.',
-            _ => white(byte),
-        };
-        if !fits {
-            return false;
-        }
-        if !white(byte) {
-            previous = byte;
-        }
-    }
-    text.first() == Some(&b'[') && text.last() == Some(&b']')
-}
-
-/// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
-#[must_use]
-pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
-    text.split(|&b| matches!(b, b'[' | b']' | b','))
-        .map(|part| part.iter().copied().filter(|&b| !white(b)).collect::<Vec<u8>>())
-        .filter(|part| !part.is_empty())
-        .map(|part| fast_float2::parse::<f64, _>(&part).ok().map(|v| v as f32))
-        .collect()
-}
-
-/// A number as the source would spell it, for a message.
-#[must_use]
-pub fn spelled(value: f64) -> String {
-    let mut out = Vec::new();
-    write_num(&mut out, value);
-    String::from_utf8_lossy(&out).into_owned()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -284,11 +221,11 @@ mod tests {
 
     fn array<'t>(
         name: &str,
-        element1: Cow<'t, [u8]>,
+        first_element: Cow<'t, [u8]>,
         original: TargetValue,
         corrected: &'t [Corrected],
     ) -> TargetArray<'t> {
-        TargetArray { name: name.into(), indexed: false, rows: vec![(original, element1, corrected)] }
+        TargetArray { name: name.into(), indexed: false, rows: vec![(original, first_element, corrected)] }
     }
 
     fn pose(x_mm: f64) -> Corrected {
@@ -305,9 +242,9 @@ mod tests {
     #[test]
     fn an_array_of_robtargets() {
         let written = written();
-        let element1 = element1(Some(LITERAL), Some(&written)).unwrap();
+        let first_element = first_element(Some(LITERAL), Some(&written)).unwrap();
         let corrected = [pose(400.125), pose(400.0625)];
-        let array = array("tc57", element1, written, &corrected);
+        let array = array("tc57", first_element, written, &corrected);
         let mut out = Vec::new();
         array.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -323,14 +260,14 @@ mod tests {
     fn without_plain_spelling_the_numbers_stand() {
         let written = written();
         for literal in [None, Some(b"[[x,0,250],ori,conf,ext]".as_slice()), Some(b"p10")] {
-            let text = element1(literal, Some(&written)).unwrap();
+            let text = first_element(literal, Some(&written)).unwrap();
             assert_eq!(
                 String::from_utf8_lossy(&text),
                 "[[400,0,250],[1,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]"
             );
         }
         let broken_over_lines = b"[[400.0,\r\n\t0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        let text = element1(Some(broken_over_lines), Some(&written)).unwrap();
+        let text = first_element(Some(broken_over_lines), Some(&written)).unwrap();
         assert_eq!(
             String::from_utf8_lossy(&text),
             "[[400.0,0,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
@@ -342,9 +279,9 @@ mod tests {
         let target =
             crate::program::data::JointTarget { q_rad: [Some(rad_from_deg(90.0)); 6], ext: [None; 6] };
         let written = TargetValue::Joint(target);
-        let element1 = element1(None, Some(&written)).unwrap();
+        let first_element = first_element(None, Some(&written)).unwrap();
         let corrected = [Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }];
-        let joints = array("tc3", element1, written, &corrected);
+        let joints = array("tc3", first_element, written, &corrected);
         let mut out = Vec::new();
         joints.write(&mut out, &style()).unwrap();
         assert_eq!(
@@ -364,20 +301,14 @@ mod tests {
         let six = [number; 6].join(",");
         let literal = format!("[[{number},{number},{number}],[1,0,0,0],[0,0,0,0],[{six}]]");
         let written = written();
-        let element1 = element1(Some(literal.as_bytes()), Some(&written)).unwrap();
+        let first_element = first_element(Some(literal.as_bytes()), Some(&written)).unwrap();
         let corrected = [pose(400.0)];
-        let array = array("tc3", element1, written, &corrected);
+        let array = array("tc3", first_element, written, &corrected);
         let mut out = Vec::new();
         let deep = LayoutStyle { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
         array.write(&mut out, &deep).unwrap();
         assert!(out.split(|&b| b == b'\n').all(|line| line.len() <= MAX_LINE));
         let joined: Vec<u8> = out.iter().copied().filter(|&b| !white(b)).collect();
         assert!(String::from_utf8_lossy(&joined).contains(&literal));
-    }
-
-    #[test]
-    fn numbers_are_read_in_single_precision() {
-        assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
-        assert_eq!(singles(b"[[1,x]]"), None);
     }
 }

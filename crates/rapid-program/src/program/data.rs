@@ -23,47 +23,47 @@ pub struct ConfData {
 /// (`9E9` in RAPID).
 pub type ExtJoint = [Option<f64>; 6];
 
-/// `robtarget`.
+/// `robtarget`: a pose of the TCP with the arm's configuration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RobTarget {
     /// The TCP frame in the work object: `object_from_tcp`, metres.
     pub object_from_tcp: Isometry3<f64>,
-    /// Configuration.
+    /// Which of the arm's solutions is meant.
     pub conf: ConfData,
-    /// External axes.
+    /// External axes as they are written.
     pub ext: ExtJoint,
 }
 
-/// `jointtarget`.
+/// `jointtarget`: the positions of all axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointTarget {
     /// The six axes in radians; `None` where a robot axis is written `9E9`.
     pub q_rad: [Option<f64>; 6],
-    /// External axes.
+    /// External axes as they are written.
     pub ext: ExtJoint,
 }
 
 /// `loaddata`, of which gravity effects need mass and centre.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadData {
-    /// Mass, kg.
+    /// Mass of the load, kg.
     pub mass_kg: f64,
     /// Centre of gravity in the tool frame's mounting frame, metres.
     pub cog_m: [f64; 3],
 }
 
-/// `tooldata`.
+/// `tooldata`: a tool's frame and load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolData {
     /// The robot holds the tool; otherwise it is stationary and the robot holds the work object.
     pub robhold: bool,
     /// `flange_from_tcp` where the robot holds it, `world_from_tcp` where it is stationary. Metres.
     pub frame_from_tcp: Isometry3<f64>,
-    /// The load.
+    /// The load of the tool.
     pub load: LoadData,
 }
 
-/// `wobjdata`.
+/// `wobjdata`: where a work object stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WobjData {
     /// The robot holds the work object (the tool is then stationary).
@@ -74,7 +74,7 @@ pub struct WobjData {
     pub ufmec: String,
     /// `world_from_user`, or `flange_from_user` where the robot holds the work object. Metres.
     pub uframe: Isometry3<f64>,
-    /// `user_from_object`. Metres.
+    /// The object frame: `user_from_object`, metres.
     pub oframe: Isometry3<f64>,
 }
 
@@ -85,7 +85,7 @@ impl WobjData {
         self.uframe * self.oframe
     }
 
-    /// `wobj0`.
+    /// `wobj0`: the frame of the base.
     #[must_use]
     pub fn wobj0() -> Self {
         Self {
@@ -99,7 +99,7 @@ impl WobjData {
 }
 
 impl ToolData {
-    /// `tool0`.
+    /// `tool0`: the flange, weighing a gram.
     #[must_use]
     pub fn tool0() -> Self {
         Self {
@@ -113,16 +113,16 @@ impl ToolData {
 /// `speeddata`, of which the time between updates of the clock is estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedData {
-    /// TCP speed, m/s.
+    /// Speed of the TCP, m/s.
     pub v_tcp_m_s: f64,
-    /// Reorientation speed, rad/s.
+    /// Speed of turning about the TCP, rad/s.
     pub v_ori_rad_s: f64,
 }
 
 /// `zonedata`, of which the review needs whether the point is passed or stopped in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ZoneData {
-    /// A stop point.
+    /// The robot stops in the point.
     pub finep: bool,
     /// Radius of the TCP's zone, metres.
     pub pzone_tcp_m: f64,

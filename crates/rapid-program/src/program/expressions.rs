@@ -81,23 +81,23 @@ pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
     }
 }
 
-/// Calls `see` with the name and arguments of every function call in an expression, inner ones first.
-pub(super) fn every_call<'a>(expr: &'a Expr, see: &mut impl FnMut(TextRange, &'a [Arg])) {
+/// Calls `visit` with the name and arguments of every function call in an expression, inner ones first.
+pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a [Arg])) {
     match &expr.kind {
         ExprKind::Call(call) => {
-            call.args.iter().filter_map(value_of).for_each(|e| every_call(e, see));
-            see(call.name, &call.args);
+            call.args.iter().filter_map(value_of).for_each(|e| every_call(e, visit));
+            visit(call.name, &call.args);
         }
-        ExprKind::Field(field) => every_call(&field.base, see),
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_call(inner, see),
+        ExprKind::Field(field) => every_call(&field.base, visit),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_call(inner, visit),
         ExprKind::Index(element) => {
-            every_call(&element.base, see);
-            element.indices.iter().for_each(|i| every_call(i, see));
+            every_call(&element.base, visit);
+            element.indices.iter().for_each(|i| every_call(i, visit));
         }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, see)),
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, visit)),
         ExprKind::Binary(binary) => {
-            every_call(&binary.lhs, see);
-            every_call(&binary.rhs, see);
+            every_call(&binary.lhs, visit);
+            every_call(&binary.rhs, visit);
         }
         ExprKind::Number
         | ExprKind::Numbers

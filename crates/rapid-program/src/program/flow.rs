@@ -3,7 +3,7 @@
 
 use super::data::LoadData;
 use super::errors::Recovery;
-use super::index::{Ctx, DatumId, RoutineId};
+use super::index::{Ctx, DatumId, RoutineIndex};
 use super::motion::MotionId;
 use super::names::Sym;
 use super::value::Why;
@@ -11,12 +11,12 @@ use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::Expr;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Position of a followed datum in a state.
+/// Position of a tracked datum in a state.
 pub(super) type Slot = usize;
 
 /// A routine reduced to what matters.
 #[derive(Debug, Default)]
-pub(super) struct Ways<'a> {
+pub(super) struct RoutineCfg<'a> {
     pub(super) body: Vec<Node<'a>>,
     pub(super) handlers: Vec<Vec<Node<'a>>>,
     pub(super) recovery: Recovery,
@@ -26,14 +26,19 @@ pub(super) struct Ways<'a> {
 #[derive(Debug)]
 pub(super) enum Node<'a> {
     /// Something that changes the state.
-    Step(Step<'a>),
+    Step(FlowStep<'a>),
     /// One of several; `otherwise`: there is also the way past all of them.
-    Branch { arms: Vec<Vec<Node<'a>>>, otherwise: bool },
-    /// A loop.
-    Loop { body: Vec<Node<'a>>, at_least_once: bool, endless: bool },
+    Branch {
+        arms: Vec<Vec<Node<'a>>>,
+        otherwise: bool,
+    },
+    Loop {
+        body: Vec<Node<'a>>,
+        at_least_once: bool,
+        endless: bool,
+    },
     /// A place to jump to.
     Label(Sym),
-    /// A jump.
     Goto(Sym),
     /// The routine ends here.
     Return,
@@ -43,32 +48,38 @@ pub(super) enum Node<'a> {
 
 /// What changes the state.
 #[derive(Debug)]
-pub(super) enum Step<'a> {
+pub(super) enum FlowStep<'a> {
     /// So many motions that follow one another, from this one on.
     Motions { first: MotionId, count: u32 },
-    /// `slot.path := value`
+    /// A tracked datum is set: `slot.path := value`.
     Assign { slot: Slot, path: Vec<Sym>, value: &'a Expr, ctx: Ctx, at: Span },
     /// A datum becomes unknown.
-    Lose { slot: Slot, why: Why, at: Span },
-    /// `ConfL`
+    Invalidate { slot: Slot, why: Why, at: Span },
+    /// `ConfL`: on, off, or not known.
     ConfL(Option<bool>),
-    /// `ConfJ`
+    /// `ConfJ`: on, off, or not known.
     ConfJ(Option<bool>),
     /// `GripLoad`; `None`: of a load that is not known.
     Grip(Option<LoadData>),
     /// A displacement and the like comes into force, or goes.
-    Hold(Hold, Option<Why>),
+    Blocker(Blocker, Option<Why>),
     /// Routines of the program, one of which is called; `maybe`: or none. `recovery`: what becomes of an
     /// error in one of them.
-    Call { routines: Vec<RoutineId>, bindings: Vec<Binding<'a>>, maybe: bool, recovery: Recovery, ctx: Ctx },
+    Call {
+        routines: Vec<RoutineIndex>,
+        bindings: Vec<Binding<'a>>,
+        maybe: bool,
+        recovery: Recovery,
+        ctx: Ctx,
+    },
     /// An error may come here; what becomes of it.
     MayFail(Recovery),
     /// A routine that is not given, or text that was not understood: where the arm stands after it is
     /// not known.
-    Away,
+    UnknownPosition,
 }
 
-/// What a parameter that is followed is worth in a call.
+/// What a parameter that is tracked is worth in a call.
 #[derive(Debug)]
 pub(super) struct Binding<'a> {
     pub(super) slot: Slot,
@@ -78,38 +89,38 @@ pub(super) struct Binding<'a> {
 
 /// What, once in force, shifts or softens all motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Hold {
+pub(super) enum Blocker {
     /// Program displacement: PDispOn, PDispSet.
     Displacement,
     /// Offsets of external axes: EOffsOn, EOffsSet.
     ExternalOffset,
-    /// SoftAct.
+    /// The soft servo: SoftAct.
     SoftServo,
-    /// SyncMoveOn.
+    /// Motion together with others: SyncMoveOn.
     MultiMove,
 }
 
-/// All of them.
-pub(super) const HOLDS: [Hold; 4] =
-    [Hold::Displacement, Hold::ExternalOffset, Hold::SoftServo, Hold::MultiMove];
+/// All blockers, in the order in which a state has them.
+pub(super) const BLOCKERS: [Blocker; 4] =
+    [Blocker::Displacement, Blocker::ExternalOffset, Blocker::SoftServo, Blocker::MultiMove];
 
 /// What is carried along the ways.
-pub(super) trait Carried<'a> {
+pub(super) trait ForwardAnalysis<'a> {
     /// What is known at one place.
     type State: Clone;
     /// Makes `into` hold for both; whether that changed it.
     fn join(&mut self, into: &mut Self::State, other: &Self::State) -> bool;
     /// The state after a step; `None`: the way does not go on.
-    fn step(&mut self, step: &Step<'a>, state: Self::State) -> Option<Self::State>;
+    fn step(&mut self, step: &FlowStep<'a>, state: Self::State) -> Option<Self::State>;
 }
 
 /// The state at the end of a body that is entered with `entry`; `None` where its end is never reached.
-pub(super) fn walk<'a, C: Carried<'a>>(
-    carried: &mut C,
+pub(super) fn walk<'a, C: ForwardAnalysis<'a>>(
+    analysis: &mut C,
     body: &[Node<'a>],
     entry: &C::State,
 ) -> Option<C::State> {
-    let mut walk = Walk { carried, labels: BTreeMap::new(), seen: BTreeSet::new(), again: false, end: None };
+    let mut walk = Walk { analysis, labels: BTreeMap::new(), seen: BTreeSet::new(), again: false, end: None };
     loop {
         walk.again = false;
         walk.seen.clear();
@@ -121,15 +132,15 @@ pub(super) fn walk<'a, C: Carried<'a>>(
     }
 }
 
-struct Walk<'c, 'a, C: Carried<'a>> {
-    carried: &'c mut C,
+struct Walk<'c, 'a, C: ForwardAnalysis<'a>> {
+    analysis: &'c mut C,
     labels: BTreeMap<Sym, C::State>,
     seen: BTreeSet<Sym>,
     again: bool,
     end: Option<C::State>,
 }
 
-impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
+impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
     fn block(&mut self, nodes: &[Node<'a>], mut state: Option<C::State>) -> Option<C::State> {
         for node in nodes {
             state = self.node(node, state);
@@ -144,7 +155,7 @@ impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
             return self.either(state, jumped);
         }
         match (node, state) {
-            (Node::Step(step), Some(state)) => self.carried.step(step, state),
+            (Node::Step(step), Some(state)) => self.analysis.step(step, state),
             (Node::Branch { arms, otherwise }, state) => {
                 let mut out = if *otherwise { state.clone() } else { None };
                 for arm in arms {
@@ -158,7 +169,7 @@ impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
                 let end = loop {
                     let end = self.block(body, Some(head.clone()));
                     match &end {
-                        Some(state) if self.carried.join(&mut head, state) => {}
+                        Some(state) if self.analysis.join(&mut head, state) => {}
                         _ => break end,
                     }
                 };
@@ -172,7 +183,7 @@ impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
             (Node::Loop { body, endless, .. }, None) => self.block(body, None).filter(|_| !endless),
             (Node::Goto(label), Some(state)) => {
                 let changed = match self.labels.get_mut(label) {
-                    Some(known) => self.carried.join(known, &state),
+                    Some(known) => self.analysis.join(known, &state),
                     None => {
                         self.labels.insert(*label, state);
                         true
@@ -197,7 +208,7 @@ impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
     fn either(&mut self, a: Option<C::State>, b: Option<C::State>) -> Option<C::State> {
         match (a, b) {
             (Some(mut a), Some(b)) => {
-                self.carried.join(&mut a, &b);
+                self.analysis.join(&mut a, &b);
                 Some(a)
             }
             (a, b) => a.or(b),
@@ -205,13 +216,13 @@ impl<'a, C: Carried<'a>> Walk<'_, 'a, C> {
     }
 }
 
-/// Calls `see` with every step, inner ones included, in order.
-pub(super) fn every_step<'n, 'a>(nodes: &'n [Node<'a>], see: &mut impl FnMut(&'n Step<'a>)) {
+/// Calls `visit` with every step, inner ones included, in order.
+pub(super) fn every_step<'n, 'a>(nodes: &'n [Node<'a>], visit: &mut impl FnMut(&'n FlowStep<'a>)) {
     for node in nodes {
         match node {
-            Node::Step(step) => see(step),
-            Node::Branch { arms, .. } => arms.iter().for_each(|arm| every_step(arm, see)),
-            Node::Loop { body, .. } => every_step(body, see),
+            Node::Step(step) => visit(step),
+            Node::Branch { arms, .. } => arms.iter().for_each(|arm| every_step(arm, visit)),
+            Node::Loop { body, .. } => every_step(body, visit),
             Node::Label(_) | Node::Goto(_) | Node::Return | Node::Stop => {}
         }
     }

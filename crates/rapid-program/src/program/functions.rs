@@ -4,8 +4,7 @@
 //! and Data types", gives each function's meaning.
 
 use super::convert::{self, NotThat};
-use super::fold::{needs_kinematics, why, wrong_type};
-use super::value::{Value, Why};
+use super::value::{Value, Why, needs_kinematics, why, wrong_type};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rapid_syntax::tree::BinaryOp;
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};

@@ -16,16 +16,16 @@ use std::collections::{BTreeMap, HashMap};
 /// Position in [`Index::data`].
 pub(super) type DatumId = usize;
 /// Position in [`Index::routines`].
-pub(super) type RoutineId = usize;
+pub(super) type RoutineIndex = usize;
 /// Position in [`Index::modules`].
 pub(super) type ModuleId = usize;
 
 /// What kind of name for a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DatumKind {
-    /// CONST, VAR, PERS.
+    /// Data that are declared as CONST, VAR or PERS.
     Declared(DataKind),
-    /// A parameter.
+    /// A parameter of a routine.
     Param { mode: ParamMode, optional: bool },
     /// The variable of a FOR.
     LoopVariable,
@@ -41,12 +41,11 @@ pub(super) struct Datum<'a> {
     pub(super) array: bool,
     pub(super) local: bool,
     pub(super) init: Option<&'a Expr>,
-    /// The whole declaration.
     pub(super) range: TextRange,
     pub(super) name_range: TextRange,
 }
 
-/// A routine.
+/// A routine and where it stands.
 #[derive(Clone, Debug)]
 pub(super) struct RoutineEntry<'a> {
     pub(super) ctx: Ctx,
@@ -56,7 +55,7 @@ pub(super) struct RoutineEntry<'a> {
     pub(super) params: Vec<DatumId>,
 }
 
-/// A module.
+/// A module and where it stands.
 #[derive(Clone, Debug)]
 pub(super) struct ModuleEntry<'a> {
     pub(super) file: FileId,
@@ -69,7 +68,7 @@ pub(super) struct ModuleEntry<'a> {
 pub(super) struct Ctx {
     pub(super) file: FileId,
     pub(super) module: ModuleId,
-    pub(super) routine: Option<RoutineId>,
+    pub(super) routine: Option<RoutineIndex>,
 }
 
 /// What a name means.
@@ -86,8 +85,8 @@ pub(super) enum Resolved {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Place {
-    Routine(RoutineId),
+enum NameScope {
+    Routine(RoutineIndex),
     Module(ModuleId),
     Task(u32),
     /// LOCAL somewhere in the task.
@@ -95,7 +94,7 @@ enum Place {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Found {
+struct ScopedName {
     first: usize,
     second: Option<usize>,
 }
@@ -108,10 +107,10 @@ pub(super) struct Index<'a> {
     pub(super) modules: Vec<ModuleEntry<'a>>,
     pub(super) routines: Vec<RoutineEntry<'a>>,
     pub(super) data: Vec<Datum<'a>>,
-    data_at: HashMap<(Place, Sym), Found>,
+    data_at: HashMap<(NameScope, Sym), ScopedName>,
     /// Variables of FOR with the statements they are seen in, outer loops first.
-    loop_variables: HashMap<(RoutineId, Sym), Vec<(TextRange, DatumId)>>,
-    routines_at: HashMap<(Place, Sym), Found>,
+    loop_variables: HashMap<(RoutineIndex, Sym), Vec<(TextRange, DatumId)>>,
+    routines_at: HashMap<(NameScope, Sym), ScopedName>,
     records: HashMap<Sym, (FileId, &'a RecordDecl)>,
     aliases: HashMap<Sym, Sym>,
 }
@@ -219,21 +218,21 @@ impl<'a> Index<'a> {
         self.names.text(self.plain_type(type_name))
     }
 
-    fn look_up(&self, at: &HashMap<(Place, Sym), Found>, name: Sym, ctx: Ctx) -> Resolved {
+    fn look_up(&self, at: &HashMap<(NameScope, Sym), ScopedName>, name: Sym, ctx: Ctx) -> Resolved {
         let Some(module) = self.modules.get(ctx.module) else { return Resolved::Nowhere };
         let places = [
-            ctx.routine.map(Place::Routine),
-            Some(Place::Module(ctx.module)),
-            Some(Place::Task(module.task)),
-            Some(Place::Hidden(module.task)),
+            ctx.routine.map(NameScope::Routine),
+            Some(NameScope::Module(ctx.module)),
+            Some(NameScope::Task(module.task)),
+            Some(NameScope::Hidden(module.task)),
         ];
         for place in places.into_iter().flatten() {
             match at.get(&(place, name)) {
-                Some(Found { first, second: Some(second) }) => return Resolved::Twice(*first, *second),
-                Some(Found { first, .. }) if matches!(place, Place::Hidden(_)) => {
+                Some(ScopedName { first, second: Some(second) }) => return Resolved::Twice(*first, *second),
+                Some(ScopedName { first, .. }) if matches!(place, NameScope::Hidden(_)) => {
                     return Resolved::Elsewhere(*first);
                 }
-                Some(Found { first, .. }) => return Resolved::Here(*first),
+                Some(ScopedName { first, .. }) => return Resolved::Here(*first),
                 None => {}
             }
         }
@@ -286,10 +285,10 @@ impl<'a> Index<'a> {
     fn push_datum(&mut self, datum: Datum<'a>, task: u32) -> DatumId {
         let (id, name) = (self.data.len(), datum.name);
         match datum.ctx.routine {
-            Some(routine) => enter(&mut self.data_at, Place::Routine(routine), name, id),
+            Some(routine) => enter(&mut self.data_at, NameScope::Routine(routine), name, id),
             None => {
-                enter(&mut self.data_at, Place::Module(datum.ctx.module), name, id);
-                let wider = if datum.local { Place::Hidden(task) } else { Place::Task(task) };
+                enter(&mut self.data_at, NameScope::Module(datum.ctx.module), name, id);
+                let wider = if datum.local { NameScope::Hidden(task) } else { NameScope::Task(task) };
                 enter(&mut self.data_at, wider, name, id);
             }
         }
@@ -300,9 +299,9 @@ impl<'a> Index<'a> {
     fn add_routine(&mut self, file: &'a SourceFile, tree: &'a Routine, ctx: Ctx, task: u32) {
         let id = self.routines.len();
         let name = self.names.intern(file.text(tree.name));
-        enter(&mut self.routines_at, Place::Module(ctx.module), name, id);
+        enter(&mut self.routines_at, NameScope::Module(ctx.module), name, id);
         let local = tree.scope == Scope::Local;
-        let wider = if local { Place::Hidden(task) } else { Place::Task(task) };
+        let wider = if local { NameScope::Hidden(task) } else { NameScope::Task(task) };
         enter(&mut self.routines_at, wider, name, id);
         let ctx = Ctx { routine: Some(id), ..ctx };
         self.routines.push(RoutineEntry { ctx, name, tree, params: Vec::new() });
@@ -362,12 +361,12 @@ impl<'a> Index<'a> {
     }
 }
 
-/// Calls `see` with every statement, the outer before the inner, in source order.
-pub(super) fn every_statement<'a>(body: &'a [Stmt], see: &mut impl FnMut(&'a Stmt)) {
+/// Calls `visit` with every statement, the outer before the inner, in source order.
+pub(super) fn every_statement<'a>(body: &'a [Stmt], visit: &mut impl FnMut(&'a Stmt)) {
     for stmt in body {
-        see(stmt);
+        visit(stmt);
         for inner in inner_bodies(stmt) {
-            every_statement(inner, see);
+            every_statement(inner, visit);
         }
     }
 }
@@ -388,12 +387,12 @@ pub(super) fn inner_bodies(stmt: &Stmt) -> Vec<&[Stmt]> {
     }
 }
 
-fn enter(at: &mut HashMap<(Place, Sym), Found>, place: Place, name: Sym, id: usize) {
+fn enter(at: &mut HashMap<(NameScope, Sym), ScopedName>, place: NameScope, name: Sym, id: usize) {
     at.entry((place, name))
         .and_modify(|found| {
             found.second.get_or_insert(id);
         })
-        .or_insert(Found { first: id, second: None });
+        .or_insert(ScopedName { first: id, second: None });
 }
 
 /// The part of a path that names its task: up to a folder `TASKn`, as in a controller's backup.

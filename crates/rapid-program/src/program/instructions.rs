@@ -8,7 +8,7 @@ use super::motion::Path;
 use Path::{AbsJoint, Circular, Joint, Linear};
 use Special::Search;
 
-/// A move instruction.
+/// Which argument of a move instruction is which.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MoveForm {
     /// In its usual spelling.
@@ -25,7 +25,7 @@ pub(super) struct MoveForm {
 /// What sets a move instruction apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Special {
-    /// Nothing.
+    /// Nothing sets it apart.
     Plain,
     /// It searches: where it stops is what the program wants to know.
     Search,
@@ -85,7 +85,7 @@ const fn unsupported(name: &'static str, path: Path) -> MoveForm {
     MoveForm { name, path, targets: &[], speed: 1, zone: None, tool: None, special }
 }
 
-/// Sorted by name.
+/// All move instructions, sorted by name.
 const MOVES: &[(&str, MoveForm)] = &[
     ("arcc", arc_circle("ArcC")),
     ("arcc1", arc_circle("ArcC1")),

@@ -8,7 +8,7 @@ use rapid_syntax::diagnostic::{Span, TextRange};
 pub struct RobotRemark {
     /// The robot, e.g. `ABB IRB 140-6/0.8`.
     pub robot: String,
-    /// The comment.
+    /// Where the comment stands.
     pub span: Span,
 }
 

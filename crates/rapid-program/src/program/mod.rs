@@ -10,17 +10,17 @@ pub mod motion;
 pub mod pgf;
 
 mod built_in;
+mod cfg;
+mod const_eval;
 mod convert;
 mod errors;
 mod expressions;
 mod flow;
-mod fold;
-mod followed;
 mod functions;
 mod index;
 mod instructions;
-mod lower;
 pub mod made_for;
+mod mod_ref;
 mod motion_site;
 mod names;
 mod order;
@@ -31,7 +31,7 @@ mod read;
 mod record;
 mod state;
 mod target;
-mod touched;
+mod tracked;
 mod value;
 mod writes;
 
@@ -46,9 +46,9 @@ use rapid_syntax::diagnostic::{Diagnostic, FileId};
 /// as RAPID writes it, `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Overrides {
-    /// `--tool`.
+    /// Tools, as the option `--tool` gives them.
     pub tools: Vec<(String, String)>,
-    /// `--wobj`.
+    /// Work objects, as the option `--wobj` gives them.
     pub wobjs: Vec<(String, String)>,
 }
 

@@ -36,10 +36,10 @@ impl Facts {
     }
 }
 
-/// A module.
+/// What is known of a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModuleFacts {
-    /// Its file.
+    /// The file it stands in.
     pub file: FileId,
     /// Its name as written.
     pub name: String,
@@ -60,7 +60,7 @@ pub struct ModuleFacts {
 pub struct KinematicsRemark {
     /// The word between `Using` and `kinematics`.
     pub word: String,
-    /// The comment.
+    /// Where the comment stands.
     pub span: Span,
 }
 
@@ -75,13 +75,13 @@ impl KinematicsRemark {
 /// A routine that nothing calls.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Its file.
+    /// The file it stands in.
     pub file: FileId,
     /// Its module's name as written.
     pub module: String,
     /// Its name as written.
     pub name: String,
-    /// The whole routine.
+    /// The whole routine, head and end included.
     pub range: TextRange,
 }
 
@@ -165,20 +165,20 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
     }
 }
 
-fn for_each_comment(module: &Module, see: &mut impl FnMut(TextRange)) {
-    let in_body = |body: &[Stmt], see: &mut dyn FnMut(TextRange)| {
+fn for_each_comment(module: &Module, visit: &mut impl FnMut(TextRange)) {
+    let in_body = |body: &[Stmt], visit: &mut dyn FnMut(TextRange)| {
         super::index::every_statement(body, &mut |stmt| {
             if matches!(stmt.kind, StmtKind::Comment) {
-                see(stmt.range);
+                visit(stmt.range);
             }
         });
     };
     for item in &module.items {
         match item {
-            ModuleItem::Comment(range) => see(*range),
+            ModuleItem::Comment(range) => visit(*range),
             ModuleItem::Routine(routine) => {
-                in_body(&routine.body, see);
-                routine.handlers.iter().for_each(|h| in_body(&h.body, see));
+                in_body(&routine.body, visit);
+                routine.handlers.iter().for_each(|h| in_body(&h.body, visit));
             }
             _ => {}
         }

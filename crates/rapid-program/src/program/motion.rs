@@ -42,14 +42,14 @@ impl MotionId {
     }
 }
 
-/// One motion instruction.
+/// One motion instruction with all that the text says of it.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The file it stands in.
     pub file: FileId,
     /// The line of the instruction's first byte, from 1.
     pub line: u32,
-    /// The whole statement.
+    /// The whole statement, to its semicolon.
     pub range: TextRange,
     /// Instruction, tool, work object and whatever else it shares with its neighbours.
     pub setup: Arc<MotionSetup>,
@@ -58,8 +58,8 @@ pub struct Motion {
     /// The motion that runs just before this one, where the program's text alone says so.
     pub previous: Option<MotionId>,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
-    pub keep: Option<Arc<Keep>>,
-    /// The only reason in `keep` is that a target, the tool or the work object is known at run time alone: a function
+    pub skip_reason: Option<Arc<SkipReason>>,
+    /// The only reason in `skip_reason` is that a target, the tool or the work object is known at run time alone: a function
     /// that is asked at run time can correct it.
     pub run_time: bool,
     /// Its target comes from what a search has found.
@@ -79,7 +79,7 @@ pub struct MotionSetup {
     pub path: Path,
     /// Name of the tool argument as written.
     pub tool_name: Option<String>,
-    /// The tool in force; `None` where the reason in [`Motion::keep`] says why it is not known, or where it is a
+    /// The tool in force; `None` where the reason in [`Motion::skip_reason`] says why it is not known, or where it is a
     /// MoveAbsJ whose tool is not known (it needs none).
     pub tool: Option<ToolData>,
     /// Name of the work object argument as written; `None` is wobj0.
@@ -149,7 +149,7 @@ impl FromIterator<Target> for Targets {
 
 /// Why a motion stays as it is, as far as the program's text tells.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Keep {
+pub struct SkipReason {
     /// Stable code, e.g. `keep::runtime-target`.
     pub code: &'static str,
     /// One sentence for a person.

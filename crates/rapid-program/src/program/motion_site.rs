@@ -1,7 +1,7 @@
 //! Where motions, loops and routines stand in the text, before anything is known of their values.
 
-use super::fold::{Constant, Folder};
-use super::index::{Ctx, Index, Resolved, RoutineId, every_statement, inner_bodies};
+use super::const_eval::{ConstEvaluator, Constant};
+use super::index::{Ctx, Index, Resolved, RoutineIndex, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
 use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
@@ -80,13 +80,13 @@ impl<'a> MotionSites<'a> {
     }
 
     /// What stands in all files.
-    pub(super) fn new(folder: &mut Folder<'a>) -> Self {
-        let index = folder.index;
+    pub(super) fn new(evaluator: &mut ConstEvaluator<'a>) -> Self {
+        let index = evaluator.index;
         let mut sites = Self::default();
         for (id, routine) in index.routines.iter().enumerate() {
             let gotos = gotos(routine.tree);
             let (sites, open) = (&mut sites, Vec::new());
-            let mut walk = Walk { sites, folder: &mut *folder, id, gotos, open, info: None };
+            let mut walk = Walk { sites, evaluator: &mut *evaluator, id, gotos, open, info: None };
             walk.body(&routine.tree.body);
             for handler in &routine.tree.handlers {
                 walk.open.clear();
@@ -106,8 +106,8 @@ struct Open {
 
 struct Walk<'d, 'a> {
     sites: &'d mut MotionSites<'a>,
-    folder: &'d mut Folder<'a>,
-    id: RoutineId,
+    evaluator: &'d mut ConstEvaluator<'a>,
+    id: RoutineIndex,
     gotos: Vec<(TextRange, u32)>,
     open: Vec<Open>,
     info: Option<motion::RoutineId>,
@@ -115,7 +115,7 @@ struct Walk<'d, 'a> {
 
 impl<'a> Walk<'_, 'a> {
     fn ctx(&self) -> Ctx {
-        self.folder.index.routines[self.id].ctx
+        self.evaluator.index.routines[self.id].ctx
     }
 
     fn body(&mut self, body: &'a [Stmt]) {
@@ -129,7 +129,7 @@ impl<'a> Walk<'_, 'a> {
                 }
                 StmtKind::While(looped) => {
                     let ctx = self.ctx();
-                    let cond = self.folder.fold(&looped.cond, ctx, &Constant).map(|t| t.value);
+                    let cond = self.evaluator.fold(&looped.cond, ctx, &Constant).map(|t| t.value);
                     let unconditional = matches!(cond, Ok(Value::Bool(true)));
                     self.inside(stmt.range.end, unconditional, None);
                     self.body(&looped.body);
@@ -162,8 +162,8 @@ impl<'a> Walk<'_, 'a> {
         let (Some(first), Some(last)) = (rest.first(), rest.last()) else { return };
         let body = TextRange::new(first.range.start, last.range.end);
         let file = self.ctx().file;
-        let label = lower_case(self.folder.index.text(file, name));
-        let index = self.folder.index;
+        let label = lower_case(self.evaluator.index.text(file, name));
+        let index = self.evaluator.index;
         let back = |(to, at): &(TextRange, u32)| {
             body.contains(TextRange::empty(*at)) && lower_case(index.text(file, *to)) == label
         };
@@ -178,7 +178,7 @@ impl<'a> Walk<'_, 'a> {
     /// How often a FOR runs, where its bounds are constant.
     fn passes(&mut self, from: &Expr, to: &Expr, step: Option<&Expr>) -> Option<u64> {
         let ctx = self.ctx();
-        let mut number = |expr| match self.folder.fold(expr, ctx, &Constant).ok()?.value {
+        let mut number = |expr| match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
             Value::Num(n) => Some(n),
             _ => None,
         };
@@ -193,7 +193,7 @@ impl<'a> Walk<'_, 'a> {
 
     fn call(&mut self, stmt: &'a Stmt, name: TextRange) {
         let ctx = self.ctx();
-        let index = self.folder.index;
+        let index = self.evaluator.index;
         let written = index.text(ctx.file, name);
         let Some(form) = move_form(&lower_case(written)) else { return };
         let own = index.names.find(written).map(|name| index.routine(name, ctx));
@@ -221,8 +221,8 @@ impl<'a> Walk<'_, 'a> {
         if let Some(info) = self.info {
             return info;
         }
-        let entry = &self.folder.index.routines[self.id];
-        let index = self.folder.index;
+        let entry = &self.evaluator.index.routines[self.id];
+        let index = self.evaluator.index;
         let module = index.modules.get(entry.ctx.module).map(|m| m.tree.name);
         self.sites.routines.push(RoutineInfo {
             file: entry.ctx.file,

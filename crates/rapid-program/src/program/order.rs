@@ -1,16 +1,16 @@
 //! Which motion runs just before which, where the text alone says so.
 
-use super::flow::{Carried, Node, Step, every_step, walk};
-use super::index::{Index, RoutineId};
+use super::cfg::ControlFlow;
+use super::flow::{FlowStep, ForwardAnalysis, Node, every_step, walk};
+use super::index::{Index, RoutineIndex};
 use super::instructions::Special;
-use super::lower::Lowered;
 use super::motion::MotionId;
 use super::motion_site::MotionSites;
 use rapid_syntax::tree::RoutineKind;
 
 /// Where the arm comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum From {
+enum ComesFrom {
     /// From where the routine's caller left it.
     Entry,
     /// From where a motion ends.
@@ -23,28 +23,32 @@ enum From {
 pub(super) fn order(
     index: &Index<'_>,
     sites: &MotionSites<'_>,
-    lowered: &Lowered<'_>,
+    control_flow: &ControlFlow<'_>,
 ) -> Vec<Option<MotionId>> {
-    let routines = lowered.ways.len();
+    let routines = control_flow.routines.len();
     let mut walker = Walker {
         sites,
-        lowered,
+        control_flow,
         at_motions: vec![None; sites.motions.len()],
         exits: vec![None; routines],
         calls: Vec::new(),
         busy: Vec::new(),
-        moved_by_handlers: lowered.ways.iter().map(|ways| ways.handlers.iter().any(|h| moves(h))).collect(),
+        moved_by_handlers: control_flow
+            .routines
+            .iter()
+            .map(|cfg| cfg.handlers.iter().any(|h| moves(h)))
+            .collect(),
     };
     for id in 0..routines {
         walker.exit(id);
     }
     let entries = walker.entries(index);
-    let previous = |(at, site): (&Option<From>, &super::motion_site::MotionSite<'_>)| {
-        let from = at.unwrap_or(From::Anywhere);
+    let previous = |(at, site): (&Option<ComesFrom>, &super::motion_site::MotionSite<'_>)| {
+        let from = at.unwrap_or(ComesFrom::Anywhere);
         let entry = site.ctx(index).routine.and_then(|r| entries.get(r).copied().flatten());
-        match resolve(from, entry.unwrap_or(From::Anywhere)) {
-            From::Motion(previous) => Some(previous),
-            From::Entry | From::Anywhere => None,
+        match resolve(from, entry.unwrap_or(ComesFrom::Anywhere)) {
+            ComesFrom::Motion(previous) => Some(previous),
+            ComesFrom::Entry | ComesFrom::Anywhere => None,
         }
     };
     walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
@@ -52,33 +56,33 @@ pub(super) fn order(
 
 struct Walker<'w, 'a> {
     sites: &'w MotionSites<'a>,
-    lowered: &'w Lowered<'a>,
-    at_motions: Vec<Option<From>>,
-    exits: Vec<Option<Option<From>>>,
+    control_flow: &'w ControlFlow<'a>,
+    at_motions: Vec<Option<ComesFrom>>,
+    exits: Vec<Option<Option<ComesFrom>>>,
     /// Caller, callee, and where the arm comes from in terms of the caller.
-    calls: Vec<(RoutineId, RoutineId, From)>,
-    busy: Vec<RoutineId>,
+    calls: Vec<(RoutineIndex, RoutineIndex, ComesFrom)>,
+    busy: Vec<RoutineIndex>,
     /// For each routine whether its handlers may move the arm.
     moved_by_handlers: Vec<bool>,
 }
 
 impl Walker<'_, '_> {
     /// Where the arm comes from after a routine, in terms of its entry; `None`: it never comes back.
-    fn exit(&mut self, routine: RoutineId) -> Option<From> {
+    fn exit(&mut self, routine: RoutineIndex) -> Option<ComesFrom> {
         if let Some(known) = self.exits.get(routine).copied().flatten() {
             return known;
         }
         if self.busy.contains(&routine) || self.busy.len() > 100 {
-            return Some(From::Anywhere);
+            return Some(ComesFrom::Anywhere);
         }
         self.busy.push(routine);
-        let lowered = self.lowered;
+        let control_flow = self.control_flow;
         let mut exit = None;
-        if let Some(ways) = lowered.ways.get(routine) {
-            exit = walk(self, &ways.body, &From::Entry);
-            for handler in &ways.handlers {
-                if walk(self, handler, &From::Anywhere).is_some() {
-                    exit = Some(From::Anywhere);
+        if let Some(cfg) = control_flow.routines.get(routine) {
+            exit = walk(self, &cfg.body, &ComesFrom::Entry);
+            for handler in &cfg.handlers {
+                if walk(self, handler, &ComesFrom::Anywhere).is_some() {
+                    exit = Some(ComesFrom::Anywhere);
                 }
             }
         }
@@ -90,15 +94,15 @@ impl Walker<'_, '_> {
     }
 
     /// Where the arm comes from when each routine is entered: what all its calls have in common.
-    fn entries(&mut self, index: &Index<'_>) -> Vec<Option<From>> {
+    fn entries(&mut self, index: &Index<'_>) -> Vec<Option<ComesFrom>> {
         let calls = std::mem::take(&mut self.calls);
-        let called: std::collections::BTreeSet<RoutineId> = calls.iter().map(|c| c.1).collect();
-        let mut entries: Vec<Option<From>> = index
+        let called: std::collections::BTreeSet<RoutineIndex> = calls.iter().map(|c| c.1).collect();
+        let mut entries: Vec<Option<ComesFrom>> = index
             .routines
             .iter()
             .enumerate()
             .map(|(id, r)| {
-                (r.tree.kind == RoutineKind::Trap || !called.contains(&id)).then_some(From::Anywhere)
+                (r.tree.kind == RoutineKind::Trap || !called.contains(&id)).then_some(ComesFrom::Anywhere)
             })
             .collect();
         loop {
@@ -121,39 +125,39 @@ impl Walker<'_, '_> {
     }
 }
 
-impl<'a> Carried<'a> for Walker<'_, 'a> {
-    type State = From;
+impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
+    type State = ComesFrom;
 
-    fn join(&mut self, into: &mut From, other: &From) -> bool {
+    fn join(&mut self, into: &mut ComesFrom, other: &ComesFrom) -> bool {
         let joined = either(*into, *other);
         let changed = joined != *into;
         *into = joined;
         changed
     }
 
-    fn step(&mut self, step: &Step<'a>, state: From) -> Option<From> {
+    fn step(&mut self, step: &FlowStep<'a>, state: ComesFrom) -> Option<ComesFrom> {
         match step {
-            Step::Motions { first, count } => {
+            FlowStep::Motions { first, count } => {
                 let mut from = state;
                 for motion in (first.index()..first.index() + *count as usize).map(MotionId::new) {
                     if let Some(at) = self.at_motions.get_mut(motion.index()) {
                         *at = Some(at.map_or(from, |seen| either(seen, from)));
                     }
                     from = match self.sites.motions.get(motion.index()).map(|site| site.form.special) {
-                        Some(Special::Plain | Special::Unsupported) => From::Motion(motion),
+                        Some(Special::Plain | Special::Unsupported) => ComesFrom::Motion(motion),
                         Some(Special::External) => from,
-                        Some(Special::Search) | None => From::Anywhere, // it stops somewhere on its way
+                        Some(Special::Search) | None => ComesFrom::Anywhere, // it stops somewhere on its way
                     };
                 }
                 Some(from)
             }
-            Step::Call { routines, maybe, recovery, .. } => {
+            FlowStep::Call { routines, maybe, recovery, .. } => {
                 let caller = self.busy.last().copied();
                 let mut out = maybe.then_some(state);
                 if recovery.next {
-                    out = Some(From::Anywhere); // the call may end anywhere
+                    out = Some(ComesFrom::Anywhere); // the call may end anywhere
                 }
-                let state = if recovery.again { From::Anywhere } else { state };
+                let state = if recovery.again { ComesFrom::Anywhere } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
                         self.calls.push((caller, callee, state));
@@ -165,18 +169,18 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
                 }
                 out
             }
-            Step::MayFail(recovery) => {
+            FlowStep::MayFail(recovery) => {
                 let moved = self.busy.last().and_then(|&routine| self.moved_by_handlers.get(routine));
                 let away = recovery.resumes() && moved.copied().unwrap_or(false);
-                Some(if away { From::Anywhere } else { state })
+                Some(if away { ComesFrom::Anywhere } else { state })
             }
-            Step::Away => Some(From::Anywhere),
-            Step::Assign { .. }
-            | Step::Lose { .. }
-            | Step::ConfL(_)
-            | Step::ConfJ(_)
-            | Step::Grip(_)
-            | Step::Hold(..) => Some(state),
+            FlowStep::UnknownPosition => Some(ComesFrom::Anywhere),
+            FlowStep::Assign { .. }
+            | FlowStep::Invalidate { .. }
+            | FlowStep::ConfL(_)
+            | FlowStep::ConfJ(_)
+            | FlowStep::Grip(_)
+            | FlowStep::Blocker(..) => Some(state),
         }
     }
 }
@@ -184,17 +188,17 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
 fn moves(nodes: &[Node<'_>]) -> bool {
     let mut moves = false;
     every_step(nodes, &mut |step| {
-        moves |= matches!(step, Step::Motions { .. } | Step::Call { .. } | Step::Away);
+        moves |= matches!(step, FlowStep::Motions { .. } | FlowStep::Call { .. } | FlowStep::UnknownPosition);
     });
     moves
 }
 
 /// What is said in terms of a routine's entry, with the entry known.
-fn resolve(from: From, entry: From) -> From {
-    if from == From::Entry { entry } else { from }
+fn resolve(from: ComesFrom, entry: ComesFrom) -> ComesFrom {
+    if from == ComesFrom::Entry { entry } else { from }
 }
 
 /// What two ways have in common: the same motion, or none.
-fn either(a: From, b: From) -> From {
-    if a == b { a } else { From::Anywhere }
+fn either(a: ComesFrom, b: ComesFrom) -> ComesFrom {
+    if a == b { a } else { ComesFrom::Anywhere }
 }

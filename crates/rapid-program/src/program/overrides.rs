@@ -1,8 +1,8 @@
 //! Tools and work objects given from outside for names that no given module declares.
 
 use super::Overrides;
+use super::const_eval::{ConstEvaluator, Constant};
 use super::convert;
-use super::fold::{Constant, Folder};
 use super::index::Index;
 use super::names::lower_case;
 use super::value::Value;
@@ -39,8 +39,12 @@ pub(super) fn given(
 }
 
 /// Warns about values for names that the files declare themselves: those are not used.
-pub(super) fn unused(folder: &Folder<'_>, overrides: &Overrides, diagnostics: &mut Vec<Diagnostic>) {
-    let index = folder.index;
+pub(super) fn unused(
+    evaluator: &ConstEvaluator<'_>,
+    overrides: &Overrides,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let index = evaluator.index;
     for (name, _) in overrides.tools.iter().chain(&overrides.wobjs) {
         let Some(sym) = index.names.find(name.as_bytes()) else { continue };
         let declared = index.data.iter().position(|d| d.name == sym && d.ctx.routine.is_none());
@@ -59,13 +63,13 @@ fn value(type_name: &str, name: &str, text: &str) -> Result<Value, String> {
     let files = [SourceFile::read(FileId(0), "given", source.into_bytes())];
     let index = Index::new(&files);
     let writes = Writes::new(&index);
-    let mut folder = Folder::new(&index, &writes);
+    let mut evaluator = ConstEvaluator::new(&index, &writes);
     let sym = index.names.find(name.as_bytes());
     match index.data.as_slice() {
         [declared] if Some(declared.name) == sym && files[0].warnings.is_empty() => {}
         _ => return Err("it is no RAPID value".into()),
     }
-    let value = folder.datum(0, &Constant).map_err(|why| why.reason.clone())?;
+    let value = evaluator.datum(0, &Constant).map_err(|why| why.reason.clone())?;
     match type_name {
         "tooldata" => convert::tooldata(&value).map(|_| ()),
         _ => convert::wobjdata(&value).map(|_| ()),

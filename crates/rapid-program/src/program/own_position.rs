@@ -1,9 +1,9 @@
 //! Targets that are read from where the robot stands, or that a search has found: they hold the drift already.
 
 use super::expressions::{every_call, expressions_of};
-use super::followed::{names_in, sources};
 use super::index::{Ctx, DatumId, Index, Resolved, every_statement};
 use super::names::lower_case;
+use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, Callee, Expr, StmtKind};
 use std::collections::BTreeSet;

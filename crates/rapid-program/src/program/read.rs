@@ -1,22 +1,24 @@
 //! [`Program::read`]: from files to motions with all that the text says of them.
 
+use super::cfg::ControlFlow;
+use super::const_eval::{ConstEvaluator, Constant, Found, TrackedValues};
 use super::convert;
 use super::data::{ToolData, WobjData};
-use super::flow::HOLDS;
-use super::fold::{Constant, Folder, Followed, Found, why};
-use super::followed::FollowedData;
+use super::flow::BLOCKERS;
 use super::index::{Ctx, Index};
 use super::instructions::Special;
-use super::lower::Lowered;
 use super::module_facts::facts;
-use super::motion::{Keep, Motion, MotionSetup, Origin, Path, RoutineInfo, Target, TargetValue, Targets};
+use super::motion::{
+    Motion, MotionSetup, Origin, Path, RoutineInfo, SkipReason, Target, TargetValue, Targets,
+};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{as_text, lower_case};
 use super::order::order;
 use super::own_position::OwnPositions;
 use super::predefined::guessed;
 use super::state::{State, View, states_at_motions};
-use super::value::{DataName, Value, Why};
+use super::tracked::TrackedData;
+use super::value::{DataName, Value, Why, why};
 use super::writes::Writes;
 use super::{Overrides, Program};
 use rapid_syntax::SourceFile;
@@ -31,33 +33,33 @@ impl Program {
     /// each motion whether it can be compensated as far as the text tells.
     ///
     /// The files' ids must be their positions. Never fails: what cannot be understood stands in
-    /// [`Motion::keep`] and in the diagnostics.
+    /// [`Motion::skip_reason`] and in the diagnostics.
     #[must_use]
     pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
         let mut diagnostics = Vec::new();
         let given = super::overrides::given(overrides, &mut diagnostics);
         let index = Index::new(&files);
         let writes = Writes::new(&index);
-        let mut folder = Folder::new(&index, &writes);
-        folder.given = given;
-        super::overrides::unused(&folder, overrides, &mut diagnostics);
-        let sites = MotionSites::new(&mut folder);
-        let followed = FollowedData::new(&index, &writes, &sites);
-        let mut lowered = Lowered::new(&mut folder, &sites, &followed);
-        let states = states_at_motions(&mut folder, sites.motions.len(), &lowered, &followed);
-        let order = order(&index, &sites, &lowered);
-        let facts = facts(&index, &lowered.called());
-        let not_given = std::mem::take(&mut lowered.not_given);
-        drop(lowered); // of many motions it is as much again
+        let mut evaluator = ConstEvaluator::new(&index, &writes);
+        evaluator.given = given;
+        super::overrides::unused(&evaluator, overrides, &mut diagnostics);
+        let sites = MotionSites::new(&mut evaluator);
+        let tracked = TrackedData::new(&index, &writes, &sites);
+        let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked);
+        let states = states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
+        let order = order(&index, &sites, &control_flow);
+        let facts = facts(&index, &control_flow.called());
+        let not_given = std::mem::take(&mut control_flow.not_given);
+        drop(control_flow); // of many motions it is as much again
         let MotionSites { motions: sites, loops, nests, routines } = sites;
-        let mut finish = Finish {
-            folder,
-            followed: &followed,
+        let mut finish = MotionReader {
+            evaluator,
+            tracked: &tracked,
             own_positions: OwnPositions::new(&index),
             found_positions: OwnPositions::of_searches(&index),
             nests,
             recent_setups: VecDeque::new(),
-            last_keep: None,
+            last_skip: None,
             kept_over: BTreeMap::new(),
             guesses: BTreeMap::new(),
         };
@@ -66,7 +68,7 @@ impl Program {
             motions.push(Motion { previous, ..finish.motion(&site, state.as_deref()) });
         }
         diagnostics.extend(external_axes(&motions, &routines));
-        diagnostics.extend(finish.folder.elsewhere_warnings());
+        diagnostics.extend(finish.evaluator.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
         for (name, at) in &not_given {
@@ -83,24 +85,22 @@ impl Program {
     }
 }
 
-struct Finish<'f, 'a> {
-    folder: Folder<'a>,
-    followed: &'f FollowedData,
+struct MotionReader<'f, 'a> {
+    evaluator: ConstEvaluator<'a>,
+    tracked: &'f TrackedData,
     own_positions: OwnPositions,
     found_positions: OwnPositions,
-    /// Loops round motions.
+    /// The combinations of loops that stand round motions.
     nests: Vec<Vec<usize>>,
     /// The last setups, the last one first: most motions share one of them.
     recent_setups: VecDeque<Arc<MotionSetup>>,
     /// The last reason for which a motion stays as it is.
-    last_keep: Option<Arc<Keep>>,
+    last_skip: Option<Arc<SkipReason>>,
     /// PERS that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
     /// Speeds and zones that are not predefined, once each.
     guesses: BTreeMap<String, Diagnostic>,
 }
-
-type Failed = Keep;
 
 /// Reasons that a function asked at run time has not: it sees the values.
 const KNOWN_AT_RUN_TIME: [&str; 8] = [
@@ -117,15 +117,15 @@ const KNOWN_AT_RUN_TIME: [&str; 8] = [
 /// A program goes to and fro between so many setups, as a rule.
 const RECENT_SETUPS: usize = 16;
 
-impl<'a> Finish<'_, 'a> {
+impl<'a> MotionReader<'_, 'a> {
     fn motion(&mut self, site: &MotionSite<'a>, state: Option<&State>) -> Motion {
-        let index = self.folder.index;
+        let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
         let at = Span { file: ctx.file, range };
-        let mut first: Option<Keep> = None;
+        let mut first: Option<SkipReason> = None;
         let mut run_time = true;
-        let mut fail = |keep: Keep| {
+        let mut fail = |keep: SkipReason| {
             run_time &= KNOWN_AT_RUN_TIME.contains(&keep.code);
             first.get_or_insert(keep);
         };
@@ -141,15 +141,15 @@ impl<'a> Finish<'_, 'a> {
                 if args.has("id") {
                     fail(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
                 }
-                for (hold, held) in HOLDS.iter().zip(&state.holds) {
+                for (hold, held) in BLOCKERS.iter().zip(&state.blockers) {
                     if let Some(why) = held {
                         let code = match hold {
-                            super::flow::Hold::Displacement => "keep::displacement",
-                            super::flow::Hold::ExternalOffset => "keep::external-offset",
-                            super::flow::Hold::SoftServo => "keep::soft-servo",
-                            super::flow::Hold::MultiMove => "keep::multimove",
+                            super::flow::Blocker::Displacement => "keep::displacement",
+                            super::flow::Blocker::ExternalOffset => "keep::external-offset",
+                            super::flow::Blocker::SoftServo => "keep::soft-servo",
+                            super::flow::Blocker::MultiMove => "keep::multimove",
                         };
-                        fail(Keep { code, reason: why.reason.clone(), because: why.because });
+                        fail(SkipReason { code, reason: why.reason.clone(), because: why.because });
                     }
                 }
             }
@@ -157,8 +157,8 @@ impl<'a> Finish<'_, 'a> {
         if args.has("corr") {
             fail(keep("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
         }
-        let known: &dyn Followed = match state {
-            Some(state) => &View { state, followed: self.followed },
+        let known: &dyn TrackedValues = match state {
+            Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,
         };
         let joints_wanted = form.path == Path::AbsJoint;
@@ -177,7 +177,7 @@ impl<'a> Finish<'_, 'a> {
                     let reason =
                         "its target is read from where the robot stands, so that it holds the drift already";
                     let because = failed.and_then(|keep| keep.because);
-                    fail(Keep { code: "keep::own-position", reason: reason.into(), because });
+                    fail(SkipReason { code: "keep::own-position", reason: reason.into(), because });
                 }
                 Some(keep) if indexed && KNOWN_AT_RUN_TIME.contains(&keep.code) => {}
                 Some(keep) => fail(keep),
@@ -223,9 +223,9 @@ impl<'a> Finish<'_, 'a> {
             }
         }
         if !reached.is_empty() {
-            let own_tool = args.tool.and_then(|t| self.folder.data_name(t, ctx));
+            let own_tool = args.tool.and_then(|t| self.evaluator.data_name(t, ctx));
             let own_wobj = match args.wobj {
-                Some(wobj) => self.folder.data_name(wobj, ctx),
+                Some(wobj) => self.evaluator.data_name(wobj, ctx),
                 None => Some(DataName::Predefined("wobj0".into())),
             };
             let same = |(tool, wobj)| Some(tool) == own_tool.as_ref() && Some(wobj) == own_wobj.as_ref();
@@ -263,7 +263,7 @@ impl<'a> Finish<'_, 'a> {
             targets: targets.into_iter().collect::<Targets>(),
             previous: None,
             run_time: first.is_some() && run_time && args.tool.is_some() && args.conditional.is_empty(),
-            keep: first.map(|keep| self.shared_keep(keep)),
+            skip_reason: first.map(|keep| self.shared_skip(keep)),
             from_search,
         }
     }
@@ -280,9 +280,9 @@ impl<'a> Finish<'_, 'a> {
         shared
     }
 
-    fn shared_keep(&mut self, keep: Keep) -> Arc<Keep> {
-        let known = self.last_keep.take().filter(|known| **known == keep);
-        Arc::clone(self.last_keep.insert(known.unwrap_or_else(|| Arc::new(keep))))
+    fn shared_skip(&mut self, keep: SkipReason) -> Arc<SkipReason> {
+        let known = self.last_skip.take().filter(|known| **known == keep);
+        Arc::clone(self.last_skip.insert(known.unwrap_or_else(|| Arc::new(keep))))
     }
 
     fn target(
@@ -290,10 +290,10 @@ impl<'a> Finish<'_, 'a> {
         expr: &'a Expr,
         ctx: Ctx,
         joints_wanted: bool,
-    ) -> (Target, Option<Failed>, Option<Rc<super::value::Reached>>) {
+    ) -> (Target, Option<SkipReason>, Option<Rc<super::value::Reached>>) {
         let (origin, literal) = self.origin(expr, ctx);
         let mut calc = None;
-        let folded = self.folder.fold(expr, ctx, &Constant).and_then(|typed| {
+        let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
             let value = typed.value;
             let converted = match (&value, joints_wanted) {
                 (Value::Reached(reached), false) => {
@@ -308,7 +308,7 @@ impl<'a> Finish<'_, 'a> {
                     Origin::Named { declaration, .. } => Some(*declaration),
                     Origin::Inline | Origin::Expression => None,
                 };
-                Rc::new(Keep { code, reason, because })
+                Rc::new(SkipReason { code, reason, because })
             })
         });
         let unused_axis = |v: &TargetValue| match v {
@@ -343,7 +343,8 @@ impl<'a> Finish<'_, 'a> {
         let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
         let base = &element_of.base;
         let ([_], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
-        let Ok(Value::Parts(parts)) = self.folder.fold(base, ctx, &Constant).map(|typed| typed.value) else {
+        let Ok(Value::Parts(parts)) = self.evaluator.fold(base, ctx, &Constant).map(|typed| typed.value)
+        else {
             return Vec::new();
         };
         let element = |part: &Value| match joints_wanted {
@@ -362,7 +363,7 @@ impl<'a> Finish<'_, 'a> {
         ctx: Ctx,
         joints_wanted: bool,
     ) -> Option<Vec<TargetValue>> {
-        let name = lower_case(self.folder.index.text(ctx.file, name));
+        let name = lower_case(self.evaluator.index.text(ctx.file, name));
         if !name.starts_with("tcat") {
             return None;
         }
@@ -370,7 +371,7 @@ impl<'a> Finish<'_, 'a> {
             ArgKind::Positional(expr) => Some(expr),
             _ => None,
         });
-        let original = self.folder.fold(positional.next()?, ctx, &Constant).ok()?.value;
+        let original = self.evaluator.fold(positional.next()?, ctx, &Constant).ok()?.value;
         let original = match (&original, joints_wanted) {
             (Value::Reached(reached), false) => {
                 convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
@@ -380,7 +381,7 @@ impl<'a> Finish<'_, 'a> {
         };
         let original = original.ok()?;
         let (correction, more) = (positional.next()?, positional.next());
-        let correction = self.folder.fold(correction, ctx, &Constant).ok()?.value;
+        let correction = self.evaluator.fold(correction, ctx, &Constant).ok()?.value;
         let settled = convert::corrected(&original, &correction).filter(|_| more.is_none());
         Some(std::iter::once(original).chain(settled).collect())
     }
@@ -391,13 +392,13 @@ impl<'a> Finish<'_, 'a> {
         match &expr.kind {
             ExprKind::Aggregate(_) | ExprKind::Numbers => (Origin::Inline, literal(expr, ctx)),
             ExprKind::Name => {
-                let name = as_text(self.folder.index.text(ctx.file, expr.range));
+                let name = as_text(self.evaluator.index.text(ctx.file, expr.range));
                 let here = Span { file: ctx.file, range: expr.range };
-                match self.folder.resolve(expr.range, ctx) {
+                match self.evaluator.resolve(expr.range, ctx) {
                     Ok(Found::Datum(datum)) => {
-                        let entry = &self.folder.index.data[datum];
+                        let entry = &self.evaluator.index.data[datum];
                         let literal = entry.init.and_then(|init| literal(init, entry.ctx));
-                        let declaration = self.folder.index.declaration(datum);
+                        let declaration = self.evaluator.index.declaration(datum);
                         (Origin::Named { name, declaration }, literal)
                     }
                     Ok(Found::Predefined(_)) | Err(_) => (Origin::Named { name, declaration: here }, None),
@@ -407,24 +408,34 @@ impl<'a> Finish<'_, 'a> {
         }
     }
 
-    fn tool(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Result<ToolData, Failed> {
+    fn tool(
+        &mut self,
+        args: &MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn TrackedValues,
+    ) -> Result<ToolData, SkipReason> {
         let Some(expr) = args.tool else {
             return Err(keep("keep::tool-unknown", "it names no tool".into()));
         };
-        let written = as_text(self.folder.index.text(ctx.file, expr.range));
-        let folded = self.folder.fold(expr, ctx, known);
+        let written = as_text(self.evaluator.index.text(ctx.file, expr.range));
+        let folded = self.evaluator.fold(expr, ctx, known);
         let tool = folded.and_then(|t| whole(&t.value, convert::tooldata));
         tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
     }
 
-    fn wobj(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Result<WobjData, Failed> {
+    fn wobj(
+        &mut self,
+        args: &MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn TrackedValues,
+    ) -> Result<WobjData, SkipReason> {
         if args.conditional.iter().any(|name| name == "wobj") {
             let text = "its work object is handed to the routine, if present".into();
             return Err(keep("keep::wobj-unknown", text));
         }
         let Some(expr) = args.wobj else { return Ok(WobjData::wobj0()) };
-        let written = as_text(self.folder.index.text(ctx.file, expr.range));
-        let folded = self.folder.fold(expr, ctx, known);
+        let written = as_text(self.evaluator.index.text(ctx.file, expr.range));
+        let folded = self.evaluator.fold(expr, ctx, known);
         let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));
         wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written, &why))
     }
@@ -433,7 +444,7 @@ impl<'a> Finish<'_, 'a> {
         &mut self,
         args: &MoveArgs<'a>,
         ctx: Ctx,
-        known: &dyn Followed,
+        known: &dyn TrackedValues,
     ) -> Option<super::data::SpeedData> {
         if args.has("t") {
             return None; // the time is given, not the speed
@@ -441,32 +452,37 @@ impl<'a> Finish<'_, 'a> {
         let value = self.guess(args.speed?, ctx, known, "speeddata")?;
         let mut speed = convert::speeddata(&value).ok()?;
         if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "v") {
-            let Value::Num(v) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            let Value::Num(v) = self.evaluator.fold(expr, ctx, known).ok()?.value else { return None };
             speed.v_tcp_m_s = robot_model::units::m_from_mm(v);
         }
         Some(speed)
     }
 
-    fn zone(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn Followed) -> Option<super::data::ZoneData> {
+    fn zone(
+        &mut self,
+        args: &MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn TrackedValues,
+    ) -> Option<super::data::ZoneData> {
         let value = self.guess(args.zone?, ctx, known, "zonedata")?;
         let mut zone = convert::zonedata(&value).ok()?;
         if let Some((_, Some(expr))) = args.options.iter().find(|(name, _)| name == "z") {
-            let Value::Num(z) = self.folder.fold(expr, ctx, known).ok()?.value else { return None };
+            let Value::Num(z) = self.evaluator.fold(expr, ctx, known).ok()?.value else { return None };
             zone.pzone_tcp_m = robot_model::units::m_from_mm(z);
         }
         Some(zone)
     }
 
     /// A speed or zone; one such as RoboDK's `v83`, which nobody declares, is guessed from its name.
-    fn guess(&mut self, expr: &Expr, ctx: Ctx, known: &dyn Followed, type_name: &str) -> Option<Value> {
-        let why = match self.folder.fold(expr, ctx, known) {
+    fn guess(&mut self, expr: &Expr, ctx: Ctx, known: &dyn TrackedValues, type_name: &str) -> Option<Value> {
+        let why = match self.evaluator.fold(expr, ctx, known) {
             Ok(typed) => return Some(typed.value),
             Err(why) => why,
         };
         if why.code != "keep::not-declared" || !matches!(expr.kind, ExprKind::Name) {
             return None;
         }
-        let name = lower_case(self.folder.index.text(ctx.file, expr.range));
+        let name = lower_case(self.evaluator.index.text(ctx.file, expr.range));
         let (_, value) = guessed(&name).filter(|(guessed, _)| *guessed == type_name)?;
         let at = Span { file: ctx.file, range: expr.range };
         self.guesses.entry(name.clone()).or_insert_with(|| {
@@ -481,21 +497,21 @@ impl<'a> Finish<'_, 'a> {
     /// A PERS that is used before the program sets it keeps its value from run to run.
     fn note_kept_over(&mut self, state: &State, args: &MoveArgs<'a>, ctx: Ctx, at: Span) {
         for expr in [args.tool, args.wobj].into_iter().flatten() {
-            let Some(DataName::Declared(datum)) = self.folder.data_name(expr, ctx) else { continue };
-            let Some(slot) = self.followed.slot(datum).and_then(|slot| state.slots.get(slot)) else {
+            let Some(DataName::Declared(datum)) = self.evaluator.data_name(expr, ctx) else { continue };
+            let Some(slot) = self.tracked.slot(datum).and_then(|slot| state.slots.get(slot)) else {
                 continue;
             };
             if !slot.declared || slot.value.unknown().is_some() || self.kept_over.contains_key(&datum) {
                 continue;
             }
-            let name = self.folder.name_of(datum);
+            let name = self.evaluator.name_of(datum);
             let text = format!(
                 "{name} is used here before the program sets it: from the second pass on it has the value set last"
             );
             let mut warning = Diagnostic::warning("state::pers-kept", text).at(at).help(
                 "the figures hold for its declared value, in the first pass alone; set it before its first motion",
             );
-            if let Some(write) = self.folder.writes.first(datum) {
+            if let Some(write) = self.evaluator.writes.first(datum) {
                 warning = warning.label(write.at, "set here");
             }
             self.kept_over.insert(datum, warning);
@@ -506,7 +522,7 @@ impl<'a> Finish<'_, 'a> {
 /// One warning for each routine whose motions place external axes: a track carries the robot's base along.
 fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic> {
     let places_axes = |motion: &&Motion| {
-        motion.keep.is_none()
+        motion.skip_reason.is_none()
             && motion.targets.iter().filter_map(Target::value).any(|value| {
                 let ext = match value {
                     TargetValue::Rob(target) => target.ext,
@@ -533,7 +549,7 @@ fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic
     by_routine.into_iter().filter_map(warning).collect()
 }
 
-fn special(special: Special, name: &str) -> Option<Keep> {
+fn special(special: Special, name: &str) -> Option<SkipReason> {
     match special {
         Special::Plain => None,
         Special::Search => Some(keep(
@@ -548,8 +564,8 @@ fn special(special: Special, name: &str) -> Option<Keep> {
     }
 }
 
-fn keep(code: &'static str, reason: String) -> Keep {
-    Keep { code, reason, because: None }
+fn keep(code: &'static str, reason: String) -> SkipReason {
+    SkipReason { code, reason, because: None }
 }
 
 /// A value converted; the reason of a part that is not known keeps its place.
@@ -560,9 +576,9 @@ fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -
     }
 }
 
-fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> Keep {
+fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> SkipReason {
     let reason = format!("the {what} {name} is not known: {}", why.reason);
-    Keep { code, reason, because: why.because }
+    SkipReason { code, reason, because: why.because }
 }
 
 /// Whether an expression is made of literals alone.

@@ -1,4 +1,4 @@
-//! What is in force where: the values of the data that are followed, ConfL and ConfJ, displacements,
+//! What is in force where: the values of the data that are tracked, ConfL and ConfJ, displacements,
 //! carried through every routine in the order of its statements and into the routines it calls.
 //!
 //! A routine is walked once for each state it is called with; a routine called with many is from then
@@ -11,13 +11,13 @@ mod steps;
 
 use super::data::LoadData;
 
-use super::flow::{Carried, HOLDS, Ways, every_step, walk};
-use super::fold::{Constant, Folder, Followed};
-use super::followed::FollowedData;
-use super::index::{DatumId, DatumKind, RoutineId};
-use super::lower::Lowered;
-use super::motion::Keep;
-use super::touched::{Touched, touched};
+use super::cfg::ControlFlow;
+use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
+use super::flow::{BLOCKERS, ForwardAnalysis, RoutineCfg, every_step, walk};
+use super::index::{DatumId, DatumKind, RoutineIndex};
+use super::mod_ref::{RoutineEffects, routine_effects};
+use super::motion::SkipReason;
+use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::{DataKind, RoutineKind};
@@ -31,7 +31,7 @@ const DEEPEST_CALL: usize = 100;
 /// Steps in all, behind which everything counts as not known.
 const MOST_STEPS: u64 = 30_000_000;
 
-/// A followed datum at one place.
+/// A tracked datum at one place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SlotState {
     pub(super) value: Value,
@@ -48,31 +48,31 @@ pub(super) struct State {
     pub(super) conf_j: Option<bool>,
     /// What the last GripLoad said; `None` = not known.
     pub(super) grip: Option<LoadData>,
-    /// In the order of [`HOLDS`]: why it is, or may be, in force.
-    pub(super) holds: [Option<Why>; 4],
+    /// In the order of [`BLOCKERS`]: why it is, or may be, in force.
+    pub(super) blockers: [Option<Why>; 4],
 }
 
-/// A state as the values of the data that are followed.
+/// A state as the values of the data that are tracked.
 pub(super) struct View<'s> {
     pub(super) state: &'s State,
-    pub(super) followed: &'s FollowedData,
+    pub(super) tracked: &'s TrackedData,
 }
 
-impl Followed for View<'_> {
+impl TrackedValues for View<'_> {
     fn value(&self, datum: DatumId) -> Option<Value> {
-        let slot = self.followed.slot(datum)?;
+        let slot = self.tracked.slot(datum)?;
         self.state.slots.get(slot).map(|s| s.value.clone())
     }
 }
 
 /// What each of so many motions sees; `None` where no way leads to it.
 pub(super) fn states_at_motions<'a>(
-    folder: &mut Folder<'a>,
+    evaluator: &mut ConstEvaluator<'a>,
     motions: usize,
-    lowered: &Lowered<'a>,
-    followed: &FollowedData,
+    control_flow: &ControlFlow<'a>,
+    tracked: &TrackedData,
 ) -> Vec<Option<Rc<State>>> {
-    let routines = lowered.ways.len();
+    let routines = control_flow.routines.len();
     let mut walker = Walker {
         at_motions: vec![None; motions],
         last_seen: None,
@@ -81,19 +81,19 @@ pub(super) fn states_at_motions<'a>(
         busy: Vec::new(),
         steps: 0,
         in_handlers: Vec::new(),
-        touched: touched(lowered),
-        folder,
-        lowered,
-        followed,
+        effects: routine_effects(control_flow),
+        evaluator,
+        control_flow,
+        tracked,
     };
     walker.run();
     walker.at_motions
 }
 
 struct Walker<'w, 'a> {
-    folder: &'w mut Folder<'a>,
-    lowered: &'w Lowered<'a>,
-    followed: &'w FollowedData,
+    evaluator: &'w mut ConstEvaluator<'a>,
+    control_flow: &'w ControlFlow<'a>,
+    tracked: &'w TrackedData,
     at_motions: Vec<Option<Rc<State>>>,
     /// The last one seen: most motions of a routine see the same.
     last_seen: Option<Rc<State>>,
@@ -101,9 +101,9 @@ struct Walker<'w, 'a> {
     common: Vec<Option<State>>,
     busy: Vec<Busy>,
     steps: u64,
-    touched: Vec<Touched>,
+    effects: Vec<RoutineEffects>,
     /// What the handlers of each routine and those they call may change.
-    in_handlers: Vec<Touched>,
+    in_handlers: Vec<RoutineEffects>,
 }
 
 /// What a routine leaves.
@@ -117,7 +117,7 @@ struct After {
 
 /// A routine that is being walked.
 struct Busy {
-    routine: RoutineId,
+    routine: RoutineIndex,
     /// What it was entered with, by the calls of itself further down too.
     entry: State,
     /// What it is known to leave so far.
@@ -129,12 +129,13 @@ struct Busy {
 
 impl Walker<'_, '_> {
     fn run(&mut self) {
-        self.in_handlers = self.lowered.ways.iter().map(|ways| self.in_handlers_of(ways)).collect();
-        let index = self.folder.index;
-        let called: BTreeSet<RoutineId> = self.touched.iter().flat_map(|t| t.calls.iter().copied()).collect();
+        self.in_handlers = self.control_flow.routines.iter().map(|cfg| self.in_handlers_of(cfg)).collect();
+        let index = self.evaluator.index;
+        let called: BTreeSet<RoutineIndex> =
+            self.effects.iter().flat_map(|t| t.calls.iter().copied()).collect();
         let declared = self.declared();
-        let trap = |id: RoutineId| index.routines[id].tree.kind == RoutineKind::Trap;
-        let ids = 0..self.lowered.ways.len();
+        let trap = |id: RoutineIndex| index.routines[id].tree.kind == RoutineKind::Trap;
+        let ids = 0..self.control_flow.routines.len();
         for id in ids.clone() {
             if trap(id) {
                 let anything = self.anything("a trap may run at any time");
@@ -151,7 +152,7 @@ impl Walker<'_, '_> {
         if self.steps > MOST_STEPS {
             let anything = self.anything("there are too many ways through the program to follow");
             for at in 0..self.at_motions.len() {
-                self.see(at, &anything);
+                self.record(at, &anything);
             }
         }
         self.at_any_time();
@@ -159,71 +160,71 @@ impl Walker<'_, '_> {
 
     /// ConfL and the like in traps and handlers may come into force anywhere.
     fn at_any_time(&mut self) {
-        let index = self.folder.index;
-        let mut any = Touched::default();
+        let index = self.evaluator.index;
+        let mut any = RoutineEffects::default();
         for (id, in_handlers) in self.in_handlers.iter().enumerate() {
             if index.routines[id].tree.kind == RoutineKind::Trap {
-                any.add(&self.touched[id]);
+                any.add(&self.effects[id]);
             }
             any.add(in_handlers);
         }
-        if !any.conf_l && !any.conf_j && any.holds.is_empty() {
+        if !any.conf_l && !any.conf_j && any.blockers.is_empty() {
             return;
         }
         for state in self.at_motions.iter_mut().flatten().map(Rc::make_mut) {
             state.conf_l = state.conf_l.filter(|_| !any.conf_l);
             state.conf_j = state.conf_j.filter(|_| !any.conf_j);
             state.grip = state.grip.filter(|_| !any.grip);
-            for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
-                if any.holds.contains(hold) && held.is_none() {
+            for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
+                if any.blockers.contains(hold) && held.is_none() {
                     *held = Some(unknown("a trap or an error handler may put it in force"));
                 }
             }
         }
     }
 
-    fn in_handlers_of(&self, ways: &Ways<'_>) -> Touched {
-        let mut own = Touched::default();
-        for handler in &ways.handlers {
-            every_step(handler, &mut |step| own.touch(step));
+    fn in_handlers_of(&self, cfg: &RoutineCfg<'_>) -> RoutineEffects {
+        let mut own = RoutineEffects::default();
+        for handler in &cfg.handlers {
+            every_step(handler, &mut |step| own.add_step(step));
         }
         for callee in own.calls.clone() {
-            own.add(&self.touched[callee]);
+            own.add(&self.effects[callee]);
         }
         own
     }
 
     /// The state a program starts with: declared values, everything else off.
     fn declared(&mut self) -> State {
-        let mut slots = Vec::with_capacity(self.followed.data.len());
-        for &datum in &self.followed.data {
-            let kind = self.folder.index.data[datum].kind;
+        let mut slots = Vec::with_capacity(self.tracked.data.len());
+        for &datum in &self.tracked.data {
+            let kind = self.evaluator.index.data[datum].kind;
             let persistent = kind == DatumKind::Declared(DataKind::Pers);
             let value = match kind {
-                DatumKind::Declared(_) => self.folder.initial(datum),
-                DatumKind::Param { .. } | DatumKind::LoopVariable => self.folder.datum(datum, &Constant),
+                DatumKind::Declared(_) => self.evaluator.initial(datum),
+                DatumKind::Param { .. } | DatumKind::LoopVariable => self.evaluator.datum(datum, &Constant),
             };
             let value = value.unwrap_or_else(Value::Unknown);
             slots.push(SlotState { value, declared: persistent, set_at: None });
         }
         // From its beginning a program grips nothing.
         let grip = Some(LoadData::default());
-        State { slots, conf_l: Some(true), conf_j: Some(true), grip, holds: [const { None }; 4] }
+        State { slots, conf_l: Some(true), conf_j: Some(true), grip, blockers: [const { None }; 4] }
     }
 
     /// A state of which nothing is known that the program changes.
     fn anything(&mut self, reason: &str) -> State {
         let mut state = self.declared();
-        let mut all = Touched::default();
-        for touched in &self.touched {
-            all.add(touched);
+        let mut all = RoutineEffects::default();
+        for effects in &self.effects {
+            all.add(effects);
         }
         lose(&mut state, &all, &unknown(reason));
         state
     }
 
     /// What a motion sees on one more visit.
-    fn see(&mut self, motion: usize, state: &State) {
+    fn record(&mut self, motion: usize, state: &State) {
         let seen = self.at_motions.get_mut(motion).and_then(Option::take);
         let seen = match seen {
             None => match self.last_seen.take() {
@@ -242,7 +243,7 @@ impl Walker<'_, '_> {
     }
 
     /// What a routine leaves that is called in `entry`.
-    fn call(&mut self, routine: RoutineId, mut entry: State) -> After {
+    fn call(&mut self, routine: RoutineIndex, mut entry: State) -> After {
         if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
             return self.call_again(at, &entry);
         }
@@ -306,21 +307,21 @@ impl Walker<'_, '_> {
         busy.after.clone()
     }
 
-    fn body(&mut self, routine: RoutineId, entry: &State) -> Option<State> {
-        let lowered = self.lowered;
-        let ways = &lowered.ways[routine];
-        let mut exit = walk(self, &ways.body, entry);
+    fn body(&mut self, routine: RoutineIndex, entry: &State) -> Option<State> {
+        let control_flow = self.control_flow;
+        let cfg = &control_flow.routines[routine];
+        let mut exit = walk(self, &cfg.body, entry);
         let failed_in_body = self.busy.last_mut().and_then(|busy| busy.failed.take());
-        if !ways.handlers.is_empty() {
+        if !cfg.handlers.is_empty() {
             let mut failed = entry.clone();
             let reason = unknown("an error may come before or after it is set");
-            lose(&mut failed, &self.touched[routine], &reason);
-            for handler in &ways.handlers {
+            lose(&mut failed, &self.effects[routine], &reason);
+            for handler in &cfg.handlers {
                 let handled = walk(self, handler, &failed);
                 exit = self.either(exit, handled);
             }
         }
-        if let Some(failed) = failed_in_body.filter(|_| !ways.recovery.catches_all) {
+        if let Some(failed) = failed_in_body.filter(|_| !cfg.recovery.catches_all) {
             self.fails(&failed);
         }
         exit
@@ -358,7 +359,7 @@ fn same(a: &State, b: &State) -> bool {
     a.conf_l == b.conf_l
         && a.conf_j == b.conf_j
         && a.grip == b.grip
-        && a.holds.iter().zip(&b.holds).all(|(a, b)| a.is_some() == b.is_some())
+        && a.blockers.iter().zip(&b.blockers).all(|(a, b)| a.is_some() == b.is_some())
         && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
 }
 
@@ -370,22 +371,22 @@ fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
     }
 }
 
-fn lose(state: &mut State, touched: &Touched, why: &Why) {
-    for &slot in &touched.slots {
+fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
+    for &slot in &effects.slots {
         if let Some(slot) = state.slots.get_mut(slot) {
             slot.value = Value::Unknown(why.clone());
         }
     }
-    state.conf_l = state.conf_l.filter(|_| !touched.conf_l);
-    state.conf_j = state.conf_j.filter(|_| !touched.conf_j);
-    state.grip = state.grip.filter(|_| !touched.grip);
-    for (hold, held) in HOLDS.iter().zip(&mut state.holds) {
-        if touched.holds.contains(hold) {
+    state.conf_l = state.conf_l.filter(|_| !effects.conf_l);
+    state.conf_j = state.conf_j.filter(|_| !effects.conf_j);
+    state.grip = state.grip.filter(|_| !effects.grip);
+    for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
+        if effects.blockers.contains(hold) {
             *held = Some(why.clone());
         }
     }
 }
 
 fn unknown(reason: &str) -> Why {
-    Rc::new(Keep { code: "keep::runtime-target", reason: reason.into(), because: None })
+    Rc::new(SkipReason { code: "keep::runtime-target", reason: reason.into(), because: None })
 }

@@ -2,18 +2,18 @@
 //! them, in the units they are written in. A part may be unknown, with the reason.
 
 use super::index::DatumId;
-use super::motion::Keep;
+use super::motion::SkipReason;
 use std::rc::Rc;
 
 /// Why something is not known.
-pub(super) type Why = Rc<Keep>;
+pub(super) type Why = Rc<SkipReason>;
 
-/// A value.
+/// What an expression is worth.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     /// num or dnum; finite.
     Num(f64),
-    /// bool.
+    /// A truth value: bool.
     Bool(bool),
     /// string: the bytes between the quotes, `""` and `\\` resolved.
     Text(Rc<[u8]>),
@@ -21,14 +21,14 @@ pub(super) enum Value {
     Parts(Rc<[Value]>),
     /// The pose that joints reach, seen with a tool in a work object: `CalcRobT`.
     Reached(Rc<Reached>),
-    /// Not known.
+    /// It is not known, and why.
     Unknown(Why),
 }
 
 /// `CalcRobT` of known joints.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reached {
-    /// The jointtarget.
+    /// The joints, a jointtarget.
     pub(super) joints: Value,
     /// The tool named in the call.
     pub(super) tool: DataName,
@@ -138,6 +138,21 @@ pub(super) fn string(literal: &[u8]) -> Vec<u8> {
     out
 }
 
+/// A reason without place.
+pub(super) fn why(code: &'static str, reason: String) -> Why {
+    Rc::new(SkipReason { code, reason, because: None })
+}
+
+/// The reason for an operand of another type than the operation takes.
+pub(super) fn wrong_type() -> Why {
+    why("keep::wrong-type", "a value of another type is wanted here".into())
+}
+
+/// The reason for what cannot be known without the robot's geometry.
+pub(super) fn needs_kinematics(what: &str) -> Why {
+    why("keep::function-result", format!("{what} is worked out by the controller at run time"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,7 +188,8 @@ mod tests {
 
     #[test]
     fn what_differs_becomes_unknown_part_by_part() {
-        let why = || Rc::new(Keep { code: "keep::runtime-target", reason: String::new(), because: None });
+        let why =
+            || Rc::new(SkipReason { code: "keep::runtime-target", reason: String::new(), because: None });
         let a = Value::parts([Value::numbers(&[1.0, 2.0]), Value::Bool(true)]);
         let b = Value::parts([Value::numbers(&[1.0, 3.0]), Value::Bool(true)]);
         let Value::Parts(joined) = a.join(&b, &why) else { panic!("a record stays a record") };

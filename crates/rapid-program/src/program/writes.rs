@@ -3,7 +3,7 @@
 
 use super::built_in::{is_built_in_function, written_by_function};
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineId, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
 use super::instructions::{is_written_option, move_form, written_arguments};
 use super::names::Sym;
 use super::value;
@@ -29,7 +29,7 @@ pub(super) enum How {
     Aliased,
 }
 
-/// One change.
+/// One place where a datum is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Write {
     pub(super) at: Span,
@@ -90,7 +90,7 @@ impl Writes {
         self.by_datum.get(datum).copied().flatten().map(|(first, _)| first)
     }
 
-    /// Whether all changes happen in the ordinary course of routines, so that they can be followed.
+    /// Whether all changes happen in the ordinary course of routines, so that they can be tracked.
     pub(super) fn orderly(&self, datum: DatumId) -> bool {
         self.by_datum.get(datum).copied().flatten().is_none_or(|(_, worst)| worst <= How::Perhaps)
     }
@@ -145,7 +145,7 @@ pub(super) fn doubtful_arguments(
 pub(super) fn match_arguments<'c>(
     index: &Index<'_>,
     ctx: Ctx,
-    callee: RoutineId,
+    callee: RoutineIndex,
     args: &'c [Arg],
 ) -> Vec<(DatumId, Option<&'c Expr>, Option<TextRange>)> {
     let mut out = Vec::new();
@@ -193,7 +193,7 @@ struct Scan<'i, 'a> {
 }
 
 impl Scan<'_, '_> {
-    fn body(&mut self, body: &[Stmt], routine: RoutineId, any_time: bool) {
+    fn body(&mut self, body: &[Stmt], routine: RoutineIndex, any_time: bool) {
         let Some(entry) = self.index.routines.get(routine) else { return };
         let ctx = entry.ctx;
         let ordinary = if any_time { How::AnyTime } else { How::Assigned };
@@ -276,7 +276,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    fn handed_to(&mut self, args: &[Arg], routine: RoutineId, ctx: Ctx, at: Span) {
+    fn handed_to(&mut self, args: &[Arg], routine: RoutineIndex, ctx: Ctx, at: Span) {
         for (param, value, own) in match_arguments(self.index, ctx, routine, args) {
             let by_reference =
                 !matches!(self.index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
@@ -297,7 +297,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// `SetDataVal "name",value`
+    /// A datum is set by its name: `SetDataVal "name",value`.
     fn by_name(&mut self, name: Option<&Expr>, at: Span) {
         match self.literal(name, at) {
             Some(name) => {

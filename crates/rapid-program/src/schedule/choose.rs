@@ -1,10 +1,10 @@
 //! The choice of a schedule: edges on the few targets that drift most, then a check of all of them, with
 //! whatever the check finds taken in, until nothing is found any more.
 
+use super::bucket::{Bucket, Schedule};
 use super::cover::{Edges, NoCover, cover};
 use super::curve::{Curve, horizon_min};
 use super::drift::{Drift, Moment};
-use super::{Bucket, Schedule};
 
 /// More buckets than this are refused: each costs a target per motion on the controller.
 pub const MAX_BUCKETS: usize = 500;
@@ -37,7 +37,7 @@ pub enum Width {
     Tolerance,
     /// So many minutes, a multiple of a tenth.
     Fixed {
-        /// The width.
+        /// The width of each bucket, minutes.
         width_min: f64,
     },
 }
@@ -47,7 +47,7 @@ pub enum Width {
 pub struct Request {
     /// No target is further off than this anywhere in its bucket, metres.
     pub tolerance_m: f64,
-    /// Where it ends.
+    /// Where the schedule ends.
     pub until: Until,
     /// By tolerance or fixed.
     pub width: Width,
@@ -56,7 +56,7 @@ pub struct Request {
 /// A schedule and how it came about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chosen {
-    /// The schedule.
+    /// The schedule that was chosen.
     pub schedule: Schedule,
     /// Where the schedule ends: from here on what is still to come is under the tolerance, or what the
     /// request says.
@@ -76,19 +76,19 @@ pub enum ScheduleError {
     /// The tolerance is no positive length.
     #[error("the tolerance must be more than 0 and finite, not {} mm", robot_model::units::mm_from_m(*tolerance_m))]
     Tolerance {
-        /// As given, metres.
+        /// As it was given, metres.
         tolerance_m: f64,
     },
     /// The end is no positive time.
     #[error("the end of the schedule must be more than 0 minutes and finite, not {until_min}")]
     Until {
-        /// As given.
+        /// As it was given, minutes.
         until_min: f64,
     },
     /// The fixed width is no positive multiple of a tenth of a minute.
     #[error("a bucket's width must be a positive multiple of 0.1 minutes, not {width_min}")]
     Width {
-        /// As given.
+        /// As it was given, minutes.
         width_min: f64,
     },
     /// More than [`MAX_BUCKETS`].
@@ -104,9 +104,9 @@ pub enum ScheduleError {
         robot_model::units::mm_from_m(*tolerance_m)
     )]
     TooFast {
-        /// Where.
+        /// The minute at which it would begin.
         from_min: f64,
-        /// The tolerance, metres.
+        /// The tolerance that is not met, metres.
         tolerance_m: f64,
     },
     /// The drift does not come to rest within years.

@@ -3,14 +3,14 @@
 //! From a given minute the longest feasible bucket is taken (greedy). Wherever a part of a feasible bucket
 //! is feasible itself, as with any growth law, no cover has fewer.
 
-use super::Bucket;
+use super::bucket::Bucket;
 use super::curve::Curve;
 use super::drift::Moment;
 
 /// Where edges may stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Edges {
-    /// Anywhere.
+    /// Edges may stand anywhere.
     Any,
     /// On multiples of 1/`parts_per_min` minutes.
     Parts(u32),

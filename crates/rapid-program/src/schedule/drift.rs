@@ -32,17 +32,14 @@ pub trait Drift {
     fn bends_min(&self) -> &[f64];
 }
 
-/// `a - b`.
 pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// `|a|²`.
 pub(super) fn norm2(a: [f64; 3]) -> f64 {
     a[0] * a[0] + a[1] * a[1] + a[2] * a[2]
 }
 
-/// `|a|`.
 pub(super) fn norm(a: [f64; 3]) -> f64 {
     norm2(a).sqrt()
 }

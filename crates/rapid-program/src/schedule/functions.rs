@@ -26,7 +26,7 @@ pub enum Course {
     ShareSquared,
     /// Linear between knots, held before the first and after the last.
     Knots {
-        /// Minutes, ascending.
+        /// Minutes of the knots, ascending.
         at_min: Vec<f64>,
         /// For each knot the value of each function.
         values: Vec<Vec<f64>>,

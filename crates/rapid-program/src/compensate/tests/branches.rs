@@ -118,7 +118,8 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
     target.q_rad[2] = None;
     unused.targets[0] = unused.targets[0].clone().with_value(&TargetValue::Joint(target));
     let mut told = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    told.keep = Some(Arc::new(placement::keep("keep::displaced", "a program displacement may be in force")));
+    told.skip_reason =
+        Some(Arc::new(placement::keep("keep::displaced", "a program displacement may be in force")));
     let mut homeless = motion(Path::Linear, &[pose([500.0, 0.0, 500.0], [0.0, 0.0, 1.0, 0.0], [0; 4])]);
     Arc::make_mut(&mut homeless.setup).tool = None;
     let good = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);

@@ -73,7 +73,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         setup: Arc::new(setup),
         targets: values.iter().map(target).collect(),
         previous: None,
-        keep: None,
+        skip_reason: None,
         run_time: false,
         from_search: false,
     }

@@ -11,7 +11,7 @@ const SAME: f64 = 1e-12;
 pub(super) struct Step {
     /// Axes of the frame before, as the robot file has them, in those that are used here.
     pub used_from_filed: Matrix3<f64>,
-    /// Origin, metres.
+    /// Its origin in the frame before, metres.
     pub place_m: Vector3<f64>,
     /// The fixed rotation: this frame's axes in the one before.
     pub rotation: Matrix3<f64>,

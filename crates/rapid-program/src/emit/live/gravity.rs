@@ -17,7 +17,6 @@ const NO_LOAD_KG: f64 = 0.001_001;
 struct Group {
     /// For each link, and the payload.
     shares: [f64; 7],
-    /// Joint and scale.
     joints: Vec<(usize, f64)>,
 }
 

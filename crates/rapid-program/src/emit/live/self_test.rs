@@ -2,8 +2,8 @@
 
 use super::text::num;
 use crate::compensate::plan::{Plan, Status};
+use crate::emit::aggregate::is_plain;
 use crate::emit::number::write_robjoint;
-use crate::emit::target::is_plain;
 use crate::program::Program;
 use crate::program::motion::TargetValue;
 use robot_model::units::mm_from_m;
@@ -67,7 +67,7 @@ pub(super) fn data(tests: &[TestTarget]) -> Vec<String> {
     lines
 }
 
-/// The routines.
+/// The lines of the routines that test.
 pub(super) fn routines(tests: &[TestTarget]) -> Vec<String> {
     let mut lines = Vec::new();
     let with = |test: &TestTarget| match &test.wobj {

@@ -94,7 +94,7 @@ impl Body {
         self.lines.push(format!("    {}", text.as_ref()));
     }
 
-    /// `to := summands`.
+    /// Assigns a sum: `to := summands`.
     pub fn set(&mut self, to: &str, summands: &[Summand]) {
         self.add(to, false, summands);
     }

@@ -64,7 +64,6 @@ impl Turn {
     }
 }
 
-/// Radians per N.m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Compliance {
     /// On the whole torque.
@@ -74,7 +73,7 @@ pub(super) struct Compliance {
 }
 
 impl Compliance {
-    /// Another on top.
+    /// Takes in another turn on top.
     pub fn add(&mut self, whole: f64, link: [f64; 6]) {
         self.whole += whole;
         for (to, by) in self.link.iter_mut().zip(link) {

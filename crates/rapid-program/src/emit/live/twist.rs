@@ -17,7 +17,7 @@ const AFTER: &str = include_str!("correct.mod");
 /// Names in it that are not the routine's own numbers.
 const OTHERS: [&str; 7] = ["tcGoal", "tcQ", "tcTool", "tcSign", "tcTo", "tcBy", "tcTurn"];
 
-/// The routine.
+/// The lines of the routine.
 pub(super) fn routine(model: &LiveModel) -> Vec<String> {
     let mut body = Body::default();
     let loads = (0..6).any(|j| gives(model, j));

@@ -1,51 +1,11 @@
 //! What was changed in what had been added to a module, told by the letters that its comment block holds.
 
-use super::{comment_block, header_of};
+use super::comment_block::{comment_block, header_of};
+use super::findings::Altered;
 use crate::emit::{check, header};
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::parse;
 use rapid_syntax::tree::{FileItem, ModuleItem};
-
-/// A change of what was added to a module, which its original knows nothing of.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Altered {
-    /// Lines of the comment block, so that nothing else can be told.
-    #[error(
-        "lines of the comment block were changed or lost: what was changed in the module, touched-up points among it, \
-         cannot be told; named targets are as in the original"
-    )]
-    Header {
-        /// The block's first line, from 1.
-        line: u32,
-    },
-    /// A correction, or data or a routine of the clock.
-    #[error("{name}, which was added, is not as it was made")]
-    Code {
-        /// Its name.
-        name: String,
-        /// Its first line, from 1.
-        line: u32,
-    },
-}
-
-impl Altered {
-    /// Where, a line of the emitted module, from 1.
-    #[must_use]
-    pub fn line(&self) -> u32 {
-        match self {
-            Self::Header { line } | Self::Code { line, .. } => *line,
-        }
-    }
-
-    /// Its stable code.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Header { .. } => "restore::header",
-            Self::Code { .. } => "restore::code",
-        }
-    }
-}
 
 /// What was changed in the common module of a compensated program; nothing where `bytes` is none.
 #[must_use]

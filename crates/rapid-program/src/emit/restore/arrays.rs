@@ -1,8 +1,8 @@
 //! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
 
+use crate::emit::aggregate::{is_plain, singles};
 use crate::emit::check::Elements;
 use crate::emit::number::{write_num, write_orient};
-use crate::emit::target::{is_plain, singles};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::DataDecl;
@@ -16,21 +16,20 @@ const ROBTARGET: usize = 17;
 /// An array of targets in the emitted module.
 pub(super) struct Array<'b> {
     bytes: &'b [u8],
-    /// The declaration.
     pub(super) range: TextRange,
     /// A row is one of an array's targets.
     pub(super) indexed: bool,
     rows: Vec<Vec<TextRange>>,
     /// What stood in the motion, without its index.
     pub(super) was: Vec<u8>,
-    /// As made.
+    /// Letters of its elements as they were made.
     letters: &'b [u8],
 }
 
 /// An original that a touched-up element means.
 #[derive(Clone, Debug)]
 pub(super) struct Meant {
-    /// As text.
+    /// The value as RAPID text.
     pub(super) text: Vec<u8>,
     /// How far it is from what it was.
     pub(super) moved: f64,
@@ -51,7 +50,7 @@ impl Meant {
 #[derive(Clone, Debug)]
 enum Place {
     Pose(Vector3<f64>, UnitQuaternion<f64>),
-    /// Degrees.
+    /// Six joints, degrees.
     Joints([f64; 6]),
 }
 
@@ -101,11 +100,11 @@ impl<'b> Array<'b> {
     ) -> Option<Self> {
         let firsts: Option<Vec<&TextRange>> = rows.iter().map(|row| row.first()).collect();
         let plain = firsts?.iter().all(|range| is_plain(range.of(bytes)));
-        let element1 = rows.first()?.first()?.of(bytes);
+        let first_element = rows.first()?.first()?.of(bytes);
         let indexed = data.dims.len() > 1;
         let was = was.unwrap_or_else(|| match data.name.of(bytes).get(2..) {
             Some(rest) if indexed || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
-            _ => element1.to_vec(),
+            _ => first_element.to_vec(),
         });
         plain.then_some(Self { bytes, range: data.range, indexed, rows, was, letters })
     }
@@ -216,6 +215,6 @@ fn written(original: &Place, touched: &[u8]) -> Vec<u8> {
         }
     };
     out.push(b',');
-    out.extend_from_slice(crate::emit::target::tail_of(touched, components));
+    out.extend_from_slice(crate::emit::aggregate::tail_of(touched, components));
     out
 }

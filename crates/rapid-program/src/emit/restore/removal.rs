@@ -1,7 +1,7 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
 use super::arrays::{Array, Meant};
-use super::{Altered, RestoreError, Touched, TouchedInto};
+use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use crate::emit::check;
 use crate::emit::header::Record;
 use crate::emit::insertion;
@@ -149,7 +149,7 @@ impl<'w> Remover<'w> {
         &mut self,
         routines: &[&'w Routine],
         arrays: &BTreeMap<String, Array<'w>>,
-    ) -> Result<Vec<Touched>, RestoreError> {
+    ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let mut uses: BTreeMap<&str, Vec<Use<'w>>> = BTreeMap::new();
         let mut touched = Vec::new();
         let declarations = Declarations::new(self.bytes, self.module);
@@ -175,15 +175,15 @@ impl<'w> Remover<'w> {
                             let (own, rest) = letters.split_at_checked(own).unwrap_or((letters, &[]));
                             letters = rest;
                             if let Some((moved, unit)) = point::moved(text, own) {
-                                touched.push(Touched {
+                                touched.push(ModifiedTarget {
                                     array: None,
                                     target: self.text(inner),
                                     value: self.text(original.value),
                                     line: self.lines.line(original.value.start),
                                     into: if original.declared {
-                                        TouchedInto::Declaration
+                                        ModifiedIn::Declaration
                                     } else {
-                                        TouchedInto::Motion
+                                        ModifiedIn::Motion
                                     },
                                     moved,
                                     unit,
@@ -205,7 +205,7 @@ impl<'w> Remover<'w> {
         arrays: &BTreeMap<String, Array<'w>>,
         uses: &BTreeMap<&str, Vec<Use<'w>>>,
         declarations: &Declarations<'w>,
-    ) -> Result<Vec<Touched>, RestoreError> {
+    ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let mut meant: BTreeMap<&str, Vec<Option<Meant>>> = BTreeMap::new();
         for (name, array) in arrays {
             let line = self.lines.line(array.range.start);
@@ -233,12 +233,12 @@ impl<'w> Remover<'w> {
                 self.edits.push(Edit { range: one.expr, text });
             }
             for new in rows.iter().flatten() {
-                touched.push(Touched {
+                touched.push(ModifiedTarget {
                     array: Some(name.clone()),
                     target: String::from_utf8_lossy(&array.was).into_owned(),
                     value: String::from_utf8_lossy(&new.text).into_owned(),
                     line: uses.first().map_or(1, |one| self.lines.line(one.expr.start)),
-                    into: if into { TouchedInto::Declaration } else { TouchedInto::Motion },
+                    into: if into { ModifiedIn::Declaration } else { ModifiedIn::Motion },
                     moved: new.moved,
                     unit: new.unit,
                 });

@@ -1,28 +1,28 @@
 //! What each step of a routine does to the state.
 
 use super::{MOST_STEPS, SlotState, State, View, Walker, same, unknown};
+use crate::program::const_eval::Constant;
 use crate::program::errors::Recovery;
-use crate::program::flow::{Binding, Carried, HOLDS, Step};
-use crate::program::fold::Constant;
-use crate::program::index::{Ctx, RoutineId};
-use crate::program::motion::Keep;
+use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
+use crate::program::index::{Ctx, RoutineIndex};
+use crate::program::motion::SkipReason;
 use crate::program::names::Sym;
 use crate::program::value::Value;
 use rapid_syntax::tree::Expr;
 use std::rc::Rc;
 
-impl<'a> Carried<'a> for Walker<'_, 'a> {
+impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
     type State = State;
 
     fn join(&mut self, into: &mut State, other: &State) -> bool {
         let before = into.clone();
-        let index = self.folder.index;
+        let index = self.evaluator.index;
         for (a, b) in into.slots.iter_mut().zip(&other.slots) {
             let at = b.set_at.max(a.set_at);
             let why = || {
                 let place = at.map_or(String::new(), |at| format!(": {}", index.place(at)));
                 let reason = format!("it is changed on one of the ways that lead here{place}");
-                Rc::new(Keep { code: "keep::runtime-target", reason, because: at })
+                Rc::new(SkipReason { code: "keep::runtime-target", reason, because: at })
             };
             a.value = a.value.join(&b.value, &why);
             a.declared |= b.declared;
@@ -31,7 +31,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
         into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
         into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
         into.grip = into.grip.filter(|load| other.grip == Some(*load));
-        for (a, b) in into.holds.iter_mut().zip(&other.holds) {
+        for (a, b) in into.blockers.iter_mut().zip(&other.blockers) {
             if a.is_none() {
                 a.clone_from(b);
             }
@@ -39,53 +39,54 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
         !same(&before, into)
     }
 
-    fn step(&mut self, step: &Step<'a>, mut state: State) -> Option<State> {
+    fn step(&mut self, step: &FlowStep<'a>, mut state: State) -> Option<State> {
         self.steps += 1;
-        if let Step::Motions { count, .. } = step {
+        if let FlowStep::Motions { count, .. } = step {
             self.steps += u64::from(count.saturating_sub(1));
         }
         if self.steps > MOST_STEPS {
             return None;
         }
         match step {
-            Step::Motions { first, count } => {
-                (first.index()..first.index() + *count as usize).for_each(|motion| self.see(motion, &state));
+            FlowStep::Motions { first, count } => {
+                (first.index()..first.index() + *count as usize)
+                    .for_each(|motion| self.record(motion, &state));
             }
-            Step::Assign { slot, path, value, ctx, at } => {
+            FlowStep::Assign { slot, path, value, ctx, at } => {
                 let new = self.value(value, *ctx, &state);
                 let type_name =
-                    self.followed.data.get(*slot).map(|&datum| self.folder.index.data[datum].type_name);
+                    self.tracked.data.get(*slot).map(|&datum| self.evaluator.index.data[datum].type_name);
                 if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
                     let value = self.with_component(&old.value, type_name, path, new);
                     *old = SlotState { value, declared: false, set_at: Some(*at) };
                 }
             }
-            Step::Lose { slot, why, at } => {
+            FlowStep::Invalidate { slot, why, at } => {
                 if let Some(old) = state.slots.get_mut(*slot) {
                     let value = Value::Unknown(why.clone());
                     *old = SlotState { value, declared: false, set_at: Some(*at) };
                 }
             }
-            Step::ConfL(on) => state.conf_l = *on,
-            Step::ConfJ(on) => state.conf_j = *on,
-            Step::Grip(load) => state.grip = *load,
-            Step::Hold(hold, why) => {
-                for (known, held) in HOLDS.iter().zip(&mut state.holds) {
+            FlowStep::ConfL(on) => state.conf_l = *on,
+            FlowStep::ConfJ(on) => state.conf_j = *on,
+            FlowStep::Grip(load) => state.grip = *load,
+            FlowStep::Blocker(hold, why) => {
+                for (known, held) in BLOCKERS.iter().zip(&mut state.blockers) {
                     if known == hold {
                         held.clone_from(why);
                     }
                 }
             }
-            Step::MayFail(recovery) => {
+            FlowStep::MayFail(recovery) => {
                 self.fails(&state);
                 if recovery.resumes() {
                     self.handled(&mut state);
                 }
             }
-            Step::Call { routines, bindings, maybe, recovery, ctx } => {
+            FlowStep::Call { routines, bindings, maybe, recovery, ctx } => {
                 return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
             }
-            Step::Away => {}
+            FlowStep::UnknownPosition => {}
         }
         Some(state)
     }
@@ -94,7 +95,7 @@ impl<'a> Carried<'a> for Walker<'_, 'a> {
 impl Walker<'_, '_> {
     fn call_any(
         &mut self,
-        routines: &[RoutineId],
+        routines: &[RoutineIndex],
         bindings: &[Binding<'_>],
         maybe: bool,
         recovery: Recovery,
@@ -105,7 +106,7 @@ impl Walker<'_, '_> {
         for binding in bindings {
             let value = match binding.value {
                 Some(expr) => self.value(expr, ctx, state),
-                None => self.folder.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
+                None => self.evaluator.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
             };
             if let Some(slot) = entry.slots.get_mut(binding.slot) {
                 *slot = SlotState { value, declared: false, set_at: None };
@@ -134,14 +135,14 @@ impl Walker<'_, '_> {
     }
 
     fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {
-        let view = View { state, followed: self.followed };
-        self.folder.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
+        let view = View { state, tracked: self.tracked };
+        self.evaluator.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
     }
 
     /// The value with the component at `path` replaced.
     fn with_component(&self, value: &Value, type_name: Sym, path: &[Sym], new: Value) -> Value {
         let Some((name, rest)) = path.split_first() else { return new };
-        let components = self.folder.index.components(type_name).unwrap_or_default();
+        let components = self.evaluator.index.components(type_name).unwrap_or_default();
         let Some(at) = components.iter().position(|(n, _)| n == name) else {
             return Value::Unknown(unknown("a component that its type does not have is set"));
         };

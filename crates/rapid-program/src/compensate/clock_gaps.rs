@@ -25,7 +25,7 @@ const STOPPING_S: f64 = 0.5;
 
 /// The first motion of each way on which the arm moves for longer than `gap_min` without asking, by the estimate; none where
 /// the clock does not tell running from standing.
-pub(super) fn too_long(
+pub(super) fn long_gaps(
     program: &Program,
     resolved: &[Resolved],
     planned: &[PlannedMotion],

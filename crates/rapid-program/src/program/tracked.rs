@@ -1,4 +1,4 @@
-//! Which data are followed as program state: tools, work objects, speeds, zones and loads that the
+//! Which data are tracked as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
 use super::expressions::{every_call, expressions_of, root_of, value_of};
@@ -9,15 +9,15 @@ use super::writes::{Writes, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
 use std::collections::BTreeSet;
 
-/// The data that are followed, and their positions in a state.
+/// The data that are tracked, and their positions in a state.
 #[derive(Debug, Default)]
-pub(super) struct FollowedData {
+pub(super) struct TrackedData {
     pub(super) slot_of: Vec<Option<Slot>>,
     pub(super) data: Vec<DatumId>,
 }
 
-impl FollowedData {
-    /// What must be followed for the motions of a program.
+impl TrackedData {
+    /// What must be tracked for the motions of a program.
     pub(super) fn new(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
         let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
         let can_be = |datum: DatumId| {
@@ -56,7 +56,7 @@ impl FollowedData {
         out
     }
 
-    /// The slot of a datum that is followed.
+    /// The slot of a datum that is tracked.
     pub(super) fn slot(&self, datum: DatumId) -> Option<Slot> {
         self.slot_of.get(datum).copied().flatten()
     }
@@ -132,27 +132,27 @@ fn datum_at(index: &Index<'_>, ctx: Ctx, name: rapid_syntax::diagnostic::TextRan
     }
 }
 
-/// Calls `see` with every datum that an expression names.
-pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, see: &mut impl FnMut(DatumId)) {
+/// Calls `visit` with every datum that an expression names.
+pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut impl FnMut(DatumId)) {
     match &expr.kind {
         ExprKind::Name => {
             if let Some(datum) = datum_at(index, ctx, expr.range) {
-                see(datum);
+                visit(datum);
             }
         }
-        ExprKind::Field(field) => names_in(index, ctx, &field.base, see),
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => names_in(index, ctx, inner, see),
+        ExprKind::Field(field) => names_in(index, ctx, &field.base, visit),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => names_in(index, ctx, inner, visit),
         ExprKind::Index(element) => {
-            names_in(index, ctx, &element.base, see);
-            element.indices.iter().for_each(|i| names_in(index, ctx, i, see));
+            names_in(index, ctx, &element.base, visit);
+            element.indices.iter().for_each(|i| names_in(index, ctx, i, visit));
         }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| names_in(index, ctx, p, see)),
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| names_in(index, ctx, p, visit)),
         ExprKind::Binary(binary) => {
-            names_in(index, ctx, &binary.lhs, see);
-            names_in(index, ctx, &binary.rhs, see);
+            names_in(index, ctx, &binary.lhs, visit);
+            names_in(index, ctx, &binary.rhs, visit);
         }
         ExprKind::Call(call) => {
-            call.args.iter().filter_map(value_of).for_each(|e| names_in(index, ctx, e, see));
+            call.args.iter().filter_map(value_of).for_each(|e| names_in(index, ctx, e, visit));
         }
         ExprKind::Number
         | ExprKind::Numbers

@@ -3,15 +3,15 @@
 mod calls;
 mod instruction;
 
+use super::const_eval::{ConstEvaluator, Constant};
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
 use super::expressions::expressions_of;
-use super::flow::{Node, Step, Ways, every_step};
-use super::fold::{Constant, Folder};
-use super::followed::FollowedData;
+use super::flow::{FlowStep, Node, RoutineCfg, every_step};
 use super::index::{Ctx, Index, Resolved};
-use super::motion::Keep;
+use super::motion::SkipReason;
 use super::motion_site::MotionSites;
 use super::names::Sym;
+use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{DataKind, Expr, ExprKind, Stmt, StmtKind};
@@ -20,40 +20,45 @@ use std::rc::Rc;
 
 /// The ways through all routines.
 #[derive(Debug, Default)]
-pub(super) struct Lowered<'a> {
+pub(super) struct ControlFlow<'a> {
     /// One for each of the index's routines.
-    pub(super) ways: Vec<Ways<'a>>,
+    pub(super) routines: Vec<RoutineCfg<'a>>,
     /// Routines that are called and not given, by name in lower case, with the first call.
     pub(super) not_given: BTreeMap<String, Span>,
 }
 
-impl<'a> Lowered<'a> {
+impl<'a> ControlFlow<'a> {
     /// The ways through all routines of a program.
-    pub(super) fn new(folder: &mut Folder<'a>, sites: &MotionSites<'a>, followed: &FollowedData) -> Self {
+    pub(super) fn new(
+        evaluator: &mut ConstEvaluator<'a>,
+        sites: &MotionSites<'a>,
+        tracked: &TrackedData,
+    ) -> Self {
         let mut out = Self::default();
-        let index = folder.index;
+        let index = evaluator.index;
         let fallible = any_handled(index);
         for routine in &index.routines {
-            let (ctx, folder) = (routine.ctx, &mut *folder);
+            let (ctx, evaluator) = (routine.ctx, &mut *evaluator);
             let recovery = Recovery::of(index, ctx, routine.tree);
-            let mut lower = Lower { folder, sites, followed, ctx, fallible, recovery, out: &mut out };
-            let body = lower.body(&routine.tree.body);
-            lower.recovery = Recovery::default(); // an error in a handler goes to the caller
-            let handlers = routine.tree.handlers.iter().map(|h| lower.body(&h.body)).collect();
-            out.ways.push(Ways { body, handlers, recovery });
+            let mut builder =
+                CfgBuilder { evaluator, sites, tracked, ctx, fallible, recovery, out: &mut out };
+            let body = builder.body(&routine.tree.body);
+            builder.recovery = Recovery::default(); // an error in a handler goes to the caller
+            let handlers = routine.tree.handlers.iter().map(|h| builder.body(&h.body)).collect();
+            out.routines.push(RoutineCfg { body, handlers, recovery });
         }
         out
     }
 }
 
-impl Lowered<'_> {
+impl ControlFlow<'_> {
     /// For each routine whether another one calls it.
     pub(super) fn called(&self) -> Vec<bool> {
-        let mut called = vec![false; self.ways.len()];
-        for (caller, ways) in self.ways.iter().enumerate() {
-            for nodes in std::iter::once(&ways.body).chain(&ways.handlers) {
+        let mut called = vec![false; self.routines.len()];
+        for (caller, cfg) in self.routines.iter().enumerate() {
+            for nodes in std::iter::once(&cfg.body).chain(&cfg.handlers) {
                 every_step(nodes, &mut |step| {
-                    if let Step::Call { routines, .. } = step {
+                    if let FlowStep::Call { routines, .. } = step {
                         for &callee in routines.iter().filter(|&&callee| callee != caller) {
                             if let Some(called) = called.get_mut(callee) {
                                 *called = true;
@@ -67,21 +72,21 @@ impl Lowered<'_> {
     }
 }
 
-struct Lower<'l, 'a> {
-    folder: &'l mut Folder<'a>,
+struct CfgBuilder<'l, 'a> {
+    evaluator: &'l mut ConstEvaluator<'a>,
     sites: &'l MotionSites<'a>,
-    followed: &'l FollowedData,
+    tracked: &'l TrackedData,
     ctx: Ctx,
     /// Some routine handles errors: they are to be followed.
     fallible: bool,
     /// What becomes of an error.
     recovery: Recovery,
-    out: &'l mut Lowered<'a>,
+    out: &'l mut ControlFlow<'a>,
 }
 
-impl<'a> Lower<'_, 'a> {
+impl<'a> CfgBuilder<'_, 'a> {
     fn index(&self) -> &'a Index<'a> {
-        self.folder.index
+        self.evaluator.index
     }
 
     fn text(&self, range: TextRange) -> &'a [u8] {
@@ -165,13 +170,13 @@ impl<'a> Lower<'_, 'a> {
 
     fn fail(&self, out: &mut Vec<Node<'a>>) {
         if self.fallible {
-            out.push(Node::Step(Step::MayFail(self.recovery)));
+            out.push(Node::Step(FlowStep::MayFail(self.recovery)));
         }
     }
 
     fn while_loop(&mut self, cond: &'a Expr, body: &'a [Stmt], at: Span, out: &mut Vec<Node<'a>>) {
         let ctx = self.ctx;
-        let known = self.folder.fold(cond, ctx, &Constant).map(|t| t.value);
+        let known = self.evaluator.fold(cond, ctx, &Constant).map(|t| t.value);
         let endless = matches!(known, Ok(Value::Bool(true)));
         self.functions(&[cond], at, out);
         let mut body = self.body(body);
@@ -185,7 +190,7 @@ impl<'a> Lower<'_, 'a> {
     /// Whether constants say that a FOR runs at least once.
     fn runs(&mut self, from: &Expr, to: &Expr, step: Option<&Expr>) -> bool {
         let ctx = self.ctx;
-        let mut number = |expr| match self.folder.fold(expr, ctx, &Constant).ok()?.value {
+        let mut number = |expr| match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
             Value::Num(n) => Some(n),
             _ => None,
         };
@@ -218,20 +223,20 @@ impl<'a> Lower<'_, 'a> {
         out: &mut Vec<Node<'a>>,
     ) {
         if let Some(slot) = self.slot(root) {
-            out.push(Node::Step(Step::Assign { slot, path, value, ctx: self.ctx, at }));
+            out.push(Node::Step(FlowStep::Assign { slot, path, value, ctx: self.ctx, at }));
         }
     }
 
     fn slot(&self, name: TextRange) -> Option<usize> {
         match self.index().datum(name, self.ctx) {
-            Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.followed.slot(datum),
+            Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.tracked.slot(datum),
             Resolved::Twice(..) | Resolved::Nowhere => None,
         }
     }
 
     fn why(&self, at: Span, what: String) -> Why {
         let reason = format!("{what}: {}", self.index().place(at));
-        Rc::new(Keep { code: "keep::runtime-target", reason, because: Some(at) })
+        Rc::new(SkipReason { code: "keep::runtime-target", reason, because: Some(at) })
     }
 }
 

@@ -1,12 +1,12 @@
 //! Calls of procedures and functions: which routines they reach, with what.
 
-use super::Lower;
+use super::CfgBuilder;
 use crate::program::built_in::is_built_in_function;
+use crate::program::const_eval::Constant;
 use crate::program::errors::arguments_may_fail;
 use crate::program::expressions::every_call;
-use crate::program::flow::{Binding, Node, Step};
-use crate::program::fold::Constant;
-use crate::program::index::{DatumKind, Resolved, RoutineId};
+use crate::program::flow::{Binding, FlowStep, Node};
+use crate::program::index::{DatumKind, Resolved, RoutineIndex};
 use crate::program::instructions::Special;
 use crate::program::motion::MotionId;
 use crate::program::names::{as_text, lower_case};
@@ -15,18 +15,18 @@ use crate::program::writes::{NotGiven, doubtful_arguments, match_arguments};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKind, RoutineKind, Stmt};
 
-impl<'a> Lower<'_, 'a> {
+impl<'a> CfgBuilder<'_, 'a> {
     pub(super) fn call(&mut self, stmt: &'a Stmt, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
         if let Some(motion) = self.sites.motion_at(at.file, stmt) {
             match out.last_mut() {
-                Some(Node::Step(Step::Motions { first, count }))
+                Some(Node::Step(FlowStep::Motions { first, count }))
                     if first.index() + *count as usize == motion.index()
                         && self.is_plain(*first)
                         && self.is_plain(motion) =>
                 {
                     *count += 1;
                 }
-                _ => out.push(Node::Step(Step::Motions { first: motion, count: 1 })),
+                _ => out.push(Node::Step(FlowStep::Motions { first: motion, count: 1 })),
             }
             self.written(&call.args, call, at, out);
             return;
@@ -52,26 +52,26 @@ impl<'a> Lower<'_, 'a> {
         site.is_some_and(|site| matches!(site.form.special, Special::Plain | Special::Unsupported))
     }
 
-    fn routine(&self, name: TextRange) -> Option<RoutineId> {
+    fn routine(&self, name: TextRange) -> Option<RoutineIndex> {
         match self.index().routine(self.label(name)?, self.ctx) {
             Resolved::Here(id) | Resolved::Elsewhere(id) | Resolved::Twice(id, _) => Some(id),
             Resolved::Nowhere => None,
         }
     }
 
-    pub(super) fn known_call(&self, routines: Vec<RoutineId>, args: &'a [Arg], maybe: bool) -> Node<'a> {
+    pub(super) fn known_call(&self, routines: Vec<RoutineIndex>, args: &'a [Arg], maybe: bool) -> Node<'a> {
         let mut bindings = Vec::new();
         for &routine in &routines {
             let given = match_arguments(self.index(), self.ctx, routine, args);
             let params = self.index().routines.get(routine).map_or(&[][..], |r| &r.params);
             for &param in params {
-                if let Some(slot) = self.followed.slot(param) {
+                if let Some(slot) = self.tracked.slot(param) {
                     let value = given.iter().find(|(p, ..)| *p == param).and_then(|(_, value, _)| *value);
                     bindings.push(Binding { slot, param, value });
                 }
             }
         }
-        Node::Step(Step::Call { routines, bindings, maybe, recovery: self.recovery, ctx: self.ctx })
+        Node::Step(FlowStep::Call { routines, bindings, maybe, recovery: self.recovery, ctx: self.ctx })
     }
 
     /// Functions that are called in expressions, those of the program and those that are not given.
@@ -85,7 +85,7 @@ impl<'a> Lower<'_, 'a> {
         }
     }
 
-    /// Followed data that a routine that is not given may write.
+    /// Tracked data that a routine that is not given may write.
     pub(super) fn doubtful(
         &self,
         name: TextRange,
@@ -98,7 +98,7 @@ impl<'a> Lower<'_, 'a> {
             if let Some(slot) = self.slot(root) {
                 let written = as_text(self.text(name));
                 let why = self.why(at, format!("{written} is not given and may change it"));
-                out.push(Node::Step(Step::Lose { slot, why, at }));
+                out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
             }
         }
     }
@@ -108,7 +108,7 @@ impl<'a> Lower<'_, 'a> {
         let ctx = self.ctx;
         let index = self.index();
         let required = args.iter().filter(|a| matches!(a.kind, ArgKind::Positional(_))).count();
-        let known = self.folder.fold(expr, ctx, &Constant).map(|t| t.value);
+        let known = self.evaluator.fold(expr, ctx, &Constant).map(|t| t.value);
         let (start, end, whole) = match &known {
             Ok(Value::Text(name)) => {
                 let name = lower_case(name);
@@ -122,7 +122,7 @@ impl<'a> Lower<'_, 'a> {
             }
         };
         let task = index.modules.get(ctx.module).map(|m| m.task);
-        let fits = |id: &RoutineId| {
+        let fits = |id: &RoutineIndex| {
             let entry = &index.routines[*id];
             let name = index.names.text(entry.name);
             let wanted =
@@ -136,12 +136,12 @@ impl<'a> Lower<'_, 'a> {
                     name.starts_with(&start) && name.ends_with(&end) && name != "main"
                 }
         };
-        let routines: Vec<RoutineId> = (0..index.routines.len()).filter(fits).collect();
+        let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
         }
         if !whole || routines.is_empty() {
-            out.push(Node::Step(Step::Away));
+            out.push(Node::Step(FlowStep::UnknownPosition));
         }
     }
 
@@ -159,12 +159,12 @@ impl<'a> Lower<'_, 'a> {
 
     pub(super) fn by_number(&self, start: &str, out: &mut Vec<Node<'a>>) {
         let index = self.index();
-        let fits = |id: &RoutineId| {
+        let fits = |id: &RoutineIndex| {
             let name = index.names.text(index.routines[*id].name);
             let rest = name.strip_prefix(start);
             rest.is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
         };
-        let routines: Vec<RoutineId> = (0..index.routines.len()).filter(fits).collect();
+        let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines, &[], true));
         }

@@ -1,11 +1,11 @@
-//! What an instruction does to what is followed: what it writes, and what it puts in force.
+//! What an instruction does to what is tracked: what it writes, and what it puts in force.
 
-use super::Lower;
+use super::CfgBuilder;
+use crate::program::const_eval::Constant;
 use crate::program::convert;
 use crate::program::data::LoadData;
 use crate::program::expressions::{root_of, words};
-use crate::program::flow::{Hold, Node, Step};
-use crate::program::fold::Constant;
+use crate::program::flow::{Blocker, FlowStep, Node};
 use crate::program::instructions::{harmless, is_written_option, written_arguments};
 use crate::program::names::{as_text, lower_case};
 use crate::program::writes::NotGiven;
@@ -13,8 +13,8 @@ use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, CallStmt, Callee};
 
-impl<'a> Lower<'_, 'a> {
-    /// Followed data that an instruction writes.
+impl<'a> CfgBuilder<'_, 'a> {
+    /// Tracked data that an instruction writes.
     pub(super) fn written(&self, args: &'a [Arg], call: &CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
         let Callee::Name(name) = &call.callee else { return };
         let positions = written_arguments(&lower_case(self.text(*name)));
@@ -35,7 +35,7 @@ impl<'a> Lower<'_, 'a> {
                 && let Some(slot) = self.slot(root)
             {
                 let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
-                out.push(Node::Step(Step::Lose { slot, why, at }));
+                out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
             }
         }
     }
@@ -60,29 +60,31 @@ impl<'a> Lower<'_, 'a> {
         let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
         let step = match lower.as_str() {
-            "confl" => Step::ConfL(on),
-            "confj" => Step::ConfJ(on),
-            "gripload" => Step::Grip(self.gripped(call)),
-            "pdispset" if displaces_nothing => Step::Hold(Hold::Displacement, None),
+            "confl" => FlowStep::ConfL(on),
+            "confj" => FlowStep::ConfJ(on),
+            "gripload" => FlowStep::Grip(self.gripped(call)),
+            "pdispset" if displaces_nothing => FlowStep::Blocker(Blocker::Displacement, None),
             "pdispon" | "pdispset" => {
-                Step::Hold(Hold::Displacement, active("a program displacement is in force"))
+                FlowStep::Blocker(Blocker::Displacement, active("a program displacement is in force"))
             }
-            "pdispoff" => Step::Hold(Hold::Displacement, None),
+            "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
             "eoffson" | "eoffsset" => {
-                Step::Hold(Hold::ExternalOffset, active("an offset of external axes is in force"))
+                FlowStep::Blocker(Blocker::ExternalOffset, active("an offset of external axes is in force"))
             }
-            "eoffsoff" => Step::Hold(Hold::ExternalOffset, None),
-            "softact" => Step::Hold(Hold::SoftServo, active("the soft servo is active")),
-            "softdeact" => Step::Hold(Hold::SoftServo, None),
-            "syncmoveon" => Step::Hold(Hold::MultiMove, active("the robot moves together with others")),
-            "syncmoveoff" | "syncmoveundo" => Step::Hold(Hold::MultiMove, None),
+            "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, None),
+            "softact" => FlowStep::Blocker(Blocker::SoftServo, active("the soft servo is active")),
+            "softdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "syncmoveon" => {
+                FlowStep::Blocker(Blocker::MultiMove, active("the robot moves together with others"))
+            }
+            "syncmoveoff" | "syncmoveundo" => FlowStep::Blocker(Blocker::MultiMove, None),
             "callbyvar" => {
                 // CallByVar "proc", n calls procn.
                 if let Some(ArgKind::Positional(expr)) = call.args.first().map(|a| &a.kind) {
                     let start = lower_case(&self.literal(expr, true));
                     self.by_number(&start, out);
                 }
-                Step::Away
+                FlowStep::UnknownPosition
             }
             "exitcycle" => return out.push(Node::Stop),
             _ if harmless(&lower) => return,
@@ -90,7 +92,7 @@ impl<'a> Lower<'_, 'a> {
                 let first = Span { file: self.ctx.file, range: name };
                 self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
                 self.out.not_given.entry(lower).or_insert(first);
-                Step::Away
+                FlowStep::UnknownPosition
             }
         };
         out.push(Node::Step(step));
@@ -100,7 +102,7 @@ impl<'a> Lower<'_, 'a> {
     fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
         let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
         let ctx = self.ctx;
-        let pose = self.folder.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
+        let pose = self.evaluator.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
         matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
     }
 
@@ -111,7 +113,7 @@ impl<'a> Lower<'_, 'a> {
             _ => None,
         })?;
         let ctx = self.ctx;
-        let load = self.folder.fold(load, ctx, &Constant).ok()?;
+        let load = self.evaluator.fold(load, ctx, &Constant).ok()?;
         convert::loaddata(&load.value).ok()
     }
 
@@ -122,22 +124,22 @@ impl<'a> Lower<'_, 'a> {
             let lower = lower_case(self.text(word));
             let named = || Some(self.why(at, format!("text that was not understood names {lower}")));
             out.push(Node::Step(match lower.as_str() {
-                "confl" => Step::ConfL(None),
-                "confj" => Step::ConfJ(None),
-                "gripload" => Step::Grip(None),
-                "pdispon" | "pdispset" | "pdispoff" => Step::Hold(Hold::Displacement, named()),
-                "eoffson" | "eoffsset" | "eoffsoff" => Step::Hold(Hold::ExternalOffset, named()),
-                "softact" | "softdeact" => Step::Hold(Hold::SoftServo, named()),
-                "syncmoveon" | "syncmoveoff" => Step::Hold(Hold::MultiMove, named()),
+                "confl" => FlowStep::ConfL(None),
+                "confj" => FlowStep::ConfJ(None),
+                "gripload" => FlowStep::Grip(None),
+                "pdispon" | "pdispset" | "pdispoff" => FlowStep::Blocker(Blocker::Displacement, named()),
+                "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
+                "softact" | "softdeact" => FlowStep::Blocker(Blocker::SoftServo, named()),
+                "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
                 _ => match self.slot(word) {
                     Some(slot) => {
                         let why = self.why(at, "text that was not understood names it".into());
-                        Step::Lose { slot, why, at }
+                        FlowStep::Invalidate { slot, why, at }
                     }
                     None => continue,
                 },
             }));
         }
-        out.push(Node::Step(Step::Away));
+        out.push(Node::Step(FlowStep::UnknownPosition));
     }
 }

@@ -1,16 +1,16 @@
 //! What a constant expression is worth.
 //!
 //! CONST folds, and so does a VAR or PERS with an initial value that nothing in the given files changes.
-//! Data that the program changes are worth what the state says at that point, where they are followed,
+//! Data that the program changes are worth what the state says at that point, where they are tracked,
 //! else nothing: the reason names the line that changes them.
 
 use super::convert;
 use super::functions;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved};
-use super::motion::Keep;
+use super::motion::SkipReason;
 use super::names::{Sym, as_text};
 use super::predefined::predefined;
-use super::value::{self, DataName, Reached, Value, Why};
+use super::value::{self, DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
 use super::writes::{How, Writes};
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
 use rapid_syntax::parts_of_numbers;
@@ -29,22 +29,22 @@ pub(super) struct Typed {
 }
 
 /// What the data that the program changes are worth at one point of it.
-pub(super) trait Followed {
-    /// The value of a datum that is followed.
+pub(super) trait TrackedValues {
+    /// The value of a datum that is tracked.
     fn value(&self, datum: DatumId) -> Option<Value>;
 }
 
-/// Nothing is followed.
+/// No datum is tracked: constants alone are known.
 pub(super) struct Constant;
 
-impl Followed for Constant {
+impl TrackedValues for Constant {
     fn value(&self, _: DatumId) -> Option<Value> {
         None
     }
 }
 
 /// Folds expressions; remembers what constants are worth.
-pub(super) struct Folder<'a> {
+pub(super) struct ConstEvaluator<'a> {
     pub(super) index: &'a Index<'a>,
     pub(super) writes: &'a Writes,
     /// Values given from outside: type and value by name in lower case.
@@ -55,7 +55,7 @@ pub(super) struct Folder<'a> {
     busy: Vec<DatumId>,
 }
 
-impl<'a> Folder<'a> {
+impl<'a> ConstEvaluator<'a> {
     pub(super) fn new(index: &'a Index<'a>, writes: &'a Writes) -> Self {
         Self {
             index,
@@ -84,14 +84,14 @@ impl<'a> Folder<'a> {
     }
 
     /// What an expression is worth.
-    pub(super) fn fold(&mut self, expr: &Expr, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+    pub(super) fn fold(&mut self, expr: &Expr, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
         self.fold_typed(expr, ctx, state).map_err(|why| match why.because {
             Some(_) => why,
-            None => Rc::new(Keep { because: Some(span(ctx, expr.range)), ..(*why).clone() }),
+            None => Rc::new(SkipReason { because: Some(span(ctx, expr.range)), ..(*why).clone() }),
         })
     }
 
-    fn fold_typed(&mut self, expr: &Expr, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+    fn fold_typed(&mut self, expr: &Expr, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
         let untyped = |value| Typed { value, type_name: None };
         let source = |range| self.index.text(ctx.file, range);
         match &expr.kind {
@@ -146,7 +146,7 @@ impl<'a> Folder<'a> {
         }
     }
 
-    fn name(&mut self, range: TextRange, ctx: Ctx, state: &dyn Followed) -> Result<Typed, Why> {
+    fn name(&mut self, range: TextRange, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
         match self.resolve(range, ctx) {
             Ok(Found::Datum(datum)) => {
                 let type_name = Some(self.index.data[datum].type_name);
@@ -181,7 +181,7 @@ impl<'a> Folder<'a> {
                 let places = [first, second].map(|d| self.index.place(self.index.declaration(d)));
                 let text = format!("{} is declared twice: {} and {}", as_text(written), places[0], places[1]);
                 let because = Some(self.index.declaration(second));
-                Err(Rc::new(Keep { code: "keep::ambiguous", reason: text, because }))
+                Err(Rc::new(SkipReason { code: "keep::ambiguous", reason: text, because }))
             }
             Resolved::Nowhere => {
                 let lower = lower();
@@ -204,7 +204,7 @@ impl<'a> Folder<'a> {
     }
 
     /// What a datum is worth.
-    pub(super) fn datum(&mut self, datum: DatumId, state: &dyn Followed) -> Result<Value, Why> {
+    pub(super) fn datum(&mut self, datum: DatumId, state: &dyn TrackedValues) -> Result<Value, Why> {
         if let Some(value) = state.value(datum) {
             return match value {
                 Value::Unknown(why) => Err(why),
@@ -264,12 +264,12 @@ impl<'a> Folder<'a> {
             How::Aliased => format!("{name} is changed in part or through a parameter: {place}"),
             How::Perhaps => format!("{name} may be changed at run time: {place}"),
         };
-        Rc::new(Keep { code: "keep::runtime-target", reason, because: Some(at) })
+        Rc::new(SkipReason { code: "keep::runtime-target", reason, because: Some(at) })
     }
 
     fn about(&self, datum: DatumId, code: &'static str, what: &str) -> Why {
         let reason = format!("{} {what}", self.name_of(datum));
-        Rc::new(Keep { code, reason, because: Some(self.index.declaration(datum)) })
+        Rc::new(SkipReason { code, reason, because: Some(self.index.declaration(datum)) })
     }
 
     /// The name of a datum as it is declared.
@@ -295,7 +295,13 @@ impl<'a> Folder<'a> {
         }
     }
 
-    fn call(&mut self, name: TextRange, args: &[Arg], ctx: Ctx, state: &dyn Followed) -> Result<Value, Why> {
+    fn call(
+        &mut self,
+        name: TextRange,
+        args: &[Arg],
+        ctx: Ctx,
+        state: &dyn TrackedValues,
+    ) -> Result<Value, Why> {
         let written = as_text(self.index.text(ctx.file, name));
         let own = self.index.name_at(ctx.file, name).map(|n| self.index.routine(n, ctx));
         if own.is_some_and(|r| r != Resolved::Nowhere) {
@@ -332,7 +338,7 @@ impl<'a> Folder<'a> {
         functions::apply(&lower, &positional, &options)
     }
 
-    fn calc_rob_t(&mut self, args: &[Arg], ctx: Ctx, state: &dyn Followed) -> Result<Value, Why> {
+    fn calc_rob_t(&mut self, args: &[Arg], ctx: Ctx, state: &dyn TrackedValues) -> Result<Value, Why> {
         let mut positional = Vec::new();
         let mut wobj = Some(DataName::Predefined("wobj0".into()));
         for arg in args {
@@ -367,21 +373,6 @@ pub(super) enum Found {
     Datum(DatumId),
     /// The controller's own, or given from outside: the name in lower case.
     Predefined(String),
-}
-
-/// A reason without place.
-pub(super) fn why(code: &'static str, reason: String) -> Why {
-    Rc::new(Keep { code, reason, because: None })
-}
-
-/// The reason for an operand of another type than the operation takes.
-pub(super) fn wrong_type() -> Why {
-    why("keep::wrong-type", "a value of another type is wanted here".into())
-}
-
-/// The reason for what cannot be known without the robot's geometry.
-pub(super) fn needs_kinematics(what: &str) -> Why {
-    why("keep::function-result", format!("{what} is worked out by the controller at run time"))
 }
 
 fn function_result(name: &str) -> Why {

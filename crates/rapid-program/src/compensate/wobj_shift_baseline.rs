@@ -9,10 +9,13 @@ use nalgebra::Vector3;
 /// The best shift is the centre of the smallest ball round all displacements at the bucket's two ends.
 pub(super) fn worst_m(drift: &ProgramPoints<'_>, schedule: &Schedule) -> f64 {
     // One bucket after the other: the displacements of a large program are many.
-    let buckets = schedule.buckets.iter().map(|bucket| [Moment::Minute(bucket.from_min), bucket.end()]);
+    let buckets = schedule.buckets.iter().map(|bucket| vec![Moment::Minute(bucket.from_min), bucket.end()]);
     // Without buckets the shift is scaled as the corrections are: it is worst where all has settled.
-    let settled = schedule.buckets.is_empty().then_some([Moment::Settled; 2]);
-    let radius = |ends: [Moment; 2]| smallest_ball(&ends.map(|moment| drift.displacements_m(moment)));
+    let settled = schedule.buckets.is_empty().then(|| vec![Moment::Settled]);
+    let radius = |moments: Vec<Moment>| {
+        let displacements = moments.into_iter().flat_map(|moment| drift.displacements_m(moment));
+        smallest_ball(&displacements.collect::<Vec<_>>())
+    };
     buckets.chain(settled).map(radius).fold(0.0, f64::max)
 }
 
@@ -20,8 +23,8 @@ pub(super) fn worst_m(drift: &ProgramPoints<'_>, schedule: &Schedule) -> f64 {
 ///
 /// Bădoiu and Clarkson (2003): the centre goes towards the farthest point by 1/(n+1) of the way. Done on
 /// the few points that were ever farthest; whatever of the others is found outside joins them.
-fn smallest_ball(ends: &[Vec<[f64; 3]>; 2]) -> f64 {
-    let points = || ends.iter().flatten().map(|&p| Vector3::from(p));
+fn smallest_ball(points: &[[f64; 3]]) -> f64 {
+    let points = || points.iter().map(|&p| Vector3::from(p));
     let Some(first) = points().next() else { return 0.0 };
     let mut center = first;
     let mut few: Vec<Vector3<f64>> = vec![center];
@@ -61,7 +64,7 @@ mod tests {
         // Two points: half their distance. An equilateral triangle of side 1: 1/√3. A regular tetrahedron's
         // corners on a cube of side 1: half the cube's diagonal, √3/2.
         let close = |points: &[[f64; 3]], radius: f64| {
-            let found = smallest_ball(&[points.to_vec(), Vec::new()]);
+            let found = smallest_ball(points);
             assert!((found / radius - 1.0).abs() < 2e-3, "{found} for {radius}");
         };
         close(&[[0.0; 3], [3.0, 4.0, 0.0]], 2.5);
@@ -70,6 +73,6 @@ mod tests {
             1.0 / 3.0_f64.sqrt(),
         );
         close(&[[0.0; 3], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]], 0.75_f64.sqrt());
-        assert_eq!(smallest_ball(&[vec![[1.0, 2.0, 3.0]; 4], Vec::new()]), 0.0);
+        assert_eq!(smallest_ball(&[[1.0, 2.0, 3.0]; 4]), 0.0);
     }
 }

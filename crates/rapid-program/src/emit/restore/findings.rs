@@ -1,0 +1,118 @@
+//! What is found in an emitted module that somebody has worked on, and why there is no original.
+
+/// A target that was touched up in the emitted module.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModifiedTarget {
+    /// Its array; `None` where the original itself was touched up.
+    pub array: Option<String>,
+    /// What stands in the motion of the original.
+    pub target: String,
+    /// The new value of the original.
+    pub value: String,
+    /// Where the original stands in the emitted module, or the first line that names its array, from 1.
+    pub line: u32,
+    /// Where the new value stands in the result.
+    pub into: ModifiedIn,
+    /// How far the original has moved.
+    pub moved: f64,
+    /// In `mm`, or in `deg` for joints and for a turn alone.
+    pub unit: &'static str,
+}
+
+/// Where a touched-up value went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModifiedIn {
+    /// Into the argument of the motion.
+    Motion,
+    /// Into the target's declaration.
+    Declaration,
+}
+
+/// Why there is no original.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RestoreError {
+    /// No module of the file was made by this program.
+    #[error("no module of this file is a compensated one: there is no `! driftpost` comment after MODULE")]
+    NotEmitted,
+    /// The module is the common one, which has no original.
+    #[error(
+        "this module belongs to a compensated program and has no original: remove it when that is removed"
+    )]
+    IsCore,
+    /// Two touched-up elements of one target do not mean the same original.
+    #[error(
+        "line {line}: two elements of {array} were touched up and mean different originals: {first} and {second}; undo one of them"
+    )]
+    Disagree {
+        /// The name of the array.
+        array: String,
+        /// Its first line, from 1.
+        line: u32,
+        /// What the first means.
+        first: String,
+        /// What the other means.
+        second: String,
+    },
+    /// The module was edited where it must not be.
+    #[error("line {line}: {what}; take the original file, or undo that edit")]
+    Damaged {
+        /// The line, from 1.
+        line: u32,
+        /// What is the matter.
+        what: String,
+    },
+}
+
+impl RestoreError {
+    /// The stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotEmitted => "restore::not-emitted",
+            Self::IsCore => "restore::core",
+            Self::Disagree { .. } => "restore::disagree",
+            Self::Damaged { .. } => "restore::damaged",
+        }
+    }
+}
+
+/// A change of what was added to a module, which its original knows nothing of.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Altered {
+    /// Lines of the comment block, so that nothing else can be told.
+    #[error(
+        "lines of the comment block were changed or lost: what was changed in the module, touched-up points among it, \
+         cannot be told; named targets are as in the original"
+    )]
+    Header {
+        /// The block's first line, from 1.
+        line: u32,
+    },
+    /// A correction, or data or a routine of the clock.
+    #[error("{name}, which was added, is not as it was made")]
+    Code {
+        /// The name of the data or routine.
+        name: String,
+        /// Its first line, from 1.
+        line: u32,
+    },
+}
+
+impl Altered {
+    /// Where, a line of the emitted module, from 1.
+    #[must_use]
+    pub fn line(&self) -> u32 {
+        match self {
+            Self::Header { line } | Self::Code { line, .. } => *line,
+        }
+    }
+
+    /// The stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Header { .. } => "restore::header",
+            Self::Code { .. } => "restore::code",
+        }
+    }
+}
