@@ -2,7 +2,7 @@
 
 use super::program_files::ProgramFiles;
 use rapid_program::program::task_of;
-use virtual_controller::session::{File, Options};
+use virtual_controller::session::{ProgramFile, SessionOptions};
 use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
 
 /// A virtual controller with a robot that waits for its program.
@@ -16,7 +16,7 @@ use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
 /// let program = ProgramFiles::one("Cube45.mod", *cube);
 /// let report = simulation.run(&program, Some(&program), &Course::Minutes(vec![180.0]))?;
 /// let worst = report.worst.expect("it moves");
-/// assert!((0.00018..0.00020).contains(&worst.miss_m), "an uncorrected program misses by 0.19 mm after three hours");
+/// assert!((0.00018..0.00020).contains(&worst.error_m), "an uncorrected program misses by 0.19 mm after three hours");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub struct Simulation {
     /// The robot as it really is.
     pub robot: TrueRobot,
     /// Where to start, and how far to go.
-    pub options: Options,
+    pub options: SessionOptions,
     /// The task (a backup's folder `TASKn`) that runs; `None` = the first.
     pub task: Option<String>,
     /// Files on the controller's disk: path and bytes.
@@ -44,7 +44,7 @@ impl Simulation {
     /// A robot that starts at the program's own entry, one pass a time.
     #[must_use]
     pub fn new(robot: TrueRobot) -> Self {
-        Self { robot, options: Options::default(), task: None, disk: Vec::new() }
+        Self { robot, options: SessionOptions::default(), task: None, disk: Vec::new() }
     }
 
     /// Executes `program`, and finds where the robot stands against what `original` meant; without it, against what the program
@@ -76,7 +76,7 @@ impl Simulation {
     }
 
     /// The files of one task: those of its folder `TASKn`, and those outside of any.
-    fn loaded<'p>(&self, program: &'p ProgramFiles) -> Vec<File<'p>> {
+    fn loaded<'p>(&self, program: &'p ProgramFiles) -> Vec<ProgramFile<'p>> {
         let first = program.iter().find_map(|(path, _)| task_of(path));
         let wanted = self.task.as_deref().or(first);
         let same = |of: &str| wanted.is_some_and(|wanted| of.eq_ignore_ascii_case(wanted));

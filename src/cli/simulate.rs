@@ -14,7 +14,7 @@ use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
-use virtual_controller::session::Options;
+use virtual_controller::session::SessionOptions;
 use virtual_controller::{Scenario, SimulateError, TrueRobot, Warming};
 
 /// Options of `simulate`.
@@ -118,7 +118,7 @@ impl From<WarmingArg> for Warming {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
     let robot = args.robot.load()?;
-    let truth = truth(args, robot)?;
+    let truth = true_robot(args, robot)?;
     let program = Given::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(Given::read(&args.original)?) };
     let scenario = match &args.scenario {
@@ -126,7 +126,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             let bytes = files::read(path, "scenario")?;
             let text = String::from_utf8_lossy(&bytes);
             let scenario = Scenario::from_toml(&text)
-                .map_err(|e| model::in_file(&path.display().to_string(), refused(&e)))?;
+                .map_err(|e| model::in_file(&path.display().to_string(), diagnostic_of(&e)))?;
             Some(scenario)
         }
         None => None,
@@ -135,7 +135,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
 
     let mut simulation = Simulation::new(truth);
-    simulation.options = Options {
+    simulation.options = SessionOptions {
         entry: args.entry.clone(),
         passes: args.passes,
         paths: true,
@@ -150,8 +150,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         None => Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())),
     };
     let original = original.map(|given| given.program());
-    let report =
-        simulation.run(&program.program(), original.as_ref(), &course).map_err(|error| refused(&error))?;
+    let report = simulation
+        .run(&program.program(), original.as_ref(), &course)
+        .map_err(|error| diagnostic_of(&error))?;
 
     let takes_standard_output = [&csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
     csv.write(console, || Ok(simulation::csv(&report)?))?;
@@ -163,7 +164,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// The robot as it is.
-fn truth(args: &Args, robot: Robot) -> Result<TrueRobot, Diagnostic> {
+fn true_robot(args: &Args, robot: Robot) -> Result<TrueRobot, Diagnostic> {
     let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
     let Some(path) = &args.model else {
         return Ok(TrueRobot::new(robot, model::deformation(table, growth)?));
@@ -178,7 +179,7 @@ fn truth(args: &Args, robot: Robot) -> Result<TrueRobot, Diagnostic> {
     Ok(truth.with_model(&identified.model, args.temperature_c.map(|t| t.0)))
 }
 
-fn refused(error: &SimulateError) -> Diagnostic {
+fn diagnostic_of(error: &SimulateError) -> Diagnostic {
     let help = match error {
         SimulateError::NoEntry(_) | SimulateError::NoRoutine(_) => "name the routine with --entry",
         SimulateError::Load { .. } => "give each module once; a controller would not load this either",

@@ -3,23 +3,23 @@
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
-use virtual_controller::session::{Pass, Spread, Worst};
+use virtual_controller::session::{ErrorStatistics, Pass, WorstMove};
 use virtual_controller::{EffortRange, Message, Report};
 
-fn spread(s: &Spread) -> Value {
+fn statistics_json(s: &ErrorStatistics) -> Value {
     json!({ "max_mm": mm_from_m(s.max_m), "rms_mm": mm_from_m(s.rms_m), "max_deg": deg_from_rad(s.max_rad) })
 }
 
-fn worst(w: &Worst) -> Value {
-    json!({ "t_min": w.t_min, "file": w.file, "line": w.line, "target": w.target, "mm": mm_from_m(w.miss_m) })
+fn worst_json(w: &WorstMove) -> Value {
+    json!({ "t_min": w.t_min, "file": w.file, "line": w.line, "target": w.target, "mm": mm_from_m(w.error_m) })
 }
 
-fn message(m: &Message) -> Value {
+fn message_json(m: &Message) -> Value {
     json!({ "source": m.source, "text": m.text, "file": m.at.file, "line": m.at.line })
 }
 
 /// What a function takes that motions call: each count as `[least, most]`.
-fn effort(name: &str, e: &EffortRange) -> Value {
+fn effort_json(name: &str, e: &EffortRange) -> Value {
     json!({
         "name": name, "calls": e.calls,
         "statements": [e.fewest.statements, e.most.statements],
@@ -33,22 +33,22 @@ fn effort(name: &str, e: &EffortRange) -> Value {
 pub fn json(report: &Report) -> Value {
     let pass = |p: &Pass| {
         json!({
-            "t_min": p.t_min, "n": p.n, "before": spread(&p.before), "after": spread(&p.after),
-            "corrected": spread(&p.corrected), "path_after_mm": p.path_after_m.map(mm_from_m), "at_min": p.at_min, "index": p.index,
+            "t_min": p.t_min, "n": p.n, "before": statistics_json(&p.before), "after": statistics_json(&p.after),
+            "corrected": statistics_json(&p.corrected), "path_after_mm": p.path_after_m.map(mm_from_m), "at_min": p.at_min, "index": p.index,
             "program_min": p.program_min, "unreached": p.unreached, "failure": p.failure,
             "mismatch": p.mismatch.as_ref().map(ToString::to_string),
         })
     };
     json!({
         "minutes": report.passes.iter().map(pass).collect::<Vec<_>>(),
-        "worst": report.worst.as_ref().map(worst),
+        "worst": report.worst.as_ref().map(worst_json),
         "switches": report.switches.iter()
             .map(|s| json!({ "t_min": s.t_min, "jump_mm": mm_from_m(s.jump_m) })).collect::<Vec<_>>(),
         "unchanged": report.unchanged.iter()
             .map(|((file, line), m)| json!({ "file": file, "line": line, "mm": mm_from_m(*m) })).collect::<Vec<_>>(),
         "unknown_instructions": report.unknown_instructions,
-        "messages": report.messages.iter().map(message).collect::<Vec<_>>(),
-        "functions": report.efforts.iter().map(|(name, e)| effort(name, e)).collect::<Vec<_>>(),
+        "messages": report.messages.iter().map(message_json).collect::<Vec<_>>(),
+        "functions": report.efforts.iter().map(|(name, e)| effort_json(name, e)).collect::<Vec<_>>(),
     })
 }
 
@@ -104,15 +104,15 @@ pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, wit
         mm_from_m(most(|p| p.path_after_m.unwrap_or(0.0))),
     )?;
     if let Some(w) = &report.worst {
-        let (mm, t) = (mm_from_m(w.miss_m), w.t_min);
+        let (mm, t) = (mm_from_m(w.error_m), w.t_min);
         writeln!(to, "worst: {}:{} {} {mm:.4} mm at warm-up minute {t:.1}", w.file, w.line, w.target)?;
     }
     if !report.switches.is_empty() {
         let jump = report.switches.iter().map(|s| s.jump_m).fold(0.0, f64::max);
         writeln!(to, "{} changes of bucket, jump up to {:.4} mm", report.switches.len(), mm_from_m(jump))?;
     }
-    for ((file, line), miss_m) in report.unchanged.iter().take(20) {
-        writeln!(to, "{file}:{line} is as in the original, off by up to {:.4} mm", mm_from_m(*miss_m))?;
+    for ((file, line), error_m) in report.unchanged.iter().take(20) {
+        writeln!(to, "{file}:{line} is as in the original, off by up to {:.4} mm", mm_from_m(*error_m))?;
     }
     for p in &report.passes {
         let mismatch = p.mismatch.as_ref().map(ToString::to_string);

@@ -1,37 +1,19 @@
 //! The productions of statements that hold others, and of the blocks they hold.
+//!
+//! One file, because a block holds statements and statements hold blocks.
 
+use super::block_head::{condition_up_to, end_word, head, last_word, opaque_expr};
+use super::data::{data_declaration, is_task_declaration};
 use super::expression::expression;
-use super::input::{MAX_BLOCKS, Read, Text, place};
-use super::lexical::{
-    any_word, begins_name, blank, comment, in_name, line_ends_before, line_len, name, past_name, sign,
-    string, white, word,
-};
-use super::recover::{line_end, matching_end, resync, white_on_line};
-use super::statement::{simple_statement, statement};
-use super::tree::{CompactIfStmt, Expr, ExprKind, ForStmt, IfStmt, Stmt, StmtKind, TestStmt, WhileStmt};
+use super::input::{MAX_BLOCKS, NoMatch, Read, Text, failure_at};
+use super::lexical::{any_word, blank, comment, name, sign, white, word};
+use super::recover::{line_end, matching_end, resync};
+use super::simple_statement::simple_statement;
+use super::tree::{CompactIfStmt, Expr, ForStmt, IfStmt, Stmt, StmtKind, TestStmt, WhileStmt};
 use super::word::Word;
 use nom::Parser;
 use nom::combinator::opt;
 use nom::sequence::preceded;
-
-/// How a statement goes to its end.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Ending<'a> {
-    /// With its semicolon; what follows it.
-    Semicolon(Text<'a>),
-    /// Without: the next line begins anew, or the text ends.
-    Missing,
-}
-
-impl<'a> Ending<'a> {
-    /// What follows the statement whose last part ends where `rest` begins.
-    pub(super) fn after(self, rest: Text<'a>) -> Text<'a> {
-        match self {
-            Self::Semicolon(after) => after,
-            Self::Missing => rest,
-        }
-    }
-}
 
 /// `block = { statement | comment } ;`
 ///
@@ -54,7 +36,7 @@ pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
             stmts.shrink_to_fit();
             return (i, stmts);
         }
-        let (rest, stmt) = statement(next).unwrap_or_else(|failure| opaque(next, place(&failure)));
+        let (rest, stmt) = statement(next).unwrap_or_else(|failure| opaque(next, failure_at(&failure)));
         stmts.push(stmt);
         i = rest;
     }
@@ -68,13 +50,19 @@ fn ends_block(i: Text<'_>) -> bool {
     }
 }
 
-/// `TASK` before PERS, VAR or CONST: no reserved word of its own, but nothing else begins so.
-pub(super) fn is_task_declaration(i: Text<'_>) -> bool {
-    match name(i) {
-        Ok((rest, _)) if i.bytes_until(rest).eq_ignore_ascii_case(b"task") => {
-            matches!(any_word(rest), Some((_, Word::Pers | Word::Var | Word::Const)))
+/// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration ;`
+pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
+    let i = white(i);
+    match any_word(i) {
+        Some((_, Word::If)) => if_statement(i),
+        Some((_, Word::For)) => for_statement(i),
+        Some((_, Word::While)) => while_statement(i),
+        Some((_, Word::Test)) => test_statement(i),
+        Some((_, Word::Var | Word::Const | Word::Pers)) => {
+            let (rest, data) = data_declaration(i)?;
+            Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }))
         }
-        _ => false,
+        _ => simple_statement(i),
     }
 }
 
@@ -102,7 +90,7 @@ pub(super) fn if_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         let (rest, _) = word(Word::If)(i)?;
         let (rest, cond) = expression(rest).or_else(|failure| {
             let (rest, cond) = condition_up_to(rest, Word::Then).ok_or(failure)?;
-            Ok::<_, nom::Err<super::input::Unread>>((rest, cond))
+            Ok::<_, nom::Err<NoMatch>>((rest, cond))
         })?;
         match word(Word::Then)(rest) {
             Ok((rest, _)) => Ok(arms(i, rest, cond)),
@@ -161,64 +149,6 @@ fn else_arm<'a>(i: Text<'a>) -> Option<(Text<'a>, Vec<Stmt>)> {
     Some(i.state.awaiting(&[Word::EndIf], || block(rest)))
 }
 
-/// Past the END word of the construct that begins at `start`, or not, which is said.
-fn end_word<'a>(start: Text<'a>, i: Text<'a>, end: Word, spelled: &str) -> Text<'a> {
-    match word(end)(i) {
-        Ok((rest, _)) => rest,
-        Err(_) => {
-            let head = start.until(start.skip(line_len(start.rest)));
-            start.state.warn(head, "syntax::end", format!("what begins here has no {spelled}"));
-            i
-        }
-    }
-}
-
-/// An expression and the word after it, which may be missing at a line's end; text that is no
-/// expression, up to the word or the line's end, is opaque.
-fn head<'a>(i: Text<'a>, last: Word, spelled: &str) -> (Text<'a>, Expr) {
-    if let Ok((rest, expr)) = expression(i) {
-        if let Ok((rest, _)) = word(last)(rest) {
-            return (rest, expr);
-        }
-        let next = blank(rest);
-        if next.is_empty() || line_ends_before(rest, next) {
-            i.state.warn(expr.range, "syntax::word", format!("{spelled} is missing after this"));
-            return (rest, expr);
-        }
-    }
-    condition_up_to(i, last).map_or_else(
-        || opaque_expr(i, line_end(i)),
-        |(rest, expr)| (word(last)(rest).map_or(rest, |(rest, _)| rest), expr),
-    )
-}
-
-fn opaque_expr<'a>(i: Text<'a>, end: Text<'a>) -> (Text<'a>, Expr) {
-    let start = white_on_line(i);
-    let trailing = start.bytes_until(end).iter().rev().take_while(|b| b.is_ascii_whitespace()).count();
-    let len = start.bytes_until(end).len() - trailing;
-    let range = start.until(start.skip(len));
-    i.state.warn(range, "syntax::expression", "this is no expression; it is kept as it is");
-    (end, Expr { range, kind: ExprKind::Opaque })
-}
-
-/// The text up to the word on this line and in this statement as an opaque condition.
-fn condition_up_to<'a>(i: Text<'a>, last: Word) -> Option<(Text<'a>, Expr)> {
-    let mut at = white_on_line(i);
-    let end_of_line = line_end(i);
-    while at.at() < end_of_line.at() {
-        match at.peek()? {
-            b'"' => at = string(at).ok()?.0,
-            b if begins_name(b) => match any_word(at) {
-                Some((_, w)) if w == last => return Some(opaque_expr(i, at)),
-                _ => at = past_name(at),
-            },
-            b if in_name(b) => at = past_name(at),
-            _ => at = at.skip(1),
-        }
-    }
-    None
-}
-
 /// `for_statement = "FOR" name "FROM" expression "TO" expression [ "STEP" expression ] "DO" block "ENDFOR" ;`
 pub(super) fn for_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     in_block(i, |i| {
@@ -232,25 +162,6 @@ pub(super) fn for_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         let kind = StmtKind::For(Box::new(ForStmt { var, from, to, step, body }));
         Ok((rest, Stmt { range: i.until(rest), kind }))
     })
-}
-
-/// Past the last word of a head, which may be missing where a line ends.
-fn last_word<'a>(
-    start: Text<'a>,
-    i: Text<'a>,
-    last: Word,
-    spelled: &str,
-) -> Result<Text<'a>, nom::Err<super::input::Unread>> {
-    let failure = match word(last)(i) {
-        Ok((rest, _)) => return Ok(rest),
-        Err(failure) => failure,
-    };
-    let next = blank(i);
-    if !next.is_empty() && !line_ends_before(i, next) {
-        return Err(failure);
-    }
-    start.state.warn(start.until(i), "syntax::word", format!("{spelled} is missing after this"));
-    Ok(i)
 }
 
 /// `while_statement = "WHILE" expression "DO" block "ENDWHILE" ;`
@@ -270,7 +181,7 @@ pub(super) fn test_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     in_block(i, |i| {
         let (mut rest, (_, value)) = (word(Word::Test), expression).parse(i)?;
         if !matches!(any_word(rest), Some((_, Word::Case | Word::Default | Word::EndTest))) {
-            return blank(rest).unread();
+            return blank(rest).no_match();
         }
         let mut cases = Vec::new();
         let mut default = None;

@@ -1,83 +1,18 @@
-//! The productions of declarations: data, records, aliases, routines and their parameters.
+//! The productions of records, aliases, routines and their parameters.
 
-use super::block::{block, is_task_declaration};
-use super::expression::{expression, indices};
+use super::block::block;
+use super::data::{declared_name, scope};
+use super::ending::semicolon;
+use super::expression::expression;
 use super::input::{Read, Text};
-use super::lexical::{any_word, becomes, blank, line_len, name, placeholder, sign, word};
-use super::statement::semicolon;
-use super::tree::{
-    AliasDecl, DataDecl, DataKind, Handler, HandlerKind, Param, ParamMode, RecordDecl, Routine, RoutineKind,
-    Scope,
-};
+use super::lexical::{any_word, blank, line_len, name, placeholder, sign, word};
+use super::tree::{AliasDecl, Handler, HandlerKind, Param, ParamMode, RecordDecl, Routine, RoutineKind};
 use super::word::Word;
 use crate::diagnostic::TextRange;
 use nom::Parser;
-use nom::branch::alt;
 use nom::combinator::opt;
 use nom::multi::separated_list1;
-use nom::sequence::{delimited, preceded};
-
-/// `scope = [ "LOCAL" | "TASK" ] ;`
-pub(super) fn scope<'a>(i: Text<'a>) -> (Text<'a>, Scope) {
-    match any_word(i) {
-        Some((rest, Word::Local)) => (rest, Scope::Local),
-        None if is_task_declaration(i) => name(i).map_or((i, Scope::Global), |(rest, _)| (rest, Scope::Task)),
-        _ => (i, Scope::Global),
-    }
-}
-
-/// `data_declaration = scope ( "CONST" | "VAR" | "PERS" ) declared_name declared_name [ indices ] [ becomes expression ] ";" ;`
-///
-/// Its type, then its own name.
-pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
-    let start = blank(i);
-    let (rest, scope) = scope(start);
-    let (rest, kind) = match any_word(rest) {
-        Some((rest, Word::Const)) => (rest, DataKind::Const),
-        Some((rest, Word::Var)) => (rest, DataKind::Var),
-        Some((rest, Word::Pers)) => (rest, DataKind::Pers),
-        _ => return rest.unread(),
-    };
-    let (rest, type_name) = declared_name(rest)?;
-    let (rest, name) = declared_name(rest)?;
-    let (rest, name) = name_with_parentheses(rest, name);
-    let (rest, dims) = match blank(rest).peek() {
-        Some(b'{') => indices(rest)?,
-        _ => (rest, Box::default()),
-    };
-    let (rest, init) = match blank(rest).peek() {
-        Some(b':') => {
-            let (rest, value) = preceded(becomes, expression).parse(rest)?;
-            (rest, Some(value))
-        }
-        _ => (rest, None),
-    };
-    let (rest, range) = semicolon(start, rest)?;
-    Ok((rest, DataDecl { range, scope, kind, type_name, name, dims, init }))
-}
-
-/// `declared_name = name | placeholder ;`
-fn declared_name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
-    let i = blank(i);
-    alt((name, placeholder)).parse(i)
-}
-
-/// RoboDK may declare `Gripper(Closed)`: the parentheses then belong to the name, which no controller takes.
-fn name_with_parentheses<'a>(rest: Text<'a>, name: TextRange) -> (Text<'a>, TextRange) {
-    if rest.peek() != Some(b'(') {
-        return (rest, name);
-    }
-    let close = rest.rest.iter().position(|b| matches!(b, b')' | b';' | b'"' | b'\n' | b'\r'));
-    let end = rest.skip(close.map_or(0, |n| n + 1));
-    match (close.and_then(|n| rest.peek_at(n)), blank(end).peek()) {
-        (Some(b')'), Some(b':' | b';' | b'{')) => {
-            let whole = name.cover(rest.until(end));
-            rest.state.warn(whole, "syntax::name", "no name has parentheses; no controller loads this");
-            (end, whole)
-        }
-        _ => (rest, name),
-    }
-}
+use nom::sequence::delimited;
 
 /// `record_declaration = scope "RECORD" name { name name ";" } "ENDRECORD" ;`
 pub(super) fn record_declaration<'a>(i: Text<'a>) -> Read<'a, RecordDecl> {
@@ -115,7 +50,7 @@ pub(super) fn routine<'a>(i: Text<'a>) -> Read<'a, Routine> {
             (rest, RoutineKind::Func(value), Word::EndFunc)
         }
         Some((rest, Word::Trap)) => (rest, RoutineKind::Trap, Word::EndTrap),
-        _ => return rest.unread(),
+        _ => return rest.no_match(),
     };
     let (rest, name) = declared_name(rest)?;
     let (rest, params) = match blank(rest).peek() {

@@ -16,9 +16,9 @@ pub struct FileId(pub u32);
 /// A range of bytes in one file: `start` included, `end` excluded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct TextRange {
-    /// First byte.
+    /// Offset of the first byte.
     pub start: u32,
-    /// One past the last byte.
+    /// Offset of the byte after the last.
     pub end: u32,
 }
 
@@ -36,7 +36,7 @@ impl TextRange {
         Self { start: at, end: at }
     }
 
-    /// Number of bytes.
+    /// Number of bytes in the range.
     #[must_use]
     pub fn len(self) -> u32 {
         self.end - self.start
@@ -73,13 +73,13 @@ impl TextRange {
 /// A range of bytes in a named file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
-    /// Which file.
+    /// The file that the bytes are of.
     pub file: FileId,
-    /// Which bytes of it.
+    /// The bytes of the file.
     pub range: TextRange,
 }
 
-/// How bad it is.
+/// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Severity {
     /// Nothing to do; for the reader's understanding.
@@ -90,12 +90,12 @@ pub enum Severity {
     Error,
 }
 
-/// One message.
+/// One message to the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Stable name, `area::what`, e.g. `reach::limit`.
     pub code: &'static str,
-    /// How bad it is.
+    /// How serious a message is.
     pub severity: Severity,
     /// What is the matter, one sentence.
     pub message: String,
@@ -114,13 +114,13 @@ impl Diagnostic {
         Self { code, severity, message: message.into(), span: None, labels: Vec::new(), help: None }
     }
 
-    /// An error.
+    /// A new message that the work is refused.
     #[must_use]
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, message)
     }
 
-    /// A warning.
+    /// A new message that a person should look.
     #[must_use]
     pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, message)

@@ -5,9 +5,9 @@ use crate::diagnostic::TextRange;
 /// Replace the bytes of `range` by `text`; an empty range inserts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What is replaced.
+    /// The bytes that are replaced.
     pub range: TextRange,
-    /// By what.
+    /// The bytes that take their place.
     pub text: Vec<u8>,
 }
 

@@ -46,7 +46,7 @@ fn too_deep<'a>(i: Text<'a>) -> Read<'a, Expr> {
             i.state.height.set(0);
             Ok((end, Expr { range, kind: ExprKind::Opaque }))
         }
-        None => i.unread(),
+        None => i.no_match(),
     }
 }
 
@@ -61,7 +61,7 @@ fn operations<'a>(mut i: Text<'a>, mut lhs: Expr, least: u8) -> Read<'a, Expr> {
         let left_height = state.height.get();
         let (rest, rhs) = state
             .nested(|| operand(after).and_then(|(rest, rhs)| operations(rest, rhs, strength + 1)))
-            .unwrap_or_else(|| after.unread())?;
+            .unwrap_or_else(|| after.no_match())?;
         raise(rest, left_height.max(state.height.get()))?;
         i = rest;
         let range = lhs.range.cover(rhs.range);
@@ -74,7 +74,7 @@ fn operations<'a>(mut i: Text<'a>, mut lhs: Expr, least: u8) -> Read<'a, Expr> {
 #[inline]
 fn raise<'a>(i: Text<'a>, below: u16) -> Read<'a, ()> {
     if below >= MAX_HEIGHT {
-        return i.unread();
+        return i.no_match();
     }
     i.state.height.set(below + 1);
     Ok((i, ()))
@@ -163,7 +163,7 @@ fn nested_operand<'a>(i: Text<'a>, op: UnaryOp) -> Read<'a, Expr> {
         let (rest, inner) = operand(i)?;
         if op == UnaryOp::Not { operations(rest, inner, COMPARISON) } else { Ok((rest, inner)) }
     });
-    read.unwrap_or_else(|| i.unread())
+    read.unwrap_or_else(|| i.no_match())
 }
 
 /// `primary = number | string | placeholder | aggregate | "(" expression ")" | reference ;`
@@ -181,7 +181,7 @@ fn primary<'a>(i: Text<'a>) -> Read<'a, Expr> {
         }
         Some(b'<') => leaf(placeholder(i), ExprKind::Placeholder),
         Some(b) if begins_name(b) => reference(i),
-        _ => i.unread(),
+        _ => i.no_match(),
     }
 }
 
@@ -223,7 +223,7 @@ fn list<'a>(mut i: Text<'a>, close: u8) -> Read<'a, Vec<Expr>> {
                 raise(rest, height)?;
                 return Ok((rest, parts));
             }
-            _ => return rest.unread(),
+            _ => return rest.no_match(),
         }
     }
 }
@@ -235,7 +235,7 @@ fn reference<'a>(i: Text<'a>) -> Read<'a, Expr> {
     match Word::of(i.bytes_until(rest)) {
         Some(Word::True) => return Ok((rest, Expr { range, kind: ExprKind::Bool(true) })),
         Some(Word::False) => return Ok((rest, Expr { range, kind: ExprKind::Bool(false) })),
-        Some(_) => return i.unread(),
+        Some(_) => return i.no_match(),
         None => {}
     }
     match blank(rest).peek() {
@@ -298,7 +298,7 @@ pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Box<[Expr]>> {
         match next.peek() {
             Some(b',') => i = next.skip(1),
             Some(b'}') => return Ok((next.skip(1), Box::default())),
-            _ => return next.unread(),
+            _ => return next.no_match(),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! shares with the whole parse (warnings, depths, the allowance for reading a byte again) stands behind
 //! the pointer, in cells, because a nom input is handed on by value.
 
-use super::Warning;
+use super::warning::Warning;
 use super::word::Word;
 use crate::diagnostic::TextRange;
 use std::cell::{Cell, RefCell};
@@ -38,13 +38,13 @@ pub(super) struct State {
     /// How many open blocks wait for ELSEIF, ELSE, ENDIF ... (see [`Word::block_slot`]).
     pub(super) awaited: Cell<[u16; Word::BLOCK_SLOTS]>,
     /// How many bytes may still be read a second time after a failure: keeps the whole parse linear.
-    again: Cell<usize>,
+    rereadable: Cell<usize>,
     warnings: RefCell<Vec<Warning>>,
 }
 
 impl State {
     pub(super) fn new(source: &[u8]) -> Self {
-        Self { len: source.len() as u32, again: Cell::new(source.len() + 4096), ..Self::default() }
+        Self { len: source.len() as u32, rereadable: Cell::new(source.len() + 4096), ..Self::default() }
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {
@@ -69,14 +69,14 @@ impl State {
 
     /// Whether `bytes` may be read again; counts them.
     pub(super) fn may_read_again(&self, bytes: usize) -> bool {
-        let left = self.again.get().checked_sub(bytes);
-        self.again.set(left.unwrap_or(0));
+        let left = self.rereadable.get().checked_sub(bytes);
+        self.rereadable.set(left.unwrap_or(0));
         left.is_some()
     }
 
-    /// How many bytes may still be read again.
+    /// How many bytes may still be read a second time.
     pub(super) fn allowance(&self) -> usize {
-        self.again.get()
+        self.rereadable.get()
     }
 
     /// Runs `inside` one expression deeper; `None` where that is too deep.
@@ -137,7 +137,6 @@ impl<'a> Text<'a> {
         &self.rest[..self.rest.len().saturating_sub(end.rest.len())]
     }
 
-    /// The next byte.
     #[inline]
     pub(super) fn peek(self) -> Option<u8> {
         self.rest.first().copied()
@@ -155,37 +154,36 @@ impl<'a> Text<'a> {
         Self { rest: self.rest.get(n..).unwrap_or_default(), ..self }
     }
 
-    /// Nothing is left.
     #[inline]
     pub(super) fn is_empty(self) -> bool {
         self.rest.is_empty()
     }
 
-    /// A failure here.
+    /// A failure of a production that begins here.
     #[inline]
-    pub(super) fn unread<T>(self) -> Read<'a, T> {
-        Err(nom::Err::Error(Unread { at: self.at() }))
+    pub(super) fn no_match<T>(self) -> Read<'a, T> {
+        Err(nom::Err::Error(NoMatch { at: self.at() }))
     }
 }
 
 /// What a production gives: the rest and what was read, or where it could not go on.
-pub(super) type Read<'a, T> = nom::IResult<Text<'a>, T, Unread>;
+pub(super) type Read<'a, T> = nom::IResult<Text<'a>, T, NoMatch>;
 
 /// Where a production could not go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Unread {
+pub(super) struct NoMatch {
     pub(super) at: u32,
 }
 
 /// The place of a failure.
-pub(super) fn place(failure: &nom::Err<Unread>) -> u32 {
+pub(super) fn failure_at(failure: &nom::Err<NoMatch>) -> u32 {
     match failure {
         nom::Err::Error(u) | nom::Err::Failure(u) => u.at,
         nom::Err::Incomplete(_) => 0, // no production here waits for more input
     }
 }
 
-impl<'a> nom::error::ParseError<Text<'a>> for Unread {
+impl<'a> nom::error::ParseError<Text<'a>> for NoMatch {
     fn from_error_kind(input: Text<'a>, _: nom::error::ErrorKind) -> Self {
         Self { at: input.at() }
     }

@@ -31,7 +31,7 @@ pub(super) fn in_name(byte: u8) -> bool {
 /// `comment = "!" { ? any byte but a line end ? } ;`
 pub(super) fn comment<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     if i.peek() != Some(b'!') {
-        return i.unread();
+        return i.no_match();
     }
     let end = i.skip(line_len(i.rest));
     Ok((end, i.until(end)))
@@ -78,7 +78,7 @@ pub(super) fn identifier<'a>(i: Text<'a>) -> Read<'a, TextRange> {
             let end = past_name(i);
             Ok((end, i.until(end)))
         }
-        _ => i.unread(),
+        _ => i.no_match(),
     }
 }
 
@@ -98,7 +98,7 @@ pub(super) fn name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     let (end, range) = identifier(i)?;
     match Word::of(i.bytes_until(end)) {
         None => Ok((end, range)),
-        Some(_) => i.unread(),
+        Some(_) => i.no_match(),
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) fn word<'a>(expected: Word) -> impl Fn(Text<'a>) -> Read<'a, TextRang
         let i = blank(i);
         match any_word(i) {
             Some((end, found)) if found == expected => Ok((end, i.until(end))),
-            _ => i.unread(),
+            _ => i.no_match(),
         }
     }
 }
@@ -131,7 +131,7 @@ pub(super) fn word<'a>(expected: Word) -> impl Fn(Text<'a>) -> Read<'a, TextRang
 pub(super) fn sign<'a>(expected: u8) -> impl Fn(Text<'a>) -> Read<'a, ()> + Copy {
     move |i| {
         let i = blank(i);
-        if i.peek() == Some(expected) { Ok((i.skip(1), ())) } else { i.unread() }
+        if i.peek() == Some(expected) { Ok((i.skip(1), ())) } else { i.no_match() }
     }
 }
 
@@ -155,7 +155,7 @@ pub(super) fn number<'a>(i: Text<'a>) -> Read<'a, TextRange> {
         _ => decimal(i),
     }?;
     match end.peek() {
-        Some(b) if in_name(b) => end.unread(),
+        Some(b) if in_name(b) => end.no_match(),
         _ => Ok((end, i.until(end))),
     }
 }
@@ -169,11 +169,11 @@ fn decimal<'a>(i: Text<'a>) -> Read<'a, ()> {
     if rest.get(n) == Some(&b'.') {
         let part = digit_run(&rest[n + 1..]);
         if whole + part == 0 {
-            return i.unread();
+            return i.no_match();
         }
         n += 1 + part;
     } else if whole == 0 {
-        return i.unread();
+        return i.no_match();
     }
     let end = i.skip(n);
     match end.peek() {
@@ -187,7 +187,7 @@ fn exponent<'a>(i: Text<'a>) -> Read<'a, ()> {
     let signed = usize::from(matches!(i.peek_at(1), Some(b'+' | b'-')));
     match i.peek_at(1 + signed) {
         Some(d) if d.is_ascii_digit() => digits(i.skip(1 + signed), u8::is_ascii_digit),
-        _ => i.unread(),
+        _ => i.no_match(),
     }
 }
 
@@ -206,11 +206,11 @@ fn digits<'a>(i: Text<'a>, is_digit: impl Fn(&u8) -> bool) -> Read<'a, ()> {
 /// On one line; a backslash does not hide a quote.
 pub(super) fn string<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     if i.peek() != Some(b'"') {
-        return i.unread();
+        return i.no_match();
     }
     let mut end = i.skip(1);
     loop {
-        let Some(n) = memchr::memchr3(b'"', b'\n', b'\r', end.rest) else { return i.unread() };
+        let Some(n) = memchr::memchr3(b'"', b'\n', b'\r', end.rest) else { return i.no_match() };
         end = end.skip(n);
         match (end.peek(), end.peek_at(1)) {
             (Some(b'"'), Some(b'"')) => end = end.skip(2),
@@ -218,7 +218,7 @@ pub(super) fn string<'a>(i: Text<'a>) -> Read<'a, TextRange> {
                 let end = end.skip(1);
                 return Ok((end, i.until(end)));
             }
-            _ => return i.unread(),
+            _ => return i.no_match(),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! The productions of a whole file: header, modules, and what stands round them.
 
-use super::declaration::{
-    alias_declaration, broken_record_end, data_declaration, record_declaration, routine, scope,
+use super::data::{data_declaration, scope};
+use super::declaration::{alias_declaration, broken_record_end, record_declaration, routine};
+use super::input::{Read, Text, failure_at};
+use super::lexical::{
+    any_word, blank, comment, identifier, is_space, line_len, name, past_name, sign, white, word,
 };
-use super::input::{Read, Text, place};
-use super::lexical::{any_word, blank, comment, is_space, line_len, name, past_name, sign, white, word};
 use super::recover::resync;
 use super::tree::{FileItem, Module, ModuleItem, Tree};
 use super::word::Word;
@@ -70,13 +71,13 @@ fn without_trailing_space<'a>(start: Text<'a>, end: Text<'a>) -> Text<'a> {
 /// At the file's start only.
 fn header<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     let start = white(i);
-    let Some(body) = start.rest.strip_prefix(b"%%%") else { return start.unread() };
+    let Some(body) = start.rest.strip_prefix(b"%%%") else { return start.no_match() };
     match memchr::memmem::find(body, b"%%%") {
         Some(n) => {
             let end = start.skip(n + 6);
             Ok((end, start.until(end)))
         }
-        None => start.unread(),
+        None => start.no_match(),
     }
 }
 
@@ -107,7 +108,7 @@ fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
             Some((_, Word::Module)) if module_head(next).is_ok() => break None,
             _ => {}
         }
-        let (rest, item) = item(next).unwrap_or_else(|failure| opaque(next, place(&failure)));
+        let (rest, item) = item(next).unwrap_or_else(|failure| opaque(next, failure_at(&failure)));
         items.push(item);
         i = rest;
     };
@@ -124,7 +125,7 @@ fn module_head<'a>(i: Text<'a>) -> Read<'a, (TextRange, Vec<TextRange>)> {
     if blank(rest).peek() != Some(b'(') {
         return Ok((rest, (own_name, Vec::new())));
     }
-    let list = separated_list0(sign(b','), super::lexical::identifier);
+    let list = separated_list0(sign(b','), identifier);
     let (rest, attributes) =
         delimited(sign(b'('), list, sign(b')')).parse(rest).unwrap_or((rest, Vec::new()));
     Ok((rest, (own_name, attributes)))
@@ -154,7 +155,7 @@ fn past_semicolons(i: Text<'_>) -> Text<'_> {
 }
 
 fn item<'a>(i: Text<'a>) -> Read<'a, ModuleItem> {
-    let Some((_, first)) = any_word(scope(i).0) else { return i.unread() };
+    let Some((_, first)) = any_word(scope(i).0) else { return i.no_match() };
     match first {
         Word::Const | Word::Var | Word::Pers => data_declaration.map(ModuleItem::Data).parse(i),
         Word::Record => record_declaration.map(ModuleItem::Record).parse(i),
@@ -162,7 +163,7 @@ fn item<'a>(i: Text<'a>) -> Read<'a, ModuleItem> {
         Word::Proc | Word::Func | Word::Trap => {
             routine.map(|routine| ModuleItem::Routine(Box::new(routine))).parse(i)
         }
-        _ => i.unread(),
+        _ => i.no_match(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A file as read: its name, its bytes, where its lines begin, and its tree.
 
-use super::parse;
+use super::parse::parse;
 use super::tree::{FileItem, ModuleItem, Tree};
 use crate::diagnostic::{Diagnostic, FileId, LineIndex, Span, TextRange};
 use std::sync::Arc;

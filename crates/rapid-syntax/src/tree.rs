@@ -20,7 +20,7 @@ pub use statement::{
 
 use crate::diagnostic::TextRange;
 
-/// A whole file.
+/// The tree of a whole file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tree {
     /// The `%%% ... %%%` header, where the file begins with one.
@@ -47,7 +47,7 @@ pub struct Module {
     pub range: TextRange,
     /// From `MODULE` to the end of the name or of the attributes.
     pub head: TextRange,
-    /// Its name.
+    /// The name as it is declared.
     pub name: TextRange,
     /// `SYSMODULE`, `NOSTEPIN` ... without commas and parentheses.
     pub attributes: Vec<TextRange>,
@@ -70,13 +70,13 @@ impl Module {
 /// What a module holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ModuleItem {
-    /// CONST, VAR, PERS.
+    /// A declaration of CONST, VAR or PERS.
     Data(DataDecl),
     /// `RECORD name type component; ... ENDRECORD`
     Record(RecordDecl),
     /// `ALIAS type name;`
     Alias(AliasDecl),
-    /// PROC, FUNC, TRAP.
+    /// A PROC, FUNC or TRAP with its body.
     Routine(Box<Routine>),
     /// A comment, without its line end.
     Comment(TextRange),
@@ -130,13 +130,13 @@ pub struct DataDecl {
     pub scope: Scope,
     /// CONST, VAR or PERS.
     pub kind: DataKind,
-    /// The type's name.
+    /// The name of the type.
     pub type_name: TextRange,
-    /// The data's name.
+    /// The name of the data.
     pub name: TextRange,
     /// Array dimensions; empty where it is no array.
     pub dims: Box<[Expr]>,
-    /// The initial value.
+    /// The initial value, where one is given.
     pub init: Option<Expr>,
 }
 
@@ -145,7 +145,7 @@ pub struct DataDecl {
 pub struct RecordDecl {
     /// From the first word to the end of `ENDRECORD`.
     pub range: TextRange,
-    /// LOCAL or not.
+    /// LOCAL, or the whole task.
     pub scope: Scope,
     /// The new type's name.
     pub name: TextRange,
@@ -158,11 +158,11 @@ pub struct RecordDecl {
 pub struct AliasDecl {
     /// From the first word to the semicolon.
     pub range: TextRange,
-    /// LOCAL or not.
+    /// LOCAL, or the whole task.
     pub scope: Scope,
     /// The type that is given a second name.
     pub type_name: TextRange,
-    /// The second name.
+    /// The type's second name.
     pub name: TextRange,
 }
 
@@ -184,11 +184,11 @@ pub struct Routine {
     pub range: TextRange,
     /// From the first word to the end of the parameter list.
     pub head: TextRange,
-    /// LOCAL or not.
+    /// LOCAL, or the whole task.
     pub scope: Scope,
     /// PROC, FUNC or TRAP.
     pub kind: RoutineKind,
-    /// Its name.
+    /// The name as it is declared.
     pub name: TextRange,
     /// Its parameters; alternatives of one group follow one another.
     pub params: Vec<Param>,
@@ -203,7 +203,7 @@ pub struct Routine {
 /// How an argument is handed over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ParamMode {
-    /// A value.
+    /// A value, without a word before it.
     #[default]
     In,
     /// `VAR`
@@ -214,7 +214,7 @@ pub enum ParamMode {
     InOut,
 }
 
-/// One parameter.
+/// One parameter of a routine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Param {
     /// The whole parameter, its backslash included.
@@ -227,13 +227,13 @@ pub struct Param {
     pub mode: ParamMode,
     /// The type's name; `switch` for a switch.
     pub type_name: TextRange,
-    /// The parameter's name.
+    /// The name of the parameter.
     pub name: TextRange,
     /// Number of dimensions (`{*,*}` is 2); 0 where it is no array.
     pub dims: u8,
 }
 
-/// Which handler.
+/// What a handler is for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HandlerKind {
     /// `BACKWARD`
@@ -249,8 +249,8 @@ pub enum HandlerKind {
 pub struct Handler {
     /// From its word to its last statement.
     pub range: TextRange,
-    /// Which.
+    /// BACKWARD, ERROR or UNDO.
     pub kind: HandlerKind,
-    /// Its statements.
+    /// The statements of the handler.
     pub body: Vec<Stmt>,
 }

@@ -9,7 +9,7 @@ use crate::diagnostic::TextRange;
 /// One node, seen without its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node {
-    /// Its bytes.
+    /// From its first byte to its last.
     pub range: TextRange,
     /// How many nodes hold it.
     pub depth: u32,
@@ -20,18 +20,18 @@ pub struct Node {
 /// All nodes, each before those it holds, in source order.
 #[must_use]
 pub fn nodes(tree: &Tree) -> Vec<Node> {
-    let mut walk = Walk { depth: 0, nodes: Vec::new() };
+    let mut collector = NodeCollector { depth: 0, nodes: Vec::new() };
     if let Some(header) = tree.header {
-        walk.leaf(header, "header");
+        collector.leaf(header, "header");
     }
     for item in &tree.items {
         match item {
-            FileItem::Module(m) => walk.module(m),
-            FileItem::Comment(r) => walk.leaf(*r, "comment"),
-            FileItem::Opaque(r) => walk.leaf(*r, "opaque"),
+            FileItem::Module(m) => collector.module(m),
+            FileItem::Comment(r) => collector.leaf(*r, "comment"),
+            FileItem::Opaque(r) => collector.leaf(*r, "opaque"),
         }
     }
-    walk.nodes
+    collector.nodes
 }
 
 /// The nodes that hold no others, in source order: they do not overlap, and between them stand white
@@ -43,12 +43,12 @@ pub fn leaves(tree: &Tree) -> Vec<Node> {
     (0..nodes.len()).filter(|&i| !holds(i)).map(|i| nodes[i]).collect()
 }
 
-struct Walk {
+struct NodeCollector {
     depth: u32,
     nodes: Vec<Node>,
 }
 
-impl Walk {
+impl NodeCollector {
     fn leaf(&mut self, range: TextRange, what: &'static str) {
         self.nodes.push(Node { range, depth: self.depth, what });
     }

@@ -1,6 +1,6 @@
 //! RAPID's reserved words and how names compare: without regard to case, over ASCII and ISO 8859-1.
 
-/// A reserved word.
+/// A reserved word of RAPID.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the word it is named for")]
 pub enum Word {

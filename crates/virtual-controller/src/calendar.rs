@@ -1,6 +1,8 @@
 //! Date, time of day and a steady clock; all advance only when told to.
 
-/// The controller's time.
+use robot_model::units::seconds_from_min;
+
+/// Date, time of day and steady clock of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calendar {
     /// Seconds since the controller's first start: never set back.
@@ -50,16 +52,16 @@ impl Calendar {
     /// Set date and time; the steady clock goes on.
     pub fn set(&mut self, date: (i64, u32, u32), time: (u32, u32, f64)) {
         let days = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) as f64;
-        let seconds = f64::from(time.0) * 3600.0 + f64::from(time.1) * 60.0 + time.2;
+        let seconds = seconds_from_min(f64::from(time.0) * 60.0 + f64::from(time.1)) + time.2;
         self.zero_s = days * 86_400.0 + seconds - self.shown_s;
     }
 
     /// Move date and time by minutes (back where negative); the steady clock goes on.
     pub fn shift_min(&mut self, minutes_min: f64) {
-        self.zero_s += minutes_min * 60.0;
+        self.zero_s += seconds_from_min(minutes_min);
     }
 
-    /// Let time pass.
+    /// Let seconds pass; date and time of day go on unless they are held.
     pub fn advance_s(&mut self, seconds_s: f64) {
         if seconds_s.is_finite() && seconds_s > 0.0 {
             self.steady_s += seconds_s;
@@ -72,7 +74,7 @@ impl Calendar {
     /// Let minutes pass, also where date and time are held against moves and waits.
     pub fn advance_min(&mut self, minutes_min: f64) {
         let held = std::mem::replace(&mut self.held, false);
-        self.advance_s(minutes_min * 60.0);
+        self.advance_s(seconds_from_min(minutes_min));
         self.held = held;
     }
 
@@ -88,13 +90,13 @@ impl Calendar {
         (self.zero_s + self.shown_s + 1e-6).floor() as i64
     }
 
-    /// Year, month, day.
+    /// The date shown: year, month, day.
     #[must_use]
     pub fn date(&self) -> (i64, u32, u32) {
         civil_from_days(self.whole_s().div_euclid(86_400))
     }
 
-    /// Hour, minute, second.
+    /// The time of day shown: hour, minute, second.
     #[must_use]
     pub fn time(&self) -> (u32, u32, u32) {
         let s = self.whole_s().rem_euclid(86_400) as u32;

@@ -1,18 +1,18 @@
-//! What a run reached against what was meant: positions, orientations, paths.
+//! What a run reached against what was intended: positions, orientations, paths.
 
-use super::motion::Move;
-use super::path::{PathKind, Way};
+use super::arm::Move;
+use super::path::{CartesianPath, PathKind};
 use nalgebra::Isometry3;
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm};
 
-/// Samples inside a way.
+/// Samples between start and end of a path.
 const SAMPLES: u32 = 5;
 
 /// Two runs that are not the same moves in the same order.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Mismatch {
-    /// One is longer.
+    /// One run has more moves.
     #[error("the original makes {original} moves, the program {program}")]
     Length {
         /// Moves of the original.
@@ -23,7 +23,7 @@ pub enum Mismatch {
     /// Another instruction or routine.
     #[error("move {number}: {original} in the original, {program} in the program")]
     Other {
-        /// From 1.
+        /// Number of the move, from 1.
         number: usize,
         /// Instruction and routine of the original.
         original: String,
@@ -32,20 +32,20 @@ pub enum Mismatch {
     },
 }
 
-/// How far one move was off.
+/// How far the TCP was from where a move was meant to take it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Miss {
+pub struct PoseError {
     /// Distance of the TCP from where it was meant to be, metres.
     pub position_m: f64,
     /// Angle of the tool from how it was meant to be, radians.
     pub angle_rad: f64,
 }
 
-impl Miss {
-    fn between(is: &Isometry3<f64>, meant: &Isometry3<f64>) -> Self {
+impl PoseError {
+    fn between(is: &Isometry3<f64>, intended: &Isometry3<f64>) -> Self {
         Self {
-            position_m: (is.translation.vector - meant.translation.vector).norm(),
-            angle_rad: is.rotation.angle_to(&meant.rotation),
+            position_m: (is.translation.vector - intended.translation.vector).norm(),
+            angle_rad: is.rotation.angle_to(&intended.rotation),
         }
     }
 
@@ -57,16 +57,16 @@ impl Miss {
     }
 }
 
-/// The controller's kinematics and the true chain of one moment.
+/// Compares moves of two runs by the controller's nominal kinematics.
 #[derive(Clone, Copy, Debug)]
-pub struct Judge<'r> {
-    /// Nominal inverse.
+pub struct Evaluator<'r> {
+    /// Nominal inverse kinematics.
     pub closed: &'r ClosedForm,
-    /// Nominal forward.
+    /// Nominal forward kinematics.
     pub nominal: &'r Chain,
 }
 
-impl Judge<'_> {
+impl Evaluator<'_> {
     /// The moves must be the same instructions of the same routines in the same order.
     ///
     /// # Errors
@@ -74,8 +74,8 @@ impl Judge<'_> {
     pub fn same_moves(original: &[Move], program: &[Move]) -> Result<(), Mismatch> {
         for (i, (a, b)) in original.iter().zip(program).enumerate() {
             if a.instruction != b.instruction || !a.routine.eq_ignore_ascii_case(&b.routine) {
-                let say = |m: &Move| format!("{} in {}", m.instruction, m.routine);
-                return Err(Mismatch::Other { number: i + 1, original: say(a), program: say(b) });
+                let described = |m: &Move| format!("{} in {}", m.instruction, m.routine);
+                return Err(Mismatch::Other { number: i + 1, original: described(a), program: described(b) });
             }
         }
         if original.len() != program.len() {
@@ -84,57 +84,64 @@ impl Judge<'_> {
         Ok(())
     }
 
-    /// How far `done` ends (and passes its circle point) from what `meant` says on a perfect robot, when
+    /// How far `executed` ends (and passes its circle point) from what `intended` says on a perfect robot, when
     /// the true robot is `truth`; `None` where one of them was not made.
     ///
     /// Both are seen in the work object, so that a stationary tool is judged as well.
     #[must_use]
-    pub fn miss(&self, truth: &DeformedArm, meant: &Move, done: &Move) -> Option<Miss> {
-        let end = self.point(truth, meant, &meant.q_rad?, done, &done.q_rad?);
-        Some(match (meant.via_q_rad, done.via_q_rad) {
+    pub fn pose_error(&self, truth: &DeformedArm, intended: &Move, executed: &Move) -> Option<PoseError> {
+        let end = self.point_error(truth, intended, &intended.q_rad?, executed, &executed.q_rad?);
+        Some(match (intended.via_q_rad, executed.via_q_rad) {
             // The tool turns evenly from start to end: how it is turned at the circle point nobody asks for.
             (Some(a), Some(b)) => {
-                end.worse(Miss { angle_rad: 0.0, ..self.point(truth, meant, &a, done, &b) })
+                end.worse(PoseError { angle_rad: 0.0, ..self.point_error(truth, intended, &a, executed, &b) })
             }
             _ => end,
         })
     }
 
-    fn point(&self, truth: &DeformedArm, meant: &Move, a: &[f64; 6], done: &Move, b: &[f64; 6]) -> Miss {
-        Miss::between(
-            &done.setup.object_from_tcp(&truth.under(&done.conditions()).forward(b)),
-            &meant.setup.object_from_tcp(&self.nominal.forward(a)),
+    fn point_error(
+        &self,
+        truth: &DeformedArm,
+        intended: &Move,
+        a: &[f64; 6],
+        executed: &Move,
+        b: &[f64; 6],
+    ) -> PoseError {
+        PoseError::between(
+            &executed.setup.object_from_tcp(&truth.under(&executed.conditions()).forward(b)),
+            &intended.setup.object_from_tcp(&self.nominal.forward(a)),
         )
     }
 
-    /// Largest distance of the TCP's way from the line or arc that was meant, metres; `None` where a start is
-    /// not known, and for joint moves, which promise no way.
+    /// Largest distance of the TCP's path from the line or arc that was intended, metres; `None` where a start is
+    /// not known, and for joint moves, which promise no path.
     #[must_use]
-    pub fn path_m(&self, truth: &DeformedArm, meant: &Move, done: &Move) -> Option<f64> {
-        let (a0, a1) = (meant.start_q_rad?, meant.q_rad?);
-        let (b0, b1) = (done.start_q_rad?, done.q_rad?);
+    pub fn path_error_m(&self, truth: &DeformedArm, intended: &Move, executed: &Move) -> Option<f64> {
+        let (a0, a1) = (intended.start_q_rad?, intended.q_rad?);
+        let (b0, b1) = (executed.start_q_rad?, executed.q_rad?);
         let shares = (1..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES + 1));
-        if matches!(meant.path, PathKind::Joint | PathKind::AbsJoint) {
+        if matches!(intended.path, PathKind::Joint | PathKind::AbsJoint) {
             return None;
         }
         let mut worst = 0.0_f64;
-        let meant_way = self.way(meant, &a0, meant.via_q_rad, &a1);
-        let commanded = self.way(done, &b0, done.via_q_rad, &b1);
+        let intended_path = self.tcp_path(intended, &a0, intended.via_q_rad, &a1);
+        let commanded = self.tcp_path(executed, &b0, executed.via_q_rad, &b1);
         let mut q_rad = b0;
         for share in shares {
-            let base_from_flange = done.setup.base_from_flange(&commanded.at(share));
+            let base_from_flange = executed.setup.base_from_flange(&commanded.at(share));
             q_rad = self.closed.nearest(&base_from_flange, &q_rad)?.q_rad;
-            let is = done.setup.object_from_tcp(&truth.under(&done.conditions()).forward(&q_rad));
-            worst = worst.max(meant_way.distance_m(&is.translation.vector));
+            let is = executed.setup.object_from_tcp(&truth.under(&executed.conditions()).forward(&q_rad));
+            worst = worst.max(intended_path.distance_m(&is.translation.vector));
         }
         Some(worst)
     }
 
-    fn way(&self, of: &Move, from: &[f64; 6], via: Option<[f64; 6]>, to: &[f64; 6]) -> Way {
+    fn tcp_path(&self, of: &Move, from: &[f64; 6], via: Option<[f64; 6]>, to: &[f64; 6]) -> CartesianPath {
         let pose = |q: &[f64; 6]| of.setup.object_from_tcp(&self.nominal.forward(q));
         match via {
-            Some(via) => Way::arc(pose(from), &pose(&via), pose(to)),
-            None => Way::line(pose(from), pose(to)),
+            Some(via) => CartesianPath::arc(pose(from), &pose(&via), pose(to)),
+            None => CartesianPath::line(pose(from), pose(to)),
         }
     }
 

@@ -1,9 +1,9 @@
 //! From the tree of a routine to the flat form it is executed in.
 
-use super::ir::{Arg, Call, Callee, Code, Expr, ExprKind, LocalDecl, Name, Op, Param, Step};
+use super::code::{Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, Name, Op, Param};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree;
-use rapid_syntax::{SourceFile, parts_of_numbers};
+use rapid_syntax::{SourceFile, number_value, parts_of_numbers, string_value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -13,7 +13,7 @@ pub(super) fn latin1(file: &SourceFile, range: TextRange) -> String {
 }
 
 /// A name in lower case.
-pub(super) fn name_of(file: &SourceFile, range: TextRange) -> Name {
+pub(super) fn lower_case_name(file: &SourceFile, range: TextRange) -> Name {
     latin1(file, range).to_lowercase().into()
 }
 
@@ -22,21 +22,21 @@ pub(super) fn constant(file: &SourceFile, expr: &tree::Expr) -> Expr {
     Compiler::new(file).expr(expr)
 }
 
-/// A whole routine.
+/// The executable form of a routine.
 pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
     let mut c = Compiler::new(file);
     let params: Vec<Param> = routine
         .params
         .iter()
         .map(|p| {
-            let name = name_of(file, p.name);
+            let name = lower_case_name(file, p.name);
             let slot = c.slot();
             c.scope.insert(name.clone(), slot);
             Param {
                 name,
                 optional: p.optional,
                 mode: p.mode,
-                type_name: name_of(file, p.type_name),
+                type_name: lower_case_name(file, p.type_name),
                 dims: usize::from(p.dims),
             }
         })
@@ -46,7 +46,7 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
     let mut handlers = Vec::new();
     let mut backward = None;
     for handler in &routine.handlers {
-        let at = c.steps.len();
+        let at = c.instructions.len();
         match &handler.kind {
             tree::HandlerKind::Error(numbers) => {
                 handlers.push((numbers.iter().map(|n| c.expr(n)).collect(), at));
@@ -58,7 +58,7 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
         c.push(Op::End, TextRange::empty(handler.range.end));
     }
     c.resolve_gotos();
-    Code { params, decls: c.decls, slots: c.slots, steps: c.steps, handlers, backward }
+    Code { params, decls: c.decls, slots: c.slots, instructions: c.instructions, handlers, backward }
 }
 
 struct Compiler<'f> {
@@ -67,7 +67,7 @@ struct Compiler<'f> {
     scope: BTreeMap<Name, usize>,
     slots: usize,
     decls: Vec<LocalDecl>,
-    steps: Vec<Step>,
+    instructions: Vec<Instruction>,
     labels: BTreeMap<Name, usize>,
     gotos: Vec<(usize, Name, bool)>,
     /// How many statements stand round the present one.
@@ -81,7 +81,7 @@ impl<'f> Compiler<'f> {
             scope: BTreeMap::new(),
             slots: 0,
             decls: Vec::new(),
-            steps: Vec::new(),
+            instructions: Vec::new(),
             labels: BTreeMap::new(),
             gotos: Vec::new(),
             depth: 0,
@@ -94,7 +94,7 @@ impl<'f> Compiler<'f> {
     }
 
     fn push(&mut self, op: Op, range: TextRange) -> usize {
-        let at = self.steps.len();
+        let at = self.instructions.len();
         let counts = !matches!(
             op,
             Op::Jump(_)
@@ -104,14 +104,14 @@ impl<'f> Compiler<'f> {
                 | Op::JumpIfIn(..)
                 | Op::End
         );
-        self.steps.push(Step { op, range, next: at + 1, counts });
+        self.instructions.push(Instruction { op, range, next: at + 1, counts });
         at
     }
 
     /// Let the jump at `at` go to where the next operation will be.
-    fn land(&mut self, at: usize) {
-        let here = self.steps.len();
-        match self.steps.get_mut(at).map(|s| &mut s.op) {
+    fn patch_jump(&mut self, at: usize) {
+        let here = self.instructions.len();
+        match self.instructions.get_mut(at).map(|s| &mut s.op) {
             Some(Op::Jump(to) | Op::JumpUnless(_, to) | Op::JumpIfIn(_, _, to)) => *to = here,
             Some(Op::ForTest { exit, .. }) => *exit = here,
             _ => {}
@@ -121,12 +121,12 @@ impl<'f> Compiler<'f> {
     fn block(&mut self, body: &[tree::Stmt]) {
         self.depth += 1;
         for stmt in body {
-            let first = self.steps.len();
+            let first = self.instructions.len();
             self.statement(stmt);
-            let after = self.steps.len();
+            let after = self.instructions.len();
             // An error in a condition leaves its whole statement; inner statements have set theirs.
             if !matches!(stmt.kind, tree::StmtKind::Label(_))
-                && let Some(step) = self.steps.get_mut(first)
+                && let Some(step) = self.instructions.get_mut(first)
             {
                 step.next = after;
             }
@@ -147,7 +147,7 @@ impl<'f> Compiler<'f> {
             S::Call(call) => {
                 let callee = match &call.callee {
                     tree::Callee::Name(n) => {
-                        Callee::Name(name_of(self.file, *n), latin1(self.file, *n).into())
+                        Callee::Name(lower_case_name(self.file, *n), latin1(self.file, *n).into())
                     }
                     tree::Callee::Late(e) => Callee::Late(self.expr(e)),
                 };
@@ -162,58 +162,58 @@ impl<'f> Compiler<'f> {
                     let test = self.push(Op::JumpUnless(cond, 0), cond_range);
                     self.block(body);
                     ends.push(self.push(Op::Jump(0), range));
-                    self.land(test);
+                    self.patch_jump(test);
                 }
                 if let Some(body) = &branch.otherwise {
                     self.block(body);
                 }
-                ends.into_iter().for_each(|at| self.land(at));
+                ends.into_iter().for_each(|at| self.patch_jump(at));
             }
             S::CompactIf(branch) => {
                 let cond = self.expr(&branch.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
                 self.block(std::slice::from_ref(&branch.then));
-                self.land(test);
+                self.patch_jump(test);
             }
             S::For(looped) => self.for_loop(range, looped),
             S::While(looped) => {
                 let endless = matches!(unparen(&looped.cond).kind, tree::ExprKind::Bool(true));
-                let top = self.steps.len();
+                let top = self.instructions.len();
                 let cond = self.expr(&looped.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
                 self.block(&looped.body);
                 self.push(if endless { Op::LoopBack(top) } else { Op::Jump(top) }, range);
-                self.land(test);
+                self.patch_jump(test);
             }
             S::Test(test) => {
                 let kept = self.slot();
                 let value = self.expr(&test.value);
-                self.push(Op::Keep(kept, value), range);
+                self.push(Op::Store(kept, value), range);
                 let mut ends = Vec::new();
                 for (values, body) in &test.cases {
                     let values: Vec<Expr> = values.iter().map(|v| self.expr(v)).collect();
                     let hit = self.push(Op::JumpIfIn(kept, values, 0), range);
                     let miss = self.push(Op::Jump(0), range);
-                    self.land(hit);
+                    self.patch_jump(hit);
                     self.block(body);
                     ends.push(self.push(Op::Jump(0), range));
-                    self.land(miss);
+                    self.patch_jump(miss);
                 }
                 if let Some(body) = &test.default {
                     self.block(body);
                 }
-                ends.into_iter().for_each(|at| self.land(at));
+                ends.into_iter().for_each(|at| self.patch_jump(at));
             }
             S::Label(name) => {
-                let at = self.steps.len();
-                self.labels.insert(name_of(self.file, *name), at);
+                let at = self.instructions.len();
+                self.labels.insert(lower_case_name(self.file, *name), at);
             }
             S::Goto(name) => {
                 let at = self.push(Op::Jump(usize::MAX), range);
-                if let Some(step) = self.steps.get_mut(at) {
+                if let Some(step) = self.instructions.get_mut(at) {
                     step.counts = true;
                 }
-                self.gotos.push((at, name_of(self.file, *name), self.depth == 1));
+                self.gotos.push((at, lower_case_name(self.file, *name), self.depth == 1));
             }
             S::Return(value) => {
                 let value = value.as_ref().map(|v| self.expr(v));
@@ -227,7 +227,7 @@ impl<'f> Compiler<'f> {
             S::TryNext => drop(self.push(Op::TryNext, range)),
             S::Exit => drop(self.push(Op::Exit, range)),
             S::Connect(connect) => {
-                let op = Op::Connect(self.expr(&connect.interrupt), name_of(self.file, connect.trap));
+                let op = Op::Connect(self.expr(&connect.interrupt), lower_case_name(self.file, connect.trap));
                 self.push(op, range);
             }
             S::Opaque | S::Placeholder => {
@@ -243,8 +243,8 @@ impl<'f> Compiler<'f> {
         let init = decl.init.as_ref().map(|e| self.expr(e));
         let dims = decl.dims.iter().map(|e| self.expr(e)).collect();
         let slot = self.slot();
-        self.scope.insert(name_of(self.file, decl.name), slot);
-        let type_name = name_of(self.file, decl.type_name);
+        self.scope.insert(lower_case_name(self.file, decl.name), slot);
+        let type_name = lower_case_name(self.file, decl.type_name);
         self.decls.push(LocalDecl { slot, kind: decl.kind, type_name, dims, init });
     }
 
@@ -259,12 +259,12 @@ impl<'f> Compiler<'f> {
             by: looped.step.as_ref().map(|s| self.expr(s)),
         };
         self.push(init, range);
-        let name = name_of(self.file, looped.var);
+        let name = lower_case_name(self.file, looped.var);
         let hidden = self.scope.insert(name.clone(), slot);
         let top = self.push(Op::ForTest { var: slot, end, step: by, exit: 0 }, range);
         self.block(&looped.body);
         self.push(Op::ForStep { var: slot, step: by, top }, range);
-        self.land(top);
+        self.patch_jump(top);
         match hidden {
             Some(outer) => self.scope.insert(name, outer),
             None => self.scope.remove(&name),
@@ -273,7 +273,7 @@ impl<'f> Compiler<'f> {
 
     fn resolve_gotos(&mut self) {
         for (at, label, unconditional) in std::mem::take(&mut self.gotos) {
-            let Some(step) = self.steps.get_mut(at) else { continue };
+            let Some(step) = self.instructions.get_mut(at) else { continue };
             step.op = match self.labels.get(&label) {
                 Some(&to) if to <= at && unconditional => Op::LoopBack(to),
                 Some(&to) => Op::Jump(to),
@@ -287,11 +287,11 @@ impl<'f> Compiler<'f> {
             .map(|arg| match &arg.kind {
                 tree::ArgKind::Positional(e) => Arg::Positional(self.expr(e)),
                 tree::ArgKind::Named { name, value: Some(e) } => {
-                    Arg::Named(name_of(self.file, *name), self.expr(e))
+                    Arg::Named(lower_case_name(self.file, *name), self.expr(e))
                 }
-                tree::ArgKind::Named { name, value: None } => Arg::Switch(name_of(self.file, *name)),
+                tree::ArgKind::Named { name, value: None } => Arg::Switch(lower_case_name(self.file, *name)),
                 tree::ArgKind::Conditional { name, param } => {
-                    Arg::Conditional(name_of(self.file, *name), self.name(*param))
+                    Arg::Conditional(lower_case_name(self.file, *name), self.name(*param))
                 }
             })
             .collect()
@@ -310,15 +310,18 @@ impl<'f> Compiler<'f> {
     fn expr(&self, expr: &tree::Expr) -> Expr {
         use tree::ExprKind as E;
         let kind = match &expr.kind {
-            E::Number => match number(self.file.text(expr.range)) {
+            E::Number => match number_value(self.file.text(expr.range)).filter(|x| x.is_finite()) {
                 Some(x) => ExprKind::Number(x),
                 None => ExprKind::Opaque,
             },
-            E::String => ExprKind::Str(string(&latin1(self.file, expr.range)).into()),
+            E::String => {
+                let bytes = string_value(self.file.text(expr.range)).unwrap_or_default();
+                ExprKind::Str(bytes.into_iter().map(char::from).collect::<String>().into())
+            }
             E::Bool(b) => ExprKind::Bool(*b),
             E::Name => return self.name(expr.range),
             E::Field(field) => {
-                ExprKind::Field(Box::new(self.expr(&field.base)), name_of(self.file, field.name))
+                ExprKind::Field(Box::new(self.expr(&field.base)), lower_case_name(self.file, field.name))
             }
             E::Index(element) => {
                 let indices = element.indices.iter().map(|i| self.expr(i)).collect();
@@ -330,7 +333,10 @@ impl<'f> Compiler<'f> {
             }
             E::Aggregate(parts) => ExprKind::Aggregate(parts.iter().map(|p| self.expr(p)).collect()),
             E::Call(call) => ExprKind::Call(Rc::new(Call {
-                callee: Callee::Name(name_of(self.file, call.name), latin1(self.file, call.name).into()),
+                callee: Callee::Name(
+                    lower_case_name(self.file, call.name),
+                    latin1(self.file, call.name).into(),
+                ),
                 args: self.args(&call.args),
             })),
             E::Unary { op, operand } => ExprKind::Unary(*op, Box::new(self.expr(operand))),
@@ -351,67 +357,4 @@ fn unparen(expr: &tree::Expr) -> &tree::Expr {
         e = inner;
     }
     e
-}
-
-/// The value of a number as written.
-fn number(text: &[u8]) -> Option<f64> {
-    let text = std::str::from_utf8(text).ok()?.trim();
-    let prefix = text.get(..2).map(str::to_ascii_lowercase);
-    let radix = match prefix.as_deref() {
-        Some("0x") => Some(16),
-        Some("0o") => Some(8),
-        Some("0b") => Some(2),
-        _ => None,
-    };
-    match radix {
-        Some(radix) => u64::from_str_radix(text.get(2..)?, radix).ok().map(|n| n as f64),
-        None => text.parse().ok().filter(|x: &f64| x.is_finite()),
-    }
-}
-
-/// The characters of a string as written: `""` is a quote, `\\` a backslash, `\0D` a character by number.
-fn string(written: &str) -> String {
-    let inner = written.strip_prefix('"').unwrap_or(written);
-    let inner = inner.strip_suffix('"').unwrap_or(inner);
-    let mut out = String::with_capacity(inner.len());
-    let mut rest = inner.chars();
-    while let Some(c) = rest.next() {
-        match c {
-            '"' => {
-                rest.next();
-                out.push('"');
-            }
-            '\\' => {
-                let tail = rest.as_str();
-                let hex = tail.get(..2).and_then(|h| u8::from_str_radix(h, 16).ok());
-                if let Some(code) = hex {
-                    out.push(char::from(code));
-                    rest = tail[2..].chars();
-                } else {
-                    out.push('\\');
-                    if tail.starts_with('\\') {
-                        rest.next();
-                    }
-                }
-            }
-            c => out.push(c),
-        }
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_and_strings_are_worth_what_they_say() {
-        let n = |t: &str| number(t.as_bytes());
-        assert_eq!(
-            [n("1"), n("1."), n(".5"), n("1.E+2"), n("9E+09"), n("0x1F"), n("0o7"), n("0b11")],
-            [1.0, 1.0, 0.5, 100.0, 9e9, 31.0, 7.0, 3.0].map(Some)
-        );
-        assert_eq!((n("1e999"), n("nan"), n("x")), (None, None, None));
-        assert_eq!(string(r#""a""b\\c\41!""#), "a\"b\\cA!");
-    }
 }

@@ -1,107 +1,28 @@
-//! The controller: program memory, call stack, clock, signals and arm, and what an operator can do to it.
+//! The controller as an operator has it: what can be loaded, called, set, stopped and asked.
 
+use super::arm::Arm;
 use super::calendar::Calendar;
-use super::effort::{Effort, EffortRange};
-use super::ir::{Code, Name};
-use super::memory::{Memory, State};
-use super::motion::Arm;
-use super::outcome::{Fault, Message, Outcome, Place, SimulateError};
-use super::predefined::Types;
+use super::effort::EffortRange;
+use super::entry;
+use super::interpreter::{BackStep, Interpreter};
+use super::loaded::LoadedProgram;
+use super::machine::{DataRef, DataState, Disk, Machine, StepLimit};
+use super::outcome::{Fault, Message, Outcome, SimulateError};
 use super::value::{Type, Value};
-use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{FileId, TextRange};
 use rapid_syntax::tree::DataKind;
 use robot_model::deform::Payload;
 use robot_model::robot::Robot;
-use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
+use std::collections::BTreeMap;
 
-/// A parameter, local or hidden value of a routine in execution.
-#[derive(Clone, Debug)]
-pub(super) struct Slot {
-    pub ty: Type,
-    pub constant: bool,
-    pub bound: Bound,
-}
+/// Steps that one call may take before it counts as endless, where nothing else is said.
+const STEP_LIMIT: u64 = 50_000_000;
 
-#[derive(Clone, Debug)]
-pub(super) enum Bound {
-    Own(Value),
-    Ref(super::place::Place),
-    Signal(Name),
-    Absent,
-}
-
-/// A routine in execution.
-#[derive(Debug)]
-pub(super) struct Frame {
-    pub routine: usize,
-    pub module: usize,
-    pub code: Rc<Code>,
-    pub base: usize,
-    pub pc: usize,
-    /// The operation in work.
-    pub current: usize,
-    /// In its ERROR handler: the operation that failed.
-    pub failed: Option<usize>,
-    pub trap: bool,
-    /// What had been executed when it was entered: what a trap does is not part of what it interrupts.
-    pub effort: Effort,
-    /// Passes of each endless loop, by the operation that jumps back.
-    pub passes: BTreeMap<usize, u64>,
-}
-
-/// An interrupt.
-#[derive(Debug)]
-pub(super) struct Interrupt {
-    pub number: f32,
-    pub trap: usize,
-    /// Period and next time in steady seconds, for a timer.
-    pub timer: Option<(f64, f64)>,
-    pub single: bool,
-    pub asleep: bool,
-}
-
-/// A virtual controller with one task.
+/// A virtual controller with one task: the program that is loaded, the state of the machine, and an arm.
 #[derive(Debug)]
 pub struct Controller {
-    pub(super) memory: Memory,
-    pub(super) types: Types,
-    pub(super) frames: Vec<Frame>,
-    pub(super) stack: Vec<Slot>,
-    /// Module and first slot that names are looked up in.
-    pub(super) scope: (usize, usize),
-    pub(super) returned: Option<Value>,
-    pub(super) nesting: usize,
-    pub(super) errno: f32,
-    pub(super) intno: f32,
-    pub(super) booked: u32,
-    pub(super) interrupts: Vec<Interrupt>,
-    pub(super) calendar: Calendar,
-    pub(super) signals: BTreeMap<Name, f32>,
-    pub(super) units_down: BTreeSet<Name>,
-    /// What the last GripLoad said, in the tool's frame.
-    pub(super) gripped: Payload,
-    pub(super) disk: BTreeMap<String, Vec<u8>>,
-    /// Files of StartLoad that WaitLoad has not yet asked for.
-    pub(super) sessions: Vec<Option<String>>,
-    pub(super) pinned: BTreeMap<usize, Value>,
-    pub(super) arm: Option<Arm>,
-    pub(super) messages: Vec<Message>,
-    /// Names that were taken from another module, and said to be.
-    pub(super) from_elsewhere: BTreeSet<String>,
-    pub(super) unknown: BTreeSet<String>,
-    pub(super) steps_left: u64,
-    pub(super) passes: u64,
-    /// All that was executed so far; what a function takes is a difference of it.
-    pub(super) effort: Effort,
-    /// What functions in arguments of motions took, by routine.
-    pub(super) efforts: BTreeMap<usize, EffortRange>,
-    /// Arguments of a motion are being evaluated.
-    pub(super) is_metered: bool,
-    /// Stop after so many more moves.
-    pub(super) moves_to_stop: Option<u64>,
-    files: u32,
+    program: LoadedProgram,
+    machine: Machine,
+    arm: Option<Arm>,
     /// Steps one call may take before it counts as endless.
     pub step_limit: u64,
 }
@@ -116,38 +37,7 @@ impl Controller {
     /// A controller without arm: it computes, keeps time and lists moves, but knows no joints.
     #[must_use]
     pub fn new() -> Self {
-        Self {
-            memory: Memory::new(),
-            types: Types::new(),
-            frames: Vec::new(),
-            stack: Vec::new(),
-            scope: (usize::MAX, 0),
-            returned: None,
-            nesting: 0,
-            errno: 0.0,
-            intno: 0.0,
-            booked: 0,
-            interrupts: Vec::new(),
-            calendar: Calendar::default(),
-            signals: BTreeMap::new(),
-            units_down: BTreeSet::new(),
-            gripped: Payload::default(),
-            disk: BTreeMap::new(),
-            sessions: Vec::new(),
-            pinned: BTreeMap::new(),
-            arm: None,
-            messages: Vec::new(),
-            from_elsewhere: BTreeSet::new(),
-            unknown: BTreeSet::new(),
-            steps_left: 0,
-            passes: 1,
-            effort: Effort::default(),
-            efforts: BTreeMap::new(),
-            is_metered: false,
-            moves_to_stop: None,
-            files: 0,
-            step_limit: 50_000_000,
-        }
+        Self { program: LoadedProgram::new(), machine: Machine::default(), arm: None, step_limit: STEP_LIMIT }
     }
 
     /// A controller with the nominal kinematics of `robot`.
@@ -159,43 +49,43 @@ impl Controller {
         Ok(Self { arm: Some(arm), ..Self::new() })
     }
 
+    /// What executes: program, state and arm for as long as something runs.
+    fn interpreter(&mut self) -> Interpreter<'_> {
+        Interpreter { program: &mut self.program, machine: &mut self.machine, arm: self.arm.as_mut() }
+    }
+
     /// Load the modules of a file.
     ///
     /// # Errors
     /// [`SimulateError::Load`] where a controller would refuse, e.g. a name that is there already.
     pub fn load(&mut self, path: &str, bytes: &[u8]) -> Result<(), SimulateError> {
-        self.load_as(path, bytes, None)
-            .map(drop)
-            .map_err(|why| SimulateError::Load { path: path.to_owned(), why })
-    }
-
-    pub(super) fn load_as(
-        &mut self,
-        path: &str,
-        bytes: &[u8],
-        dynamic: Option<&str>,
-    ) -> Result<Vec<usize>, String> {
-        let id = FileId(self.files);
-        self.files += 1;
-        let file = SourceFile::read(id, path, bytes.to_vec());
-        self.memory.load(&Rc::new(file), dynamic)
+        self.program.load(path, bytes, None).map_err(|why| SimulateError::Load { path: path.to_owned(), why })
     }
 
     /// Put a file on the controller's disk, for `Load`; a name matches by its last part.
     pub fn put_file(&mut self, path: &str, bytes: &[u8]) {
-        self.disk.insert(super::builtin::modules::file_name(path), bytes.to_vec());
+        self.machine.disk.files.insert(Disk::file_name(path), bytes.to_vec());
     }
 
     /// Whether a routine of this name is loaded, LOCAL ones included.
     #[must_use]
     pub fn has_routine(&self, name: &str) -> bool {
-        self.memory.routine_anywhere(&name.to_lowercase()).is_some()
+        self.program.routine_anywhere(&name.to_lowercase()).is_some()
     }
 
     /// Whether data of this name are loaded, LOCAL ones included.
     #[must_use]
     pub fn has_data(&self, name: &str) -> bool {
-        self.memory.datum_anywhere(&name.to_lowercase()).is_some()
+        self.program.datum_anywhere(&name.to_lowercase()).is_some()
+    }
+
+    /// The routine to start at: main, else the only procedure without parameters that nothing calls. The
+    /// operator's routines of an emitted module (`tc...`) do not count.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoEntry`] names the candidates.
+    pub fn entry(&self) -> Result<String, SimulateError> {
+        entry::entry(&self.program)
     }
 
     /// Call a procedure without arguments; endless loops end after `passes` passes of the outermost.
@@ -204,12 +94,39 @@ impl Controller {
     /// [`SimulateError::NoRoutine`]
     pub fn call(&mut self, name: &str, passes: u64) -> Result<Outcome, SimulateError> {
         let routine = self
-            .memory
+            .program
             .routine_anywhere(&name.to_lowercase())
             .ok_or_else(|| SimulateError::NoRoutine(name.to_owned()))?;
-        self.steps_left = self.step_limit;
-        self.passes = passes.max(1);
-        Ok(self.run_routine(routine))
+        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.machine.limits.passes = passes.max(1);
+        Ok(self.interpreter().run_routine(routine))
+    }
+
+    /// Call a procedure without arguments from the beginning and stop it behind so many of its moves.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoRoutine`]
+    pub fn call_until(&mut self, name: &str, moves: u64) -> Result<Outcome, SimulateError> {
+        self.machine.stack.clear();
+        self.machine.limits.moves_left = Some(moves);
+        let outcome = self.call(name, 1);
+        self.machine.limits.moves_left = None;
+        outcome
+    }
+
+    /// Go on from where the program was stopped, to its end or for so many moves more.
+    pub fn go_on(&mut self, moves: Option<u64>) -> Outcome {
+        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.machine.limits.moves_left = moves;
+        let outcome = self.interpreter().go_on();
+        self.machine.limits.moves_left = None;
+        outcome
+    }
+
+    /// Go through the statement before the one at which the program is stopped, backwards.
+    pub fn step_back(&mut self) -> BackStep {
+        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.interpreter().step_back()
     }
 
     /// The value of data by name, LOCAL ones included.
@@ -218,7 +135,7 @@ impl Controller {
     /// [`SimulateError::NoData`], or [`SimulateError::Value`] where its initial value cannot be found.
     pub fn value(&mut self, name: &str) -> Result<Value, SimulateError> {
         let datum = self.datum(name)?;
-        self.read(&super::place::Place::data(datum)).map_err(|f| Self::value_error(name, &f))
+        self.interpreter().read(&DataRef::data(datum)).map_err(|f| Self::value_error(name, &f))
     }
 
     /// The value of a `num` or `dnum` by name.
@@ -239,7 +156,7 @@ impl Controller {
     /// [`SimulateError::NoData`]
     pub fn type_of(&self, name: &str) -> Result<Type, SimulateError> {
         let datum = self.datum(name)?;
-        Ok(self.memory.data.get(datum).map_or(Type::Num, |d| d.ty.clone()))
+        Ok(self.program.data.get(datum).map_or(Type::Num, |d| d.ty.clone()))
     }
 
     /// Give data a value from outside, as an operator does on the teach pendant.
@@ -248,7 +165,7 @@ impl Controller {
     /// [`SimulateError::NoData`], or [`SimulateError::Value`] where the value is of another type.
     pub fn set(&mut self, name: &str, value: Value) -> Result<(), SimulateError> {
         let datum = self.datum(name)?;
-        self.write(&super::place::Place::data(datum), value).map_err(|f| Self::value_error(name, &f))
+        self.interpreter().write(&DataRef::data(datum), value).map_err(|f| Self::value_error(name, &f))
     }
 
     /// Hold data at a value whatever the program assigns.
@@ -259,12 +176,12 @@ impl Controller {
         let datum = self.datum(name)?;
         self.set(name, value)?;
         let value = self.value(name)?;
-        self.pinned.insert(datum, value);
+        self.machine.data.pinned.insert(datum, value);
         Ok(())
     }
 
     fn datum(&self, name: &str) -> Result<usize, SimulateError> {
-        let found = self.memory.datum_anywhere(&name.to_lowercase());
+        let found = self.program.datum_anywhere(&name.to_lowercase());
         found.ok_or_else(|| SimulateError::NoData(name.to_owned()))
     }
 
@@ -279,20 +196,15 @@ impl Controller {
     /// Program pointer to main: VAR start again, modules loaded by the program vanish, interrupts and
     /// ConfL/ConfJ are reset; PERS stay.
     pub fn pp_to_main(&mut self) {
-        self.frames.clear();
-        self.stack.clear();
-        self.scope = (usize::MAX, 0);
-        self.interrupts.clear();
-        self.gripped = Payload::default();
-        self.nesting = 0;
-        for id in 0..self.memory.modules.len() {
-            if self.memory.modules[id].loaded && self.memory.modules[id].dynamic.is_some() {
-                self.memory.unload(id);
-            }
+        self.machine.stack.clear();
+        self.machine.interrupts.list.clear();
+        self.machine.gripped = Payload::default();
+        for datum in self.program.unload_dynamic() {
+            self.machine.data.forget(datum);
         }
-        for datum in &mut self.memory.data {
+        for (id, datum) in self.program.data.iter().enumerate() {
             if datum.kind != DataKind::Pers {
-                datum.state = State::Untouched;
+                self.machine.data.forget(id);
             }
         }
         if let Some(arm) = &mut self.arm {
@@ -304,15 +216,12 @@ impl Controller {
     #[must_use]
     pub fn backup(&self) -> Backup {
         let values = self
-            .memory
+            .program
             .data
             .iter()
             .enumerate()
             .filter(|(_, d)| d.kind == DataKind::Pers)
-            .map(|(i, d)| match &d.state {
-                State::Known(value) => (i, Some(value.clone())),
-                _ => (i, None),
-            })
+            .map(|(id, _)| (id, self.machine.data.known(id).cloned()))
             .collect();
         Backup { values }
     }
@@ -321,42 +230,41 @@ impl Controller {
     pub fn restore(&mut self, backup: &Backup) {
         self.pp_to_main();
         for (datum, value) in &backup.values {
-            if let Some(datum) = self.memory.data.get_mut(*datum) {
-                datum.state = value.clone().map_or(State::Untouched, State::Known);
-            }
+            *self.machine.data.state_mut(*datum) =
+                value.clone().map_or(DataState::Untouched, DataState::Known);
         }
     }
 
-    /// Set a signal.
+    /// Set the level of a signal; its name in any case.
     pub fn set_signal(&mut self, name: &str, value: f32) {
-        self.signals.insert(name.to_lowercase().into(), value);
+        self.machine.signals.levels.insert(name.to_lowercase().into(), value);
     }
 
     /// Let the unit of a signal fail, or come back.
     pub fn set_unit_down(&mut self, signal: &str, down: bool) {
-        let name: Name = signal.to_lowercase().into();
+        let name = signal.to_lowercase();
         if down {
-            self.units_down.insert(name);
+            self.machine.signals.units_down.insert(name.into());
         } else {
-            self.units_down.remove(&name);
+            self.machine.signals.units_down.remove(name.as_str());
         }
     }
 
     /// What signals stand at.
     #[must_use]
     pub fn signal(&self, name: &str) -> Option<f32> {
-        self.signals.get(name.to_lowercase().as_str()).copied()
+        self.machine.signals.levels.get(name.to_lowercase().as_str()).copied()
     }
 
     /// Date, time and steady clock.
     #[must_use]
     pub fn calendar(&self) -> &Calendar {
-        &self.calendar
+        &self.machine.calendar
     }
 
     /// Date, time and steady clock, to be set.
     pub fn calendar_mut(&mut self) -> &mut Calendar {
-        &mut self.calendar
+        &mut self.machine.calendar
     }
 
     /// The arm, if there is one.
@@ -372,35 +280,22 @@ impl Controller {
 
     /// What was shown since the last time this was asked for.
     pub fn take_messages(&mut self) -> Vec<Message> {
-        std::mem::take(&mut self.messages)
+        self.machine.log.take_messages()
     }
 
     /// Instructions, functions and text that this controller does not know, met in execution.
     #[must_use]
     pub fn unknown_instructions(&self) -> Vec<String> {
-        self.unknown.iter().cloned().collect()
+        self.machine.log.unknown.iter().cloned().collect()
     }
 
-    /// The operation in work: file and line.
-    pub(super) fn here(&self) -> Place {
-        let Some(frame) = self.frames.last() else { return Place::default() };
-        let range = frame.code.steps.get(frame.current).map(|s| s.range);
-        self.place_of(frame.module, range.unwrap_or(TextRange::empty(0)))
-    }
-
-    pub(super) fn place_of(&self, module: usize, range: TextRange) -> Place {
-        match self.memory.modules.get(module) {
-            Some(m) => Place { file: m.file.path.clone(), line: m.file.line(range) },
-            None => Place::default(),
-        }
-    }
-
-    /// Show a message at the operation in work; the same one at the same place only once.
-    pub(super) fn tell(&mut self, source: &'static str, text: impl Into<String>) {
-        let message = Message { source, text: text.into(), at: self.here() };
-        if self.messages.len() < 100_000 && (source != "controller" || !self.messages.contains(&message)) {
-            self.messages.push(message);
-        }
+    /// What the program's functions took that motions call in their arguments, or that were called from
+    /// outside, by name as declared, since the last time this was asked for. What such a function calls
+    /// itself is part of it; what stands in its own arguments is not.
+    pub fn take_efforts(&mut self) -> BTreeMap<String, EffortRange> {
+        let name = |routine: usize| self.program.routines.get(routine).map(|r| r.name.to_string());
+        let efforts = self.machine.meter.take().into_iter();
+        efforts.filter_map(|(routine, range)| Some((name(routine)?, range))).collect()
     }
 }
 

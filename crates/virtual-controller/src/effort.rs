@@ -5,11 +5,9 @@
 //! the way included, and what they calculate. Not counted are declarations (what their initial values
 //! calculate is), values of module data, which a controller has since it loaded them, and interrupts.
 
-use super::controller::Controller;
-use super::memory::Kind;
 use std::collections::BTreeMap;
 
-/// What was executed.
+/// How much was executed, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Statements. A condition counts each time it is looked at: of IF and of each ELSEIF, and of FOR and WHILE
@@ -30,14 +28,6 @@ impl Effort {
             trigonometric: pick(self.trigonometric, other.trigonometric),
         }
     }
-
-    /// Count a function of the controller that calculates.
-    pub(super) fn count_function(&mut self, name: &str) {
-        match name.strip_suffix("dnum").unwrap_or(name) {
-            "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" => self.trigonometric += 1,
-            _ => self.arithmetic += 1,
-        }
-    }
 }
 
 /// The calls of one function.
@@ -51,36 +41,22 @@ pub struct EffortRange {
     pub most: Effort,
 }
 
-impl Controller {
-    /// What the program's functions took that motions call in their arguments, or that were called from
-    /// outside, by name as declared, since the last time this was asked for. What such a function calls
-    /// itself is part of it; what stands in its own arguments is not.
-    pub fn take_efforts(&mut self) -> BTreeMap<String, EffortRange> {
-        let name = |routine: usize| self.memory.routines.get(routine).map(|r| r.name.to_string());
-        let efforts = self.efforts.iter().filter_map(|(routine, range)| Some((name(*routine)?, *range)));
-        let taken = efforts.collect();
-        self.efforts.clear();
-        taken
-    }
+/// Counts what is executed while arguments of motions are worked out.
+#[derive(Debug, Default)]
+pub(super) struct EffortMeter {
+    /// All that was executed so far; what a function takes is a difference of it.
+    pub total: Effort,
+    /// What functions in arguments of motions took, by routine.
+    by_routine: BTreeMap<usize, EffortRange>,
+    /// Arguments of a motion are being evaluated.
+    pub is_on: bool,
+}
 
-    /// Evaluate arguments of a motion: calls of functions are counted.
-    pub(super) fn metered<T>(&mut self, evaluate: impl FnOnce(&mut Self) -> T) -> T {
-        let before = std::mem::replace(&mut self.is_metered, true);
-        let out = evaluate(self);
-        self.is_metered = before;
-        out
-    }
-
-    /// Run a function or what calls one; counted where a motion's argument or the outside asks.
-    pub(super) fn measured<T>(&mut self, routine: usize, run: impl FnOnce(&mut Self) -> T) -> T {
-        if !std::mem::replace(&mut self.is_metered, false) {
-            return run(self);
-        }
-        let before = self.effort;
-        let out = run(self);
-        self.is_metered = true;
-        let spent = self.effort.each(before, u64::saturating_sub);
-        self.efforts
+impl EffortMeter {
+    /// A call of a routine took what was executed since `before`.
+    pub fn add_call(&mut self, routine: usize, before: Effort) {
+        let spent = self.total.each(before, u64::saturating_sub);
+        self.by_routine
             .entry(routine)
             .and_modify(|range| {
                 range.calls += 1;
@@ -88,11 +64,10 @@ impl Controller {
                 range.most = range.most.each(spent, u64::max);
             })
             .or_insert(EffortRange { calls: 1, fewest: spent, most: spent });
-        out
     }
 
-    /// Whether a routine is a function.
-    pub(super) fn is_function(&self, routine: usize) -> bool {
-        matches!(self.memory.routines.get(routine).map(|r| &r.kind), Some(Kind::Func(_)))
+    /// What was counted by routine since the last time this was asked for.
+    pub fn take(&mut self) -> BTreeMap<usize, EffortRange> {
+        std::mem::take(&mut self.by_routine)
     }
 }

@@ -1,24 +1,24 @@
 //! What a simulation found: pass by pass, the worst move, what the controller had to say. Computes no geometry.
 
-use super::compare::{Mismatch, Miss};
+use super::compare::{Mismatch, PoseError};
 use super::effort::EffortRange;
 use super::outcome::Message;
 use std::collections::BTreeMap;
 
 /// Errors of one group of moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
-    /// Largest distance, metres.
+pub struct ErrorStatistics {
+    /// Largest distance of a TCP from where it was meant to be, metres.
     pub max_m: f64,
     /// Root mean square, metres.
     pub rms_m: f64,
-    /// Largest angle, radians.
+    /// Largest angle of a tool from how it was meant to be, radians.
     pub max_rad: f64,
 }
 
-impl Spread {
+impl ErrorStatistics {
     /// One more; the mean is taken at the end.
-    pub(super) fn add(&mut self, miss: &Miss) {
+    pub(super) fn add(&mut self, miss: &PoseError) {
         self.max_m = self.max_m.max(miss.position_m);
         self.max_rad = self.max_rad.max(miss.angle_rad);
         self.rms_m += miss.position_m * miss.position_m;
@@ -32,22 +32,22 @@ pub struct Pass {
     pub t_min: f64,
     /// Minutes since the beginning by the steady clock.
     pub at_min: f64,
-    /// Moves judged.
+    /// Number of moves that were compared.
     pub n: usize,
     /// The original's targets on the true robot.
-    pub before: Spread,
-    /// The program's.
-    pub after: Spread,
+    pub before: ErrorStatistics,
+    /// The program's targets on the true robot.
+    pub after: ErrorStatistics,
     /// The program's, of those moves alone that go elsewhere than the original's.
-    pub corrected: Spread,
+    pub corrected: ErrorStatistics,
     /// Largest distance from the meant way, metres; `None` where ways were not followed.
     pub path_after_m: Option<f64>,
     /// The index in use after the pass (`tcI`), where the program has one.
     pub index: Option<f64>,
     /// The program's own warm-up minute (`tcMinute`), where it has one.
     pub program_min: Option<f64>,
-    /// The worst move.
-    pub worst: Option<Worst>,
+    /// The move that ends farthest from where it was meant to.
+    pub worst: Option<WorstMove>,
     /// How it ended, where that was not well.
     pub failure: Option<String>,
     /// Moves that the original makes and the program does not.
@@ -58,37 +58,37 @@ pub struct Pass {
 
 /// A move that was further off than others.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Worst {
-    /// When, warm-up minutes.
+pub struct WorstMove {
+    /// Warm-up minute of the robot at the beginning of the pass.
     pub t_min: f64,
-    /// File.
+    /// Path of the file it stands in.
     pub file: String,
-    /// Line.
+    /// Line of the file, from 1.
     pub line: u32,
     /// The target's name, empty for one written in place.
     pub target: String,
-    /// Distance, metres.
-    pub miss_m: f64,
+    /// Distance from where it was meant to end, metres.
+    pub error_m: f64,
 }
 
 /// A change of bucket: how far the targets jumped.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Switch {
-    /// Warm-up minute.
+pub struct BucketSwitch {
+    /// Warm-up minute of the robot at the pass with the new bucket.
     pub t_min: f64,
-    /// Largest distance, metres.
+    /// Largest distance between a target's old and new place, metres.
     pub jump_m: f64,
 }
 
 /// What a simulation found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Pass by pass.
+    /// What was found pass by pass, in order.
     pub passes: Vec<Pass>,
     /// The worst of all.
-    pub worst: Option<Worst>,
-    /// Changes of bucket.
-    pub switches: Vec<Switch>,
+    pub worst: Option<WorstMove>,
+    /// Changes of the bucket in use, in order.
+    pub switches: Vec<BucketSwitch>,
     /// Moves that never went elsewhere than the original's while others did, by file and line, with the
     /// largest distance from what was meant, metres: moves that were kept.
     pub unchanged: BTreeMap<(String, u32), f64>,

@@ -32,11 +32,6 @@ pub(super) fn isometry_of(numbers: &[f64]) -> Result<Isometry3<f64>, Fault> {
     ))
 }
 
-/// The transform of a `pose`, or of anything that begins with one.
-pub(super) fn isometry(value: &Value) -> Result<Isometry3<f64>, Fault> {
-    isometry_of(&value.numbers())
-}
-
 /// The seven numbers of a transform.
 pub(super) fn pose_numbers(pose: &Isometry3<f64>) -> [f64; 7] {
     let (t, q) = (pose.translation.vector, pose.rotation);
@@ -62,7 +57,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// tool0 and wobj0.
+    /// The setup of a move with tool0 and wobj0.
     #[must_use]
     pub fn plain() -> Self {
         Self {

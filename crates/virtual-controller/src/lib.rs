@@ -4,43 +4,43 @@
 //! It reads programs from their bytes alone and shares nothing with what emits them: it must not know how the
 //! text was made. `num` is single precision; every move goes through the controller's own nominal kinematics.
 
+mod arm;
 mod builtin;
 mod calendar;
-mod call;
+mod code;
 pub mod compare;
 mod compile;
 mod controller;
 mod effort;
 mod entry;
-mod eval;
-mod exec;
+mod evaluation;
 mod findings;
 mod frame;
-mod ir;
-mod memory;
-mod motion;
+mod interpreter;
+mod loaded;
+mod machine;
 mod outcome;
 mod path;
-mod place;
+mod plant;
+mod player;
 mod predefined;
 pub mod scenario;
 pub mod session;
-mod stepping;
 mod truth;
 mod value;
 mod warming;
 
-pub use builtin::text::{parse as parse_value, written as value_text};
+pub use arm::{Arm, Move};
+pub use builtin::{Signature, built_ins, parse as parse_value, written as value_text};
 pub use calendar::Calendar;
 pub use controller::{Backup, Controller};
 pub use effort::{Effort, EffortRange};
 pub use frame::Setup;
-pub use motion::{Arm, Move};
-pub use outcome::{Message, Outcome, Place, SimulateError};
-pub use path::{PathKind, Way};
+pub use interpreter::BackStep;
+pub use outcome::{Message, Outcome, SimulateError, SourceLine};
+pub use path::{CartesianPath, PathKind};
 pub use scenario::Scenario;
 pub use session::{Report, Session};
-pub use stepping::BackStep;
 pub use truth::TrueRobot;
 pub use value::{RecordType, Type, Value};
 pub use warming::{GAP_MIN, Warming};

@@ -6,9 +6,9 @@ pub enum SimulateError {
     /// The module does not load.
     #[error("{path} does not load: {why}")]
     Load {
-        /// The file.
+        /// Path of the file as it was given.
         path: String,
-        /// Why.
+        /// The reason as a sentence without full stop.
         why: String,
     },
     /// There is no routine of this name.
@@ -23,9 +23,9 @@ pub enum SimulateError {
     /// The value is not of the data's type, or cannot be found.
     #[error("{name}: {why}")]
     Value {
-        /// The data.
+        /// Name of the data as it was given.
         name: String,
-        /// Why.
+        /// The reason as a sentence without full stop.
         why: String,
     },
     /// The arm has no closed-form inverse kinematics.
@@ -54,17 +54,17 @@ impl SimulateError {
 
 /// Where in the program something happened.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Place {
+pub struct SourceLine {
     /// The file as the user knows it.
     pub file: String,
-    /// Line, from 1.
+    /// Line of the file, from 1.
     pub line: u32,
 }
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// The routine returned.
+    /// The routine came to its end.
     Finished,
     /// The outermost endless loop was passed as often as asked for.
     Passes,
@@ -80,8 +80,8 @@ pub enum Outcome {
         error: Option<&'static str>,
         /// What is the matter.
         message: String,
-        /// Where.
-        at: Place,
+        /// The statement at which it failed.
+        at: SourceLine,
     },
 }
 
@@ -98,17 +98,17 @@ impl Outcome {
 pub struct Message {
     /// `TPWrite`, `ErrWrite`, `Stop` ... or `controller` for the controller's own.
     pub source: &'static str,
-    /// What it says.
+    /// The text that is shown.
     pub text: String,
-    /// Which statement.
-    pub at: Place,
+    /// The statement that shows it.
+    pub at: SourceLine,
 }
 
 /// Why an operation did not do what it should.
 #[derive(Clone, Debug)]
 pub(super) enum Fault {
     /// An error that an ERROR handler can take.
-    Raised { number: f32, text: String, at: Option<Place> },
+    Raised { number: f32, text: String, at: Option<SourceLine> },
     /// Nothing a program could go on from.
     Fatal(String),
     /// The run is over.

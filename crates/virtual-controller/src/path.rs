@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 /// How the TCP goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PathKind {
-    /// Straight.
+    /// On a straight line.
     Linear,
     /// Through a circle point.
     Circular,
@@ -17,19 +17,19 @@ pub enum PathKind {
 
 /// A way in Cartesian space; the orientation turns evenly from start to end.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Way {
-    /// Straight.
+pub enum CartesianPath {
+    /// A straight line between two poses.
     Line {
-        /// Start.
+        /// The pose at the start.
         from: Isometry3<f64>,
-        /// End.
+        /// The pose at the end.
         to: Isometry3<f64>,
     },
     /// Part of a circle.
     Arc {
-        /// Start.
+        /// The pose at the start.
         from: Isometry3<f64>,
-        /// End.
+        /// The pose at the end.
         to: Isometry3<f64>,
         /// Centre of the circle, metres.
         centre_m: Point3<f64>,
@@ -38,7 +38,7 @@ pub enum Way {
     },
 }
 
-impl Way {
+impl CartesianPath {
     /// The line between two poses.
     #[must_use]
     pub fn line(from: Isometry3<f64>, to: Isometry3<f64>) -> Self {
@@ -89,7 +89,7 @@ impl Way {
         Isometry3::from_parts(Translation3::from(position), rotation)
     }
 
-    /// Its length, metres.
+    /// Length of the path, metres.
     #[must_use]
     pub fn length_m(&self) -> f64 {
         match self {
@@ -146,17 +146,17 @@ mod tests {
     #[test]
     fn an_arc_goes_through_its_circle_point_and_is_as_long_as_it_should_be() {
         // The unit circle about (1, 0): from (2, 0) through (1, 1) to (0, 0), and on to (1, -1).
-        let half = Way::arc(at(2.0, 0.0), &at(1.0, 1.0), at(0.0, 0.0));
+        let half = CartesianPath::arc(at(2.0, 0.0), &at(1.0, 1.0), at(0.0, 0.0));
         assert!((half.length_m() - PI).abs() < 1e-12);
         assert!((half.at(0.5).translation.vector - at(1.0, 1.0).translation.vector).norm() < 1e-12);
-        let most = Way::arc(at(2.0, 0.0), &at(1.0, 1.0), at(1.0, -1.0));
+        let most = CartesianPath::arc(at(2.0, 0.0), &at(1.0, 1.0), at(1.0, -1.0));
         assert!((most.length_m() - 3.0 * FRAC_PI_2).abs() < 1e-12);
         assert!(most.distance_m(&Vector3::new(1.0, 1.002, 0.3)) - 0.002 < 1e-12);
     }
 
     #[test]
     fn a_line_knows_how_far_a_point_is() {
-        let line = Way::line(at(0.0, 0.0), at(1.0, 0.0));
+        let line = CartesianPath::line(at(0.0, 0.0), at(1.0, 0.0));
         assert!((line.distance_m(&Vector3::new(0.4, 0.03, 0.34)) - 0.05).abs() < 1e-15);
         assert!((line.distance_m(&Vector3::new(1.3, 0.4, 0.3)) - 0.5).abs() < 1e-15);
     }

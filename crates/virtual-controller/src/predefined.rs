@@ -1,6 +1,6 @@
 //! What a controller has before any module is loaded: record types, constants, error numbers.
 
-use super::ir::Name;
+use super::code::Name;
 use super::value::{RecordType, Type, Value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -245,7 +245,7 @@ pub(super) fn filled(ty: &Type, numbers: &mut impl Iterator<Item = f32>) -> Valu
     }
 }
 
-/// The value of a name that every controller knows.
+/// The value of a name, where it is one that every controller knows.
 pub(super) fn constant(types: &Types, name: &str) -> Option<Value> {
     let fill = |ty: &Type, numbers: &[f32]| filled(ty, &mut numbers.iter().copied());
     let with_flags = |value: Value, flags: &[(usize, bool)]| match value {
@@ -304,6 +304,11 @@ pub(super) fn constant(types: &Types, name: &str) -> Option<Value> {
             fill(&types.speeddata, &[v as f32, 500.0, 5000.0, 1e3])
         }
     })
+}
+
+/// The value of a name that every controller knows: `pi`, `tool0`, `v100` ...
+pub(super) fn known(types: &Types, name: &str) -> Value {
+    constant(types, name).unwrap_or(Value::Num(0.0))
 }
 
 #[cfg(test)]

@@ -1,24 +1,23 @@
 //! A program and its original run side by side on one true robot.
 
-use super::compare::Judge;
+use super::arm::Move;
 use super::controller::Controller;
-use super::motion::Move;
 use super::outcome::{Outcome, SimulateError};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
 use super::warming::Warming;
-use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm};
+use robot_model::units::min_from_s;
 use std::collections::BTreeSet;
 
-pub use super::findings::{Pass, Report, Spread, Switch, Worst};
+pub use super::findings::{BucketSwitch, ErrorStatistics, Pass, Report, WorstMove};
 
 /// A file of a program: its path and bytes.
-pub type File<'f> = (&'f str, &'f [u8]);
+pub type ProgramFile<'f> = (&'f str, &'f [u8]);
 
-/// How to run.
+/// How program and original are run.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct SessionOptions {
     /// The routine to start at; `None` = main, else the only routine that nothing calls.
     pub entry: Option<String>,
     /// Passes of the outermost endless loop.
@@ -34,19 +33,19 @@ pub struct Options {
     pub gap_min: Option<f64>,
 }
 
-impl Default for Options {
+impl Default for SessionOptions {
     fn default() -> Self {
         Self { entry: None, passes: 1, paths: true, thermometer: None, warming: None, gap_min: None }
     }
 }
 
-/// One pass of program and original, executed and not yet judged.
+/// One pass of program and original, executed and not yet evaluated.
 #[derive(Debug)]
-pub struct Ran {
-    /// The original's moves.
-    pub meant: Vec<Move>,
-    /// The program's.
-    pub done: Vec<Move>,
+pub struct ExecutedPass {
+    /// Moves of the original, in order.
+    pub intended: Vec<Move>,
+    /// Moves of the program, in order.
+    pub executed: Vec<Move>,
     /// Minutes since the beginning by the program's steady clock, at its end.
     pub at_min: f64,
     /// How it ended, where that was not well.
@@ -56,19 +55,21 @@ pub struct Ran {
 /// A program beside its original.
 #[derive(Debug)]
 pub struct Session {
-    /// The program's controller.
+    /// The controller that runs the program.
     pub program: Controller,
-    /// The original's.
+    /// The controller that runs the original.
     pub original: Controller,
-    /// The true robot.
+    /// The true robot, as it deforms.
     pub truth: TrueRobot,
     entry: String,
-    options: Options,
-    closed: ClosedForm,
-    nominal: Chain,
-    last: Option<(f64, Vec<Move>)>,
-    changed: BTreeSet<(String, u32)>,
-    report: Report,
+    pub(super) options: SessionOptions,
+    pub(super) closed: ClosedForm,
+    pub(super) nominal: Chain,
+    /// The program's index in the last pass, and its moves then.
+    pub(super) last: Option<(f64, Vec<Move>)>,
+    /// Moves that went elsewhere than the original's at least once, by file and line.
+    pub(super) changed: BTreeSet<(String, u32)>,
+    pub(super) report: Report,
 }
 
 impl Session {
@@ -78,12 +79,12 @@ impl Session {
     /// # Errors
     /// Where a module does not load, no entry is found, or the arm is of another structure.
     pub fn new(
-        program: &[File<'_>],
-        original: Option<&[File<'_>]>,
+        program: &[ProgramFile<'_>],
+        original: Option<&[ProgramFile<'_>]>,
         truth: TrueRobot,
-        options: Options,
+        options: SessionOptions,
     ) -> Result<Self, SimulateError> {
-        let load = |files: &[File<'_>]| {
+        let load = |files: &[ProgramFile<'_>]| {
             let mut c = Controller::with_robot(truth.robot())?;
             for (path, bytes) in files {
                 c.load(path, bytes)?;
@@ -124,126 +125,33 @@ impl Session {
     ///
     /// # Errors
     /// [`SimulateError::NoRoutine`]
-    pub fn run(&mut self) -> Result<Ran, SimulateError> {
+    pub fn run(&mut self) -> Result<ExecutedPass, SimulateError> {
         let meant = self.original.call(&self.entry, self.options.passes)?;
         let done = self.program.call(&self.entry, self.options.passes)?;
         let moves = |c: &mut Controller| c.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
-        Ok(Ran {
-            at_min: self.program.calendar().steady_s() / 60.0,
+        Ok(ExecutedPass {
+            at_min: min_from_s(self.program.calendar().steady_s()),
             failure: failure(&done).or_else(|| failure(&meant)),
-            meant: moves(&mut self.original),
-            done: moves(&mut self.program),
+            intended: moves(&mut self.original),
+            executed: moves(&mut self.program),
         })
     }
 
-    /// Whether a pass has something to judge: moves, or a failure that is not the last pass's own.
+    /// Whether a pass has something to evaluate: moves, or a failure that is not the last pass's own.
     #[must_use]
-    pub fn has_news(&self, ran: &Ran) -> bool {
+    pub fn has_news(&self, pass: &ExecutedPass) -> bool {
         let last = self.report.passes.last().filter(|p| p.n == 0).and_then(|p| p.failure.as_ref());
-        !ran.meant.is_empty() || !ran.done.is_empty() || ran.failure.as_ref() != last && ran.failure.is_some()
+        !pass.intended.is_empty()
+            || !pass.executed.is_empty()
+            || pass.failure.as_ref() != last && pass.failure.is_some()
     }
 
     /// Leave a pass out of the report; what it showed stays.
-    pub fn pass_over(&mut self, _idle: Ran) {
-        self.keep_messages();
+    pub fn skip_pass(&mut self, _idle: ExecutedPass) {
+        self.collect_messages();
     }
 
-    /// Judge every move of a pass; `arm_at` gives the true arm at the program's move of an index.
-    pub fn judge(&mut self, ran: Ran, t_min: f64, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
-        let Ran { meant, done, at_min, failure } = ran;
-        let judge = Judge { closed: &self.closed, nominal: &self.nominal };
-        let mut pass = Pass {
-            t_min,
-            at_min,
-            n: 0,
-            before: Spread::default(),
-            after: Spread::default(),
-            corrected: Spread::default(),
-            path_after_m: None,
-            index: self.program.number("tcI").ok(),
-            program_min: self.program.number("tcMinute").ok(),
-            worst: None,
-            failure,
-            unreached: 0,
-            mismatch: Judge::same_moves(&meant, &done).err(),
-        };
-        let mut now: Option<(f64, DeformedArm)> = None;
-        let mut same = Vec::new();
-        for (i, (a, b)) in meant.iter().zip(&done).enumerate() {
-            let truth = match &now {
-                Some((at, truth)) if *at == b.steady_s => truth.clone(),
-                _ => arm_at(i),
-            };
-            now = Some((b.steady_s, truth.clone()));
-            let (Some(before), Some(after)) = (judge.miss(&truth, a, a), judge.miss(&truth, a, b)) else {
-                pass.unreached += usize::from(a.q_rad.is_some() && b.q_rad.is_none());
-                continue;
-            };
-            pass.n += 1;
-            pass.before.add(&before);
-            pass.after.add(&after);
-            if is_same(a.q_rad.as_ref(), b.q_rad.as_ref())
-                && is_same(a.via_q_rad.as_ref(), b.via_q_rad.as_ref())
-            {
-                same.push((b, after.position_m));
-            } else {
-                pass.corrected.add(&after);
-                self.changed.insert((b.at.file.clone(), b.at.line));
-            }
-            if pass.worst.as_ref().is_none_or(|w| after.position_m > w.miss_m) {
-                let (file, line) = (b.at.file.clone(), b.at.line);
-                pass.worst =
-                    Some(Worst { t_min, file, line, target: b.target.clone(), miss_m: after.position_m });
-            }
-            if self.options.paths
-                && let Some(path) = judge.path_m(&truth, a, b)
-            {
-                pass.path_after_m = Some(pass.path_after_m.unwrap_or(0.0).max(path));
-            }
-        }
-        let corrected = pass.n - same.len();
-        if corrected > 0 {
-            for (b, miss_m) in same {
-                let worst = self.report.unchanged.entry((b.at.file.clone(), b.at.line)).or_insert(0.0);
-                *worst = worst.max(miss_m);
-            }
-        }
-        for (spread, n) in
-            [(&mut pass.before, pass.n), (&mut pass.after, pass.n), (&mut pass.corrected, corrected)]
-        {
-            spread.rms_m = (spread.rms_m / (n.max(1) as f64)).sqrt();
-        }
-        self.note_switch(&pass, done, arm_at);
-        self.finish(pass);
-    }
-
-    fn note_switch(&mut self, pass: &Pass, done: Vec<Move>, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
-        let judge = Judge { closed: &self.closed, nominal: &self.nominal };
-        if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
-            && index != *last
-        {
-            let truth = done.len().checked_sub(1).map(arm_at);
-            let jump = truth.map_or(0.0, |truth| {
-                moves.iter().zip(&done).filter_map(|(a, b)| judge.jump_m(&truth, a, b)).fold(0.0, f64::max)
-            });
-            self.report.switches.push(Switch { t_min: pass.t_min, jump_m: jump });
-        }
-        if let Some(index) = pass.index {
-            self.last = Some((index, done));
-        }
-    }
-
-    fn finish(&mut self, pass: Pass) {
-        if let Some(worst) = &pass.worst
-            && self.report.worst.as_ref().is_none_or(|w| worst.miss_m > w.miss_m)
-        {
-            self.report.worst = Some(worst.clone());
-        }
-        self.keep_messages();
-        self.report.passes.push(pass);
-    }
-
-    fn keep_messages(&mut self) {
+    pub(super) fn collect_messages(&mut self) {
         for message in self.program.take_messages() {
             if self.report.messages.len() < 1_000 {
                 self.report.messages.push(message);
@@ -254,7 +162,7 @@ impl Session {
 
     /// How the session runs.
     #[must_use]
-    pub fn options(&self) -> &Options {
+    pub fn options(&self) -> &SessionOptions {
         &self.options
     }
 
@@ -275,7 +183,7 @@ impl Session {
         &self.report
     }
 
-    /// Judge the program at warm-up minutes: cold start called, and its clock (`tcUpdate`) asked once a
+    /// Evaluator the program at warm-up minutes: cold start called, and its clock (`tcUpdate`) asked once a
     /// minute since. Date and time stand
     /// still during each pass, so that every move meets the robot at just that minute. Where the robot
     /// deforms by temperature the minutes are degrees, and the thermometer shows them.
@@ -299,8 +207,8 @@ impl Session {
                 self.call_if_there("tcUpdate")?;
             }
             let truth = self.truth.arm_at(t_min);
-            let ran = self.run()?;
-            self.judge(ran, t_min, &mut |_| truth.clone());
+            let pass = self.run()?;
+            self.evaluate(pass, t_min, &mut |_| truth.clone());
         }
         Ok(())
     }
@@ -365,16 +273,5 @@ fn failure(outcome: &Outcome) -> Option<String> {
         Outcome::Finished | Outcome::Passes | Outcome::Exited | Outcome::Stopped => None,
         Outcome::OutOfSteps => Some("the program does not come to an end".into()),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
-    }
-}
-
-/// Joints closer than this are the same but for rounding, radians.
-const ROUNDING_RAD: f64 = 1e-9;
-
-fn is_same(a: Option<&[f64; 6]>, b: Option<&[f64; 6]>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING_RAD),
-        (None, None) => true,
-        _ => false,
     }
 }

@@ -31,13 +31,13 @@ impl TrueRobot {
         Self { model: Some(Arc::new(model.for_programs().0)), joint_temperature_c, ..self }
     }
 
-    /// The constructive model.
+    /// The constructive model of the robot.
     #[must_use]
     pub fn robot(&self) -> &Robot {
         &self.robot
     }
 
-    /// How it deforms.
+    /// How the robot deforms as it warms.
     #[must_use]
     pub fn deformation(&self) -> &Deformation {
         &self.deformation

@@ -4,18 +4,18 @@
 
 use std::rc::Rc;
 
-/// A data type.
+/// A data type of RAPID.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Type {
-    /// Single precision.
+    /// `num`: a number in single precision.
     Num,
-    /// Double precision.
+    /// `dnum`: a number in double precision.
     Dnum,
-    /// TRUE or FALSE.
+    /// `bool`: TRUE or FALSE.
     Bool,
-    /// At most 80 characters.
+    /// `string`: at most 80 characters.
     Str,
-    /// A stop watch.
+    /// `clock`: a stop watch.
     Clock,
     /// A record, built in or declared.
     Record(Rc<RecordType>),
@@ -25,7 +25,7 @@ pub enum Type {
     Other(Rc<str>),
 }
 
-/// A record's type.
+/// The type of a record.
 #[derive(Debug, PartialEq)]
 pub struct RecordType {
     /// Its name in lower case.
@@ -111,7 +111,7 @@ pub struct ClockState {
     pub since_s: Option<f64>,
 }
 
-/// A value.
+/// A value of a RAPID program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// `num`
@@ -133,7 +133,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// A string value.
+    /// A `string` that holds a text.
     #[must_use]
     pub fn text(text: &str) -> Self {
         Self::Str(text.into())

@@ -5,6 +5,7 @@
 //! was is known when the pause is over, or has lasted too long.
 
 use robot_model::deform::Warmth;
+use robot_model::units::min_from_s;
 
 /// What warms the true robot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
@@ -50,7 +51,7 @@ impl WarmthHistory {
 
     /// No motion up to a time; `standing` where the program does not run either.
     pub fn rest_until(&mut self, until_s: f64, standing: bool) {
-        let dt_min = (until_s - self.now_s).max(0.0) / 60.0;
+        let dt_min = min_from_s((until_s - self.now_s).max(0.0));
         if dt_min == 0.0 {
             return;
         }
@@ -75,14 +76,14 @@ impl WarmthHistory {
         self.warmth = self.warmth_if_resting_until(began_s);
         self.open.clear();
         self.pause_min = 0.0;
-        let dt_min = (ended_s - self.now_s).max(0.0) / 60.0;
+        let dt_min = min_from_s((ended_s - self.now_s).max(0.0));
         self.warmth.advance(dt_min, true);
         self.now_s = self.now_s.max(ended_s);
     }
 
     /// The warmth now, where there is no motion before `until_s`: that decides what the pause so far is.
     pub fn warmth_if_resting_until(&self, until_s: f64) -> Warmth {
-        let ahead_min = (until_s - self.now_s).max(0.0) / 60.0;
+        let ahead_min = min_from_s((until_s - self.now_s).max(0.0));
         let is_long = self.is_long(self.pause_min + ahead_min);
         let mut warmth = self.warmth;
         for (minutes, stood) in &self.open {

@@ -4,7 +4,7 @@ use super::module;
 use robot_model::deform::{Deformation, GrowthLaw, Warmth};
 use robot_model::robot::Robot;
 use std::time::{Duration, Instant};
-use virtual_controller::session::Options;
+use virtual_controller::session::SessionOptions;
 use virtual_controller::{Report, Scenario, Session, TrueRobot, Warming};
 
 const POLLS: &str = r"
@@ -26,7 +26,7 @@ const POLLS: &str = r"
     ENDWHILE
   ENDPROC";
 
-fn played(body: &str, options: Options, head: &str, steps: &[&str]) -> Report {
+fn played(body: &str, options: SessionOptions, head: &str, steps: &[&str]) -> Report {
     let text = module(body);
     let files = [("cell.mod", text.as_bytes())];
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
@@ -49,7 +49,7 @@ const DAY: [&str; 6] = ["signal di1 1", "run 180", "signal di1 0", "run 480", "s
 #[test]
 fn a_program_that_only_asks_a_signal_lets_the_robot_cool() {
     let begun = Instant::now();
-    let report = played(POLLS, Options::default(), "", &DAY);
+    let report = played(POLLS, SessionOptions::default(), "", &DAY);
     // 28,800 passes without a motion are executed, not listed, and take no time to speak of.
     assert!(begun.elapsed() < Duration::from_secs(10), "{:?}", begun.elapsed());
     assert!(report.passes.len() < 2_000 && report.passes.iter().all(|p| p.n == 3));
@@ -61,9 +61,12 @@ fn a_program_that_only_asks_a_signal_lets_the_robot_cool() {
     assert!(at(660.0).before.max_m < warm / 100.0);
     // Warm while it runs, as the option says or the scenario.
     for (options, head) in [
-        (Options { warming: Some(Warming::Running), ..Options::default() }, "warming = \"moving\""),
-        (Options::default(), "warming = \"running\""),
-        (Options { gap_min: Some(1000.0), ..Options::default() }, "gap_min = 3"),
+        (
+            SessionOptions { warming: Some(Warming::Running), ..SessionOptions::default() },
+            "warming = \"moving\"",
+        ),
+        (SessionOptions::default(), "warming = \"running\""),
+        (SessionOptions { gap_min: Some(1000.0), ..SessionOptions::default() }, "gap_min = 3"),
     ] {
         let report = played(POLLS, options, head, &DAY);
         let after = report.passes.iter().find(|p| p.at_min > 660.0).unwrap();
@@ -85,7 +88,7 @@ const WAITS: &str = r"
 fn a_pause_inside_of_a_pass_is_what_its_length_says() {
     let after = |wait: &str| {
         let steps = ["run 120", &format!("set minutes {wait}"), "pass", "set minutes 0", "pass"];
-        played(WAITS, Options::default(), "", &steps).passes.last().unwrap().t_min
+        played(WAITS, SessionOptions::default(), "", &steps).passes.last().unwrap().t_min
     };
     let working = after("4.9");
     assert!((working - 124.9).abs() < 0.2, "{working}");
@@ -93,7 +96,7 @@ fn a_pause_inside_of_a_pass_is_what_its_length_says() {
     assert!((after("45") - stood).abs() < 0.2, "{} {stood}", after("45"));
     // Ten hours of waiting in the first pass: what comes behind them meets a cold robot, or a warm one.
     let drift_m = |warming: Warming| {
-        let options = Options { warming: Some(warming), ..Options::default() };
+        let options = SessionOptions { warming: Some(warming), ..SessionOptions::default() };
         played(WAITS, options, "", &["set minutes 600", "pass"]).passes[0].before.max_m
     };
     let (moving, running) = (drift_m(Warming::Moving), drift_m(Warming::Running));
@@ -101,7 +104,7 @@ fn a_pause_inside_of_a_pass_is_what_its_length_says() {
     // In two halves, at the end of a pass and beside a stop: one pause.
     let split = WAITS.replace("    MoveL p{2},v100,fine,tool0;\n", "");
     let steps = ["run 120", "set minutes 3", "pass", "stand 3", "set minutes 0", "pass"];
-    let report = played(&split, Options::default(), "", &steps);
+    let report = played(&split, SessionOptions::default(), "", &steps);
     let stood = minute_after(&[(120.0, true), (6.0, false)]);
     let t_min = report.passes.last().unwrap().t_min;
     assert!((t_min - stood).abs() < 0.2, "{t_min} {stood}");
@@ -112,7 +115,7 @@ fn a_gap_that_is_no_time_is_refused() {
     let text = module(WAITS);
     let files = [("cell.mod", text.as_bytes())];
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
-    let mut session = Session::new(&files, None, truth, Options::default()).unwrap();
+    let mut session = Session::new(&files, None, truth, SessionOptions::default()).unwrap();
     for head in ["gap_min = -1.0", "gap_min = nan"] {
         assert!(Scenario::from_toml(&format!("{head}\nsteps = []")).unwrap().play(&mut session).is_err());
     }
@@ -127,7 +130,7 @@ fn without_an_original_the_mode_says_what_was_meant() {
     let text = module(body);
     let files = [("cell.mod", text.as_bytes())];
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
-    let mut session = Session::new(&files, None, truth, Options::default()).unwrap();
+    let mut session = Session::new(&files, None, truth, SessionOptions::default()).unwrap();
     session.at_minutes(&[0.0]).unwrap();
     let report = session.into_report();
     // The program goes to the second element, 30 mm beside the first.

@@ -9,7 +9,7 @@ use robot_model::deform::Deformation;
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use virtual_controller::session::Spread;
+use virtual_controller::session::ErrorStatistics;
 
 fn modules_below(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
@@ -37,7 +37,7 @@ fn reached(
     original: &Files,
     clock: &Clock,
     minutes: &[f64],
-) -> Option<Vec<(usize, Spread)>> {
+) -> Option<Vec<(usize, ErrorStatistics)>> {
     // A staircase takes the tolerance, a ramp a tenth of it; half a micrometre is single precision's.
     let [within_m, within_rad] = match form {
         FormChoice::Schedule => [5.5e-6, f64::INFINITY],
@@ -96,7 +96,8 @@ fn every_program_of_the_fixtures_is_where_it_should_be_in_every_form() {
         for clock in [warmth(), Clock::Elapsed] {
             let [schedule, ramp] = [FormChoice::Schedule, FormChoice::Ramp]
                 .map(|form| reached(&name, form, &original, &clock, &MINUTES).expect(&name));
-            let moves = |reached: &[(usize, Spread)]| reached.iter().map(|(n, _)| *n).collect::<Vec<_>>();
+            let moves =
+                |reached: &[(usize, ErrorStatistics)]| reached.iter().map(|(n, _)| *n).collect::<Vec<_>>();
             assert_eq!(moves(&schedule), moves(&ramp), "{name}");
         }
     }

@@ -30,8 +30,9 @@ fn worst(report: &Report) -> (f64, f64) {
         "something is corrected in each pass"
     );
     let passes = || report.passes.iter().map(|p| &p.corrected);
-    let most =
-        |of: &dyn Fn(&virtual_controller::session::Spread) -> f64| passes().map(of).fold(0.0, f64::max);
+    let most = |of: &dyn Fn(&virtual_controller::session::ErrorStatistics) -> f64| {
+        passes().map(of).fold(0.0, f64::max)
+    };
     (mm_from_m(most(&|s| s.max_m)), deg_from_rad(most(&|s| s.max_rad)))
 }
 

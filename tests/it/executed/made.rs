@@ -9,7 +9,7 @@ use rapid_syntax::diagnostic::FileId;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::robot::Robot;
 use std::path::{Path, PathBuf};
-use virtual_controller::session::{self, File};
+use virtual_controller::session::{self, ProgramFile};
 use virtual_controller::{Session, TrueRobot};
 
 /// A program as files.
@@ -96,19 +96,20 @@ pub fn made_within(
     Some((out, kept))
 }
 
-pub fn borrowed(files: &Files) -> Vec<File<'_>> {
+pub fn borrowed(files: &Files) -> Vec<ProgramFile<'_>> {
     files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice())).collect()
 }
 
 /// Program and original on the robot that deforms as `deformation` says.
 pub fn session(program: &Files, original: &Files, deformation: &Deformation, paths: bool) -> Session {
-    let options = session::Options { paths, ..session::Options::default() };
+    let options = session::SessionOptions { paths, ..session::SessionOptions::default() };
     session_with(program, original, deformation, options)
 }
 
 /// The same from another routine than main.
 pub fn session_at(program: &Files, original: &Files, deformation: &Deformation, entry: &str) -> Session {
-    let options = session::Options { entry: Some(entry.to_owned()), ..session::Options::default() };
+    let options =
+        session::SessionOptions { entry: Some(entry.to_owned()), ..session::SessionOptions::default() };
     session_with(program, original, deformation, options)
 }
 
@@ -116,7 +117,7 @@ fn session_with(
     program: &Files,
     original: &Files,
     deformation: &Deformation,
-    options: session::Options,
+    options: session::SessionOptions,
 ) -> Session {
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), deformation.clone());
     Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()

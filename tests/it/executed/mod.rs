@@ -12,7 +12,7 @@ mod sensor;
 use made::{borrowed, compensated, fixture, session, warmth};
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::units::{deg_from_rad, mm_from_m};
-use virtual_controller::session::{File, Options};
+use virtual_controller::session::{ProgramFile, SessionOptions};
 use virtual_controller::{Session, TrueRobot};
 
 /// Minutes at which every form must hold.
@@ -63,9 +63,10 @@ fn without_an_original_the_first_elements_are_what_was_meant() {
     let program = compensated(&original, &paper, &warmth()).unwrap();
     let mut with = session(&program, &original, &paper, false);
     let truth = TrueRobot::new(robot_model::robot::Robot::built_in("irb140").unwrap(), paper);
-    let files: Vec<File<'_>> = borrowed(&program);
+    let files: Vec<ProgramFile<'_>> = borrowed(&program);
     let mut without =
-        Session::new(&files, None, truth, Options { paths: false, ..Options::default() }).unwrap();
+        Session::new(&files, None, truth, SessionOptions { paths: false, ..SessionOptions::default() })
+            .unwrap();
     for s in [&mut with, &mut without] {
         s.at_minutes(&MINUTES).unwrap();
     }

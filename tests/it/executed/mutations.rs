@@ -2,7 +2,7 @@
 
 use super::made::{Files, borrowed, compensated, fixture, session, warmth};
 use robot_model::deform::Deformation;
-use virtual_controller::session::Options;
+use virtual_controller::session::SessionOptions;
 use virtual_controller::{Scenario, Session, TrueRobot};
 
 fn text(files: &Files) -> String {
@@ -14,7 +14,7 @@ fn caught(changed: &str, original: &Files) -> bool {
     let files: Files = vec![("Cube45.mod".to_owned(), changed.bytes().collect())];
     let paper = Deformation::paper();
     let truth = TrueRobot::new(robot_model::robot::Robot::built_in("irb140").unwrap(), paper.clone());
-    let options = Options { paths: false, ..Options::default() };
+    let options = SessionOptions { paths: false, ..SessionOptions::default() };
     let Ok(mut s) = Session::new(&borrowed(&files), Some(&borrowed(original)), truth, options) else {
         return true;
     };

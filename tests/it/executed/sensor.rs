@@ -4,7 +4,7 @@ use super::made::{Files, borrowed, compensated, fixture, fixtures};
 use rapid_program::emit::{Clock, Sensor};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
-use virtual_controller::session::{Options, Pass};
+use virtual_controller::session::{Pass, SessionOptions};
 use virtual_controller::{Report, Scenario, Session, TrueRobot};
 
 const NAME: &str = "aiTemp";
@@ -36,7 +36,8 @@ fn cube(source: Sensor) -> (Files, Files) {
 
 fn session((program, original): &(Files, Files)) -> Session {
     let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), by_temperature());
-    let options = Options { paths: false, thermometer: Some(NAME.into()), ..Options::default() };
+    let options =
+        SessionOptions { paths: false, thermometer: Some(NAME.into()), ..SessionOptions::default() };
     Session::new(&borrowed(program), Some(&borrowed(original)), truth, options).unwrap()
 }
 

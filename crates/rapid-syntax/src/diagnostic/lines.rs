@@ -44,7 +44,7 @@ impl LineIndex {
         self.starts.get(position).or(self.starts.last()).copied().unwrap_or(0)
     }
 
-    /// Number of lines.
+    /// Number of lines in the text.
     #[must_use]
     pub fn lines(&self) -> u32 {
         self.starts.len() as u32

@@ -3,12 +3,12 @@
 
 use crate::diagnostic::TextRange;
 
-/// An expression.
+/// An expression and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its bytes.
+    /// From its first byte to its last.
     pub range: TextRange,
-    /// What it is.
+    /// What kind of expression or argument it is.
     pub kind: ExprKind,
 }
 
@@ -19,9 +19,9 @@ pub enum ExprKind {
     Number,
     /// A string with its quotes.
     String,
-    /// TRUE or FALSE.
+    /// The word TRUE or FALSE.
     Bool(bool),
-    /// A name.
+    /// A name of data or of a signal.
     Name,
     /// `base.component`
     Field(Box<FieldExpr>),
@@ -36,9 +36,9 @@ pub enum ExprKind {
     Call(Box<CallExpr>),
     /// `-a`, `+a`, `NOT a`
     Unary {
-        /// Which operator.
+        /// The operator between or before the operands.
         op: UnaryOp,
-        /// The operand.
+        /// The operand behind the operator.
         operand: Box<Expr>,
     },
     /// `a + b` and so on.
@@ -54,16 +54,16 @@ pub enum ExprKind {
 /// `base.component`
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldExpr {
-    /// The record.
+    /// The record that has the component.
     pub base: Expr,
-    /// The component's name.
+    /// The name of the component.
     pub name: TextRange,
 }
 
 /// `base{i,j}`
 #[derive(Clone, Debug, PartialEq)]
 pub struct IndexExpr {
-    /// The array.
+    /// The array that is indexed.
     pub base: Expr,
     /// One to three indices; none for `{*}`.
     pub indices: Box<[Expr]>,
@@ -72,7 +72,7 @@ pub struct IndexExpr {
 /// `name(args)`
 #[derive(Clone, Debug, PartialEq)]
 pub struct CallExpr {
-    /// The function's name.
+    /// The name of the function.
     pub name: TextRange,
     /// Its arguments in order.
     pub args: Box<[Arg]>,
@@ -81,11 +81,11 @@ pub struct CallExpr {
 /// `a + b` and so on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BinaryExpr {
-    /// Which operator.
+    /// The operator between or before the operands.
     pub op: BinaryOp,
-    /// The left operand.
+    /// The operand before the operator.
     pub lhs: Expr,
-    /// The right operand.
+    /// The operand behind the operator.
     pub rhs: Expr,
 }
 
@@ -94,7 +94,7 @@ pub struct BinaryExpr {
 pub struct Arg {
     /// The argument alone, without commas.
     pub range: TextRange,
-    /// What it is.
+    /// What kind of expression or argument it is.
     pub kind: ArgKind,
 }
 

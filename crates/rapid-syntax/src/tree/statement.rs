@@ -3,12 +3,12 @@
 use super::{Arg, DataDecl, Expr};
 use crate::diagnostic::TextRange;
 
-/// A statement.
+/// A statement and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stmt {
     /// From its first byte to its semicolon or END word.
     pub range: TextRange,
-    /// What it is.
+    /// What kind of statement it is.
     pub kind: StmtKind,
 }
 
@@ -66,10 +66,10 @@ pub struct AssignStmt {
     pub value: Expr,
 }
 
-/// A procedure call.
+/// A call of a procedure or an instruction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CallStmt {
-    /// Which procedure.
+    /// The procedure or instruction that is called.
     pub callee: Callee,
     /// Its arguments in order.
     pub args: Box<[Arg]>,
@@ -82,7 +82,7 @@ pub struct CallStmt {
 /// Which procedure is called.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Callee {
-    /// By name.
+    /// By the name that stands here.
     Name(TextRange),
     /// `%expr%`: late binding, the name computed at run time; the expression between the percent signs.
     Late(Box<Expr>),
@@ -100,7 +100,7 @@ pub struct IfStmt {
 /// `IF cond statement;`
 #[derive(Clone, Debug, PartialEq)]
 pub struct CompactIfStmt {
-    /// The condition.
+    /// The condition between the words.
     pub cond: Expr,
     /// The one statement; its range lies inside.
     pub then: Stmt,
@@ -109,7 +109,7 @@ pub struct CompactIfStmt {
 /// `FOR i FROM a TO b [STEP c] DO ... ENDFOR`
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForStmt {
-    /// The loop variable.
+    /// The name of the loop variable.
     pub var: TextRange,
     /// The expression after FROM.
     pub from: Expr,
@@ -124,7 +124,7 @@ pub struct ForStmt {
 /// `WHILE cond DO ... ENDWHILE`
 #[derive(Clone, Debug, PartialEq)]
 pub struct WhileStmt {
-    /// The condition.
+    /// The condition between the words.
     pub cond: Expr,
     /// The statements in the loop.
     pub body: Vec<Stmt>,
@@ -133,7 +133,7 @@ pub struct WhileStmt {
 /// `TEST value CASE a,b: ... DEFAULT: ... ENDTEST`
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestStmt {
-    /// What is tested.
+    /// The value that is tested.
     pub value: Expr,
     /// Values and statements of each CASE.
     pub cases: Vec<(Vec<Expr>, Vec<Stmt>)>,
@@ -146,6 +146,6 @@ pub struct TestStmt {
 pub struct ConnectStmt {
     /// The interrupt number's variable.
     pub interrupt: Expr,
-    /// The trap's name.
+    /// The name of the trap.
     pub trap: TextRange,
 }

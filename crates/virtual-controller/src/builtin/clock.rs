@@ -1,166 +1,165 @@
 //! Date, time, stop watches, timer interrupts and waiting.
 
-use super::Known;
-use crate::call::Args;
-use crate::controller::Controller;
-use crate::ir::Expr;
+use super::parameter::{Function, Instruction, Parameter, Unevaluated, function, instruction};
+use crate::code::Expr;
+use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
 use crate::value::{ClockState, Value};
 
 /// A condition that does not come true by itself within this time never will, seconds.
-const PATIENCE_S: f64 = 60.0;
+const MAX_WAIT_S: f64 = 60.0;
 /// How often WaitUntil looks, seconds.
 const POLL_S: f64 = 0.1;
+/// A clock runs no longer than 49 days, seconds.
+const LONGEST_CLOCK_S: f64 = 4_294_967.0;
 
-impl Controller {
-    pub(crate) fn clock_function(&mut self, name: &str, args: &Args<'_>) -> Known<Value> {
-        let (h, m, s) = self.calendar.time();
-        Ok(Some(match name {
-            "cdate" => {
-                let (year, month, day) = self.calendar.date();
-                Value::text(&format!("{year:04}-{month:02}-{day:02}"))
-            }
-            "ctime" => Value::text(&format!("{h:02}:{m:02}:{s:02}")),
-            "gettime" => {
-                let parts = [("wday", self.calendar.weekday()), ("hour", h), ("min", m), ("sec", s)];
-                match parts.iter().find(|(switch, _)| args.has(switch)) {
-                    Some((_, value)) => Value::Num(*value as f32),
-                    None => return fatal("GetTime without \\WDay, \\Hour, \\Min or \\Sec"),
-                }
-            }
-            "clkread" => {
-                let clock = self.clock_at(args.at(0)?)?;
-                let running = clock.since_s.map_or(0.0, |since| self.calendar.steady_s() - since);
-                let seconds = clock.counted_s + running;
-                if seconds > 4_294_967.0 {
-                    return raise("err_overflow", "a clock that ran longer than 49 days");
-                }
-                // Without \HighRes a clock counts milliseconds.
-                let seconds =
-                    if args.has("highres") { seconds } else { (seconds * 1e3 + 1e-6).floor() / 1e3 };
-                Value::num(seconds)
-            }
-            _ => return Ok(None),
-        }))
-    }
+pub(super) const FUNCTIONS: &[Function] = &[
+    function!("cdate", Nothing, (), |vm, args| {
+        let (year, month, day) = vm.machine.calendar.date();
+        Ok(Value::text(&format!("{year:04}-{month:02}-{day:02}")))
+    }),
+    function!("ctime", Nothing, (), |vm, args| {
+        let (h, m, s) = vm.machine.calendar.time();
+        Ok(Value::text(&format!("{h:02}:{m:02}:{s:02}")))
+    }),
+    function!("gettime", Nothing, (), |vm, args| {
+        let (h, m, s) = vm.machine.calendar.time();
+        let parts = [("wday", vm.machine.calendar.weekday()), ("hour", h), ("min", m), ("sec", s)];
+        match parts.iter().find(|(switch, _)| args.has(switch)) {
+            Some((_, value)) => Ok(Value::Num(*value as f32)),
+            None => fatal("GetTime without \\WDay, \\Hour, \\Min or \\Sec"),
+        }
+    }),
+    function!("clkread", Nothing, (clock: ClockState), |vm, args| {
+        let running_s = clock.since_s.map_or(0.0, |since_s| vm.machine.calendar.steady_s() - since_s);
+        let seconds = clock.counted_s + running_s;
+        if seconds > LONGEST_CLOCK_S {
+            return raise("err_overflow", "a clock that ran longer than 49 days");
+        }
+        // Without \HighRes a clock counts milliseconds.
+        Ok(Value::num(if args.has("highres") { seconds } else { (seconds * 1e3 + 1e-6).floor() / 1e3 }))
+    }),
+];
 
-    fn clock_at(&mut self, expr: &Expr) -> Result<ClockState, Fault> {
-        match self.eval(expr, None)? {
+pub(super) const INSTRUCTIONS: &[Instruction] = &[
+    instruction!("clkreset", (clock: ClockState), |vm, args| set_clock(vm, args, ClockState::default())),
+    instruction!("clkstart", (clock: ClockState), |vm, args| {
+        let now_s = vm.machine.calendar.steady_s();
+        set_clock(vm, args, ClockState { since_s: clock.since_s.or(Some(now_s)), ..clock })
+    }),
+    instruction!("clkstop", (clock: ClockState), |vm, args| {
+        let now_s = vm.machine.calendar.steady_s();
+        let counted_s = clock.counted_s + clock.since_s.map_or(0.0, |since_s| now_s - since_s);
+        set_clock(vm, args, ClockState { counted_s, since_s: None })
+    }),
+    instruction!("waittime", (seconds: f32), |vm, args| {
+        vm.machine.calendar.advance_s(f64::from(seconds));
+        Ok(())
+    }),
+    instruction!("waituntil", (condition: Unevaluated), |vm, args| wait_until(vm, args)),
+    instruction!("itimer", (seconds: f32, interrupt: f32), |vm, args| {
+        start_timer(vm, args, f64::from(seconds), interrupt)
+    }),
+    instruction!("idelete", (interrupt: f32), |vm, args| {
+        vm.machine.interrupts.list.retain(|i| i.number != interrupt);
+        Ok(())
+    }),
+    instruction!("isleep", (interrupt: f32), |vm, args| {
+        vm.machine.interrupts.set_asleep(Some(interrupt), true);
+        Ok(())
+    }),
+    instruction!("iwatch", (interrupt: f32), |vm, args| {
+        vm.machine.interrupts.set_asleep(Some(interrupt), false);
+        Ok(())
+    }),
+    instruction!("idisable", (), |vm, args| {
+        vm.machine.interrupts.set_asleep(None, true);
+        Ok(())
+    }),
+    instruction!("ienable", (), |vm, args| {
+        vm.machine.interrupts.set_asleep(None, false);
+        Ok(())
+    }),
+];
+
+impl Parameter for ClockState {
+    const TYPE: &'static str = "clock";
+
+    fn read(vm: &mut Interpreter<'_>, args: &Args<'_>, at: usize) -> Result<Self, Fault> {
+        match vm.eval(args.at(at)?, None)? {
             Value::Clock(clock) => Ok(clock),
             other => fatal(format!("a {} where a clock is asked for", other.type_name())),
         }
     }
+}
 
-    fn set_clock(
-        &mut self,
-        expr: &Expr,
-        change: impl Fn(ClockState, f64) -> ClockState,
-    ) -> Result<(), Fault> {
-        let clock = self.clock_at(expr)?;
-        let Some((place, _)) = self.place(expr)? else { return fatal("a clock must be a variable") };
-        let now = self.calendar.steady_s();
-        self.write(&place, Value::Clock(change(clock, now)))
+fn set_clock(vm: &mut Interpreter<'_>, args: &Args<'_>, clock: ClockState) -> Result<(), Fault> {
+    match vm.data_ref(args.at(0)?)? {
+        Some((place, _)) => vm.write(&place, Value::Clock(clock)),
+        None => fatal("a clock must be a variable"),
     }
+}
 
-    pub(crate) fn clock_instruction(&mut self, name: &str, args: &Args<'_>) -> Known<()> {
-        match name {
-            "clkreset" => self.set_clock(args.at(0)?, |_, _| ClockState::default())?,
-            "clkstart" => {
-                self.set_clock(args.at(0)?, |c, now| ClockState { since_s: c.since_s.or(Some(now)), ..c })?;
-            }
-            "clkstop" => self.set_clock(args.at(0)?, |c, now| ClockState {
-                counted_s: c.counted_s + c.since_s.map_or(0.0, |since| now - since),
-                since_s: None,
-            })?,
-            "waittime" => {
-                let seconds = self.eval_num(args.at(0)?)?;
-                self.calendar.advance_s(f64::from(seconds));
-            }
-            "waituntil" => self.wait_until(args)?,
-            "itimer" => self.start_timer(args)?,
-            "idelete" | "isleep" | "iwatch" => {
-                let number = self.eval_num(args.at(0)?)?;
-                match name {
-                    "idelete" => self.interrupts.retain(|i| i.number != number),
-                    _ => {
-                        for i in self.interrupts.iter_mut().filter(|i| i.number == number) {
-                            i.asleep = name == "isleep";
-                        }
-                    }
-                }
-            }
-            "idisable" | "ienable" => {
-                for i in &mut self.interrupts {
-                    i.asleep = name == "idisable";
-                }
-            }
-            _ => return Ok(None),
-        }
-        Ok(Some(()))
+fn start_timer(vm: &mut Interpreter<'_>, args: &Args<'_>, seconds_s: f64, number: f32) -> Result<(), Fault> {
+    let single = args.has("single") || args.has("singlesafe");
+    if seconds_s < if single { 0.01 } else { 0.1 } {
+        return fatal(format!("a timer of {seconds_s} s"));
     }
-
-    fn start_timer(&mut self, args: &Args<'_>) -> Result<(), Fault> {
-        let seconds = f64::from(self.eval_num(args.at(0)?)?);
-        let number = self.eval_num(args.at(1)?)?;
-        let single = args.has("single") || args.has("singlesafe");
-        if seconds < if single { 0.01 } else { 0.1 } {
-            return fatal(format!("a timer of {seconds} s"));
+    let next_s = vm.machine.calendar.steady_s() + seconds_s;
+    match vm.machine.interrupts.list.iter_mut().find(|i| i.number == number) {
+        Some(i) => {
+            i.timer = Some((seconds_s, next_s));
+            i.single = single;
+            Ok(())
         }
-        let next = self.calendar.steady_s() + seconds;
-        match self.interrupts.iter_mut().find(|i| i.number == number) {
-            Some(i) => {
-                i.timer = Some((seconds, next));
-                i.single = single;
-                Ok(())
-            }
-            None => raise("err_unkino", "ITimer of an interrupt that is not connected"),
-        }
+        None => raise("err_unkino", "ITimer of an interrupt that is not connected"),
     }
+}
 
-    /// Wait for a condition: it may come true by time or by an interrupt.
-    fn wait_until(&mut self, args: &Args<'_>) -> Result<(), Fault> {
-        let at_most = match args.named("maxtime") {
-            Some(e) => Some(f64::from(self.eval_num(e)?)),
-            None => None,
-        };
-        let end = self.calendar.steady_s() + at_most.unwrap_or(PATIENCE_S);
-        let flag = args.named("timeflag");
-        loop {
-            if self.eval_bool(args.at(0)?)? {
-                return self.set_flag(flag, false);
-            }
-            if self.calendar.steady_s() >= end {
-                break;
-            }
-            self.calendar.advance_s(POLL_S.min(end - self.calendar.steady_s()).max(1e-3));
-            let depth = self.frames.len();
-            self.interrupt()?;
-            self.run(depth)?;
+/// Waits for a condition: it may come true by time or by an interrupt.
+fn wait_until(vm: &mut Interpreter<'_>, args: &Args<'_>) -> Result<(), Fault> {
+    let at_most_s = match args.named("maxtime") {
+        Some(e) => Some(f64::from(vm.eval_num(e)?)),
+        None => None,
+    };
+    let end_s = vm.machine.calendar.steady_s() + at_most_s.unwrap_or(MAX_WAIT_S);
+    let flag = args.named("timeflag");
+    loop {
+        if vm.eval_bool(args.at(0)?)? {
+            return set_flag(vm, flag, false);
         }
-        self.waited_in_vain(at_most, flag)
+        let left_s = end_s - vm.machine.calendar.steady_s();
+        if left_s <= 0.0 {
+            return waited_in_vain(vm, at_most_s, flag);
+        }
+        vm.machine.calendar.advance_s(POLL_S.min(left_s).max(1e-3));
+        let depth = vm.machine.stack.frames.len();
+        vm.interrupt()?;
+        vm.run(depth)?;
     }
+}
 
-    /// What happens when the time for waiting is over.
-    pub(super) fn waited_in_vain(
-        &mut self,
-        at_most_s: Option<f64>,
-        flag: Option<&Expr>,
-    ) -> Result<(), Fault> {
-        match (at_most_s, flag) {
-            (None, _) => {
-                self.tell("controller", "waits for what nothing here brings about; taken as come");
-                Ok(())
-            }
-            (Some(_), Some(_)) => self.set_flag(flag, true),
-            (Some(_), None) => raise("err_wait_maxtime", "the time for waiting is over"),
+/// What happens when the time for waiting is over.
+pub(super) fn waited_in_vain(
+    vm: &mut Interpreter<'_>,
+    at_most_s: Option<f64>,
+    flag: Option<&Expr>,
+) -> Result<(), Fault> {
+    match (at_most_s, flag) {
+        (None, _) => {
+            vm.report("controller", "waits for what nothing here brings about; taken as come");
+            Ok(())
         }
+        (Some(_), Some(_)) => set_flag(vm, flag, true),
+        (Some(_), None) => raise("err_wait_maxtime", "the time for waiting is over"),
     }
+}
 
-    pub(super) fn set_flag(&mut self, flag: Option<&Expr>, value: bool) -> Result<(), Fault> {
-        let Some(flag) = flag else { return Ok(()) };
-        match self.place(flag)? {
-            Some((place, _)) => self.write(&place, Value::Bool(value)),
-            None => fatal("\\TimeFlag wants a variable"),
-        }
+/// Gives the variable of `\TimeFlag` a value, where there is one.
+pub(super) fn set_flag(vm: &mut Interpreter<'_>, flag: Option<&Expr>, value: bool) -> Result<(), Fault> {
+    let Some(flag) = flag else { return Ok(()) };
+    match vm.data_ref(flag)? {
+        Some((place, _)) => vm.write(&place, Value::Bool(value)),
+        None => fatal("\\TimeFlag wants a variable"),
     }
 }

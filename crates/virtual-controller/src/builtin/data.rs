@@ -1,15 +1,18 @@
 //! Data, arguments, messages, and instructions that change nothing this controller keeps.
 
-use super::Known;
-use crate::call::Args;
-use crate::controller::Controller;
-use crate::ir::{Call, Callee, Expr};
+use super::parameter::{
+    Data, Function, Instruction, LoadData, Parameter, Unevaluated, function, instruction, string,
+};
+use super::text::written;
+use super::tools::payload;
+use crate::code::{Call, Callee, Name};
+use crate::interpreter::{Args, Interpreter};
+use crate::machine::Access;
 use crate::outcome::{Fault, Outcome, fatal, raise};
-use crate::place::Access;
-use crate::value::{Type, Value};
+use crate::value::Value;
 
 /// Instructions without effect on values, time and targets.
-const NO_EFFECT: &[&str] = &[
+pub(super) const NO_EFFECT: &[&str] = &[
     "singarea",
     "accset",
     "velset",
@@ -41,121 +44,119 @@ const NO_EFFECT: &[&str] = &[
     "nop",
 ];
 
-impl Controller {
-    pub(crate) fn data_function(&mut self, name: &str, args: &Args<'_>) -> Known<Value> {
-        Ok(Some(match name {
-            "present" => Value::Bool(self.present(args.at(0)?)),
-            "dim" => {
-                let number = self.eval_num(args.at(1)?)?;
-                let mut value = &self.eval(args.at(0)?, None)?;
-                for _ in 1..(number as usize) {
-                    match value.parts().first() {
-                        Some(Value::Array(_)) => value = &value.parts()[0],
-                        _ => return fatal("Dim of a dimension that is not there"),
-                    }
-                }
-                match value {
-                    Value::Array(parts) => Value::num(parts.len() as f64),
-                    _ => return fatal("Dim of something that is no array"),
-                }
-            }
-            "ispers" | "isvar" => {
-                let wanted = if name == "ispers" { Access::Persistent } else { Access::Variable };
-                let place = self.place(args.at(0)?)?;
-                Value::Bool(place.is_some_and(|(place, _)| self.access(&place) == wanted))
-            }
-            "type" => match self.place(args.at(0)?)? {
-                Some((_, ty)) => Value::text(&ty.element().name()),
-                None => Value::text(&self.eval(args.at(0)?, None)?.type_name()),
-            },
-            "opmode" | "runmode" => Value::Num(1.0),
-            "robos" => Value::Bool(false),
-            _ => return Ok(None),
-        }))
-    }
+pub(super) const FUNCTIONS: &[Function] = &[
+    function!("present", Nothing, (parameter: Unevaluated), |vm, args| {
+        Ok(Value::Bool(vm.is_given(args.at(0)?)))
+    }),
+    function!("dim", Nothing, (array: Value, number: f32), |vm, args| dimension(&array, number)),
+    function!("ispers", Nothing, (data: Data), |vm, args| {
+        Ok(Value::Bool(data.is_some_and(|(place, _)| vm.access(&place) == Access::Persistent)))
+    }),
+    function!("isvar", Nothing, (data: Data), |vm, args| {
+        Ok(Value::Bool(data.is_some_and(|(place, _)| vm.access(&place) == Access::Variable)))
+    }),
+    function!("type", Nothing, (data: Data), |vm, args| match data {
+        Some((_, ty)) => Ok(Value::text(&ty.element().name())),
+        None => Ok(Value::text(&vm.eval(args.at(0)?, None)?.type_name())),
+    }),
+    function!("opmode", Nothing, (), |vm, args| Ok(Value::Num(1.0))),
+    function!("runmode", Nothing, (), |vm, args| Ok(Value::Num(1.0))),
+    function!("robos", Nothing, (), |vm, args| Ok(Value::Bool(false))),
+];
 
-    pub(crate) fn data_instruction(&mut self, name: &str, args: &Args<'_>) -> Known<()> {
-        match name {
-            "incr" | "decr" | "clear" | "add" => self.change(name, args)?,
-            "tpwrite" => {
-                let text = self.shown(args)?;
-                self.tell("TPWrite", text);
-            }
-            "errwrite" => {
-                let text = args
-                    .positional
-                    .iter()
-                    .take(2)
-                    .map(|e| self.eval_as(e, &Type::Str).map(|v| v.string().unwrap_or_default().to_owned()))
-                    .collect::<Result<Vec<_>, _>>()?;
-                self.tell("ErrWrite", text.join(": "));
-            }
-            "gripload" => {
-                let load = self.eval_as(args.at(0)?, &self.types.loaddata.clone())?.numbers();
-                self.gripped = super::moves::payload(load.get(..4).unwrap_or_default());
-            }
-            "stop" | "break" => self.tell("Stop", "the program stops until it is started again"),
-            "exitcycle" => return Err(Fault::Ended(Outcome::Passes)),
-            "bookerrno" => {
-                let Some((place, _)) = self.place(args.at(0)?)? else {
-                    return fatal("BookErrNo wants a variable");
-                };
-                self.booked += 1;
-                let number = Value::num(f64::from(self.booked) + 2000.0);
-                self.write(&place, number)?;
-            }
-            "callbyvar" => {
-                let stem = self.eval_as(args.at(0)?, &Type::Str)?;
-                let number = self.eval_num(args.at(1)?)?;
-                let routine = format!("{}{number}", stem.string().unwrap_or_default());
-                self.call_by_name(&routine)?;
-            }
-            _ if NO_EFFECT.contains(&name) => {}
-            _ => return Ok(None),
+pub(super) const INSTRUCTIONS: &[Instruction] = &[
+    instruction!("incr", (data: Data), |vm, args| add(vm, args, data, Value::Literal(1.0))),
+    instruction!("decr", (data: Data), |vm, args| add(vm, args, data, Value::Literal(-1.0))),
+    instruction!("add", (data: Data, by: Unevaluated), |vm, args| {
+        let by = vm.eval(args.at(1)?, data.as_ref().map(|(_, ty)| ty))?;
+        add(vm, args, data, by)
+    }),
+    instruction!("clear", (data: Data), |vm, args| clear(vm, args, data)),
+    instruction!("tpwrite", (text: String), |vm, args| {
+        let line = with_option(vm, args, text)?;
+        vm.report("TPWrite", line);
+        Ok(())
+    }),
+    instruction!("errwrite", (), |vm, args| {
+        let lines = args.positional.iter().take(2).map(|e| string(vm, e)).collect::<Result<Vec<_>, _>>()?;
+        vm.report("ErrWrite", lines.join(": "));
+        Ok(())
+    }),
+    instruction!("gripload", (load: LoadData), |vm, args| {
+        vm.machine.gripped = payload(load.0.get(..4).unwrap_or_default());
+        Ok(())
+    }),
+    instruction!("stop", (), |vm, args| stop(vm)),
+    instruction!("break", (), |vm, args| stop(vm)),
+    instruction!("exitcycle", (), |vm, args| Err(Fault::Ended(Outcome::Passes))),
+    instruction!("bookerrno", (number: Data), |vm, args| {
+        let Some((place, _)) = number else { return fatal("BookErrNo wants a variable") };
+        vm.machine.errors.booked += 1;
+        let number = Value::num(f64::from(vm.machine.errors.booked) + 2000.0);
+        vm.write(&place, number)
+    }),
+    instruction!("callbyvar", (stem: String, number: f32), |vm, args| {
+        call_by_name(vm, &format!("{stem}{number}"))
+    }),
+];
+
+/// Dim: the length of an array in a dimension, from 1.
+fn dimension(array: &Value, number: f32) -> Result<Value, Fault> {
+    let mut value = array;
+    for _ in 1..(number as usize) {
+        match value.parts().first() {
+            Some(inner @ Value::Array(_)) => value = inner,
+            _ => return fatal("Dim of a dimension that is not there"),
         }
-        Ok(Some(()))
     }
+    match value {
+        Value::Array(parts) => Ok(Value::num(parts.len() as f64)),
+        _ => fatal("Dim of something that is no array"),
+    }
+}
 
-    /// Call a procedure without arguments by a name computed at run time.
-    pub(crate) fn call_by_name(&mut self, routine: &str) -> Result<(), Fault> {
-        let lower = routine.to_lowercase();
-        if self.memory.routine(self.scope.0, &lower).is_none() {
-            return raise("err_refunkprc", format!("no procedure {routine}"));
+fn stop(vm: &mut Interpreter<'_>) -> Result<(), Fault> {
+    vm.report("Stop", "the program stops until it is started again");
+    Ok(())
+}
+
+/// Calls a procedure without arguments by a name computed at run time.
+pub(super) fn call_by_name(vm: &mut Interpreter<'_>, routine: &str) -> Result<(), Fault> {
+    let lower = routine.to_lowercase();
+    if vm.program.routine(vm.machine.stack.scope.0, &lower).is_none() {
+        return raise("err_refunkprc", format!("no procedure {routine}"));
+    }
+    let lower: Name = lower.into();
+    let callee = Callee::Name(lower.clone(), routine.into());
+    vm.call_procedure(&lower, routine, &Call { callee, args: Vec::new() })
+}
+
+/// Adds to data what Incr, Decr or Add says.
+fn add(vm: &mut Interpreter<'_>, args: &Args<'_>, data: Data, by: Value) -> Result<(), Fault> {
+    let Some((place, ty)) = data else { return fatal(format!("{} wants data", args.callee)) };
+    let sum = match (vm.read(&place)?, by.coerced(&ty)) {
+        (Value::Num(a), Some(Value::Num(b))) => Value::Num(a + b),
+        (Value::Dnum(a), Some(Value::Dnum(b))) => Value::Dnum(a + b),
+        _ => return fatal(format!("{} of a {}", args.callee, ty.name())),
+    };
+    vm.write(&place, sum)
+}
+
+fn clear(vm: &mut Interpreter<'_>, args: &Args<'_>, data: Data) -> Result<(), Fault> {
+    let Some((place, ty)) = data else { return fatal(format!("{} wants data", args.callee)) };
+    vm.read(&place)?;
+    match Value::Literal(0.0).coerced(&ty) {
+        Some(zero) => vm.write(&place, zero),
+        None => fatal(format!("{} of a {}", args.callee, ty.name())),
+    }
+}
+
+/// The line TPWrite shows: its text and the value of an option.
+fn with_option(vm: &mut Interpreter<'_>, args: &Args<'_>, mut line: String) -> Result<String, Fault> {
+    for option in ["num", "bool", "pos", "orient", "dnum"] {
+        if let Some(e) = args.named(option) {
+            line.push_str(&written(&vm.eval(e, None)?));
         }
-        let lower: crate::ir::Name = lower.into();
-        let callee = Callee::Name(lower.clone(), routine.into());
-        self.call_procedure(&lower, routine, &Call { callee, args: Vec::new() })
     }
-
-    /// Incr, Decr, Clear, Add.
-    fn change(&mut self, name: &str, args: &Args<'_>) -> Result<(), Fault> {
-        let target: &Expr = args.at(0)?;
-        let Some((place, ty)) = self.place(target)? else { return fatal(format!("{name} wants data")) };
-        let by = match name {
-            "incr" => Value::Literal(1.0),
-            "decr" => Value::Literal(-1.0),
-            "add" => self.eval(args.at(1)?, Some(&ty))?,
-            _ => Value::Literal(0.0),
-        };
-        let sum = match (self.read(&place)?, by.coerced(&ty)) {
-            (_, Some(_)) if name == "clear" => Value::Literal(0.0),
-            (Value::Num(a), Some(Value::Num(b))) => Value::Num(a + b),
-            (Value::Dnum(a), Some(Value::Dnum(b))) => Value::Dnum(a + b),
-            _ => return fatal(format!("{name} of a {}", ty.name())),
-        };
-        self.write(&place, sum)
-    }
-
-    /// The line TPWrite shows.
-    fn shown(&mut self, args: &Args<'_>) -> Result<String, Fault> {
-        let text = self.eval_as(args.at(0)?, &Type::Str)?;
-        let mut line = text.string().unwrap_or_default().to_owned();
-        for option in ["num", "bool", "pos", "orient", "dnum"] {
-            if let Some(e) = args.named(option) {
-                let value = self.eval(e, None)?;
-                line.push_str(&super::text::written(&value));
-            }
-        }
-        Ok(line)
-    }
+    Ok(line)
 }

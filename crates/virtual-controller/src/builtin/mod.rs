@@ -1,73 +1,120 @@
-//! Instructions and functions of the controller, one theme a file; each theme says whether a name is its own.
+//! What every controller has: tables of typed instructions and functions, one theme a file.
+//!
+//! An entry is a name, the types of its arguments, and what it does with an interpreter.
 
-pub(super) mod clock;
-pub(super) mod data;
-pub(super) mod geometry;
-pub(super) mod math;
-pub(super) mod modules;
+mod clock;
+mod data;
+mod geometry;
+mod math;
+mod modules;
 pub(super) mod moves;
-pub(super) mod signals;
-pub(super) mod text;
+mod parameter;
+mod signals;
+mod text;
+mod tools;
 
-use super::call::Args;
-use super::controller::Controller;
-use super::ir::{Call, Name};
+pub use parameter::Signature;
+pub use text::{parse, written};
+
+use super::code::{Call, Name};
+use super::interpreter::Interpreter;
 use super::outcome::Fault;
 use super::value::{Type, Value};
+use parameter::{Cost, Function, Instruction};
+use std::collections::HashMap;
+use std::sync::LazyLock;
 
-/// What a theme answers: `None` where the name is not its own.
-pub(super) type Known<T> = Result<Option<T>, Fault>;
-/// The instructions or functions of one theme.
-type Theme<T> = fn(&mut Controller, &str, &Args<'_>) -> Known<T>;
+const FUNCTIONS: [&[Function]; 7] = [
+    math::FUNCTIONS,
+    data::FUNCTIONS,
+    clock::FUNCTIONS,
+    text::FUNCTIONS,
+    geometry::FUNCTIONS,
+    signals::FUNCTIONS,
+    modules::FUNCTIONS,
+];
 
-impl Controller {
-    /// An instruction of the controller; one it does not know is listed and passed over.
-    pub(super) fn instruction(&mut self, name: &Name, spelt: &str, call: &Call) -> Result<(), Fault> {
-        let args = self.args(call);
-        let themes: [Theme<()>; 5] = [
-            Self::move_instruction,
-            Self::data_instruction,
-            Self::clock_instruction,
-            Self::signal_instruction,
-            Self::module_instruction,
-        ];
-        for theme in themes {
-            if theme(self, name, &args)?.is_some() {
-                return Ok(());
-            }
+const INSTRUCTIONS: [&[Instruction]; 5] = [
+    moves::INSTRUCTIONS,
+    data::INSTRUCTIONS,
+    clock::INSTRUCTIONS,
+    signals::INSTRUCTIONS,
+    modules::INSTRUCTIONS,
+];
+
+static FUNCTION_BY_NAME: LazyLock<HashMap<&str, &Function>> =
+    LazyLock::new(|| FUNCTIONS.into_iter().flatten().map(|f| (f.signature.name, f)).collect());
+static INSTRUCTION_BY_NAME: LazyLock<HashMap<&str, &Instruction>> =
+    LazyLock::new(|| INSTRUCTIONS.into_iter().flatten().map(|i| (i.signature.name, i)).collect());
+
+/// An instruction of the controller; one it does not know is listed and passed over.
+pub(super) fn instruction(
+    vm: &mut Interpreter<'_>,
+    name: &Name,
+    spelt: &str,
+    call: &Call,
+) -> Result<(), Fault> {
+    let args = vm.args(name, call);
+    if let Some(form) = moves::form(name) {
+        return moves::make(vm, &form, &args);
+    }
+    match INSTRUCTION_BY_NAME.get(&**name) {
+        Some(instruction) => (instruction.call)(vm, &args),
+        None if data::NO_EFFECT.contains(&&**name) => Ok(()),
+        None => {
+            vm.machine.log.unknown.insert(spelt.to_owned());
+            Ok(())
         }
-        self.unknown.insert(spelt.to_owned());
-        Ok(())
+    }
+}
+
+/// A function of the controller; one it does not know is listed and gives 0, FALSE or "".
+pub(super) fn function(
+    vm: &mut Interpreter<'_>,
+    name: &Name,
+    spelt: &str,
+    call: &Call,
+    want: Option<&Type>,
+) -> Result<Value, Fault> {
+    let args = vm.args(name, call);
+    let Some(function) = FUNCTION_BY_NAME.get(&**name) else {
+        vm.machine.log.unknown.insert(spelt.to_owned());
+        return Ok(want.map_or(Value::Num(0.0), Type::initial));
+    };
+    let value = (function.call)(vm, &args)?;
+    let effort = &mut vm.machine.meter.total;
+    match function.cost {
+        Cost::Nothing => {}
+        Cost::Arithmetic => effort.arithmetic += 1,
+        Cost::Trigonometric => effort.trigonometric += 1,
+    }
+    Ok(value)
+}
+
+/// Every function and instruction that the controller executes, but for moves and for those without effect.
+pub fn built_ins() -> impl Iterator<Item = Signature> {
+    let functions = FUNCTIONS.into_iter().flatten().map(|f| f.signature);
+    functions.chain(INSTRUCTIONS.into_iter().flatten().map(|i| i.signature))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_name_stands_in_one_table_once() {
+        let names: Vec<&str> = built_ins().map(|s| s.name).chain(data::NO_EFFECT.iter().copied()).collect();
+        let unique: BTreeSet<&str> = names.iter().copied().collect();
+        assert!(names.len() > 100 && unique.len() == names.len(), "{} names", names.len());
+        assert!(names.iter().all(|name| moves::form(name).is_none()));
     }
 
-    /// A function of the controller; one it does not know is listed and gives 0, FALSE or "".
-    pub(super) fn function(
-        &mut self,
-        name: &Name,
-        spelt: &str,
-        call: &Call,
-        want: Option<&Type>,
-    ) -> Result<Value, Fault> {
-        let args = self.args(call);
-        // With each theme, whether its functions calculate.
-        let themes: [(Theme<Value>, bool); 7] = [
-            (Self::math_function, true),
-            (Self::data_function, false),
-            (Self::clock_function, false),
-            (Self::text_function, false),
-            (Self::geometry_function, true),
-            (Self::signal_function, false),
-            (Self::module_function, false),
-        ];
-        for (theme, calculates) in themes {
-            if let Some(value) = theme(self, name, &args)? {
-                if calculates {
-                    self.effort.count_function(name);
-                }
-                return Ok(value);
-            }
-        }
-        self.unknown.insert(spelt.to_owned());
-        Ok(want.map_or(Value::Num(0.0), Type::initial))
+    #[test]
+    fn signatures_are_those_of_rapid() {
+        let written = |name: &str| built_ins().find(|s| s.name == name).unwrap().to_string();
+        assert_eq!(written("offs"), "offs(robtarget target, num x, num y, num z)");
+        assert_eq!(written("strorder"), "strorder(string a, string b, [string] order)");
+        assert_eq!(written("clkstart"), "clkstart(clock clock)");
     }
 }

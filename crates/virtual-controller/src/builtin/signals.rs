@@ -1,88 +1,93 @@
 //! Signals: a store of numbers by name. What the program waits for from outside is taken as come.
 
-use super::Known;
-use crate::call::Args;
-use crate::controller::Controller;
-use crate::ir::Expr;
+use super::clock::{set_flag, waited_in_vain};
+use super::parameter::{Function, Instruction, Parameter, function, instruction};
+use crate::code::Name;
+use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, raise};
 use crate::value::Value;
 
-impl Controller {
-    fn put_signal(&mut self, expr: &Expr, value: f32) -> Result<(), Fault> {
-        let name = self.signal_name(expr)?;
-        if self.units_down.contains(&name) {
-            return raise("err_norununit", format!("no contact with the unit of signal {name}"));
-        }
-        self.signals.insert(name, value);
-        Ok(())
-    }
+pub(super) const FUNCTIONS: &[Function] = &[
+    function!("ainput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("aoutput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("dinput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("doutput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("ginput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("goutput", Nothing, (signal: Name), |vm, args| level(vm, &signal).map(Value::Num)),
+    function!("ginputdnum", Nothing, (signal: Name), |vm, args| {
+        level(vm, &signal).map(|x| Value::Dnum(f64::from(x)))
+    }),
+    function!("goutputdnum", Nothing, (signal: Name), |vm, args| {
+        level(vm, &signal).map(|x| Value::Dnum(f64::from(x)))
+    }),
+    function!("testdi", Nothing, (signal: Name), |vm, args| {
+        level(vm, &signal).map(|x| Value::Bool(x != 0.0))
+    }),
+    function!("validio", Nothing, (signal: Name), |vm, args| {
+        Ok(Value::Bool(!vm.machine.signals.units_down.contains(&signal)))
+    }),
+];
 
-    fn get_signal(&mut self, expr: &Expr) -> Result<f32, Fault> {
-        let name = self.signal_name(expr)?;
-        self.signal_value(&name).map(|v| v.number().unwrap_or(0.0) as f32)
-    }
+pub(super) const INSTRUCTIONS: &[Instruction] = &[
+    instruction!("set", (signal: Name), |vm, args| put(vm, signal, 1.0)),
+    instruction!("reset", (signal: Name), |vm, args| put(vm, signal, 0.0)),
+    instruction!("setdo", (signal: Name, value: f32), |vm, args| put(vm, signal, value)),
+    instruction!("setao", (signal: Name, value: f32), |vm, args| put(vm, signal, value)),
+    instruction!("setgo", (signal: Name, value: f32), |vm, args| put(vm, signal, value)),
+    instruction!("invertdo", (signal: Name), |vm, args| {
+        let old = level(vm, &signal)?;
+        put(vm, signal, if old == 0.0 { 1.0 } else { 0.0 })
+    }),
+    instruction!("pulsedo", (signal: Name), |vm, args| put(vm, signal, 0.0)),
+    instruction!("waitdi", (signal: Name, wanted: f32), |vm, args| wait_equal(vm, args, signal, wanted)),
+    instruction!("waitdo", (signal: Name, wanted: f32), |vm, args| wait_equal(vm, args, signal, wanted)),
+    instruction!("waitgi", (signal: Name, wanted: f32), |vm, args| wait_equal(vm, args, signal, wanted)),
+    instruction!("waitgo", (signal: Name, wanted: f32), |vm, args| wait_equal(vm, args, signal, wanted)),
+    instruction!("waitai", (signal: Name, limit: f32), |vm, args| wait_beyond(vm, args, signal, limit)),
+    instruction!("waitao", (signal: Name, limit: f32), |vm, args| wait_beyond(vm, args, signal, limit)),
+];
 
-    pub(crate) fn signal_function(&mut self, name: &str, args: &Args<'_>) -> Known<Value> {
-        Ok(Some(match name {
-            "ainput" | "aoutput" | "dinput" | "doutput" | "ginput" | "goutput" => {
-                Value::Num(self.get_signal(args.at(0)?)?)
-            }
-            "ginputdnum" | "goutputdnum" => Value::Dnum(f64::from(self.get_signal(args.at(0)?)?)),
-            "testdi" => Value::Bool(self.get_signal(args.at(0)?)? != 0.0),
-            "validio" => {
-                let name = self.signal_name(args.at(0)?)?;
-                Value::Bool(!self.units_down.contains(&name))
-            }
-            _ => return Ok(None),
-        }))
+fn put(vm: &mut Interpreter<'_>, name: Name, value: f32) -> Result<(), Fault> {
+    if vm.machine.signals.units_down.contains(&name) {
+        return raise("err_norununit", format!("no contact with the unit of signal {name}"));
     }
+    vm.machine.signals.levels.insert(name, value);
+    Ok(())
+}
 
-    pub(crate) fn signal_instruction(&mut self, name: &str, args: &Args<'_>) -> Known<()> {
-        match name {
-            "set" | "reset" => self.put_signal(args.at(0)?, if name == "set" { 1.0 } else { 0.0 })?,
-            "setdo" | "setao" | "setgo" => {
-                let value = self.eval_num(args.at(1)?)?;
-                self.put_signal(args.at(0)?, value)?;
-            }
-            "invertdo" => {
-                let old = self.get_signal(args.at(0)?)?;
-                self.put_signal(args.at(0)?, if old == 0.0 { 1.0 } else { 0.0 })?;
-            }
-            "pulsedo" => self.put_signal(args.at(0)?, 0.0)?,
-            "waitdi" | "waitdo" | "waitgi" | "waitgo" => {
-                let wanted = self.eval_num(args.at(1)?)?;
-                self.wait_signal(args, |now| now == wanted, wanted)?;
-            }
-            "waitai" | "waitao" => {
-                let limit = self.eval_num(args.at(1)?)?;
-                let below = args.has("lt");
-                self.wait_signal(args, |now| if below { now < limit } else { now > limit }, limit)?;
-            }
-            _ => return Ok(None),
-        }
-        Ok(Some(()))
-    }
+fn level(vm: &mut Interpreter<'_>, name: &Name) -> Result<f32, Fault> {
+    vm.signal_value(name).map(|v| v.number().unwrap_or(0.0) as f32)
+}
 
-    fn wait_signal(
-        &mut self,
-        args: &Args<'_>,
-        there: impl Fn(f32) -> bool,
-        wanted: f32,
-    ) -> Result<(), Fault> {
-        let flag = args.named("timeflag");
-        let name = self.signal_name(args.at(0)?)?;
-        let now = self.get_signal(args.at(0)?)?;
-        if there(now) {
-            return self.set_flag(flag, false);
-        }
-        // A signal that a scenario or the program has set is what it is; of another the cell takes care.
-        if let Some(e) = args.named("maxtime").filter(|_| self.signals.contains_key(&name)) {
-            let at_most = f64::from(self.eval_num(e)?);
-            self.calendar.advance_s(at_most);
-            return self.waited_in_vain(Some(at_most), flag);
-        }
-        self.tell("controller", format!("waits for {name}; taken as come"));
-        self.signals.insert(name, wanted);
-        self.set_flag(flag, false)
+fn wait_equal(vm: &mut Interpreter<'_>, args: &Args<'_>, signal: Name, wanted: f32) -> Result<(), Fault> {
+    wait(vm, args, signal, |now| now == wanted, wanted)
+}
+
+/// WaitAI, WaitAO: above the limit, with `\LT` below it.
+fn wait_beyond(vm: &mut Interpreter<'_>, args: &Args<'_>, signal: Name, limit: f32) -> Result<(), Fault> {
+    let below = args.has("lt");
+    wait(vm, args, signal, |now| if below { now < limit } else { now > limit }, limit)
+}
+
+fn wait(
+    vm: &mut Interpreter<'_>,
+    args: &Args<'_>,
+    signal: Name,
+    there: impl Fn(f32) -> bool,
+    wanted: f32,
+) -> Result<(), Fault> {
+    let flag = args.named("timeflag");
+    let now = level(vm, &signal)?;
+    if there(now) {
+        return set_flag(vm, flag, false);
     }
+    // A signal that a scenario or the program has set is what it is; of another the cell takes care.
+    if let Some(e) = args.named("maxtime").filter(|_| vm.machine.signals.levels.contains_key(&signal)) {
+        let at_most_s = f64::from(vm.eval_num(e)?);
+        vm.machine.calendar.advance_s(at_most_s);
+        return waited_in_vain(vm, Some(at_most_s), flag);
+    }
+    vm.report("controller", format!("waits for {signal}; taken as come"));
+    vm.machine.signals.levels.insert(signal, wanted);
+    set_flag(vm, flag, false)
 }

@@ -1,123 +1,100 @@
 //! String functions, and values as text.
 
-use super::Known;
-use crate::call::Args;
-use crate::controller::Controller;
-use crate::ir::Expr;
+use super::parameter::{Chars, Data, Function, Parameter, function};
+use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
 use crate::value::{Type, Value, num_text};
 
-impl Controller {
-    fn chars(&mut self, expr: &Expr) -> Result<Vec<char>, Fault> {
-        let value = self.eval_as(expr, &Type::Str)?;
-        Ok(value.string().unwrap_or_default().chars().collect())
-    }
-
-    /// A position in a string, from 1 to its length + `beyond`, to one from 0.
-    fn position(&mut self, expr: &Expr, length: usize, beyond: usize) -> Result<usize, Fault> {
-        let at = self.eval_num(expr)?;
-        if at >= 1.0 && at <= (length + beyond) as f32 && at == at.trunc() {
-            Ok(at as usize - 1)
-        } else {
-            fatal(format!("position {at} in a string of {length} characters"))
+pub(super) const FUNCTIONS: &[Function] = &[
+    function!("strlen", Nothing, (text: Chars), |vm, args| Ok(number(text.0.len()))),
+    function!("strpart", Nothing, (text: Chars, from: f32, length: f32), |vm, args| {
+        let from = position(from, &text)?;
+        match text.0.get(from..from.saturating_add(length.max(0.0) as usize)) {
+            Some(part) if length >= 0.0 => Ok(Value::text(&part.iter().collect::<String>())),
+            _ => fatal(format!("{length} characters from {} of {}", from + 1, text.0.len())),
         }
-    }
+    }),
+    function!("strfind", Nothing, (text: Chars, from: f32, set: Chars), |vm, args| {
+        let from = position(from, &text)?;
+        let is_wanted = |c: &char| set.0.contains(c) != args.has("notinset");
+        let found = text.0.iter().skip(from).position(is_wanted);
+        Ok(number(found.map_or(text.0.len(), |at| from + at) + 1))
+    }),
+    function!("strmemb", Nothing, (text: Chars, at: f32, set: Chars), |vm, args| {
+        let at = position(at, &text)?;
+        let is_wanted = |c: &char| set.0.contains(c) != args.has("notinset");
+        Ok(Value::Bool(text.0.get(at).is_some_and(is_wanted)))
+    }),
+    function!("strmatch", Nothing, (text: Chars, from: f32, pattern: Chars), |vm, args| {
+        let from = position(from, &text)?;
+        let last = text.0.len().saturating_sub(pattern.0.len());
+        let fits = |at: &usize| text.0.get(*at..).is_some_and(|t| t.starts_with(&pattern.0));
+        Ok(number((from..=last).find(fits).unwrap_or(text.0.len()) + 1))
+    }),
+    function!("strmap", Nothing, (text: Chars, from: Chars, to: Chars), |vm, args| {
+        let map = |c: &char| -> char {
+            let at = from.0.iter().position(|f| f == c);
+            at.and_then(|at| to.0.get(at)).copied().unwrap_or(*c)
+        };
+        Ok(Value::text(&text.0.iter().map(map).collect::<String>()))
+    }),
+    function!("strorder", Nothing, (a: Chars, b: Chars, order: Option<Chars>), |vm, args| {
+        let order = order.map_or_else(Vec::new, |order| order.0);
+        let rank = |c: &char| match order.iter().position(|o| o == c) {
+            Some(at) => at,
+            None => order.len() + *c as usize,
+        };
+        Ok(Value::Bool(a.0.iter().map(rank).le(b.0.iter().map(rank))))
+    }),
+    function!("strtoval", Nothing, (text: String, to: Data), |vm, args| {
+        let Some((place, ty)) = to else { return fatal("StrToVal wants a variable") };
+        match parse(&text, &ty) {
+            Some(value) => {
+                vm.write(&place, value)?;
+                Ok(Value::Bool(true))
+            }
+            None => Ok(Value::Bool(false)),
+        }
+    }),
+    function!("valtostr", Nothing, (value: Value), |vm, args| Ok(Value::text(&written(&value)))),
+    function!("numtostr", Nothing, (value: f32, decimals: f32), |vm, args| {
+        Ok(decimal(args, f64::from(value), decimals))
+    }),
+    function!("dnumtostr", Nothing, (value: f64, decimals: f32), |vm, args| {
+        Ok(decimal(args, value, decimals))
+    }),
+    function!("dectohex", Nothing, (text: String), |vm, args| {
+        converted(&text, text.parse().ok().map(|n: u64| format!("{n:X}")))
+    }),
+    function!("hextodec", Nothing, (text: String), |vm, args| {
+        converted(&text, u64::from_str_radix(&text, 16).ok().map(|n| n.to_string()))
+    }),
+];
 
-    pub(crate) fn text_function(&mut self, name: &str, args: &Args<'_>) -> Known<Value> {
-        let number = |n: usize| Value::num(n as f64);
-        Ok(Some(match name {
-            "strlen" => number(self.chars(args.at(0)?)?.len()),
-            "strpart" => {
-                let text = self.chars(args.at(0)?)?;
-                let from = self.position(args.at(1)?, text.len(), 1)?;
-                let length = self.eval_num(args.at(2)?)?;
-                let part = text.get(from..from.saturating_add(length.max(0.0) as usize));
-                match part {
-                    Some(part) if length >= 0.0 => Value::text(&part.iter().collect::<String>()),
-                    _ => return fatal(format!("{length} characters from {} of {}", from + 1, text.len())),
-                }
-            }
-            "strfind" | "strmemb" => {
-                let text = self.chars(args.at(0)?)?;
-                let from = self.position(args.at(1)?, text.len(), 1)?;
-                let set = self.chars(args.at(2)?)?;
-                let wanted = |c: &char| set.contains(c) != args.has("notinset");
-                if name == "strmemb" {
-                    Value::Bool(text.get(from).is_some_and(wanted))
-                } else {
-                    let found = text.iter().skip(from).position(wanted);
-                    number(found.map_or(text.len(), |at| from + at) + 1)
-                }
-            }
-            "strmatch" => {
-                let text = self.chars(args.at(0)?)?;
-                let from = self.position(args.at(1)?, text.len(), 1)?;
-                let pattern = self.chars(args.at(2)?)?;
-                let last = text.len().saturating_sub(pattern.len());
-                let fits = |at: &usize| text.get(*at..).is_some_and(|t| t.starts_with(&pattern));
-                number((from..=last).find(fits).unwrap_or(text.len()) + 1)
-            }
-            "strmap" => {
-                let text = self.chars(args.at(0)?)?;
-                let (from, to) = (self.chars(args.at(1)?)?, self.chars(args.at(2)?)?);
-                let map = |c: &char| -> char {
-                    let at = from.iter().position(|f| f == c);
-                    at.and_then(|at| to.get(at)).copied().unwrap_or(*c)
-                };
-                Value::text(&text.iter().map(map).collect::<String>())
-            }
-            "strorder" => {
-                let (a, b) = (self.chars(args.at(0)?)?, self.chars(args.at(1)?)?);
-                let order = match args.positional.get(2) {
-                    Some(e) => self.chars(e)?,
-                    None => Vec::new(),
-                };
-                let rank = |c: &char| match order.iter().position(|o| o == c) {
-                    Some(at) => at,
-                    None => order.len() + *c as usize,
-                };
-                Value::Bool(a.iter().map(rank).le(b.iter().map(rank)))
-            }
-            "strtoval" => {
-                let text = self.eval_as(args.at(0)?, &Type::Str)?;
-                let Some((place, ty)) = self.place(args.at(1)?)? else {
-                    return fatal("StrToVal wants a variable");
-                };
-                match parse(text.string().unwrap_or_default(), &ty) {
-                    Some(value) => {
-                        self.write(&place, value)?;
-                        Value::Bool(true)
-                    }
-                    None => Value::Bool(false),
-                }
-            }
-            "valtostr" => {
-                let value = self.eval(args.at(0)?, None)?;
-                Value::text(&written(&value))
-            }
-            "numtostr" | "dnumtostr" => {
-                let ty = if name == "numtostr" { Type::Num } else { Type::Dnum };
-                let value = self.eval_as(args.at(0)?, &ty)?.number().unwrap_or(0.0);
-                let decimals = self.eval_num(args.at(1)?)?.clamp(0.0, 15.0) as usize;
-                Value::text(&if args.has("exp") {
-                    format!("{value:.decimals$E}")
-                } else {
-                    format!("{value:.decimals$}")
-                })
-            }
-            "dectohex" | "hextodec" => {
-                let text: String = self.chars(args.at(0)?)?.into_iter().collect();
-                let value = match name {
-                    "dectohex" => text.parse().ok().map(|n: u64| format!("{n:X}")),
-                    _ => u64::from_str_radix(&text, 16).ok().map(|n| n.to_string()),
-                };
-                match value {
-                    Some(text) => Value::text(&text),
-                    None => return raise("err_argvalerr", format!("{text} is no such number")),
-                }
-            }
-            _ => return Ok(None),
-        }))
+fn number(n: usize) -> Value {
+    Value::num(n as f64)
+}
+
+/// A position in a string, from 1 to one beyond its last, as one from 0.
+fn position(at: f32, text: &Chars) -> Result<usize, Fault> {
+    let length = text.0.len();
+    if at >= 1.0 && at <= (length + 1) as f32 && at == at.trunc() {
+        Ok(at as usize - 1)
+    } else {
+        fatal(format!("position {at} in a string of {length} characters"))
+    }
+}
+
+/// A number with so many decimals, with `\Exp` as a power of ten.
+fn decimal(args: &Args<'_>, value: f64, decimals: f32) -> Value {
+    let decimals = decimals.clamp(0.0, 15.0) as usize;
+    Value::text(&if args.has("exp") { format!("{value:.decimals$E}") } else { format!("{value:.decimals$}") })
+}
+
+fn converted(text: &str, value: Option<String>) -> Result<Value, Fault> {
+    match value {
+        Some(value) => Ok(Value::text(&value)),
+        None => raise("err_argvalerr", format!("{text} is no such number")),
     }
 }
 

@@ -1,13 +1,17 @@
-//! The task's memory: modules with their data, routines and types, and what a name means where.
+//! The loaded program: modules with their data, routines and types, and what a name means where.
 //!
-//! Initial values are evaluated when they are first asked for (`eval`); this file knows where they stand.
+//! Constant while it runs, but for modules that the program itself loads and unloads. Values of data are the
+//! machine's; initial values are evaluated when they are first asked for, this file knows where they stand.
 
-use super::compile::{latin1, name_of};
-use super::ir::Name;
-use super::predefined;
-use super::value::{RecordType, Type, Value};
+use super::code::{Code, Name};
+use super::compile::{self, latin1, lower_case_name};
+use super::outcome::SourceLine;
+use super::predefined::{self, Types};
+use super::value::{RecordType, Type};
 use rapid_syntax::SourceFile;
-use rapid_syntax::tree::{self, DataKind, FileItem, ModuleItem, RoutineKind, Scope};
+use rapid_syntax::diagnostic::{FileId, TextRange};
+use rapid_syntax::tree::{self, DataKind, FileItem, ModuleItem, Scope};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -24,26 +28,22 @@ pub(super) struct Module {
     pub loaded: bool,
 }
 
-/// CONST, VAR or PERS of a module.
+/// CONST, VAR or PERS of a module, or the controller's own.
 #[derive(Debug)]
 pub(super) struct Datum {
-    pub module: usize,
     pub name: Rc<str>,
     pub kind: DataKind,
     pub ty: Type,
-    /// Item of the file, and item of that module.
-    pub at: (usize, usize),
-    pub state: State,
+    pub origin: DatumOrigin,
 }
 
-/// How far the value of a datum is known.
-#[derive(Debug)]
-pub(super) enum State {
-    /// Nobody asked yet.
-    Untouched,
-    /// Its initial value is being evaluated: asked for again, it depends on itself.
-    InWork,
-    Known(Value),
+/// Where a datum is declared.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum DatumOrigin {
+    /// In a module: item of the file, and item of that module.
+    Module { module: usize, at: (usize, usize) },
+    /// Nowhere: tool0, wobj0 and load0 are PERS that every controller has.
+    Controller,
 }
 
 /// A routine of a module.
@@ -51,13 +51,15 @@ pub(super) enum State {
 pub(super) struct Routine {
     pub module: usize,
     pub name: Rc<str>,
-    pub kind: Kind,
+    pub kind: RoutineKind,
     pub at: (usize, usize),
-    pub code: Option<Rc<super::ir::Code>>,
+    /// Its executable form, once it was called.
+    code: OnceCell<Rc<Code>>,
 }
 
+/// What a routine is; a function has the type of its value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum RoutineKind {
     Proc,
     Func(Type),
     Trap,
@@ -86,65 +88,108 @@ impl Module {
     }
 }
 
-/// Everything loaded.
+/// Everything that is loaded, and what every controller has.
 #[derive(Debug)]
-pub(super) struct Memory {
+pub(super) struct LoadedProgram {
     pub modules: Vec<Module>,
     pub data: Vec<Datum>,
     pub routines: Vec<Routine>,
-    /// tool0, wobj0 and load0, once they were handed over as PERS.
+    /// Built-in types that instructions need.
+    pub types: Types,
+    /// tool0, wobj0 and load0.
     own_data: BTreeMap<Name, usize>,
+    /// Files that were read so far.
+    files: u32,
     global_data: BTreeMap<Name, usize>,
     global_routines: BTreeMap<Name, usize>,
     global_types: BTreeMap<Name, Type>,
 }
 
-impl Memory {
+impl LoadedProgram {
+    /// No module is loaded.
     pub fn new() -> Self {
+        let types = Types::new();
+        let own = [("tool0", &types.tooldata), ("wobj0", &types.wobjdata), ("load0", &types.loaddata)];
+        let datum = |(name, ty): (&str, &Type)| Datum {
+            name: name.into(),
+            kind: DataKind::Pers,
+            ty: ty.clone(),
+            origin: DatumOrigin::Controller,
+        };
         Self {
             modules: Vec::new(),
-            data: Vec::new(),
+            data: own.map(datum).into(),
             routines: Vec::new(),
-            own_data: BTreeMap::new(),
+            own_data: own.iter().enumerate().map(|(id, (name, _))| ((*name).into(), id)).collect(),
+            types,
+            files: 0,
             global_data: BTreeMap::new(),
             global_routines: BTreeMap::new(),
             global_types: predefined::types(),
         }
     }
 
-    /// The controller's own PERS of this name, with its value, as data that can be handed over.
-    pub fn own_datum(&mut self, name: &Name, ty: Type, value: Value) -> usize {
-        *self.own_data.entry(name.clone()).or_insert_with(|| {
-            self.data.push(Datum {
-                module: usize::MAX,
-                name: name.clone(),
-                kind: DataKind::Pers,
-                ty,
-                at: (0, 0),
-                state: State::Known(value),
-            });
-            self.data.len() - 1
-        })
+    /// The controller's own PERS of this name, as data that can be handed over.
+    pub fn own_datum(&self, name: &str) -> Option<(usize, Type)> {
+        let id = *self.own_data.get(name)?;
+        Some((id, self.data.get(id)?.ty.clone()))
     }
 
-    /// Put the modules of a file into memory.
+    /// What a routine is.
+    pub fn kind(&self, routine: usize) -> Option<&RoutineKind> {
+        self.routines.get(routine).map(|r| &r.kind)
+    }
+
+    /// The module a routine stands in; none (`usize::MAX`) where there is no such routine.
+    pub fn module_of(&self, routine: usize) -> usize {
+        self.routines.get(routine).map_or(usize::MAX, |r| r.module)
+    }
+
+    /// The executable form of a routine, made when it is first asked for.
+    pub fn code(&self, routine: usize) -> Option<Rc<Code>> {
+        let routine = self.routines.get(routine)?;
+        if let Some(code) = routine.code.get() {
+            return Some(code.clone());
+        }
+        let module = self.modules.get(routine.module)?;
+        let code = Rc::new(compile::routine(&module.file, module.routine(routine.at)?));
+        Some(routine.code.get_or_init(|| code).clone())
+    }
+
+    /// Whether a routine is a function.
+    pub fn is_function(&self, routine: usize) -> bool {
+        matches!(self.kind(routine), Some(RoutineKind::Func(_)))
+    }
+
+    /// Where a range of a module stands, for messages.
+    pub fn source_line(&self, module: usize, range: TextRange) -> SourceLine {
+        match self.modules.get(module) {
+            Some(m) => SourceLine { file: m.file.path.clone(), line: m.file.line(range) },
+            None => SourceLine::default(),
+        }
+    }
+
+    /// Puts the modules of a file into memory; `dynamic` is the file's name where the program itself loads it.
     ///
     /// # Errors
     /// What a controller would not load: a name that is there already.
-    pub fn load(&mut self, file: &Rc<SourceFile>, dynamic: Option<&str>) -> Result<Vec<usize>, String> {
+    pub fn load(&mut self, path: &str, bytes: &[u8], dynamic: Option<&str>) -> Result<(), String> {
+        let id = FileId(self.files);
+        self.files += 1;
+        let file = &Rc::new(SourceFile::read(id, path, bytes.to_vec()));
         let mut loaded = Vec::new();
         for (index, item) in file.tree.items.iter().enumerate() {
             if let FileItem::Module(module) = item {
                 match self.load_module(file, index, module, dynamic) {
                     Ok(id) => loaded.push(id),
                     Err(why) => {
-                        loaded.into_iter().for_each(|id| self.unload(id));
+                        loaded.into_iter().for_each(|id| drop(self.unload(id)));
                         return Err(why);
                     }
                 }
             }
         }
-        if loaded.is_empty() { Err(format!("{} holds no module", file.path)) } else { Ok(loaded) }
+        if loaded.is_empty() { Err(format!("{} holds no module", file.path)) } else { Ok(()) }
     }
 
     fn load_module(
@@ -184,17 +229,19 @@ impl Memory {
     fn declare_type(&mut self, id: usize, file: &SourceFile, item: &ModuleItem) {
         let (name, scope, ty) = match item {
             ModuleItem::Record(r) => {
-                let name = name_of(file, r.name);
+                let name = lower_case_name(file, r.name);
                 let fields = r
                     .components
                     .iter()
-                    .map(|(ty, field)| (name_of(file, *field), self.type_named(id, &name_of(file, *ty))))
+                    .map(|(ty, field)| {
+                        (lower_case_name(file, *field), self.type_named(id, &lower_case_name(file, *ty)))
+                    })
                     .collect();
                 (name.clone(), r.scope, Type::Record(Rc::new(RecordType { name, fields })))
             }
             ModuleItem::Alias(a) => {
-                let ty = self.type_named(id, &name_of(file, a.type_name));
-                (name_of(file, a.name), a.scope, ty)
+                let ty = self.type_named(id, &lower_case_name(file, a.type_name));
+                (lower_case_name(file, a.name), a.scope, ty)
             }
             _ => return,
         };
@@ -219,7 +266,7 @@ impl Memory {
             ModuleItem::Routine(r) => (r.name, r.scope),
             _ => return Ok(()),
         };
-        let (name, spelt) = (name_of(file, range), latin1(file, range));
+        let (name, spelt) = (lower_case_name(file, range), latin1(file, range));
         let global = scope != Scope::Local;
         let clash = |what: &str| Err(format!("{spelt} is declared twice ({what})"));
         let Some(module) = self.modules.get(id) else { return Ok(()) };
@@ -231,16 +278,10 @@ impl Memory {
         }
         match item {
             ModuleItem::Data(d) => {
-                let ty = self.type_named(id, &name_of(file, d.type_name)).array_of(d.dims.len());
+                let ty = self.type_named(id, &lower_case_name(file, d.type_name)).array_of(d.dims.len());
                 let datum = self.data.len();
-                self.data.push(Datum {
-                    module: id,
-                    name: spelt.into(),
-                    kind: d.kind,
-                    ty,
-                    at,
-                    state: State::Untouched,
-                });
+                let origin = DatumOrigin::Module { module: id, at };
+                self.data.push(Datum { name: spelt.into(), kind: d.kind, ty, origin });
                 if global {
                     self.global_data.insert(name.clone(), datum);
                 }
@@ -250,12 +291,20 @@ impl Memory {
             }
             ModuleItem::Routine(r) => {
                 let kind = match r.kind {
-                    RoutineKind::Proc => Kind::Proc,
-                    RoutineKind::Func(ty) => Kind::Func(self.type_named(id, &name_of(file, ty))),
-                    RoutineKind::Trap => Kind::Trap,
+                    tree::RoutineKind::Proc => RoutineKind::Proc,
+                    tree::RoutineKind::Func(ty) => {
+                        RoutineKind::Func(self.type_named(id, &lower_case_name(file, ty)))
+                    }
+                    tree::RoutineKind::Trap => RoutineKind::Trap,
                 };
                 let routine = self.routines.len();
-                self.routines.push(Routine { module: id, name: spelt.into(), kind, at, code: None });
+                self.routines.push(Routine {
+                    module: id,
+                    name: spelt.into(),
+                    kind,
+                    at,
+                    code: OnceCell::new(),
+                });
                 if global {
                     self.global_routines.insert(name.clone(), routine);
                 }
@@ -268,19 +317,22 @@ impl Memory {
         Ok(())
     }
 
-    /// Take a module out of memory; its data are lost.
-    pub fn unload(&mut self, id: usize) {
-        let Some(module) = self.modules.get_mut(id) else { return };
+    /// Take a module out of memory; the data whose values are lost with it.
+    pub fn unload(&mut self, id: usize) -> Vec<usize> {
+        let Some(module) = self.modules.get_mut(id) else { return Vec::new() };
         module.loaded = false;
         let data = std::mem::take(&mut module.data);
         let routines = std::mem::take(&mut module.routines);
         self.global_data.retain(|_, d| !data.values().any(|x| x == d));
         self.global_routines.retain(|_, r| !routines.values().any(|x| x == r));
-        for d in data.values() {
-            if let Some(datum) = self.data.get_mut(*d) {
-                datum.state = State::Untouched;
-            }
-        }
+        data.into_values().collect()
+    }
+
+    /// Takes all modules out of memory that the program loaded itself; the data whose values are lost.
+    pub fn unload_dynamic(&mut self) -> Vec<usize> {
+        let is_dynamic = |m: &Module| m.loaded && m.dynamic.is_some();
+        let ids: Vec<usize> = (0..self.modules.len()).filter(|&id| is_dynamic(&self.modules[id])).collect();
+        ids.into_iter().flat_map(|id| self.unload(id)).collect()
     }
 
     /// The type a name means in a module; an unknown one is kept by its name.

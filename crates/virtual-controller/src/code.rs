@@ -10,7 +10,7 @@ use std::rc::Rc;
 /// A name in lower case.
 pub(super) type Name = Rc<str>;
 
-/// An expression.
+/// An expression, its names resolved to slots where they are the routine's own.
 #[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub kind: ExprKind,
@@ -46,11 +46,11 @@ pub(super) struct Call {
 pub(super) enum Callee {
     /// In lower case, and as spelt.
     Name(Name, Rc<str>),
-    /// Late binding.
+    /// Late binding: the name is a string that is computed at run time.
     Late(Expr),
 }
 
-/// One argument.
+/// One argument of a call.
 #[derive(Clone, Debug)]
 pub(super) enum Arg {
     Positional(Expr),
@@ -60,7 +60,7 @@ pub(super) enum Arg {
     Conditional(Name, Expr),
 }
 
-/// One operation.
+/// What one instruction does.
 #[derive(Clone, Debug)]
 pub(super) enum Op {
     Assign(Expr, Expr),
@@ -89,8 +89,8 @@ pub(super) enum Op {
         step: usize,
         top: usize,
     },
-    /// Keep a value in a hidden local.
-    Keep(usize, Expr),
+    /// Store a value in a hidden local.
+    Store(usize, Expr),
     /// Jump where the hidden local equals one of the values.
     JumpIfIn(usize, Vec<Expr>, usize),
     Return(Option<Expr>),
@@ -105,9 +105,9 @@ pub(super) enum Op {
     End,
 }
 
-/// An operation with its place.
+/// An operation and where it stands in the source.
 #[derive(Clone, Debug)]
-pub(super) struct Step {
+pub(super) struct Instruction {
     pub op: Op,
     pub range: TextRange,
     /// Where TRYNEXT goes on after an error in this operation.
@@ -116,7 +116,7 @@ pub(super) struct Step {
     pub counts: bool,
 }
 
-/// A parameter.
+/// A parameter of a routine.
 #[derive(Clone, Debug)]
 pub(super) struct Param {
     pub name: Name,
@@ -136,13 +136,13 @@ pub(super) struct LocalDecl {
     pub init: Option<Expr>,
 }
 
-/// A compiled routine.
+/// A routine as it is executed.
 #[derive(Debug)]
 pub(super) struct Code {
     pub params: Vec<Param>,
     pub decls: Vec<LocalDecl>,
     pub slots: usize,
-    pub steps: Vec<Step>,
+    pub instructions: Vec<Instruction>,
     /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
     pub handlers: Vec<(Vec<Expr>, usize)>,
     /// Where the BACKWARD section begins.

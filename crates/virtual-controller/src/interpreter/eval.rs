@@ -1,27 +1,29 @@
 //! Expressions: values of names, operators with RAPID's rules, aggregates by the type that is wanted.
 
-use super::controller::{Bound, Controller};
-use super::ir::{Callee, Expr, ExprKind};
-use super::outcome::{Fault, fatal, raise};
-use super::predefined;
-use super::value::{Type, Value};
+use super::Interpreter;
+use crate::builtin;
+use crate::code::{Callee, Expr, ExprKind};
+use crate::machine::{Binding, DataRef};
+use crate::outcome::{Fault, fatal, raise};
+use crate::predefined;
+use crate::value::{RecordType, Type, Value};
 use rapid_syntax::tree::{BinaryOp, UnaryOp};
 use std::rc::Rc;
 
 /// Expressions and function calls inside one another, all told.
-const DEEPEST: usize = 400;
+const MAX_NESTING: usize = 400;
 
-impl Controller {
+impl Interpreter<'_> {
     /// The value of an expression; `want` is the type of what it is for, which gives aggregates their
     /// type and numbers as written their precision.
-    pub(super) fn eval(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
-        self.nesting += 1;
-        let value = if self.nesting > DEEPEST {
+    pub fn eval(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+        self.machine.stack.nesting += 1;
+        let value = if self.machine.stack.nesting > MAX_NESTING {
             fatal("expressions or function calls nested too deep")
         } else {
             self.eval_inner(expr, want)
         };
-        self.nesting -= 1;
+        self.machine.stack.nesting -= 1;
         value
     }
 
@@ -48,7 +50,7 @@ impl Controller {
     }
 
     /// The value of an expression as a type.
-    pub(super) fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
+    pub fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
         let value = self.eval(expr, Some(ty))?;
         let given = value.type_name();
         match value.coerced(ty) {
@@ -58,7 +60,7 @@ impl Controller {
     }
 
     /// The value of a `num` expression (a `dnum` is not one).
-    pub(super) fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
+    pub fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
         match self.eval_as(expr, &Type::Num)? {
             Value::Num(x) => Ok(x),
             _ => fatal("no number"),
@@ -66,7 +68,7 @@ impl Controller {
     }
 
     /// The value of a condition.
-    pub(super) fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
+    pub fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
         match self.eval(expr, Some(&Type::Bool))? {
             Value::Bool(b) => Ok(b),
             other => fatal(format!("a {} where a condition is asked for", other.type_name())),
@@ -74,74 +76,75 @@ impl Controller {
     }
 
     fn local(&mut self, slot: usize) -> Result<Value, Fault> {
-        match self.stack.get(self.scope.1 + slot).map(|s| &s.bound) {
-            Some(Bound::Own(value)) => Ok(value.clone()),
-            Some(Bound::Ref(place)) => {
+        match self.machine.stack.local(slot) {
+            Some(Binding::Own(value)) => Ok(value.clone()),
+            Some(Binding::Ref(place)) => {
                 let place = place.clone();
                 self.read(&place)
             }
-            Some(Bound::Signal(name)) => {
+            Some(Binding::Signal(name)) => {
                 let name = name.clone();
                 self.signal_value(&name)
             }
-            Some(Bound::Absent) => fatal("an optional argument that was not given is used"),
+            Some(Binding::Absent) => fatal("an optional argument that was not given is used"),
             None => fatal("no such local"),
         }
     }
 
     /// The data a name means here. Data that are LOCAL to another module are taken from there, and that is
     /// said: RoboDK's pages use what the first one declares; no controller loads them.
-    pub(super) fn visible(&mut self, name: &str, spelt: &str) -> Option<usize> {
-        if let Some(datum) = self.memory.datum(self.scope.0, name) {
+    pub fn resolve_datum(&mut self, name: &str, spelt: &str) -> Option<usize> {
+        if let Some(datum) = self.program.datum(self.machine.stack.scope.0, name) {
             return Some(datum);
         }
-        let predefined = matches!(name, "errno" | "intno" | "c_progdisp") || self.signals.contains_key(name);
-        if predefined || predefined::constant(&self.types, name).is_some() {
+        let predefined = matches!(name, "errno" | "intno" | "c_progdisp")
+            || self.machine.signals.levels.contains_key(name);
+        if predefined || predefined::constant(&self.program.types, name).is_some() {
             return None;
         }
-        let elsewhere = self.memory.datum_anywhere(name)?;
-        if !self.from_elsewhere.contains(name) {
-            self.from_elsewhere.insert(name.to_owned());
-            self.tell("controller", format!("{spelt} is LOCAL to another module; taken from there"));
+        let elsewhere = self.program.datum_anywhere(name)?;
+        if !self.machine.log.from_elsewhere.contains(name) {
+            self.machine.log.from_elsewhere.insert(name.to_owned());
+            self.report("controller", format!("{spelt} is LOCAL to another module; taken from there"));
         }
         Some(elsewhere)
     }
 
     fn name(&mut self, name: &Rc<str>, spelt: &str) -> Result<Value, Fault> {
-        if let Some(datum) = self.visible(name, spelt) {
-            return self.read(&super::place::Place::data(datum));
+        if let Some(datum) = self.resolve_datum(name, spelt) {
+            return self.read(&DataRef::data(datum));
         }
         match &**name {
-            "errno" => return Ok(Value::Num(self.errno)),
-            "intno" => return Ok(Value::Num(self.intno)),
-            "c_progdisp" => return Ok(self.progdisp()),
+            "errno" => return Ok(Value::Num(self.machine.errors.errno)),
+            "intno" => return Ok(Value::Num(self.machine.interrupts.intno)),
+            "c_progdisp" => return Ok(builtin::moves::program_displacement(self)),
             _ => {}
         }
-        if let Some(value) = predefined::constant(&self.types, name) {
+        if let Some(value) = predefined::constant(&self.program.types, name) {
             return Ok(value);
         }
-        if self.signals.contains_key(name) {
+        if self.machine.signals.levels.contains_key(name) {
             return self.signal_value(name);
         }
-        if self.memory.routine(self.scope.0, name).is_some() {
+        if self.program.routine(self.machine.stack.scope.0, name).is_some() {
             return fatal(format!("{spelt} is a routine, not data"));
         }
         // A name that nothing declares is a signal of the cell, as far as this controller can know.
-        self.tell("controller", format!("{spelt} is declared nowhere: taken as a signal that is 0"));
+        self.report("controller", format!("{spelt} is declared nowhere: taken as a signal that is 0"));
         self.signal_value(name)
     }
 
     /// The value of a signal; a unit that is down raises an error.
-    pub(super) fn signal_value(&mut self, name: &Rc<str>) -> Result<Value, Fault> {
-        if self.units_down.contains(name) {
+    pub fn signal_value(&mut self, name: &Rc<str>) -> Result<Value, Fault> {
+        if self.machine.signals.units_down.contains(name) {
             return raise("err_norununit", format!("no contact with the unit of signal {name}"));
         }
-        Ok(Value::Num(self.signals.get(name).copied().unwrap_or(0.0)))
+        Ok(Value::Num(self.machine.signals.levels.get(name).copied().unwrap_or(0.0)))
     }
 
     /// A component or element of something.
     fn part(&mut self, expr: &Expr) -> Result<Value, Fault> {
-        if let Some((place, _)) = self.place(expr)? {
+        if let Some((place, _)) = self.data_ref(expr)? {
             return self.read(&place);
         }
         match &expr.kind {
@@ -186,7 +189,7 @@ impl Controller {
 
     fn unary(&mut self, op: UnaryOp, operand: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
         let value = self.eval(operand, want)?;
-        self.effort.arithmetic += u64::from(op == UnaryOp::Neg);
+        self.machine.meter.total.arithmetic += u64::from(op == UnaryOp::Neg);
         match (op, value) {
             (UnaryOp::Not, Value::Bool(b)) => Ok(Value::Bool(!b)),
             (UnaryOp::Neg, Value::Num(x)) => Ok(Value::Num(-x)),
@@ -213,7 +216,7 @@ impl Controller {
             _ => {
                 let hint = want.filter(|t| matches!(t, Type::Num | Type::Dnum));
                 let (l, r) = (self.eval(l, hint)?, self.eval(r, hint)?);
-                self.effort.arithmetic += u64::from(!matches!(l, Value::Str(_)));
+                self.machine.meter.total.arithmetic += u64::from(!matches!(l, Value::Str(_)));
                 arithmetic(op, l, r, hint)
             }
         }
@@ -314,12 +317,7 @@ fn arithmetic(op: BinaryOp, l: Value, r: Value, want: Option<&Type>) -> Result<V
 }
 
 /// `pos + pos`, `pos - pos`, the cross product `pos * pos`, and `orient * orient`.
-fn records(
-    op: BinaryOp,
-    ty: &Rc<super::value::RecordType>,
-    x: &[Value],
-    y: &[Value],
-) -> Result<Value, Fault> {
+fn records(op: BinaryOp, ty: &Rc<RecordType>, x: &[Value], y: &[Value]) -> Result<Value, Fault> {
     let a: Vec<f32> = x.iter().map(|v| v.number().unwrap_or(0.0) as f32).collect();
     let b: Vec<f32> = y.iter().map(|v| v.number().unwrap_or(0.0) as f32).collect();
     let out: Vec<f32> = match (&*ty.name, op, a.as_slice(), b.as_slice()) {

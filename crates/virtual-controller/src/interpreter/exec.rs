@@ -1,43 +1,38 @@
 //! Execution of statements: one operation after another, errors to their handlers, interrupts between.
 
-use super::controller::{Bound, Controller, Frame};
-use super::ir::{Callee, Code, Expr, Op};
-use super::memory::Kind;
-use super::outcome::{Fault, Outcome, fatal};
-
-use super::predefined;
-use super::value::{Type, Value};
+use super::Interpreter;
+use crate::code::{Callee, Code, Expr, Op};
+use crate::loaded::RoutineKind;
+use crate::machine::{Binding, Frame, Slot};
+use crate::outcome::{Fault, Outcome, fatal, raise};
+use crate::predefined;
+use crate::value::{Type, Value};
+use rapid_syntax::tree::DataKind;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Functions in execution inside expressions of one another.
-const DEEPEST_FUNCTIONS: usize = 40;
+const MAX_NESTED_FUNCTIONS: usize = 40;
 /// Passes of an endless loop inside another one, or of a routine called by one, before the run ends.
 const INNER_PASSES: u64 = 10_000;
 
-impl Controller {
+impl Interpreter<'_> {
     /// Execute until only `base` routines are left in execution.
-    pub(super) fn run(&mut self, base: usize) -> Result<(), Fault> {
-        while self.frames.len() > base {
-            if self.steps_left == 0 {
-                return Err(Fault::Ended(Outcome::OutOfSteps));
-            }
-            if base == 0 && self.moves_to_stop == Some(0) {
-                self.moves_to_stop = None;
-                return Err(Fault::Ended(Outcome::Stopped));
-            }
-            self.steps_left -= 1;
-            let step_s = self.calendar.step_s;
-            self.calendar.advance_s(step_s);
+    pub fn run(&mut self, base: usize) -> Result<(), Fault> {
+        while self.machine.stack.frames.len() > base {
+            self.machine.limits.next_step(base == 0)?;
+            let step_s = self.machine.calendar.step_s;
+            self.machine.calendar.advance_s(step_s);
             self.interrupt()?;
-            let Some(frame) = self.frames.last_mut() else { break };
+            let Some(frame) = self.machine.stack.frames.last_mut() else { break };
             let code = frame.code.clone();
-            let Some(step) = code.steps.get(frame.pc) else {
+            let Some(step) = code.instructions.get(frame.pc) else {
                 self.leave();
                 continue;
             };
             frame.current = frame.pc;
             frame.pc += 1;
-            self.effort.statements += u64::from(step.counts);
+            self.machine.meter.total.statements += u64::from(step.counts);
             match self.operation(&step.op) {
                 Ok(()) => {}
                 Err(Fault::Raised { number, text, at }) => {
@@ -50,25 +45,6 @@ impl Controller {
         Ok(())
     }
 
-    fn jump(&mut self, to: usize) {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.pc = to;
-        }
-    }
-
-    fn set_slot(&mut self, slot: usize, value: Value) {
-        if let Some(slot) = self.stack.get_mut(self.scope.1 + slot) {
-            slot.bound = Bound::Own(value);
-        }
-    }
-
-    fn slot_num(&self, slot: usize) -> f32 {
-        match self.stack.get(self.scope.1 + slot).map(|s| &s.bound) {
-            Some(Bound::Own(v)) => v.number().unwrap_or(0.0) as f32,
-            _ => 0.0,
-        }
-    }
-
     fn operation(&mut self, op: &Op) -> Result<(), Fault> {
         match op {
             Op::Assign(target, value) => self.assign(target, value),
@@ -79,20 +55,20 @@ impl Controller {
                     let Some(name) = name.string().map(str::to_lowercase) else {
                         return fatal("late binding with something that is no string");
                     };
-                    if self.memory.routine(self.scope.0, &name).is_none() {
-                        return super::outcome::raise("err_refunkprc", format!("no procedure {name}"));
+                    if self.program.routine(self.machine.stack.scope.0, &name).is_none() {
+                        return raise("err_refunkprc", format!("no procedure {name}"));
                     }
                     self.call_procedure(&name.as_str().into(), &name, call)
                 }
             },
             Op::Jump(to) => {
-                self.jump(*to);
+                self.machine.stack.jump(*to);
                 Ok(())
             }
             Op::LoopBack(to) => self.loop_back(*to),
             Op::JumpUnless(cond, to) => {
                 if !self.eval_bool(cond)? {
-                    self.jump(*to);
+                    self.machine.stack.jump(*to);
                 }
                 Ok(())
             }
@@ -103,30 +79,34 @@ impl Controller {
                     None if from > to => -1.0,
                     None => 1.0,
                 };
-                self.set_slot(*var, Value::Num(from));
-                self.set_slot(*end, Value::Num(to));
-                self.set_slot(*step, Value::Num(by));
+                self.machine.stack.set_local(*var, Value::Num(from));
+                self.machine.stack.set_local(*end, Value::Num(to));
+                self.machine.stack.set_local(*step, Value::Num(by));
                 Ok(())
             }
             Op::ForTest { var, end, step, exit } => {
-                let (at, end, by) = (self.slot_num(*var), self.slot_num(*end), self.slot_num(*step));
+                let (at, end, by) = (
+                    self.machine.stack.local_num(*var),
+                    self.machine.stack.local_num(*end),
+                    self.machine.stack.local_num(*step),
+                );
                 if (by >= 0.0 && at > end) || (by < 0.0 && at < end) {
-                    self.jump(*exit);
+                    self.machine.stack.jump(*exit);
                 }
                 Ok(())
             }
             Op::ForStep { var, step, top } => {
-                let next = self.slot_num(*var) + self.slot_num(*step);
-                self.set_slot(*var, Value::Num(next));
-                self.jump(*top);
+                let next = self.machine.stack.local_num(*var) + self.machine.stack.local_num(*step);
+                self.machine.stack.set_local(*var, Value::Num(next));
+                self.machine.stack.jump(*top);
                 Ok(())
             }
-            Op::Keep(slot, expr) => {
+            Op::Store(slot, expr) => {
                 let value = match self.eval(expr, None)? {
                     Value::Literal(x) => Value::num(x),
                     value => value,
                 };
-                self.set_slot(*slot, value);
+                self.machine.stack.set_local(*slot, value);
                 Ok(())
             }
             Op::JumpIfIn(slot, values, to) => self.jump_if_in(*slot, values, *to),
@@ -136,7 +116,7 @@ impl Controller {
             Op::Exit => Err(Fault::Ended(Outcome::Exited)),
             Op::Connect(interrupt, trap) => self.connect(interrupt, trap),
             Op::Unknown(text) => {
-                self.unknown.insert(text.to_string());
+                self.machine.log.unknown.insert(text.to_string());
                 Ok(())
             }
             Op::End => self.end_of_routine(),
@@ -144,7 +124,7 @@ impl Controller {
     }
 
     fn assign(&mut self, target: &Expr, value: &Expr) -> Result<(), Fault> {
-        let Some((place, ty)) = self.place(target)? else {
+        let Some((place, ty)) = self.data_ref(target)? else {
             return fatal("an assignment to something that is declared nowhere");
         };
         let value = self.eval(value, Some(&ty))?;
@@ -152,8 +132,8 @@ impl Controller {
     }
 
     fn jump_if_in(&mut self, slot: usize, values: &[Expr], to: usize) -> Result<(), Fault> {
-        let kept = match self.stack.get(self.scope.1 + slot).map(|s| &s.bound) {
-            Some(Bound::Own(value)) => value.clone(),
+        let kept = match self.machine.stack.local(slot) {
+            Some(Binding::Own(value)) => value.clone(),
             _ => return fatal("TEST without value"),
         };
         for value in values {
@@ -164,7 +144,7 @@ impl Controller {
                 _ => return fatal(format!("a CASE of another type than the {}", kept.type_name())),
             };
             if same {
-                self.jump(to);
+                self.machine.stack.jump(to);
                 return Ok(());
             }
         }
@@ -173,9 +153,9 @@ impl Controller {
 
     /// Count a pass of an endless loop; the outermost one ends the run when there were enough.
     fn loop_back(&mut self, to: usize) -> Result<(), Fault> {
-        let inside = self.frames.iter().any(inside_loop);
-        let allowed = self.passes;
-        let Some(frame) = self.frames.last_mut() else { return Ok(()) };
+        let inside = self.machine.stack.frames.iter().any(inside_loop);
+        let allowed = self.machine.limits.passes;
+        let Some(frame) = self.machine.stack.frames.last_mut() else { return Ok(()) };
         let at = frame.current;
         let passes = frame.passes.entry(at).or_insert(0);
         *passes += 1;
@@ -187,22 +167,16 @@ impl Controller {
     }
 
     /// Put a routine with its slots on the stack and evaluate its declarations.
-    pub(super) fn enter(
-        &mut self,
-        routine: usize,
-        slots: Vec<super::controller::Slot>,
-        trap: bool,
-    ) -> Result<(), Fault> {
-        if self.frames.len() >= 500 {
+    pub fn enter(&mut self, routine: usize, slots: Vec<Slot>, trap: bool) -> Result<(), Fault> {
+        if self.machine.stack.frames.len() >= 500 {
             return fatal("the chain of calls is too deep");
         }
         let code = self.code(routine)?;
-        let module = self.memory.routines.get(routine).map_or(usize::MAX, |r| r.module);
-        let base = self.stack.len();
-        self.stack.extend(slots);
-        let own = |ty: Type| super::controller::Slot { bound: Bound::Own(ty.initial()), ty, constant: false };
-        self.stack.resize_with(base + code.slots, || own(Type::Num));
-        self.frames.push(Frame {
+        let module = self.program.module_of(routine);
+        let base = self.machine.stack.slots.len();
+        self.machine.stack.slots.extend(slots);
+        self.machine.stack.slots.resize_with(base + code.slots, || Slot::local(Type::Num));
+        self.machine.stack.frames.push(Frame {
             routine,
             module,
             code: code.clone(),
@@ -211,54 +185,45 @@ impl Controller {
             current: 0,
             failed: None,
             trap,
-            effort: self.effort,
-            passes: std::collections::BTreeMap::new(),
+            effort: self.machine.meter.total,
+            passes: BTreeMap::new(),
         });
-        self.scope = (module, base);
+        self.machine.stack.scope = (module, base);
         for decl in &code.decls {
-            let ty = self.memory.type_named(module, &decl.type_name).array_of(decl.dims.len());
+            let ty = self.program.type_named(module, &decl.type_name).array_of(decl.dims.len());
             let value = self.declared_value("a local", &ty, &decl.dims, decl.init.as_ref())?;
-            if let Some(slot) = self.stack.get_mut(base + decl.slot) {
-                slot.constant = decl.kind == rapid_syntax::tree::DataKind::Const;
+            if let Some(slot) = self.machine.stack.slots.get_mut(base + decl.slot) {
+                slot.constant = decl.kind == DataKind::Const;
                 slot.ty = ty;
-                slot.bound = Bound::Own(value);
+                slot.binding = Binding::Own(value);
             }
         }
         Ok(())
     }
 
     /// The executable form of a routine, made when it is first called.
-    pub(super) fn code(&mut self, routine: usize) -> Result<Rc<Code>, Fault> {
-        let Some(r) = self.memory.routines.get(routine) else { return fatal("no such routine") };
-        if let Some(code) = &r.code {
-            return Ok(code.clone());
+    pub fn code(&self, routine: usize) -> Result<Rc<Code>, Fault> {
+        match self.program.code(routine) {
+            Some(code) => Ok(code),
+            None => fatal("no such routine"),
         }
-        let Some(module) = self.memory.modules.get(r.module) else { return fatal("no such module") };
-        let Some(tree) = module.routine(r.at) else { return fatal("no such routine") };
-        let code = Rc::new(super::compile::routine(&module.file, tree));
-        if let Some(r) = self.memory.routines.get_mut(routine) {
-            r.code = Some(code.clone());
-        }
-        Ok(code)
     }
 
     /// Take the innermost routine off the stack.
     fn leave(&mut self) {
-        if let Some(frame) = self.frames.pop() {
-            self.stack.truncate(frame.base);
-            if frame.trap {
-                self.effort = frame.effort;
-            }
+        if let Some(frame) = self.machine.stack.pop()
+            && frame.trap
+        {
+            self.machine.meter.total = frame.effort;
         }
-        self.scope = self.frames.last().map_or((usize::MAX, 0), |f| (f.module, f.base));
     }
 
     fn leave_with(&mut self, value: Option<&Expr>) -> Result<(), Fault> {
-        let routine = self.frames.last().and_then(|f| self.memory.routines.get(f.routine));
-        let kind = routine.map(|r| r.kind.clone());
-        self.returned = match (kind, value) {
-            (Some(Kind::Func(ty)), Some(value)) => Some(self.eval_as(value, &ty)?),
-            (Some(Kind::Func(_)), None) => return fatal("RETURN without value in a function"),
+        let routine = self.machine.stack.frames.last().and_then(|f| self.program.kind(f.routine));
+        let kind = routine.cloned();
+        self.machine.stack.returned = match (kind, value) {
+            (Some(RoutineKind::Func(ty)), Some(value)) => Some(self.eval_as(value, &ty)?),
+            (Some(RoutineKind::Func(_)), None) => return fatal("RETURN without value in a function"),
             (_, Some(_)) => return fatal("RETURN with a value in a procedure"),
             (_, None) => None,
         };
@@ -267,8 +232,8 @@ impl Controller {
     }
 
     fn end_of_routine(&mut self) -> Result<(), Fault> {
-        let routine = self.frames.last().and_then(|f| self.memory.routines.get(f.routine));
-        if let Some(Kind::Func(_)) = routine.map(|r| &r.kind) {
+        let routine = self.machine.stack.frames.last().and_then(|f| self.program.kind(f.routine));
+        if let Some(RoutineKind::Func(_)) = routine {
             return fatal("the end of a function is reached without RETURN");
         }
         self.leave();
@@ -279,11 +244,11 @@ impl Controller {
     fn recover(&mut self, fault: Fault, base: usize) -> Result<(), Fault> {
         let Fault::Raised { number, .. } = &fault else { return Err(fault) };
         let number = *number;
-        while self.frames.len() > base {
-            let Some(frame) = self.frames.last() else { break };
+        while self.machine.stack.frames.len() > base {
+            let Some(frame) = self.machine.stack.frames.last() else { break };
             if frame.failed.is_some() || frame.trap {
                 // "Errors within an error clause are always propagated to the system error handler."
-                return Err(Fault::Ended(self.failure(fault)));
+                return Err(Fault::Ended(self.outcome(fault)));
             }
             let code = frame.code.clone();
             for (numbers, start) in &code.handlers {
@@ -291,10 +256,10 @@ impl Controller {
                 for n in numbers {
                     meant |= self.eval_num(n)? == number;
                 }
-                if meant && let Some(frame) = self.frames.last_mut() {
+                if meant && let Some(frame) = self.machine.stack.frames.last_mut() {
                     frame.failed = Some(frame.current);
                     frame.pc = *start;
-                    self.errno = number;
+                    self.machine.errors.errno = number;
                     return Ok(());
                 }
             }
@@ -303,25 +268,13 @@ impl Controller {
         Err(fault)
     }
 
-    fn failure(&self, fault: Fault) -> Outcome {
-        match fault {
-            Fault::Raised { number, text, at } => Outcome::Failed {
-                error: predefined::error_name(number),
-                message: text,
-                at: at.unwrap_or_default(),
-            },
-            Fault::Fatal(message) => Outcome::Failed { error: None, message, at: self.here() },
-            Fault::Ended(outcome) => outcome,
-        }
-    }
-
     /// RAISE: in a routine's statements to its own handler, in its handler to the caller's.
     fn raise_again(&mut self, number: Option<&Expr>) -> Result<(), Fault> {
         let at = Some(self.here());
-        let in_handler = self.frames.last().is_some_and(|f| f.failed.is_some());
+        let in_handler = self.machine.stack.frames.last().is_some_and(|f| f.failed.is_some());
         let number = match number {
             Some(n) => self.eval_num(n)?,
-            None if in_handler => self.errno,
+            None if in_handler => self.machine.errors.errno,
             None => return fatal("RAISE without number outside of an ERROR handler"),
         };
         if in_handler {
@@ -335,27 +288,25 @@ impl Controller {
     }
 
     fn resume(&mut self, again: bool) -> Result<(), Fault> {
-        let Some(frame) = self.frames.last_mut() else { return Ok(()) };
+        let Some(frame) = self.machine.stack.frames.last_mut() else { return Ok(()) };
         let Some(failed) = frame.failed.take() else {
             return fatal("RETRY or TRYNEXT outside of an ERROR handler");
         };
-        frame.pc = if again { failed } else { frame.code.steps.get(failed).map_or(failed, |s| s.next) };
+        frame.pc =
+            if again { failed } else { frame.code.instructions.get(failed).map_or(failed, |s| s.next) };
         Ok(())
     }
 
     /// Call a function of the program in an expression.
-    pub(super) fn run_function(
-        &mut self,
-        routine: usize,
-        slots: Vec<super::controller::Slot>,
-    ) -> Result<Value, Fault> {
-        let base = self.frames.len();
-        let functions = self.frames.iter().filter(|f| self.is_function(f.routine)).count();
-        if functions >= DEEPEST_FUNCTIONS {
+    pub fn run_function(&mut self, routine: usize, slots: Vec<Slot>) -> Result<Value, Fault> {
+        let base = self.machine.stack.frames.len();
+        let functions =
+            self.machine.stack.frames.iter().filter(|f| self.program.is_function(f.routine)).count();
+        if functions >= MAX_NESTED_FUNCTIONS {
             return fatal("functions call one another too deep");
         }
         self.measured(routine, |c| c.enter(routine, slots, false).and_then(|()| c.run(base)))?;
-        match self.returned.take() {
+        match self.machine.stack.returned.take() {
             Some(value) => Ok(value),
             None => fatal("a function without value"),
         }
@@ -364,6 +315,6 @@ impl Controller {
 
 /// Whether the operation in work stands in the body of an endless loop, its own back jump not counted.
 fn inside_loop(frame: &Frame) -> bool {
-    let mut later = frame.code.steps.iter().skip(frame.current + 1);
+    let mut later = frame.code.instructions.iter().skip(frame.current + 1);
     later.any(|s| matches!(s.op, Op::LoopBack(top) if top <= frame.current))
 }

@@ -5,10 +5,10 @@
 //! closed) stays done. What branches or jumps is not gone through backwards, and neither is a procedure without
 //! BACKWARD section. An arc is gone back on the straight line.
 
-use super::builtin::moves::{self, Form};
-use super::controller::Controller;
-use super::ir::{Call, Callee, Code, Op};
-use super::outcome::{Fault, Outcome, SimulateError};
+use super::Interpreter;
+use crate::builtin::moves::{self, MoveForm};
+use crate::code::{Call, Callee, Code, Op};
+use crate::outcome::Fault;
 use std::rc::Rc;
 
 /// What one step back did.
@@ -26,46 +26,19 @@ fn refused(why: impl Into<String>) -> Result<BackStep, Fault> {
     Ok(BackStep::Refused(why.into()))
 }
 
-impl Controller {
-    /// Call a procedure without arguments from the beginning and stop it behind so many of its moves.
-    ///
-    /// # Errors
-    /// [`SimulateError::NoRoutine`]
-    pub fn call_until(&mut self, name: &str, moves: u64) -> Result<Outcome, SimulateError> {
-        self.frames.clear();
-        self.stack.clear();
-        self.scope = (usize::MAX, 0);
-        self.moves_to_stop = Some(moves);
-        let outcome = self.call(name, 1);
-        self.moves_to_stop = None;
-        outcome
-    }
-
-    /// Go on from where the program was stopped, to its end or for so many moves more.
-    pub fn go_on(&mut self, moves: Option<u64>) -> Outcome {
-        self.steps_left = self.step_limit;
-        self.moves_to_stop = moves;
-        let result = self.run(0);
-        self.moves_to_stop = None;
-        self.ended(result, (0, 0), (usize::MAX, 0))
-    }
-
-    /// Go through the statement before the one at which the program is stopped, backwards.
+impl Interpreter<'_> {
+    /// Goes through the statement before the one at which the program is stopped, backwards.
     pub fn step_back(&mut self) -> BackStep {
-        self.steps_left = self.step_limit;
-        let (depth, slots, scope) = (self.frames.len(), self.stack.len(), self.scope);
-        let before = self.frames.last().map(|f| (f.pc, f.current));
+        let stopped = self.machine.stack.mark();
+        let before = self.machine.stack.frames.last().map(|f| (f.pc, f.current));
         let step = self.try_step_back().unwrap_or_else(|fault| {
             BackStep::Refused(match fault {
                 Fault::Raised { text, .. } | Fault::Fatal(text) => text,
                 Fault::Ended(_) => "the run ends there".to_owned(),
             })
         });
-        self.frames.truncate(depth);
-        self.stack.truncate(slots);
-        self.scope = scope;
-        self.nesting = 0;
-        if let (Some(frame), Some((pc, current))) = (self.frames.last_mut(), before) {
+        self.machine.stack.unwind_to(stopped);
+        if let (Some(frame), Some((pc, current))) = (self.machine.stack.frames.last_mut(), before) {
             (frame.pc, frame.current) = match step {
                 BackStep::Refused(_) => (pc, current),
                 _ => (pc - 1, pc - 1),
@@ -75,7 +48,7 @@ impl Controller {
     }
 
     fn try_step_back(&mut self) -> Result<BackStep, Fault> {
-        let Some(frame) = self.frames.last() else { return refused("no program is stopped") };
+        let Some(frame) = self.machine.stack.frames.last() else { return refused("no program is stopped") };
         let (code, pc) = (frame.code.clone(), frame.pc);
         let Some(at) = pc.checked_sub(1) else { return refused("the routine begins here") };
         let Some(op) = before(&code, pc) else {
@@ -85,7 +58,7 @@ impl Controller {
         let Callee::Name(name, spelt) = &call.callee else {
             return refused("a procedure called by late binding is not gone through backwards");
         };
-        if let Some(routine) = self.memory.routine(self.scope.0, name) {
+        if let Some(routine) = self.program.routine(self.machine.stack.scope.0, name) {
             return self.go_back_through(routine, spelt, call);
         }
         match moves::form(name) {
@@ -99,10 +72,10 @@ impl Controller {
         let Some(start) = self.code(routine)?.backward else {
             return refused(format!("{spelt} has no BACKWARD section"));
         };
-        let depth = self.frames.len();
+        let depth = self.machine.stack.frames.len();
         let slots = self.bind(routine, call)?;
         self.enter(routine, slots, false)?;
-        if let Some(frame) = self.frames.last_mut() {
+        if let Some(frame) = self.machine.stack.frames.last_mut() {
             frame.pc = start;
         }
         self.run(depth)?;
@@ -110,7 +83,7 @@ impl Controller {
     }
 
     /// Go to where the move before the one at `at` ends.
-    fn move_back(&mut self, code: &Rc<Code>, at: usize, later: &Form) -> Result<BackStep, Fault> {
+    fn move_back(&mut self, code: &Rc<Code>, at: usize, later: &MoveForm) -> Result<BackStep, Fault> {
         let mut pc = at;
         loop {
             if pc == 0 {
@@ -124,18 +97,18 @@ impl Controller {
             let Callee::Name(name, spelt) = &call.callee else {
                 return refused("a procedure called by late binding stands before it");
             };
-            if let Some(routine) = self.memory.routine(self.scope.0, name) {
+            if let Some(routine) = self.program.routine(self.machine.stack.scope.0, name) {
                 if self.has_moves(routine)? {
                     return refused(format!("it begins where {spelt} ended"));
                 }
                 continue;
             }
             let Some(form) = moves::form(name) else { continue };
-            if let Some(frame) = self.frames.last_mut() {
+            if let Some(frame) = self.machine.stack.frames.last_mut() {
                 frame.current = pc;
             }
-            let (form, args) = (form.back_from(later), self.args(call));
-            self.metered(|c| c.execute_move(name, &form, &args))?;
+            let (form, args) = (form.back_from(later), self.args(name, call));
+            self.metered(|c| moves::execute(c, &form, &args))?;
             return Ok(BackStep::Moved);
         }
     }
@@ -146,11 +119,11 @@ impl Controller {
         let mut next = 0;
         while let Some(&routine) = seen.get(next) {
             next += 1;
-            let module = self.memory.routines.get(routine).map_or(usize::MAX, |r| r.module);
-            for step in &self.code(routine)?.steps {
-                let Op::Call(call) = &step.op else { continue };
+            let module = self.program.module_of(routine);
+            for instruction in &self.code(routine)?.instructions {
+                let Op::Call(call) = &instruction.op else { continue };
                 let Callee::Name(name, _) = &call.callee else { return Ok(true) };
-                match self.memory.routine(module, name) {
+                match self.program.routine(module, name) {
                     Some(inner) if !seen.contains(&inner) => seen.push(inner),
                     Some(_) => {}
                     None if moves::form(name).is_some() => return Ok(true),
@@ -170,10 +143,10 @@ fn before(code: &Code, pc: usize) -> Option<&Op> {
         Op::ForStep { top, .. } => *top == pc,
         _ => false,
     };
-    if code.steps.iter().any(|s| lands_here(&s.op)) {
+    if code.instructions.iter().any(|s| lands_here(&s.op)) {
         return None;
     }
-    match &code.steps.get(pc.checked_sub(1)?)?.op {
+    match &code.instructions.get(pc.checked_sub(1)?)?.op {
         op @ (Op::Assign(..) | Op::Call(_) | Op::Connect(..) | Op::Unknown(_)) => Some(op),
         _ => None,
     }

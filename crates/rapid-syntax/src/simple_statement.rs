@@ -1,34 +1,16 @@
 //! The productions of simple statements: those that end in a semicolon.
 
-use super::block::{Ending, for_statement, if_statement, test_statement, while_statement};
-use super::declaration::data_declaration;
-use super::expression::{arguments, expression, variable};
-use super::input::{Read, Text, Unread, place};
+use super::ending::{Ending, end_of, terminated, warn_unless_terminated};
+use super::expression::{argument, arguments, expression, variable};
+use super::input::{NoMatch, Read, Text, failure_at};
 use super::lexical::{
     any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, white, word,
 };
 use super::recover::{begins_anew, element_end};
 use super::tree::{Arg, ArgKind, AssignStmt, CallStmt, Callee, ConnectStmt, Expr, ExprKind, Stmt, StmtKind};
 use super::word::Word;
-use crate::diagnostic::TextRange;
 use nom::Parser;
 use nom::sequence::preceded;
-
-/// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration ;`
-pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
-    let i = white(i);
-    match any_word(i) {
-        Some((_, Word::If)) => if_statement(i),
-        Some((_, Word::For)) => for_statement(i),
-        Some((_, Word::While)) => while_statement(i),
-        Some((_, Word::Test)) => test_statement(i),
-        Some((_, Word::Var | Word::Const | Word::Pers)) => {
-            let (rest, data) = data_declaration(i)?;
-            Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }))
-        }
-        _ => simple_statement(i),
-    }
-}
 
 /// `simple_statement = label | placeholder [ ";" ] | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ? nothing ? ) ";" ;`
 pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
@@ -43,7 +25,7 @@ pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
                 Ok((rest, Stmt { range: i.until(rest), kind: StmtKind::Placeholder }))
             }
             Some(b) if begins_name(b) => named_statement(i),
-            _ => i.unread(),
+            _ => i.no_match(),
         };
     };
     let (rest, kind) = match first {
@@ -54,7 +36,7 @@ pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
         Word::Retry => (after, StmtKind::Retry),
         Word::TryNext => (after, StmtKind::TryNext),
         Word::Exit => (after, StmtKind::Exit),
-        _ => return i.unread(),
+        _ => return i.no_match(),
     };
     terminated(i, rest, kind)
 }
@@ -164,13 +146,13 @@ fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
 }
 
 /// Whether a procedure's name is a whole statement without its semicolon, what follows being no arguments.
-fn stands_alone(after: Text<'_>, next: Text<'_>, failure: &nom::Err<Unread>) -> bool {
-    let read = place(failure).saturating_sub(after.at()) as usize;
+fn stands_alone(after: Text<'_>, next: Text<'_>, failure: &nom::Err<NoMatch>) -> bool {
+    let read = failure_at(failure).saturating_sub(after.at()) as usize;
     end_of(after).is_some() && (next.is_empty() || after.state.may_read_again(read))
 }
 
 fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<'a, Stmt> {
-    let Some(ending) = end_of(rest) else { return blank(rest).unread() };
+    let Some(ending) = end_of(rest) else { return blank(rest).no_match() };
     call.terminated = matches!(ending, Ending::Semicolon(_));
     let end = ending.after(rest);
     let range = start.until(end);
@@ -187,7 +169,7 @@ fn ended_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     let (rest, args) = arguments(i)?;
     match end_of(rest) {
         Some(_) => Ok((rest, args)),
-        None => blank(rest).unread(),
+        None => blank(rest).no_match(),
     }
 }
 
@@ -200,13 +182,13 @@ fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     }
     loop {
         let start = blank(i);
-        let (rest, arg) = match super::expression::argument(start) {
+        let (rest, arg) = match argument(start) {
             Ok((rest, arg)) if matches!(blank(rest).peek(), Some(b',' | b')' | b'\\')) => (rest, arg),
             _ => {
                 let end = element_end(start);
                 let range = start.until(end);
                 if range.is_empty() {
-                    return start.unread();
+                    return start.no_match();
                 }
                 (end, Arg { range, kind: ArgKind::Positional(Expr { range, kind: ExprKind::Opaque }) })
             }
@@ -217,7 +199,7 @@ fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
             Some(b',') => next.skip(1),
             Some(b'\\') => next,
             Some(b')') => return Ok((next.skip(1), args.into_boxed_slice())),
-            _ => return next.unread(),
+            _ => return next.no_match(),
         };
     }
 }
@@ -226,41 +208,4 @@ fn parenthesised_arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
 fn late_name<'a>(i: Text<'a>) -> Read<'a, Expr> {
     let (rest, ((), name, ())) = (sign(b'%'), expression, sign(b'%')).parse(i)?;
     Ok((rest, name))
-}
-
-/// How a statement whose last part ends where `rest` begins goes to its end.
-pub(super) fn end_of<'a>(rest: Text<'a>) -> Option<Ending<'a>> {
-    let next = blank(rest);
-    match next.peek() {
-        Some(b';') => Some(Ending::Semicolon(next.skip(1))),
-        None => Some(Ending::Missing),
-        Some(_) if line_ends_before(rest, next) && begins_anew(next) => Some(Ending::Missing),
-        Some(_) => any_word(next).filter(|(_, w)| !w.inside_statement()).map(|_| Ending::Missing),
-    }
-}
-
-fn warn_unless_terminated(at: Text<'_>, range: TextRange, ending: &Ending<'_>) {
-    if matches!(ending, Ending::Missing) {
-        at.state.warn(
-            range,
-            "syntax::semicolon",
-            "this statement has no semicolon at its end; no controller loads this",
-        );
-    }
-}
-
-/// The statement from `start` whose last part ends where `rest` begins: with its semicolon, or without
-/// it, which is said.
-pub(super) fn terminated<'a>(start: Text<'a>, rest: Text<'a>, kind: StmtKind) -> Read<'a, Stmt> {
-    let Some(ending) = end_of(rest) else { return blank(rest).unread() };
-    let end = ending.after(rest);
-    let range = start.until(end);
-    warn_unless_terminated(start, range, &ending);
-    Ok((end, Stmt { range, kind }))
-}
-
-/// Past the semicolon of a declaration from `start`, which may lack it like a statement.
-pub(super) fn semicolon<'a>(start: Text<'a>, rest: Text<'a>) -> Read<'a, TextRange> {
-    let (rest, stmt) = terminated(start, rest, StmtKind::Empty)?;
-    Ok((rest, stmt.range))
 }

@@ -1,86 +1,52 @@
-//! Places that can be read and written: data, a component of data, an element of an array.
+//! Data that can be read and written: whole, by component, by element.
 
-use super::compile;
-use super::controller::{Bound, Controller};
-use super::ir::{Expr, ExprKind};
-use super::memory::State;
-use super::outcome::{Fault, fatal};
-use super::value::{Type, Value};
+use super::Interpreter;
+use crate::code::{Expr, ExprKind};
+use crate::compile;
+use crate::loaded::DatumOrigin;
+use crate::machine::{Access, Binding, DataRef, DataRoot, DataState, Selector};
+use crate::outcome::{Fault, fatal};
+use crate::predefined;
+use crate::value::{Type, Value};
 use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{self, DataKind};
 
-/// Where a value is kept.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Place {
-    pub root: Root,
-    pub path: Vec<Select>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Root {
-    /// Data of a module.
-    Data(usize),
-    /// A slot of the stack, counted from its bottom.
-    Slot(usize),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Select {
-    Field(usize),
-    /// From 0.
-    Element(usize),
-}
-
-impl Place {
-    pub fn data(datum: usize) -> Self {
-        Self { root: Root::Data(datum), path: Vec::new() }
-    }
-}
-
-/// How data may be handed over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Access {
-    Constant,
-    Variable,
-    Persistent,
-}
-
-impl Controller {
+impl Interpreter<'_> {
     /// The place an expression names, with its type; `None` where it names none.
-    pub(super) fn place(&mut self, expr: &Expr) -> Result<Option<(Place, Type)>, Fault> {
+    pub fn data_ref(&mut self, expr: &Expr) -> Result<Option<(DataRef, Type)>, Fault> {
         match &expr.kind {
             ExprKind::Local(slot) => {
-                let at = self.scope.1 + slot;
-                let Some(slot) = self.stack.get(at) else { return fatal("no such local") };
-                match &slot.bound {
-                    Bound::Own(_) => {
-                        Ok(Some((Place { root: Root::Slot(at), path: Vec::new() }, slot.ty.clone())))
+                let at = self.machine.stack.scope.1 + slot;
+                let Some(slot) = self.machine.stack.slots.get(at) else { return fatal("no such local") };
+                match &slot.binding {
+                    Binding::Own(_) => {
+                        Ok(Some((DataRef { root: DataRoot::Slot(at), path: Vec::new() }, slot.ty.clone())))
                     }
-                    Bound::Ref(place) => Ok(Some((place.clone(), slot.ty.clone()))),
-                    Bound::Signal(_) => Ok(None),
-                    Bound::Absent => fatal("an optional argument that was not given is used"),
+                    Binding::Ref(place) => Ok(Some((place.clone(), slot.ty.clone()))),
+                    Binding::Signal(_) => Ok(None),
+                    Binding::Absent => fatal("an optional argument that was not given is used"),
                 }
             }
-            ExprKind::Name(name, spelt) => Ok(self.visible(name, spelt).and_then(|d| {
-                let ty = self.memory.data.get(d)?.ty.clone();
-                Some((Place::data(d), ty))
+            ExprKind::Name(name, spelt) => Ok(self.resolve_datum(name, spelt).and_then(|d| {
+                let ty = self.program.data.get(d)?.ty.clone();
+                Some((DataRef::data(d), ty))
             })),
             ExprKind::Field(base, field) => {
-                let Some((mut place, ty)) = self.place(base)? else { return Ok(None) };
+                let Some((mut place, ty)) = self.data_ref(base)? else { return Ok(None) };
                 let Type::Record(record) = &ty else {
                     return fatal(format!("{} has no component {field}", ty.name()));
                 };
                 let Some((at, ty)) = record.field(field) else {
                     return fatal(format!("{} has no component {field}", record.name));
                 };
-                place.path.push(Select::Field(at));
+                place.path.push(Selector::Field(at));
                 Ok(Some((place, ty.clone())))
             }
             ExprKind::Index(base, indices) => {
-                let Some((mut place, mut ty)) = self.place(base)? else { return Ok(None) };
+                let Some((mut place, mut ty)) = self.data_ref(base)? else { return Ok(None) };
                 for index in indices {
                     let Type::Array(inner) = ty else { return fatal("more indices than dimensions") };
-                    place.path.push(Select::Element(self.index(index)?));
+                    place.path.push(Selector::Element(self.index(index)?));
                     ty = (*inner).clone();
                 }
                 Ok(Some((place, ty)))
@@ -99,14 +65,14 @@ impl Controller {
     }
 
     /// Whether a place is CONST, VAR or PERS.
-    pub(super) fn access(&self, place: &Place) -> Access {
+    pub fn access(&self, place: &DataRef) -> Access {
         match place.root {
-            Root::Data(d) => match self.memory.data.get(d).map(|d| d.kind) {
+            DataRoot::Data(d) => match self.program.data.get(d).map(|d| d.kind) {
                 Some(DataKind::Pers) => Access::Persistent,
                 Some(DataKind::Var) => Access::Variable,
                 _ => Access::Constant,
             },
-            Root::Slot(at) => match self.stack.get(at) {
+            DataRoot::Slot(at) => match self.machine.stack.slots.get(at) {
                 Some(slot) if !slot.constant => Access::Variable,
                 _ => Access::Constant,
             },
@@ -114,28 +80,28 @@ impl Controller {
     }
 
     /// The value at a place.
-    pub(super) fn read(&mut self, place: &Place) -> Result<Value, Fault> {
-        if let Root::Data(datum) = place.root {
-            if let Some(value) = self.pinned.get(&datum).filter(|_| place.path.is_empty()) {
+    pub fn read(&mut self, place: &DataRef) -> Result<Value, Fault> {
+        if let DataRoot::Data(datum) = place.root {
+            if let Some(value) = self.machine.data.pinned.get(&datum).filter(|_| place.path.is_empty()) {
                 return Ok(value.clone());
             }
             if let Some(value) = self.constant_part(datum, &place.path)? {
                 return Ok(value);
             }
-            self.settle(datum)?;
+            self.initialise(datum)?;
         }
         let mut value = match place.root {
-            Root::Data(d) => match self.memory.data.get(d).map(|d| &d.state) {
-                Some(State::Known(value)) => value,
-                _ => return fatal("data without value"),
+            DataRoot::Data(d) => match self.machine.data.known(d) {
+                Some(value) => value,
+                None => return fatal("data without value"),
             },
-            Root::Slot(at) => match self.stack.get(at).map(|s| &s.bound) {
-                Some(Bound::Own(value)) => value,
+            DataRoot::Slot(at) => match self.machine.stack.slots.get(at).map(|s| &s.binding) {
+                Some(Binding::Own(value)) => value,
                 _ => return fatal("a place that is gone"),
             },
         };
         for select in &place.path {
-            let (Select::Field(at) | Select::Element(at)) = select;
+            let (Selector::Field(at) | Selector::Element(at)) = select;
             match value.parts().get(*at) {
                 Some(part) => value = part,
                 None => return fatal(format!("index {} outside of the array", at + 1)),
@@ -145,33 +111,34 @@ impl Controller {
     }
 
     /// Assign to a place.
-    pub(super) fn write(&mut self, place: &Place, value: Value) -> Result<(), Fault> {
+    pub fn write(&mut self, place: &DataRef, value: Value) -> Result<(), Fault> {
         if self.access(place) == Access::Constant {
             return fatal("an assignment to a constant");
         }
         let (mut ty, mut target) = match place.root {
-            Root::Data(datum) => {
-                if self.pinned.contains_key(&datum) {
+            DataRoot::Data(datum) => {
+                if self.machine.data.pinned.contains_key(&datum) {
                     return Ok(());
                 }
-                self.settle(datum)?;
-                let datum = self.memory.data.get_mut(datum).map(|d| (&d.ty, &mut d.state));
-                match datum {
-                    Some((ty, State::Known(value))) => (ty, value),
+                self.initialise(datum)?;
+                let ty = self.program.data.get(datum).map(|d| &d.ty);
+                match (ty, self.machine.data.state_mut(datum)) {
+                    (Some(ty), DataState::Known(value)) => (ty, value),
                     _ => return fatal("data without value"),
                 }
             }
-            Root::Slot(at) => match self.stack.get_mut(at).map(|s| (&s.ty, &mut s.bound)) {
-                Some((ty, Bound::Own(value))) => (ty, value),
+            DataRoot::Slot(at) => match self.machine.stack.slots.get_mut(at).map(|s| (&s.ty, &mut s.binding))
+            {
+                Some((ty, Binding::Own(value))) => (ty, value),
                 _ => return fatal("a place that is gone"),
             },
         };
         for select in &place.path {
             let (part, inner) = match (select, target, ty) {
-                (Select::Field(at), Value::Record(_, parts), Type::Record(r)) => {
+                (Selector::Field(at), Value::Record(_, parts), Type::Record(r)) => {
                     (parts.get_mut(*at), r.fields.get(*at).map(|(_, ty)| ty))
                 }
-                (Select::Element(at), Value::Array(parts), Type::Array(inner)) => {
+                (Selector::Element(at), Value::Array(parts), Type::Array(inner)) => {
                     (parts.get_mut(*at), Some(&**inner))
                 }
                 _ => (None, None),
@@ -195,39 +162,42 @@ impl Controller {
     }
 
     /// Evaluate the initial value of data that nobody asked for yet.
-    fn settle(&mut self, id: usize) -> Result<(), Fault> {
-        let Some(datum) = self.memory.data.get_mut(id) else { return fatal("no such data") };
-        match datum.state {
-            State::Known(_) => return Ok(()),
-            State::InWork => return fatal(format!("the initial value of {} depends on itself", datum.name)),
-            State::Untouched => datum.state = State::InWork,
+    fn initialise(&mut self, id: usize) -> Result<(), Fault> {
+        match self.machine.data.state(id) {
+            DataState::Known(_) => return Ok(()),
+            DataState::InEvaluation => {
+                let name = self.program.data.get(id).map_or("", |d| &*d.name);
+                return fatal(format!("the initial value of {name} depends on itself"));
+            }
+            DataState::Untouched => *self.machine.data.state_mut(id) = DataState::InEvaluation,
         }
         let value = self.initial(id);
-        if let Some(datum) = self.memory.data.get_mut(id) {
-            datum.state = match &value {
-                Ok(value) => State::Known(value.clone()),
-                Err(_) => State::Untouched,
-            };
-        }
+        *self.machine.data.state_mut(id) = match &value {
+            Ok(value) => DataState::Known(value.clone()),
+            Err(_) => DataState::Untouched,
+        };
         value.map(drop)
     }
 
     fn initial(&mut self, id: usize) -> Result<Value, Fault> {
-        let Some((ty, module, decl_at, name)) =
-            self.memory.data.get(id).map(|d| (d.ty.clone(), d.module, d.at, d.name.clone()))
-        else {
-            return fatal("no such data");
+        let Some(datum) = self.program.data.get(id) else { return fatal("no such data") };
+        let (ty, name) = (datum.ty.clone(), datum.name.clone());
+        let DatumOrigin::Module { module, at } = datum.origin else {
+            return match predefined::constant(&self.program.types, &name) {
+                Some(value) => Ok(value),
+                None => fatal("data without value"),
+            };
         };
-        let Some(m) = self.memory.modules.get(module) else { return fatal("no such module") };
+        let Some(m) = self.program.modules.get(module) else { return fatal("no such module") };
         let file = m.file.clone();
-        let Some(decl) = m.data_decl(decl_at) else { return fatal("no such declaration") };
+        let Some(decl) = m.data_decl(at) else { return fatal("no such declaration") };
         let dims: Vec<Expr> = decl.dims.iter().map(|e| compile::constant(&file, e)).collect();
         let init = decl.init.as_ref().map(|e| compile::constant(&file, e));
         self.in_module(module, |c| c.declared_value(&name, &ty, &dims, init.as_ref()))
     }
 
     /// The value that data begin with: dimensions and initial value are evaluated and compared.
-    pub(super) fn declared_value(
+    pub fn declared_value(
         &mut self,
         name: &str,
         ty: &Type,
@@ -253,38 +223,28 @@ impl Controller {
         Ok(value)
     }
 
-    /// Do something with names looked up in a module instead of the running routine.
-    pub(super) fn in_module<T>(&mut self, module: usize, f: impl FnOnce(&mut Self) -> T) -> T {
-        let scope = std::mem::replace(&mut self.scope, (module, self.stack.len()));
-        let (effort, is_metered) = (self.effort, std::mem::replace(&mut self.is_metered, false));
-        let out = f(self);
-        self.scope = scope;
-        // A controller has the values of module data since it loaded them: they cost nothing when asked for.
-        (self.effort, self.is_metered) = (effort, is_metered);
-        out
-    }
-
     /// A part of a CONST whose value is an aggregate, without evaluating the rest of it: arrays of
     /// targets are large, and a program reads one element at a time.
-    fn constant_part(&mut self, id: usize, path: &[Select]) -> Result<Option<Value>, Fault> {
-        let Some(datum) = self.memory.data.get(id) else { return Ok(None) };
-        if path.is_empty() || datum.kind != DataKind::Const || matches!(datum.state, State::Known(_)) {
+    fn constant_part(&mut self, id: usize, path: &[Selector]) -> Result<Option<Value>, Fault> {
+        let Some(datum) = self.program.data.get(id) else { return Ok(None) };
+        if path.is_empty() || datum.kind != DataKind::Const || self.machine.data.known(id).is_some() {
             return Ok(None);
         }
-        let (module, mut ty) = (datum.module, datum.ty.clone());
-        let Some(m) = self.memory.modules.get(module) else { return Ok(None) };
+        let DatumOrigin::Module { module, at } = datum.origin else { return Ok(None) };
+        let mut ty = datum.ty.clone();
+        let Some(m) = self.program.modules.get(module) else { return Ok(None) };
         let file = m.file.clone();
-        let Some(mut expr) = m.data_decl(datum.at).and_then(|d| d.init.clone()) else { return Ok(None) };
+        let Some(mut expr) = m.data_decl(at).and_then(|d| d.init.clone()) else { return Ok(None) };
         for select in path {
             let mut parts = match expr.kind {
                 tree::ExprKind::Aggregate(parts) => parts.into_vec(),
                 tree::ExprKind::Numbers => parts_of_numbers(&file.bytes, expr.range),
                 _ => return Ok(None),
             };
-            let (Select::Field(at) | Select::Element(at)) = select;
+            let (Selector::Field(at) | Selector::Element(at)) = select;
             let inner = match (&ty, select) {
-                (Type::Array(inner), Select::Element(_)) => Some((**inner).clone()),
-                (Type::Record(r), Select::Field(at)) => r.fields.get(*at).map(|(_, ty)| ty.clone()),
+                (Type::Array(inner), Selector::Element(_)) => Some((**inner).clone()),
+                (Type::Record(r), Selector::Field(at)) => r.fields.get(*at).map(|(_, ty)| ty.clone()),
                 _ => None,
             };
             match inner {

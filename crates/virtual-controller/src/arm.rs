@@ -3,8 +3,8 @@
 //! Knows nothing of deformation: where the TCP really is, is found from the joints of the moves (`truth`).
 
 use super::frame::{self, Setup};
-use super::outcome::{Fault, Place, raise};
-use super::path::{PathKind, Way};
+use super::outcome::{Fault, SourceLine, raise};
+use super::path::{CartesianPath, PathKind};
 use super::value::{Type, Value};
 use nalgebra::Isometry3;
 use robot_model::deform::Conditions;
@@ -16,7 +16,7 @@ use std::collections::HashMap;
 /// Numbers from here on mean "not used" in RAPID (9E9).
 const NOT_USED: f64 = 8.9e9;
 /// Joints that turn by less have not moved, radians.
-const STILL_RAD: f64 = 1e-7;
+const MIN_MOTION_RAD: f64 = 1e-7;
 /// Samples on a linear way: one for so many metres, or so many radians.
 const SAMPLE_M: f64 = 0.02;
 const SAMPLE_RAD: f64 = 0.1;
@@ -25,7 +25,7 @@ const SAMPLE_RAD: f64 = 0.1;
 #[derive(Clone, Debug)]
 pub struct Move {
     /// Where in the program.
-    pub at: Place,
+    pub at: SourceLine,
     /// The routine it stands in; for a module that the program loaded itself, the one that called it.
     pub routine: String,
     /// The instruction, lower case.
@@ -73,11 +73,11 @@ pub struct Arm {
     last: Option<(Setup, Value, Value)>,
     moves: Vec<Move>,
     direction: [i8; 6],
-    solved: HashMap<Vec<u64>, Solved>,
+    cache: HashMap<Vec<u64>, Solved>,
 }
 
-/// Solved moves kept for when the same move is made again from the same joints.
-const REMEMBERED: usize = 20_000;
+/// Solved moves that are kept at most, for when the same move is made again from the same joints.
+const MOST_CACHED: usize = 20_000;
 
 /// What a solved move is.
 #[derive(Clone, Debug)]
@@ -105,7 +105,7 @@ impl Arm {
             last: None,
             moves: Vec::new(),
             direction: [0; 6],
-            solved: HashMap::new(),
+            cache: HashMap::new(),
         })
     }
 
@@ -137,7 +137,7 @@ impl Arm {
         if let Some(q) = done.q_rad {
             if let Some(from) = done.via_q_rad.or(self.q_rad) {
                 for (sign, (to, from)) in self.direction.iter_mut().zip(q.iter().zip(from)) {
-                    if (to - from).abs() > STILL_RAD {
+                    if (to - from).abs() > MIN_MOTION_RAD {
                         *sign = if *to > from { 1 } else { -1 };
                     }
                 }
@@ -153,8 +153,14 @@ impl Arm {
         self.last.as_ref().map_or_else(Setup::plain, |l| l.0.clone())
     }
 
-    pub(super) fn last_data(&self, tool: bool) -> Option<Value> {
-        self.last.as_ref().map(|l| if tool { l.1.clone() } else { l.2.clone() })
+    /// The tool of the last move, as its data stood.
+    pub(super) fn last_tool(&self) -> Option<Value> {
+        self.last.as_ref().map(|(_, tool, _)| tool.clone())
+    }
+
+    /// The work object of the last move, as its data stood.
+    pub(super) fn last_object(&self) -> Option<Value> {
+        self.last.as_ref().map(|(_, _, object)| object.clone())
     }
 
     /// The present joints as the numbers of a jointtarget.
@@ -169,13 +175,13 @@ impl Arm {
     }
 
     /// Where the TCP stands in the object, whatever displacement is on; metres.
-    pub(super) fn stands(&self, setup: &Setup) -> Isometry3<f64> {
+    pub(super) fn object_from_tcp(&self, setup: &Setup) -> Isometry3<f64> {
         setup.object_from_tcp(&self.forward(&self.q_rad.unwrap_or_default()))
     }
 
     /// CalcRobT: the numbers of a jointtarget as robtarget.
     pub(super) fn robtarget_of(&self, joints: &[f64], setup: &Setup, ty: &Type) -> Result<Value, Fault> {
-        let q_rad = self.joints_from(joints);
+        let q_rad = self.joints_rad(joints);
         let pose = self.displacement.inverse() * setup.object_from_tcp(&self.forward(&q_rad));
         let c = self.closed.configuration(&q_rad);
         let mut numbers = frame::pose_numbers(&pose).to_vec();
@@ -192,7 +198,7 @@ impl Arm {
         let found = solutions.iter().find(|s| self.closed.agrees(&conf, &s.q_rad));
         match found {
             Some(s) => Ok(s.q_rad),
-            None if solutions.is_empty() && self.reached(&base_from_flange) => {
+            None if solutions.is_empty() && self.is_reachable(&base_from_flange) => {
                 raise("err_roblimit", "a joint outside its range")
             }
             None if solutions.is_empty() => raise("err_outside_reach", "the pose cannot be reached"),
@@ -200,12 +206,12 @@ impl Arm {
         }
     }
 
-    fn reached(&self, base_from_flange: &Isometry3<f64>) -> bool {
+    fn is_reachable(&self, base_from_flange: &Isometry3<f64>) -> bool {
         self.closed.branches(base_from_flange).iter().any(Option::is_some)
     }
 
     /// Joints in radians of a jointtarget's numbers; an axis written 9E9 stays where it is.
-    fn joints_from(&self, numbers: &[f64]) -> [f64; 6] {
+    fn joints_rad(&self, numbers: &[f64]) -> [f64; 6] {
         let here = self.q_rad.unwrap_or_default();
         std::array::from_fn(|i| match numbers.get(i) {
             Some(&deg) if deg.abs() < NOT_USED => rad_from_deg(deg),
@@ -213,8 +219,8 @@ impl Arm {
         })
     }
 
-    /// As [`Arm::solve`], from memory where the same move was solved before: programs repeat themselves.
-    pub(super) fn solve_again(
+    /// As [`Arm::solve`], out of the cache where the same move was solved before: programs repeat themselves.
+    pub(super) fn solve_cached(
         &mut self,
         path: PathKind,
         targets: &[Vec<f64>],
@@ -232,14 +238,14 @@ impl Arm {
             .chain(flags)
             .chain([path as u64, targets.len() as u64])
             .collect();
-        if let Some(known) = self.solved.get(&key) {
+        if let Some(known) = self.cache.get(&key) {
             return Ok(Ok(known.clone()));
         }
         let solved = self.solve(path, targets, setup)?;
         if let Ok(solved) = &solved
-            && self.solved.len() < REMEMBERED
+            && self.cache.len() < MOST_CACHED
         {
-            self.solved.insert(key, solved.clone());
+            self.cache.insert(key, solved.clone());
         }
         Ok(solved)
     }
@@ -253,7 +259,7 @@ impl Arm {
     ) -> Result<Result<Solved, String>, Fault> {
         let Some(target) = targets.last() else { return raise("err_path", "a move without target") };
         if path == PathKind::AbsJoint {
-            let q_rad = self.joints_from(target);
+            let q_rad = self.joints_rad(target);
             let complaint = self.robot.within_range(&q_rad).err().map(|e| e.to_string());
             return Ok(Ok(self.solved(None, q_rad, setup, complaint)));
         }
@@ -267,12 +273,12 @@ impl Arm {
         let (way, via_share) = match targets {
             [via, _] => {
                 let via = self.displacement * frame::isometry_of(via)?;
-                let way = Way::arc(from, &via, object_from_tcp);
+                let way = CartesianPath::arc(from, &via, object_from_tcp);
                 let total = way.length_m();
-                let part = Way::arc(from, &way.at(1e-3), via).length_m();
+                let part = CartesianPath::arc(from, &way.at(1e-3), via).length_m();
                 (way, Some(if total > 0.0 { (part / total).clamp(0.0, 1.0) } else { 0.5 }))
             }
-            _ => (Way::line(from, object_from_tcp), None),
+            _ => (CartesianPath::line(from, object_from_tcp), None),
         };
         let samples = (way.length_m() / SAMPLE_M).max(way.turn_rad() / SAMPLE_RAD).ceil().clamp(1.0, 200.0);
         let mut q_rad = start;
@@ -285,7 +291,7 @@ impl Arm {
             let base_from_flange = setup.base_from_flange(&way.at(share));
             match self.closed.nearest(&base_from_flange, &q_rad) {
                 Some(s) => q_rad = s.q_rad,
-                None if self.reached(&base_from_flange) => {
+                None if self.is_reachable(&base_from_flange) => {
                     return Ok(Err("a joint comes to the end of its range on the way".into()));
                 }
                 None => return Ok(Err("the way leaves what the arm can reach".into())),
@@ -307,7 +313,7 @@ impl Arm {
         let base_from_flange = setup.base_from_flange(object_from_tcp);
         let mut solutions = self.closed.solutions(&base_from_flange);
         if solutions.is_empty() {
-            return Err(if self.reached(&base_from_flange) {
+            return Err(if self.is_reachable(&base_from_flange) {
                 "a joint would stand outside its range".into()
             } else {
                 "the pose cannot be reached".into()
@@ -335,7 +341,7 @@ impl Arm {
         complaint: Option<String>,
     ) -> Solved {
         let way = self.q_rad.map(|start| {
-            Way::line(
+            CartesianPath::line(
                 setup.object_from_tcp(&self.forward(&start)),
                 setup.object_from_tcp(&self.forward(&q_rad)),
             )
@@ -343,8 +349,8 @@ impl Arm {
         Solved {
             via_q_rad,
             q_rad,
-            length_m: way.as_ref().map_or(0.0, Way::length_m),
-            turn_rad: way.as_ref().map_or(0.0, Way::turn_rad),
+            length_m: way.as_ref().map_or(0.0, CartesianPath::length_m),
+            turn_rad: way.as_ref().map_or(0.0, CartesianPath::turn_rad),
             complaint,
         }
     }

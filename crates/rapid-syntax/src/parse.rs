@@ -1,0 +1,18 @@
+//! From bytes to a tree.
+
+use super::input::{State, Text};
+use super::module::file;
+use super::tree::Tree;
+use super::warning::Warning;
+
+/// The tree of a file and what could not be read as it stands.
+///
+/// Takes any bytes, in time linear in their number and on a small stack. A source of 4 GiB and more is
+/// one opaque node up to there: ranges are 32 bits wide.
+#[must_use]
+pub fn parse(source: &[u8]) -> (Tree, Vec<Warning>) {
+    let source = source.get(..u32::MAX as usize).unwrap_or(source);
+    let state = State::new(source);
+    let tree = file(Text::new(source, &state));
+    (tree, state.into_warnings())
+}

@@ -1,0 +1,94 @@
+//! Tool, work object and load of a move, as they are at that moment.
+
+use crate::code::{Expr, ExprKind};
+use crate::frame::{self, Setup};
+use crate::interpreter::Interpreter;
+use crate::machine::{Access, DataRoot};
+use crate::outcome::{Fault, fatal};
+use crate::predefined;
+use crate::value::Value;
+use nalgebra::{Isometry3, Point3, Vector3};
+use robot_model::deform::Payload;
+use robot_model::units::m_from_mm;
+
+/// Tool and work object as values; both must be persistent data.
+pub(super) fn tool_and_object(
+    vm: &mut Interpreter<'_>,
+    tool: &Expr,
+    wobj: Option<&Expr>,
+) -> Result<(Value, Value), Fault> {
+    let tool = frame_data(vm, tool, "tool0")?;
+    let wobj = match wobj {
+        Some(e) => frame_data(vm, e, "wobj0")?,
+        None => predefined::known(&vm.program.types, "wobj0"),
+    };
+    Ok((tool, wobj))
+}
+
+/// The value of a tool or work object argument; `plain` is what stands in for one that is declared nowhere.
+fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Value, Fault> {
+    let ty = match plain {
+        "tool0" => vm.program.types.tooldata.clone(),
+        _ => vm.program.types.wobjdata.clone(),
+    };
+    if let ExprKind::Name(name, spelt) = &expr.kind
+        && vm.resolve_datum(name, spelt).is_none()
+        && predefined::constant(&vm.program.types, name).is_none()
+    {
+        vm.report("controller", format!("{spelt} is declared nowhere; taken as {plain}"));
+        return Ok(predefined::known(&vm.program.types, plain));
+    }
+    let value = vm.eval_as(expr, &ty)?;
+    if let Some((place, _)) = vm.data_ref(expr)?
+        && vm.access(&place) != Access::Persistent
+        && matches!(place.root, DataRoot::Data(_))
+    {
+        return fatal("a tool or work object must be PERS");
+    }
+    Ok(value)
+}
+
+/// Who holds what for a tool and a work object argument.
+pub(super) fn setup_of(vm: &mut Interpreter<'_>, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
+    let (tool, wobj) = tool_and_object(vm, tool, wobj)?;
+    setup(&tool, &wobj, vm.machine.gripped)
+}
+
+/// Who holds what, by the values of tool and work object and the load that is gripped.
+pub(super) fn setup(tool: &Value, wobj: &Value, gripped: Payload) -> Result<Setup, Fault> {
+    let object = wobj.numbers();
+    let held = tool.numbers();
+    let mut setup = Setup {
+        payload: payload(held.get(7..11).unwrap_or_default()),
+        tool_held: tool.parts().first().and_then(Value::boolean).unwrap_or(true),
+        frame_from_tcp: frame::isometry_of(&held)?,
+        frame_from_object: frame::isometry_of(&object)?
+            * frame::isometry_of(object.get(7..14).unwrap_or_default())?,
+    };
+    if setup.tool_held {
+        setup.payload = combined_load(setup.payload, gripped, &setup.frame_from_tcp);
+    }
+    Ok(setup)
+}
+
+/// A tool of a gram, as tool0, or less is none.
+const NO_LOAD_KG: f64 = 0.001_001;
+
+/// A tool's own load with what is gripped, whose centre stands in the tool's frame.
+fn combined_load(own: Payload, gripped: Payload, flange_from_tcp: &Isometry3<f64>) -> Payload {
+    if gripped.mass_kg <= 0.0 {
+        return own;
+    }
+    let at_m = (flange_from_tcp * Point3::from(gripped.cog_m)).coords;
+    let mass_kg = own.mass_kg + gripped.mass_kg;
+    let cog_m = (Vector3::from(own.cog_m) * own.mass_kg + at_m * gripped.mass_kg) / mass_kg;
+    Payload { mass_kg, cog_m: cog_m.into() }
+}
+
+/// Load data's mass and centre of gravity.
+pub(super) fn payload(load: &[f64]) -> Payload {
+    match *load {
+        [mass_kg, x, y, z] if mass_kg > NO_LOAD_KG => Payload { mass_kg, cog_m: [x, y, z].map(m_from_mm) },
+        _ => Payload::default(),
+    }
+}

@@ -1,0 +1,132 @@
+//! How far the moves of a pass are from what the original means, collected into the session's report.
+
+use super::arm::Move;
+use super::compare::Evaluator;
+use super::findings::{BucketSwitch, ErrorStatistics, Pass, WorstMove};
+use super::session::{ExecutedPass, Session};
+use robot_model::deform::DeformedArm;
+
+impl Session {
+    /// Evaluates every move of a pass; `arm_at` gives the true arm at the program's move of an index.
+    pub fn evaluate(&mut self, pass: ExecutedPass, t_min: f64, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
+        let ExecutedPass { intended, executed, at_min, failure } = pass;
+        let evaluator = Evaluator { closed: &self.closed, nominal: &self.nominal };
+        let mut pass = Pass {
+            t_min,
+            at_min,
+            n: 0,
+            before: ErrorStatistics::default(),
+            after: ErrorStatistics::default(),
+            corrected: ErrorStatistics::default(),
+            path_after_m: None,
+            index: self.program.number("tcI").ok(),
+            program_min: self.program.number("tcMinute").ok(),
+            worst: None,
+            failure,
+            unreached: 0,
+            mismatch: Evaluator::same_moves(&intended, &executed).err(),
+        };
+        let mut now: Option<(f64, DeformedArm)> = None;
+        let mut unchanged = Vec::new();
+        for (i, (a, b)) in intended.iter().zip(&executed).enumerate() {
+            let truth = match &now {
+                Some((at, truth)) if *at == b.steady_s => truth.clone(),
+                _ => arm_at(i),
+            };
+            now = Some((b.steady_s, truth.clone()));
+            let (Some(before), Some(after)) =
+                (evaluator.pose_error(&truth, a, a), evaluator.pose_error(&truth, a, b))
+            else {
+                pass.unreached += usize::from(a.q_rad.is_some() && b.q_rad.is_none());
+                continue;
+            };
+            pass.n += 1;
+            pass.before.add(&before);
+            pass.after.add(&after);
+            if is_same(a.q_rad.as_ref(), b.q_rad.as_ref())
+                && is_same(a.via_q_rad.as_ref(), b.via_q_rad.as_ref())
+            {
+                unchanged.push((b, after.position_m));
+            } else {
+                pass.corrected.add(&after);
+                self.changed.insert((b.at.file.clone(), b.at.line));
+            }
+            if pass.worst.as_ref().is_none_or(|w| after.position_m > w.error_m) {
+                let (file, line) = (b.at.file.clone(), b.at.line);
+                pass.worst = Some(WorstMove {
+                    t_min,
+                    file,
+                    line,
+                    target: b.target.clone(),
+                    error_m: after.position_m,
+                });
+            }
+            if self.options.paths
+                && let Some(path) = evaluator.path_error_m(&truth, a, b)
+            {
+                pass.path_after_m = Some(pass.path_after_m.unwrap_or(0.0).max(path));
+            }
+        }
+        let corrected = pass.n - unchanged.len();
+        if corrected > 0 {
+            for (b, error_m) in unchanged {
+                let worst = self.report.unchanged.entry((b.at.file.clone(), b.at.line)).or_insert(0.0);
+                *worst = worst.max(error_m);
+            }
+        }
+        for (statistics, n) in
+            [(&mut pass.before, pass.n), (&mut pass.after, pass.n), (&mut pass.corrected, corrected)]
+        {
+            statistics.rms_m = (statistics.rms_m / (n.max(1) as f64)).sqrt();
+        }
+        self.note_switch(&pass, executed, arm_at);
+        self.finish(pass);
+    }
+
+    /// Notes how far targets jumped where the program has changed its bucket since the last pass.
+    fn note_switch(
+        &mut self,
+        pass: &Pass,
+        executed: Vec<Move>,
+        arm_at: &mut dyn FnMut(usize) -> DeformedArm,
+    ) {
+        let evaluator = Evaluator { closed: &self.closed, nominal: &self.nominal };
+        if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
+            && index != *last
+        {
+            let truth = executed.len().checked_sub(1).map(arm_at);
+            let jump = truth.map_or(0.0, |truth| {
+                moves
+                    .iter()
+                    .zip(&executed)
+                    .filter_map(|(a, b)| evaluator.jump_m(&truth, a, b))
+                    .fold(0.0, f64::max)
+            });
+            self.report.switches.push(BucketSwitch { t_min: pass.t_min, jump_m: jump });
+        }
+        if let Some(index) = pass.index {
+            self.last = Some((index, executed));
+        }
+    }
+
+    fn finish(&mut self, pass: Pass) {
+        if let Some(worst) = &pass.worst
+            && self.report.worst.as_ref().is_none_or(|w| worst.error_m > w.error_m)
+        {
+            self.report.worst = Some(worst.clone());
+        }
+        self.collect_messages();
+        self.report.passes.push(pass);
+    }
+}
+
+/// Joints closer than this are the same but for rounding, radians.
+const ROUNDING_RAD: f64 = 1e-9;
+
+fn is_same(a: Option<&[f64; 6]>, b: Option<&[f64; 6]>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING_RAD),
+        (None, None) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,76 @@
+//! Executes a loaded program: the only place where program, machine state and arm come together.
+//!
+//! What one step needs of the three is borrowed for as long as it runs; nothing is kept here.
+
+mod arguments;
+mod backwards;
+mod call;
+mod data;
+mod eval;
+mod exec;
+mod outside;
+
+pub(super) use arguments::Args;
+pub use backwards::BackStep;
+
+use super::arm::Arm;
+use super::loaded::LoadedProgram;
+use super::machine::Machine;
+use super::outcome::SourceLine;
+use rapid_syntax::diagnostic::TextRange;
+
+/// A program, the state it runs in, and the arm that it moves.
+pub(super) struct Interpreter<'c> {
+    pub program: &'c mut LoadedProgram,
+    pub machine: &'c mut Machine,
+    /// `None`: it computes, keeps time and lists moves, but knows no joints.
+    pub arm: Option<&'c mut Arm>,
+}
+
+impl Interpreter<'_> {
+    /// The instruction in work: file and line.
+    pub fn here(&self) -> SourceLine {
+        let Some(frame) = self.machine.stack.frames.last() else { return SourceLine::default() };
+        let range = frame.code.instructions.get(frame.current).map(|s| s.range);
+        self.program.source_line(frame.module, range.unwrap_or(TextRange::empty(0)))
+    }
+
+    /// Shows a message at the instruction in work.
+    pub fn report(&mut self, source: &'static str, text: impl Into<String>) {
+        let at = self.here();
+        self.machine.log.report(source, text.into(), at);
+    }
+
+    /// Evaluates arguments of a motion: calls of functions are counted.
+    pub fn metered<T>(&mut self, evaluate: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.machine.meter.is_on, true);
+        let out = evaluate(self);
+        self.machine.meter.is_on = before;
+        out
+    }
+
+    /// Runs a function or what calls one; counted where a motion's argument or the outside asks.
+    pub fn measured<T>(&mut self, routine: usize, run: impl FnOnce(&mut Self) -> T) -> T {
+        if !std::mem::replace(&mut self.machine.meter.is_on, false) {
+            return run(self);
+        }
+        let before = self.machine.meter.total;
+        let out = run(self);
+        self.machine.meter.is_on = true;
+        self.machine.meter.add_call(routine, before);
+        out
+    }
+
+    /// Does something with names looked up in a module instead of the running routine.
+    fn in_module<T>(&mut self, module: usize, f: impl FnOnce(&mut Self) -> T) -> T {
+        let scope = (module, self.machine.stack.slots.len());
+        let scope = std::mem::replace(&mut self.machine.stack.scope, scope);
+        let (effort, is_metered) =
+            (self.machine.meter.total, std::mem::replace(&mut self.machine.meter.is_on, false));
+        let out = f(self);
+        self.machine.stack.scope = scope;
+        // A controller has the values of module data since it loaded them: they cost nothing when asked for.
+        (self.machine.meter.total, self.machine.meter.is_on) = (effort, is_metered);
+        out
+    }
+}

@@ -1,0 +1,88 @@
+//! Values of a program's data, and references to them.
+
+use crate::value::Value;
+use std::collections::BTreeMap;
+
+/// How far the value of a datum is known.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum DataState {
+    /// Nobody has asked for the value yet.
+    #[default]
+    Untouched,
+    /// Its initial value is being evaluated: asked for again, it depends on itself.
+    InEvaluation,
+    Known(Value),
+}
+
+/// The values of all data, by the datum's number in the loaded program.
+#[derive(Debug, Default)]
+pub(crate) struct DataValues {
+    states: Vec<DataState>,
+    /// Held at a value whatever the program assigns.
+    pub pinned: BTreeMap<usize, Value>,
+}
+
+impl DataValues {
+    /// How far a datum's value is known.
+    pub fn state(&self, datum: usize) -> &DataState {
+        self.states.get(datum).unwrap_or(&DataState::Untouched)
+    }
+
+    /// The same, to be changed.
+    pub fn state_mut(&mut self, datum: usize) -> &mut DataState {
+        if self.states.len() <= datum {
+            self.states.resize_with(datum + 1, DataState::default);
+        }
+        &mut self.states[datum]
+    }
+
+    /// The value, where it is known.
+    pub fn known(&self, datum: usize) -> Option<&Value> {
+        match self.state(datum) {
+            DataState::Known(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The datum begins again with its initial value.
+    pub fn forget(&mut self, datum: usize) {
+        *self.state_mut(datum) = DataState::Untouched;
+    }
+}
+
+/// Where a value stands that can be read and written: data, a component of data, an element of an array.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct DataRef {
+    pub root: DataRoot,
+    pub path: Vec<Selector>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum DataRoot {
+    /// Data of a module.
+    Data(usize),
+    /// A slot of the stack, counted from its bottom.
+    Slot(usize),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Selector {
+    Field(usize),
+    /// Number of the element, from 0.
+    Element(usize),
+}
+
+impl DataRef {
+    /// The whole of a module's datum.
+    pub fn data(datum: usize) -> Self {
+        Self { root: DataRoot::Data(datum), path: Vec::new() }
+    }
+}
+
+/// How data may be handed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Access {
+    Constant,
+    Variable,
+    Persistent,
+}

@@ -1,0 +1,27 @@
+//! What stands round the controller: signals of the cell, and files on its disk.
+
+use crate::code::Name;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Signals by name in lower case.
+#[derive(Debug, Default)]
+pub(crate) struct Signals {
+    pub levels: BTreeMap<Name, f32>,
+    /// Signals whose unit has failed.
+    pub units_down: BTreeSet<Name>,
+}
+
+/// Files by name in lower case; this disk has no folders.
+#[derive(Debug, Default)]
+pub(crate) struct Disk {
+    pub files: BTreeMap<String, Vec<u8>>,
+    /// Files of StartLoad that WaitLoad has not yet asked for.
+    pub load_sessions: Vec<Option<String>>,
+}
+
+impl Disk {
+    /// The name of a file: the last part of its path, in lower case.
+    pub fn file_name(path: &str) -> String {
+        path.rsplit(['/', '\\', ':']).next().unwrap_or(path).to_lowercase()
+    }
+}

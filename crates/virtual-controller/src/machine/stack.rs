@@ -1,0 +1,147 @@
+//! The call stack: routines in execution, their parameters and locals.
+
+use super::DataRef;
+use crate::code::{Code, Name};
+use crate::effort::Effort;
+use crate::value::{Type, Value};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A parameter, local or hidden value of a routine in execution.
+#[derive(Clone, Debug)]
+pub(crate) struct Slot {
+    pub ty: Type,
+    pub constant: bool,
+    pub binding: Binding,
+}
+
+impl Slot {
+    /// A local that holds the initial value of its type.
+    pub fn local(ty: Type) -> Self {
+        Self { binding: Binding::Own(ty.initial()), ty, constant: false }
+    }
+}
+
+/// What a slot holds.
+#[derive(Clone, Debug)]
+pub(crate) enum Binding {
+    Own(Value),
+    /// Data of the caller or of a module.
+    Ref(DataRef),
+    Signal(Name),
+    /// An optional parameter that was not given.
+    Absent,
+}
+
+/// A routine in execution.
+#[derive(Debug)]
+pub(crate) struct Frame {
+    pub routine: usize,
+    pub module: usize,
+    pub code: Rc<Code>,
+    pub base: usize,
+    pub pc: usize,
+    /// The instruction in work.
+    pub current: usize,
+    /// In its ERROR handler: the instruction that failed.
+    pub failed: Option<usize>,
+    pub trap: bool,
+    /// What had been executed when it was entered: what a trap does is not part of what it interrupts.
+    pub effort: Effort,
+    /// Passes of each endless loop, by the instruction that jumps back.
+    pub passes: BTreeMap<usize, u64>,
+}
+
+/// Routines in execution, the innermost last.
+#[derive(Debug)]
+pub(crate) struct CallStack {
+    pub frames: Vec<Frame>,
+    pub slots: Vec<Slot>,
+    /// Module and first slot that names are looked up in.
+    pub scope: (usize, usize),
+    /// What the function that ended last gave.
+    pub returned: Option<Value>,
+    /// Expressions and function calls in evaluation inside one another.
+    pub nesting: usize,
+}
+
+/// No module, no slot: names of the controller alone.
+const OUTSIDE: (usize, usize) = (usize::MAX, 0);
+
+impl Default for CallStack {
+    fn default() -> Self {
+        Self { frames: Vec::new(), slots: Vec::new(), scope: OUTSIDE, returned: None, nesting: 0 }
+    }
+}
+
+/// How high the stack was at some time, to come back to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StackMark {
+    pub frames: usize,
+    slots: usize,
+    scope: (usize, usize),
+}
+
+impl StackMark {
+    /// No routine is in execution.
+    pub fn bottom() -> Self {
+        CallStack::default().mark()
+    }
+}
+
+impl CallStack {
+    /// No routine is in execution any more.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// How high it is now.
+    pub fn mark(&self) -> StackMark {
+        StackMark { frames: self.frames.len(), slots: self.slots.len(), scope: self.scope }
+    }
+
+    /// Leaves what was entered since.
+    pub fn unwind_to(&mut self, mark: StackMark) {
+        self.frames.truncate(mark.frames);
+        self.slots.truncate(mark.slots);
+        self.scope = mark.scope;
+        self.nesting = 0;
+    }
+
+    /// What a local of the routine in execution holds.
+    pub fn local(&self, slot: usize) -> Option<&Binding> {
+        self.slots.get(self.scope.1 + slot).map(|s| &s.binding)
+    }
+
+    /// Gives a hidden local a value.
+    pub fn set_local(&mut self, slot: usize, value: Value) {
+        if let Some(slot) = self.slots.get_mut(self.scope.1 + slot) {
+            slot.binding = Binding::Own(value);
+        }
+    }
+
+    /// The number in a hidden local, 0 where there is none.
+    pub fn local_num(&self, slot: usize) -> f32 {
+        match self.local(slot) {
+            Some(Binding::Own(v)) => v.number().unwrap_or(0.0) as f32,
+            _ => 0.0,
+        }
+    }
+
+    /// The next instruction of the routine in execution is the one at `to`.
+    pub fn jump(&mut self, to: usize) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.pc = to;
+        }
+    }
+
+    /// Takes the innermost routine off.
+    pub fn pop(&mut self) -> Option<Frame> {
+        let frame = self.frames.pop();
+        if let Some(frame) = &frame {
+            self.slots.truncate(frame.base);
+        }
+        self.scope = self.frames.last().map_or(OUTSIDE, |f| (f.module, f.base));
+        frame
+    }
+}
