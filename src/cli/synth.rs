@@ -3,8 +3,9 @@
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
-use exam::generate::{DataSet, Recipe, data_set};
+use exam::generate::{DataSet, data_set};
 use exam::poses::{Recorded, Spread};
+use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
 use exam::truth::{QuestionKind, Sealed, seal};

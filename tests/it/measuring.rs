@@ -3,8 +3,9 @@
 
 use assert_cmd::Command;
 use exam::effect::Effect;
-use exam::generate::{Recipe, data_set};
+use exam::generate::data_set;
 use exam::poses::{Recorded, Spread};
+use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::truth::QuestionKind;
 use exam::virtual_robot::{Commanded, VirtualRobot};

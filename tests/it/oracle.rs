@@ -6,9 +6,10 @@
 
 use exam::arm::{Arm, Disturbance};
 use exam::effect::{ArmState, Effect};
-use exam::generate::{Recipe, data_set};
+use exam::generate::data_set;
 use exam::mixture::weak_recipe;
 use exam::poses::{RunSpec, states};
+use exam::recipe::Recipe;
 use exam::rng::Rng;
 use nalgebra::{DMatrix, DVector, Isometry3, Point3, Vector3};
 use robot_model::robot::Robot;

@@ -2,8 +2,9 @@
 
 use assert_cmd::Command;
 use exam::effect::Effect;
-use exam::generate::{Recipe, data_set, planned_set};
+use exam::generate::{data_set, planned_set};
 use exam::poses::{CommandedRow, Recorded, Spread};
+use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::truth::QuestionKind;
 use metrology::diagnose::signature::{PlannedMeasurement, signatures};

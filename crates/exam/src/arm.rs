@@ -44,7 +44,7 @@ pub struct Disturbance {
     pub seat_rad: [Vector3<f64>; 7],
     /// The base moves: shift in metres and rotation vector in radians, in base axes.
     pub base_m: Vector3<f64>,
-    /// See `base_m`.
+    /// Rotation vector of the base, radians, in base axes.
     pub base_rad: Vector3<f64>,
     /// The measured point moves by this in base axes, metres.
     pub point_m: Vector3<f64>,

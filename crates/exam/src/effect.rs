@@ -4,7 +4,9 @@
 //! effect of any size relative to its noise.
 
 use super::arm::{Arm, Disturbance};
+use super::smooth::{Moved, SmoothFunction};
 use nalgebra::{Point3, Vector3};
+use robot_model::units::h_from_min;
 use serde::{Deserialize, Serialize};
 
 /// Compliance of an ordinary small arm's joints, through which a wrong payload acts, rad/(N·m).
@@ -13,7 +15,7 @@ const USUAL_COMPLIANCE_RAD_N_M: [f64; 6] = [4e-6, 6e-6, 8e-6, 50e-6, 60e-6, 80e-
 /// Where the robot is and how it came there.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmState {
-    /// Commanded joints, radians.
+    /// Joint angles as commanded, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Since cold start, minutes.
     pub t_min: f64,
@@ -25,7 +27,7 @@ pub struct ArmState {
     pub payload_at_m: Point3<f64>,
     /// How much warmer each joint is than at cold start, K.
     pub warmer_k: [f64; 6],
-    /// Gravity torque, N·m.
+    /// Torque of gravity about each joint, N·m.
     pub torque_n_m: [f64; 6],
     /// Where the nominal arm's measured point stands in the base frame, metres.
     pub point_m: Vector3<f64>,
@@ -117,6 +119,8 @@ pub enum Effect {
         radius_m: f64,
         direction: [f64; 3],
     },
+    /// Outside: a random smooth function of joint angles, position or time.
+    SmoothFunction(SmoothFunction),
     /// Outside: a joint that is off by a product of two others' angles.
     CrossTerm {
         joint: usize,
@@ -129,11 +133,11 @@ pub enum Effect {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// `t_min`
+    /// Minutes since cold start: `t_min`.
     Time,
-    /// `dir1` ...
+    /// Directions of approach: `dir1` to `dir6`.
     Direction,
-    /// `payload_kg`
+    /// Payload as declared: `payload_kg`.
     Payload,
 }
 
@@ -173,6 +177,7 @@ impl Effect {
             Self::SquareWave { .. }
             | Self::CablePull { .. }
             | Self::LocalBump { .. }
+            | Self::SmoothFunction(_)
             | Self::CrossTerm { .. } => {
                 return None;
             }
@@ -196,7 +201,8 @@ impl Effect {
             | Self::ThermalLinkGrowth { joint }
             | Self::ThermalJointDrift { joint }
             | Self::SquareWave { joint, .. }
-            | Self::CrossTerm { joint, .. } => Some(joint),
+            | Self::CrossTerm { joint, .. }
+            | Self::SmoothFunction(SmoothFunction { moves: Moved::Joint(joint), .. }) => Some(joint),
             _ => None,
         }
     }
@@ -239,8 +245,11 @@ impl Effect {
             Self::InstrumentScale => [1e-5, 1e-4],
             Self::PayloadMass => [0.2, 2.0],
             Self::JointRounding | Self::SwappedAxes => [1.0, 1.0],
-            Self::SquareWave { .. } | Self::CrossTerm { .. } => [2e-5, 1e-3],
-            Self::CablePull { .. } | Self::LocalBump { .. } => [2e-5, 1e-3],
+            Self::SquareWave { .. }
+            | Self::CrossTerm { .. }
+            | Self::CablePull { .. }
+            | Self::LocalBump { .. }
+            | Self::SmoothFunction(_) => [2e-5, 1e-3],
         }
     }
 
@@ -259,7 +268,8 @@ impl Effect {
             | Self::Backlash { .. }
             | Self::ThermalJointDrift { .. }
             | Self::SquareWave { .. }
-            | Self::CrossTerm { .. } => "rad",
+            | Self::CrossTerm { .. }
+            | Self::SmoothFunction(SmoothFunction { moves: Moved::Joint(_), .. }) => "rad",
             _ => "mm",
         }
     }
@@ -320,7 +330,7 @@ impl Effect {
                 to.joint_rad[joint - 1] += amplitude * now.warmer_k[joint - 1] / 10.0;
             }
             Self::BaseDrift { direction } => {
-                let (shift, turn) = rigid(&direction, amplitude * now.t_min / 60.0);
+                let (shift, turn) = rigid(&direction, amplitude * h_from_min(now.t_min));
                 to.base_m += shift;
                 to.base_rad += turn;
             }
@@ -330,7 +340,7 @@ impl Effect {
                 to.base_rad += turn;
             }
             Self::ToolDrift { direction } => {
-                let (shift, turn) = rigid(&direction, amplitude * now.t_min / 60.0);
+                let (shift, turn) = rigid(&direction, amplitude * h_from_min(now.t_min));
                 to.seat_m[6] += shift;
                 to.seat_rad[6] += turn;
             }
@@ -356,6 +366,17 @@ impl Effect {
             Self::LocalBump { center_m, radius_m, direction } => {
                 let away = (now.point_m - Vector3::from(center_m)).norm() / radius_m;
                 to.point_m += Vector3::from(direction) * (amplitude * (-0.5 * away * away).exp());
+            }
+            Self::SmoothFunction(function) => {
+                let value = |component| {
+                    amplitude * function.value(component, &now.q_rad, &now.point_m.into(), now.t_min)
+                };
+                let shift = || Vector3::new(value(0), value(1), value(2));
+                match function.moves {
+                    Moved::Joint(joint) => to.joint_rad[joint - 1] += value(0),
+                    Moved::Point => to.point_m += shift(),
+                    Moved::Target => to.seat_m[6] += shift(),
+                }
             }
             Self::CrossTerm { joint, a, b } => {
                 to.joint_rad[joint - 1] += amplitude * (2.0 * q(a)).sin() * (1.5 * q(b)).cos();

@@ -2,10 +2,14 @@
 
 use super::effect::Effect;
 use super::rng::Rng;
+use super::smooth::SmoothFunction;
 use std::f64::consts::TAU;
 
+/// A random function of time is drawn as for a run this long, minutes.
+const USUAL_RUN_MIN: f64 = 100.0;
+
 /// Names that can be asked for, with what may follow them.
-pub const SYNTAX: [(&str, &str); 25] = [
+pub const SYNTAX: [(&str, &str); 26] = [
     ("joint_offset", "JOINT"),
     ("link_geometry", "JOINT"),
     ("joint_compliance", "JOINT"),
@@ -31,6 +35,7 @@ pub const SYNTAX: [(&str, &str); 25] = [
     ("cable_pull", ""),
     ("local_bump", ""),
     ("cross_term", "JOINT"),
+    ("smooth_function", ""),
 ];
 
 /// What is wrong with an effect as it was named.
@@ -42,11 +47,11 @@ pub enum EffectSpecError {
     /// A number is missing, is none or lies outside what it may be.
     #[error("{name} is written {name}:{syntax}, with joints from 1 to 6; {given} is not")]
     Syntax {
-        /// The effect.
+        /// Name of the effect.
         name: &'static str,
         /// What follows its name.
         syntax: &'static str,
-        /// What was written.
+        /// The specification as written.
         given: String,
     },
 }
@@ -102,7 +107,8 @@ pub fn parse(text: &str, rng: &mut Rng) -> Result<Effect, EffectSpecError> {
         "square_wave" => Effect::SquareWave { joint: joint(0)?, n: n(1)?, phase_rad },
         "cable_pull" => Effect::CablePull { direction: across },
         "local_bump" => Effect::LocalBump { center_m: [0.5, 0.1, 0.4], radius_m: 0.18, direction: across },
-        _ => Effect::CrossTerm { joint: joint(0)?, a: 2, b: 3 },
+        "cross_term" => Effect::CrossTerm { joint: joint(0)?, a: 2, b: 3 },
+        _ => Effect::SmoothFunction(SmoothFunction::draw(rng, USUAL_RUN_MIN)),
     })
 }
 

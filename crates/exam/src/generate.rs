@@ -1,47 +1,18 @@
 //! One data set: a virtual robot that is measured while its effects are at work.
 
 use super::arm::{Arm, Disturbance};
+use super::csv::csv;
 use super::effect::{ArmState, Effect};
-use super::poses::{CommandedRow, Recorded, RunSpec, Spread, states, states_of};
-use super::registration::rms_after_registration_m;
+use super::outside;
+use super::poses::{CommandedRow, RunSpec, states, states_of};
+use super::recipe::Recipe;
 use super::rng::Rng;
-use super::truth::{InjectedEffect, QuestionKind, Truth};
-use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+use super::run::MeasuredRun;
+use super::truth::{InjectedEffect, Truth};
+use nalgebra::{Point3, Vector3};
 use robot_model::robot::Robot;
-use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m};
+use robot_model::units::{m_from_mm, mm_from_m};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write as _;
-
-/// What a data set is to be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recipe {
-    /// Its name.
-    pub name: String,
-    /// What kind of question it is.
-    pub kind: QuestionKind,
-    /// Effects, each with the size it is to have: its rms at the point over the noise's rms.
-    pub effects: Vec<(Effect, f64)>,
-    /// Rows.
-    pub n: usize,
-    /// Of these, rows that come back to the first poses.
-    pub repeats: usize,
-    /// Noise of each coordinate, mm.
-    pub sigma_mm: f64,
-    /// What is told to be the noise; `None` = nothing is told.
-    pub stated_sigma_mm: Option<f64>,
-    /// How the poses are spread.
-    pub spread: Spread,
-    /// What is recorded.
-    pub recorded: Recorded,
-    /// Share of each row's noise that is the row's before; 0 is white.
-    pub slowness: f64,
-    /// Share of rows that are grossly wrong.
-    pub outliers: f64,
-    /// Geometry errors in the background, in parts of the manufacturing tolerance (0.15 mm, 0.25 mrad).
-    pub geometry: f64,
-    /// Payloads in turn, kg.
-    pub payloads_kg: [f64; 2],
-}
 
 /// What the diagnosis is told besides the measurements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,73 +28,12 @@ pub struct Task {
 /// A data set: what is seen and what is withheld.
 #[derive(Clone, Debug)]
 pub struct DataSet {
-    /// The measurement file.
+    /// Text of the measurement file (CSV).
     pub csv: String,
     /// What goes with it.
     pub task: Task,
     /// What was put in.
     pub truth: Truth,
-}
-
-struct MeasuredRun<'a> {
-    arm: &'a Arm,
-    tool_m: Vector3<f64>,
-    states: Vec<ArmState>,
-    flanges: Vec<Isometry3<f64>>,
-    nominal_m: Vec<Vector3<f64>>,
-}
-
-impl MeasuredRun<'_> {
-    fn flange(
-        &self,
-        k: usize,
-        effects: &[(Effect, f64)],
-        background: &Disturbance,
-    ) -> (Isometry3<f64>, Disturbance) {
-        let mut disturbance = *background;
-        for (effect, amplitude) in effects {
-            effect.disturb(self.arm, *amplitude, &self.states[k], &mut disturbance);
-        }
-        (self.arm.flange(&self.states[k].q_rad, &disturbance), disturbance)
-    }
-
-    /// Where the measured point stands, in the base frame.
-    fn point_m(&self, k: usize, effects: &[(Effect, f64)], background: &Disturbance) -> Vector3<f64> {
-        let (flange, disturbance) = self.flange(k, effects, background);
-        let point = (flange * Point3::from(self.tool_m)).coords + disturbance.point_m;
-        // an instrument that reads long does so from where it stands, two metres before the robot
-        let from_instrument = point - INSTRUMENT_M;
-        point + from_instrument * disturbance.instrument_scale
-    }
-
-    fn off_m(&self, effects: &[(Effect, f64)], background: &Disturbance) -> Vec<Vector3<f64>> {
-        (0..self.states.len()).map(|k| self.point_m(k, effects, background) - self.nominal_m[k]).collect()
-    }
-
-    fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
-        rms_after_registration_m(&self.flanges, &self.nominal_m, off_m)
-    }
-
-    /// The same over the rows that are not grossly wrong.
-    fn sound_rms_m(&self, off_m: &[Vector3<f64>], is_outlier: &[bool]) -> f64 {
-        let sound: Vec<usize> = (0..off_m.len()).filter(|&k| !is_outlier[k]).collect();
-        let flanges: Vec<_> = sound.iter().map(|&k| self.flanges[k]).collect();
-        let nominal_m: Vec<_> = sound.iter().map(|&k| self.nominal_m[k]).collect();
-        let off_m: Vec<_> = sound.iter().map(|&k| off_m[k]).collect();
-        rms_after_registration_m(&flanges, &nominal_m, &off_m)
-    }
-}
-
-/// Where the instrument stands in the base frame, metres.
-const INSTRUMENT_M: Vector3<f64> = Vector3::new(2.1, -0.6, 0.4);
-
-/// The amplitude at which an effect has the wanted rms, found by proportion (the effects are small and so
-/// nearly linear); `None` where it leaves no signal at all over these poses.
-fn amplitude(run: &MeasuredRun<'_>, effect: Effect, wanted_rms_m: f64) -> Option<f64> {
-    let [low, high] = effect.usual();
-    let trial = (low * high).sqrt();
-    let rms = run.rms_m(&run.off_m(&[(effect, trial)], &Disturbance::default()));
-    (rms > 1e-9).then(|| trial * wanted_rms_m / rms)
 }
 
 /// Makes a data set; `None` where an effect of the recipe leaves no signal over its poses, or would have to
@@ -168,7 +78,7 @@ pub fn planned_set(
     measured(&arm, robot_name, &recipe, rows, rng)
 }
 
-/// What is measured.
+/// The rows of a run, drawn or planned.
 struct RunRows<'a> {
     tool_m: Vector3<f64>,
     states: Vec<ArmState>,
@@ -194,18 +104,24 @@ fn measured(
     let mut effects = Vec::new();
     for (k, (effect, rho)) in recipe.effects.iter().enumerate() {
         let unscaled = matches!(effect, Effect::JointRounding | Effect::SwappedAxes);
+        let effect = match effect {
+            Effect::SmoothFunction(function) => {
+                Effect::SmoothFunction(outside::redrawn(&run, *function, rng)?)
+            }
+            other => *other,
+        };
         let amplitude = match amplitudes.and_then(|a| a.get(k)) {
             Some(given) => *given,
             None if unscaled => 1.0,
-            None => amplitude(&run, *effect, rho * noise_rms_m)?,
+            None => run.amplitude(effect, rho * noise_rms_m)?,
         };
         if amplitude > 4.0 * effect.usual()[1] {
             return None;
         }
-        effects.push((*effect, amplitude));
-        let rms_m = run.rms_m(&run.off_m(&[(*effect, amplitude)], &Disturbance::default()));
+        effects.push((effect, amplitude));
+        let rms_m = run.rms_m(&run.off_m(&[(effect, amplitude)], &Disturbance::default()));
         injected.push(InjectedEffect {
-            effect: *effect,
+            effect,
             amplitude,
             rms_mm: mm_from_m(rms_m),
             rho: rms_m / noise_rms_m,
@@ -259,89 +175,11 @@ fn noise(recipe: &Recipe, rng: &mut Rng) -> (Vec<Vector3<f64>>, Vec<bool>) {
         .unzip()
 }
 
-fn csv(
-    run: &MeasuredRun<'_>,
-    recipe: &Recipe,
-    poses: &[usize],
-    effects: &[(Effect, f64)],
-    background: &Disturbance,
-    off_m: &[Vector3<f64>],
-    rng: &mut Rng,
-) -> String {
-    let recorded = recipe.recorded;
-    let turn = Vector3::new(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), rng.uniform(-3.0, 3.0));
-    let instrument_from_base = Isometry3::new(
-        Vector3::new(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(-1.0, 1.0)),
-        turn,
-    );
-    let reflector = UnitQuaternion::from_scaled_axis(Vector3::from(rng.normal3()));
-    let has = |wanted: fn(&Effect) -> bool| effects.iter().any(|(e, _)| wanted(e));
-    let rounded = has(|e| matches!(e, Effect::JointRounding));
-    let swapped = has(|e| matches!(e, Effect::SwappedAxes));
-    let mut out = String::from("id,pose_id");
-    if recorded.time {
-        out += ",t_min";
-    }
-    out += ",q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm";
-    if recorded.orientation {
-        out += ",qw,qx,qy,qz";
-    }
-    if recorded.direction {
-        out += ",dir1,dir2,dir3,dir4,dir5,dir6";
-    }
-    if recorded.payload {
-        out += ",payload_kg";
-    }
-    if recorded.temperature {
-        out += ",temp_j1_c,temp_j2_c,temp_j3_c,temp_j4_c,temp_j5_c,temp_j6_c,temp_air_c";
-    }
-    out.push('\n');
-    for ((k, now), pose) in run.states.iter().enumerate().zip(poses) {
-        // writing to a String cannot fail
-        let _ = write!(out, "{k},{pose}");
-        if recorded.time {
-            let _ = write!(out, ",{:.2}", now.t_min);
-        }
-        for q in now.q_rad {
-            let deg = deg_from_rad(q);
-            let _ = if rounded { write!(out, ",{deg:.1}") } else { write!(out, ",{deg:.6}") };
-        }
-        let p = instrument_from_base * Point3::from(run.nominal_m[k] + off_m[k]);
-        let [x, y, z] = [p.x, p.y, p.z].map(mm_from_m);
-        let _ =
-            if swapped { write!(out, ",{y:.4},{x:.4},{z:.4}") } else { write!(out, ",{x:.4},{y:.4},{z:.4}") };
-        if recorded.orientation {
-            // an orientation from three reflectors 0.1 m apart is as good as the points over that distance
-            let blur = Vector3::from(rng.normal3()) * (m_from_mm(recipe.sigma_mm) / 0.1);
-            let flange = run.flange(k, effects, background).0;
-            let r = UnitQuaternion::from_scaled_axis(blur)
-                * instrument_from_base.rotation
-                * flange.rotation
-                * reflector;
-            let _ = write!(out, ",{:.8},{:.8},{:.8},{:.8}", r.w, r.i, r.j, r.k);
-        }
-        if recorded.direction {
-            for d in now.direction {
-                let _ = write!(out, ",{d}");
-            }
-        }
-        if recorded.payload {
-            let _ = write!(out, ",{:.2}", now.payload_kg);
-        }
-        if recorded.temperature {
-            for warmer in now.warmer_k {
-                let _ = write!(out, ",{:.2}", 21.0 + warmer + 0.1 * rng.normal());
-            }
-            let _ = write!(out, ",{:.2}", 21.0 + 0.1 * rng.normal());
-        }
-        out.push('\n');
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::poses::{Recorded, Spread};
+    use crate::truth::QuestionKind;
 
     fn recipe(effects: Vec<(Effect, f64)>) -> Recipe {
         Recipe {

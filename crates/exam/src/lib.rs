@@ -7,15 +7,20 @@
 //! diagnosis only as the JSON that any script would read.
 
 pub mod arm;
+mod csv;
 pub mod effect;
 pub mod effect_spec;
 pub mod generate;
 pub mod mixture;
+mod outside;
 pub mod poses;
+pub mod recipe;
 pub mod registration;
 pub mod rng;
 pub mod virtual_robot;
 
+mod run;
 pub mod score;
+pub mod smooth;
 pub mod touch;
 pub mod truth;

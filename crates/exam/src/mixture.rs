@@ -1,9 +1,10 @@
 //! The exam's mixture: how often which kind of question is asked, and of what size.
 
 use super::effect::{Channel, Effect};
-use super::generate::Recipe;
 use super::poses::{Recorded, Spread};
+use super::recipe::Recipe;
 use super::rng::Rng;
+use super::smooth::SmoothFunction;
 use super::truth::QuestionKind;
 use std::f64::consts::TAU;
 
@@ -24,12 +25,6 @@ fn unit6(rng: &mut Rng) -> [f64; 6] {
     let raw: [f64; 6] = std::array::from_fn(|_| rng.normal());
     let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
     raw.map(|x| x / norm)
-}
-
-fn unit3(rng: &mut Rng) -> [f64; 3] {
-    let [x, y, z] = rng.normal3();
-    let norm = (x * x + y * y + z * z).sqrt();
-    [x / norm, y / norm, z / norm]
 }
 
 /// An effect of the library, none of those that lie wholly inside the registration.
@@ -58,16 +53,6 @@ pub fn library_effect(rng: &mut Rng, last_min: f64) -> Effect {
         16 => Effect::ToolStep { t0_min, direction: unit6(rng) },
         _ if rng.chance(0.5) => Effect::ToolDrift { direction: unit6(rng) },
         _ => Effect::PayloadMass,
-    }
-}
-
-fn outside_effect(rng: &mut Rng) -> Effect {
-    let joint = 1 + rng.below(5);
-    match rng.below(4) {
-        0 => Effect::SquareWave { joint, n: 2 + rng.below(5) as u32, phase_rad: rng.uniform(0.0, TAU) },
-        1 => Effect::CablePull { direction: unit3(rng) },
-        2 => Effect::LocalBump { center_m: [0.5, 0.1, 0.4], radius_m: 0.18, direction: unit3(rng) },
-        _ => Effect::CrossTerm { joint, a: 1 + rng.below(5), b: 1 + rng.below(5) },
     }
 }
 
@@ -102,7 +87,10 @@ pub fn recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
             effects.push((second, rng.log_uniform(1.0, 5.0)));
         }
         QuestionKind::None => {}
-        QuestionKind::Outside => effects.push((outside_effect(rng), rng.log_uniform(1.0, 5.0))),
+        QuestionKind::Outside => {
+            let shape = Effect::SmoothFunction(SmoothFunction::draw(rng, last_min));
+            effects.push((shape, rng.log_uniform(1.0, 5.0)));
+        }
         QuestionKind::MissingChannel => {
             let effect = loop {
                 let effect = library_effect(rng, last_min);
@@ -142,7 +130,7 @@ pub fn recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
 
 /// An effect of the weak class is this large against the noise, and measured in so many rows.
 pub const WEAK_RHO: f64 = 0.5;
-/// See [`WEAK_RHO`].
+/// Rows of a set of the weak class.
 pub const WEAK_ROWS: usize = 30;
 
 /// The recipe of one weak effect: the mixture's questions of one effect, at half the noise in 30 rows.

@@ -25,15 +25,15 @@ pub enum Spread {
 /// What a data set records besides joints and points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Recorded {
-    /// `t_min`
+    /// Minutes since cold start: `t_min`.
     pub time: bool,
-    /// `dir1` ...
+    /// Directions of approach: `dir1` to `dir6`.
     pub direction: bool,
-    /// `payload_kg`
+    /// Payload as declared: `payload_kg`.
     pub payload: bool,
-    /// `temp_j1_c` ...
+    /// Joint temperatures: `temp_j1_c` to `temp_j6_c`.
     pub temperature: bool,
-    /// `qw` ...
+    /// Measured orientation: `qw`, `qx`, `qy`, `qz`.
     pub orientation: bool,
 }
 
@@ -88,7 +88,7 @@ fn fits(point_m: &Vector3<f64>, spread: Spread) -> bool {
 pub struct RunSpec {
     /// How the poses are spread.
     pub spread: Spread,
-    /// Rows.
+    /// Number of rows in all.
     pub n: usize,
     /// Of these, the last so many come back to the first poses.
     pub repeats: usize,
@@ -103,11 +103,11 @@ pub struct RunSpec {
 pub struct CommandedRow {
     /// Which pose: rows that repeat one share it.
     pub pose: usize,
-    /// Joints.
+    /// Joint angles, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Sign of each joint's last motion.
     pub direction: [i8; 6],
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
 }
 

@@ -2,18 +2,29 @@
 
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 
-/// Root mean square length, metres, of the displacements after the best small rigid motion of the base and
-/// the best tool offset are taken out (linear least squares, nine parameters, rms over the degrees of freedom
-/// left).
-///
-/// `flanges` are the nominal poses, `points_m` the nominal measured points, `off_m` the displacements, all
-/// in the base frame and of one length.
+/// Root mean square length, metres, of what [`left_by_registration`] leaves, over the degrees of freedom left.
 #[must_use]
 pub fn rms_after_registration_m(
     flanges: &[Isometry3<f64>],
     points_m: &[Vector3<f64>],
     off_m: &[Vector3<f64>],
 ) -> f64 {
+    let left = left_by_registration(flanges, points_m, off_m);
+    let freedom = left.len().saturating_sub(9).max(1) as f64;
+    (left.norm_squared() * 3.0 / freedom).sqrt()
+}
+
+/// The displacements, three coordinates each, after the best small rigid motion of the base and the best tool offset are
+/// taken out (linear least squares, nine parameters), metres.
+///
+/// `flanges` are the nominal poses, `points_m` the nominal measured points, `off_m` the displacements, all
+/// in the base frame and of one length.
+#[must_use]
+pub fn left_by_registration(
+    flanges: &[Isometry3<f64>],
+    points_m: &[Vector3<f64>],
+    off_m: &[Vector3<f64>],
+) -> DVector<f64> {
     let n = off_m.len();
     let mut columns = DMatrix::zeros(3 * n, 9);
     let mut right = DVector::zeros(3 * n);
@@ -30,12 +41,10 @@ pub fn rms_after_registration_m(
         }
     }
     let svd = columns.clone().svd(true, true);
-    let left = match svd.solve(&right, 1e-9) {
+    match svd.solve(&right, 1e-9) {
         Ok(x) => &right - &columns * x,
         Err(_) => right,
-    };
-    let freedom = (3 * n).saturating_sub(9).max(1) as f64;
-    (left.norm_squared() * 3.0 / freedom).sqrt()
+    }
 }
 
 #[cfg(test)]

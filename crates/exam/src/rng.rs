@@ -31,7 +31,7 @@ impl Rng {
         StandardNormal.sample(&mut self.0)
     }
 
-    /// Three independent normals.
+    /// Three independent standard normal numbers.
     pub fn normal3(&mut self) -> [f64; 3] {
         [self.normal(), self.normal(), self.normal()]
     }
@@ -46,12 +46,12 @@ impl Rng {
         if n == 0 { 0 } else { self.0.random_range(0..n) }
     }
 
-    /// One of these.
+    /// One of these, each as likely; `None` of none.
     pub fn pick<'a, T>(&mut self, from: &'a [T]) -> Option<&'a T> {
         from.get(self.below(from.len()))
     }
 
-    /// -1 or 1.
+    /// -1 or 1, each as likely.
     pub fn sign(&mut self) -> f64 {
         if self.chance(0.5) { 1.0 } else { -1.0 }
     }

@@ -12,20 +12,20 @@ const WEAK_WITHIN: f64 = 0.05;
 /// One named cause of a diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cause {
-    /// The effect's name.
+    /// Name of the effect.
     pub effect: String,
-    /// Its joint.
+    /// Joint or link of the cause, from 1.
     pub joint: Option<usize>,
-    /// The stated probability.
+    /// The probability that the diagnosis states.
     pub posterior: Option<f64>,
 }
 
 /// How far the error shrinks, as the diagnosis says.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shrink {
-    /// rms before, mm.
+    /// rms with registration only, mm.
     pub before_rms_mm: Option<f64>,
-    /// rms after, mm.
+    /// rms with the named causes, mm.
     pub after_rms_mm: Option<f64>,
     /// 90 % interval of after / before.
     pub ci90: Option<[f64; 2]>,
@@ -34,7 +34,7 @@ pub struct Shrink {
 /// What is read of a diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
-    /// The verdict.
+    /// Name of the verdict.
     pub verdict: String,
     /// The causes, the most probable first.
     pub causes: Vec<Cause>,
@@ -45,7 +45,7 @@ pub struct Answer {
 /// A measure of the exam with what it came to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measure {
-    /// What is measured.
+    /// Name of the measure, as printed.
     pub name: &'static str,
     /// The value; `None` where no data set asks for it.
     pub value: Option<f64>,
@@ -53,11 +53,11 @@ pub struct Measure {
     pub ci90: Option<[f64; 2]>,
     /// Number of data sets it rests on.
     pub sets: usize,
-    /// What passes.
+    /// The value from which on it passes.
     pub pass: f64,
-    /// What is world-class.
+    /// The value from which on it is world-class.
     pub world_class: f64,
-    /// Small is good.
+    /// Whether a small value is good.
     pub small_is_good: bool,
 }
 

@@ -13,9 +13,9 @@ use std::fmt::Write as _;
 /// What is touched, and on what robot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TouchRecipe {
-    /// Fixed points.
+    /// Number of fixed points to touch.
     pub points: usize,
-    /// Touches of each.
+    /// Number of touches of each point.
     pub times: usize,
     /// Between two touches, minutes.
     pub every_min: f64,

@@ -11,9 +11,9 @@ use sha2::{Digest, Sha256};
 pub enum QuestionKind {
     /// One effect of the library, its channel recorded.
     One,
-    /// Two effects.
+    /// Two effects of the library.
     Two,
-    /// No effect.
+    /// No effect: noise, and perhaps geometry.
     None,
     /// An effect that no library has.
     Outside,
@@ -26,7 +26,7 @@ pub enum QuestionKind {
 /// One effect as it was put in.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InjectedEffect {
-    /// Which.
+    /// The effect with what it leaves open.
     #[serde(flatten)]
     pub effect: Effect,
     /// Its amplitude in SI units.
@@ -46,13 +46,13 @@ pub struct Truth {
     pub kind: QuestionKind,
     /// What was put in.
     pub effects: Vec<InjectedEffect>,
-    /// Number of rows.
+    /// Number of rows in the file.
     pub n: usize,
     /// Standard deviation of the noise in each coordinate, mm.
     pub sigma_mm: f64,
     /// How the poses are spread.
     pub spread: Spread,
-    /// What is recorded.
+    /// Columns that the file has.
     pub recorded: Recorded,
     /// The noise is slow (each row's like the one before).
     pub slow_noise: bool,

@@ -4,6 +4,7 @@ use super::arm::{Arm, Disturbance};
 use super::effect::{ArmState, Effect};
 use super::registration::rms_after_registration_m;
 use super::rng::Rng;
+use super::smooth::{Domain, SmoothFunction};
 use super::truth::Truth;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::robot::Robot;
@@ -12,7 +13,7 @@ use robot_model::units::m_from_mm;
 /// A move's end as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Commanded {
-    /// Joints, radians.
+    /// Joint angles as commanded, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Sign of each joint's last motion.
     pub direction: [i8; 6],
@@ -41,6 +42,7 @@ pub fn is_lasting(effect: &Effect) -> bool {
             | Effect::JointRounding
             | Effect::SwappedAxes
             | Effect::InstrumentScale
+            | Effect::SmoothFunction(SmoothFunction { domain: Domain::Time, .. })
     )
 }
 

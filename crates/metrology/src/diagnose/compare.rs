@@ -1,7 +1,9 @@
 //! What has changed between two measurements of one robot, before and after a crash, say: pose by pose, so that all that
 //! was wrong before as much as after drops out.
 
-use super::{Diagnosis, Options, Verdict, diagnose};
+use super::examine::diagnose;
+use super::options::Options;
+use super::outcome::{Diagnosis, Verdict};
 use crate::measure::{
     Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, Station, Stations,
     check_rows, gather, register,
@@ -27,21 +29,21 @@ pub enum CompareError {
         "only {pairs} poses were measured both times (joints, target, payload and direction alike); {FEWEST} are needed"
     )]
     TooFew {
-        /// How many.
+        /// Poses that were measured both times.
         pairs: usize,
     },
     /// The rows of a file contradict the robot.
     #[error("{reason}")]
     Fault {
-        /// How.
+        /// In what way, as a sentence.
         reason: String,
     },
-    /// Too alike poses.
+    /// The poses are too few or too alike to register.
     #[error(transparent)]
     Register(#[from] RegisterError),
 }
 
-/// What has changed.
+/// What has changed between two measurements.
 #[derive(Clone, Debug)]
 pub struct MeasurementComparison {
     /// Poses in both files.

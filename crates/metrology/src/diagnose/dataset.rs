@@ -28,9 +28,9 @@ pub enum ObservationKind {
 pub struct Observation {
     /// How the point's motion shows.
     pub kind: ObservationKind,
-    /// The fixed place that takes part.
+    /// The fixed point that takes part.
     pub fixed_point: Option<usize>,
-    /// Joints.
+    /// Joint angles, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Each joint's axis in the base.
     pub axes: [Vector3<f64>; 6],
@@ -42,19 +42,19 @@ pub struct Observation {
     pub flange: Matrix3<f64>,
     /// The measured point in the base, as predicted.
     pub point_m: Vector3<f64>,
-    /// Gravity's loads.
+    /// Loads of gravity on the joints and links.
     pub loads: Loads,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// Sign of each joint's last motion.
     pub direction: Option<[i8; 6]>,
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
     pub joint_temperature_c: Option<[f64; 6]>,
     /// Commanded pose; stations of one pose stay together.
     pub pose: usize,
-    /// Which reflector.
+    /// Index of the reflector or stylus.
     pub target: usize,
     /// Rows in the mean.
     pub repeats: usize,
@@ -170,7 +170,7 @@ impl Observation {
     }
 }
 
-/// `twist` times `factor`.
+/// The twist times a factor.
 #[must_use]
 pub fn scaled(twist: Twist, factor: f64) -> Twist {
     twist.map(|v| v * factor)
@@ -191,13 +191,13 @@ pub struct Dataset {
     pub torque_limit_n_m: [[f64; 5]; 6],
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
-    /// Largest payload.
+    /// Largest payload of the data, kg.
     pub largest_payload_kg: f64,
     /// Place of the last row in the file.
     pub last_row: f64,
     /// Rows per station that count: 3 or, with orientation, 6.
     pub rows_per_observation: usize,
-    /// Number of fixed places.
+    /// Number of fixed points.
     pub fixed_points: usize,
 }
 

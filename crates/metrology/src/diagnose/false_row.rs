@@ -21,7 +21,7 @@ pub(super) fn false_rows(
     measurements: &Measurements,
     stations: &Stations,
     linear: &Linearised,
-    model: &Model<'_>,
+    model: &Model,
 ) -> Vec<FalseRow> {
     let mut all = Vec::new();
     let middle_m = median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());

@@ -1,4 +1,4 @@
-//! Rivals that are no effect of the library: smooth structure of any shape along a joint, in the
+//! Alternatives that are no effect of the library: smooth structure of any shape along a joint, in the
 //! workspace, over time or over all joints, as Gaussian processes by low-rank features.
 //!
 //! They say that something is there that the library lacks, and where; never how it works.
@@ -50,7 +50,7 @@ pub enum GpAlternative {
 
 /// Usual size of the structure at the point, metres.
 const PRIOR_SIGMA_M: f64 = 1e-4;
-/// Most features kept for a kernel.
+/// Most features kept for a GP alternative.
 const MOST_FEATURES: usize = 28;
 /// Length scales: radians, metres, share of the time.
 const JOINT_RAD: [f64; 2] = [0.45, 0.13];
@@ -67,7 +67,7 @@ const PAIRS: f64 = 90.0;
 const MOST_OF_PAIR: usize = 16;
 const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
-/// Every kernel that these data can show, with its prior weight.
+/// Every GP alternative that these data can show, with its prior weight.
 #[must_use]
 pub fn gp_alternatives() -> Vec<(GpAlternative, f64)> {
     let mut all = vec![
@@ -105,7 +105,7 @@ pub fn gp_alternatives() -> Vec<(GpAlternative, f64)> {
     all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
 }
 
-/// The kernel's features as columns of `design`, largest first, sized to [`PRIOR_SIGMA_M`].
+/// The GP alternative's features as columns of `design`, largest first, sized to [`PRIOR_SIGMA_M`].
 #[must_use]
 pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> Vec<Vec<f64>> {
     match gp_alternative {

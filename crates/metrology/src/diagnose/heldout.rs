@@ -2,7 +2,7 @@
 
 use super::dataset::Dataset;
 use super::linearise::{Linearised, shift_m};
-use super::model::{Model, solve};
+use super::model::{Model, Workspace, solve};
 use super::outcome::{ErrorReduction, HeldOutBlock};
 use super::search::ALARM_NATS;
 use robot_model::units::mm_from_m;
@@ -17,13 +17,13 @@ const INTERVAL_INFLATION: f64 = 1.34;
 
 /// Which stations stay together, and which are held out together.
 pub struct Folds {
-    /// Atom of each station.
+    /// Group of each station.
     pub group_of: Vec<usize>,
-    /// Atoms of each fold.
+    /// Groups of each fold.
     pub folds: Vec<Vec<usize>>,
-    /// Atoms of the last part of the time.
+    /// Groups of the last part of the time.
     pub time: Option<Vec<usize>>,
-    /// Atoms of a region of the workspace.
+    /// Groups of a region of the workspace.
     pub region: Vec<usize>,
 }
 
@@ -82,11 +82,17 @@ type Squares = [f64; 3];
 
 /// Holds out every fold, the last of the time and a region; `geometry` says that geometry is the named cause.
 #[must_use]
-pub fn shrink(model: &mut Model<'_>, linear: &Linearised, folds: &Folds, geometry: bool) -> ErrorReduction {
+pub fn shrink(
+    model: &Model,
+    workspace: &mut Workspace<'_>,
+    linear: &Linearised,
+    folds: &Folds,
+    geometry: bool,
+) -> ErrorReduction {
     let n = linear.dataset.observations.len();
     let mut squares: Vec<Option<Squares>> = vec![None; n];
     for fold in &folds.folds {
-        held_out(model, folds, fold, &mut squares);
+        held_out(model, workspace, folds, fold, &mut squares);
     }
     let n_reported: Vec<(usize, Squares)> = (0..n)
         .filter(|&i| !model.outliers[i])
@@ -97,7 +103,7 @@ pub fn shrink(model: &mut Model<'_>, linear: &Linearised, folds: &Folds, geometr
     let ratio = if rms[0] > 0.0 { rms[after] / rms[0] } else { 1.0 };
     let mut block = |groups: &[usize]| {
         let mut squares: Vec<Option<Squares>> = vec![None; n];
-        held_out(model, folds, groups, &mut squares);
+        held_out(model, workspace, folds, groups, &mut squares);
         let n_reported: Vec<(usize, Squares)> =
             (0..n).filter(|&i| !model.outliers[i]).filter_map(|i| squares[i].map(|s| (i, s))).collect();
         rms_mm(&n_reported).map(|rms| HeldOutBlock {
@@ -122,7 +128,7 @@ pub fn shrink(model: &mut Model<'_>, linear: &Linearised, folds: &Folds, geometr
 }
 
 /// What noise alone leaves on a station, 3-D.
-fn floor_m(model: &Model<'_>, linear: &Linearised) -> f64 {
+fn floor_m(model: &Model, linear: &Linearised) -> f64 {
     let n = linear.dataset.observations.len() as f64;
     let observations = linear.dataset.observations.iter();
     let mean =
@@ -130,19 +136,31 @@ fn floor_m(model: &Model<'_>, linear: &Linearised) -> f64 {
     model.peak.sigma_m * mean.sqrt()
 }
 
-fn held_out(model: &mut Model<'_>, folds: &Folds, groups: &[usize], squares: &mut [Option<Squares>]) {
-    let all: Vec<usize> = (0..model.design.groups()).collect();
-    let train: Vec<usize> = (0..model.design.groups()).filter(|a| !groups.contains(a)).collect();
+fn held_out(
+    model: &Model,
+    workspace: &mut Workspace<'_>,
+    folds: &Folds,
+    groups: &[usize],
+    squares: &mut [Option<Squares>],
+) {
+    let all: Vec<usize> = (0..workspace.design.groups()).collect();
+    let train: Vec<usize> = (0..workspace.design.groups()).filter(|a| !groups.contains(a)).collect();
     // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
-    let alarm = ALARM_NATS * model.design.rows(&train) as f64 / model.design.rows(&all) as f64;
-    let chosen = model.library.search(&mut model.design, &train, model.noise, &mut model.column_index, alarm);
+    let alarm = ALARM_NATS * workspace.design.rows(&train) as f64 / workspace.design.rows(&all) as f64;
+    let chosen = workspace.library.search(
+        &mut workspace.design,
+        &train,
+        model.noise,
+        &mut workspace.column_index,
+        alarm,
+    );
     let ratio = Some(model.peak.geometry_ratio);
     let fits = [
-        solve(&model.design, &train, &[], None),
-        solve(&model.design, &train, &chosen, None),
-        solve(&model.design, &train, &chosen, ratio),
+        solve(&workspace.design, &train, &[], None),
+        solve(&workspace.design, &train, &chosen, None),
+        solve(&workspace.design, &train, &chosen, ratio),
     ];
-    let left = fits.map(|fit| model.design.residuals(&fit.coefficients));
+    let left = fits.map(|fit| workspace.design.residuals(&fit.coefficients));
     for (i, square) in squares.iter_mut().enumerate() {
         if groups.contains(&folds.group_of[i]) {
             *square = Some([0, 1, 2].map(|k| shift_m(&left[k][i]).powi(2)));
@@ -191,7 +209,7 @@ fn interval(n_reported: &[(usize, Squares)], after: usize, ratio: f64) -> [f64; 
 pub struct SplitMix64(u64);
 
 impl SplitMix64 {
-    /// From a seed.
+    /// The generator that starts at `seed`.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(seed)

@@ -5,7 +5,7 @@
 
 use super::dataset::Twist;
 use super::linearise::Linearised;
-use super::model::Model;
+use super::model::{Model, Workspace};
 use super::normal_equations::ModelColumns;
 use super::search::ChosenCause;
 use super::spectrum;
@@ -29,11 +29,12 @@ pub(super) fn identify(
     robot: &Robot,
     stations: &Stations,
     linear: &Linearised,
-    model: &Model<'_>,
+    model: &Model,
+    workspace: &Workspace<'_>,
     tool_m: Option<Vector3<f64>>,
 ) -> Option<Identified> {
     let dataset = &linear.dataset;
-    let candidates = model.library.candidates;
+    let candidates = workspace.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {
         let variant = candidates[c.candidate].variant;
@@ -42,7 +43,7 @@ pub(super) fn identify(
     let (named, chosen): (Vec<&ChosenCause>, Vec<&ChosenCause>) = model.chosen.iter().partition(in_spectrum);
     let columns = ModelColumns {
         dataset,
-        whitening: model.design.whitening(),
+        whitening: workspace.design.whitening(),
         targets: stations.targets,
         causes: chosen.iter().map(|c| &candidates[c.candidate]).collect(),
         lines,

@@ -13,7 +13,7 @@ const ROUNDS: usize = 3;
 
 /// The arm at every station, with residuals that are linear in all parameters.
 pub struct Linearised {
-    /// The arm.
+    /// The arm at every station.
     pub dataset: Dataset,
     /// Measured minus nominal, to first order, metres and radians in base axes.
     pub residuals: Vec<Twist>,

@@ -22,26 +22,31 @@ const FEW: usize = 3;
 /// Pose-to-pose scatter over scatter of repeats, squared, assumed at first.
 const INITIAL_VARIANCE_RATIO: f64 = 0.5;
 
-/// The best model and all that was computed for it.
-pub struct Model<'a> {
-    /// Reduced data.
-    pub design: Design,
-    /// Candidates with products.
-    pub library: Library<'a>,
+/// The best model, constant once it is built.
+pub struct Model {
     /// Causes in the model.
     pub chosen: Vec<ChosenCause>,
-    /// Where chosen columns stand.
-    pub column_index: BTreeMap<usize, Vec<usize>>,
-    /// Noise prior.
+    /// What was known of the noise before the fit.
     pub noise: NoisePrior,
     /// Weight of each station by the number of its repeats.
     pub base_weights: Vec<f64>,
     /// Stations set aside as false.
     pub outliers: Vec<bool>,
-    /// Residuals of the best model.
+    /// Residuals of the best model, metres and radians in base axes.
     pub residuals: Vec<Twist>,
-    /// Evidence of the best model's background.
+    /// Evidence of the best model's nuisance parameters.
     pub peak: EvidencePeak,
+}
+
+/// What is computed anew while a model is judged and held-out parts are fitted: columns and their products. It grows by
+/// every candidate that is tried, and what it holds never changes the answer.
+pub struct Workspace<'a> {
+    /// The whitened columns and their products.
+    pub design: Design,
+    /// Candidates with their products with the design.
+    pub library: Library<'a>,
+    /// Where each candidate's columns stand in the design.
+    pub column_index: BTreeMap<usize, Vec<usize>>,
 }
 
 /// Searches over `linear` with `candidates`.
@@ -52,7 +57,7 @@ pub fn build<'a>(
     noise: NoisePrior,
     targets: usize,
     group_of: &[usize],
-) -> Model<'a> {
+) -> (Model, Workspace<'a>) {
     let dataset = &linear.dataset;
     let repeats: Vec<f64> = dataset.observations.iter().map(|s| s.repeats as f64).collect();
     let mut variance_ratio = INITIAL_VARIANCE_RATIO;
@@ -98,17 +103,8 @@ pub fn build<'a>(
             && (next_variance_ratio - variance_ratio).abs() < 0.2 * (variance_ratio + 0.1)
             && (next_arm / arm_m).ln().abs() < 0.15;
         if steady || round >= ROUNDS && carried.is_empty() || round == MOST_ROUNDS {
-            return Model {
-                design,
-                library,
-                chosen,
-                column_index,
-                noise,
-                base_weights,
-                outliers,
-                residuals,
-                peak,
-            };
+            let model = Model { chosen, noise, base_weights, outliers, residuals, peak };
+            return (model, Workspace { design, library, column_index });
         }
         (robust, outliers, variance_ratio, arm_m) =
             (next_robust, next_outliers, next_variance_ratio, next_arm);
@@ -141,7 +137,7 @@ pub fn solve(design: &Design, subset: &[usize], chosen: &[ChosenCause], geometry
     let n = columns.len();
     let mut normal = DMatrix::from_fn(n, n, |r, c| gram[(columns[r].0, columns[c].0)]);
     for (i, (_, precision)) in columns.iter().enumerate() {
-        // A whisper on flat directions that the poses do not tell.
+        // A little regularisation: directions that the poses do not determine stay where they are.
         normal[(i, i)] += precision + 1e-10 * normal[(i, i)] + 1e-18;
     }
     let right = DVector::from_fn(n, |r, _| gram[(columns[r].0, 0)]);
@@ -284,7 +280,7 @@ fn pose_variance_ratio(
     (seen / (sigma_m * sigma_m) - expected).clamp(0.0, 30.0)
 }
 
-/// Middle value.
+/// Upper median of the values; 0 of none.
 #[must_use]
 pub fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);

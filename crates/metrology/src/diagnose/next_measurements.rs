@@ -1,10 +1,10 @@
 //! What to measure next: poses, payloads and directions that tell the likeliest cause from its rival.
 
-use super::Options;
 use super::dataset::{Observation, ObservationKind, Twist};
 use super::heldout::SplitMix64;
 use super::linearise::Linearised;
-use super::model::Model;
+use super::model::Workspace;
+use super::options::Options;
 use super::outcome::{NextMeasurement, Verdict};
 use super::verdict::describe_candidate;
 use crate::measure::{Reading, Registration, Station};
@@ -25,7 +25,7 @@ const FLOOR_M: f64 = 0.1;
 #[must_use]
 pub fn next_measurements(
     robot: &Robot,
-    model: &Model<'_>,
+    workspace: &Workspace<'_>,
     linear: &Linearised,
     pair: Option<(usize, Option<usize>)>,
     verdict: Verdict,
@@ -33,12 +33,12 @@ pub fn next_measurements(
 ) -> (Vec<NextMeasurement>, String) {
     let Some((first, rival)) = pair else { return (Vec::new(), String::new()) };
     let observations = candidate_observations(robot, linear, options);
-    let candidates = model.library.candidates;
+    let candidates = workspace.library.candidates;
     let own = &candidates[first];
     let other = rival.map(|r| &candidates[r]);
     let widths = own.prior_sigma.len() + other.map_or(0, |c| c.prior_sigma.len());
     let dataset = &linear.dataset;
-    // Rows at one site: registration, the rival, then the cause itself.
+    // Rows at one observation: registration, the rival, then the cause itself.
     let rows = |observation: &Observation| -> DMatrix<f64> {
         let mut twists: Vec<Twist> = (0..6).map(|k| observation.frame_offset(0, k)).collect();
         for k in 0..3 {

@@ -19,7 +19,7 @@ const FRAMES: usize = 5;
 pub struct ModelColumns<'a> {
     /// The arm at every station.
     pub dataset: &'a Dataset,
-    /// Weights.
+    /// Weights of the observations.
     pub whitening: &'a Whitening,
     /// Targets on the tool.
     pub targets: usize,
@@ -45,7 +45,7 @@ struct WhitenedRows {
     turns: DMatrix<f64>,
     /// Sines and cosines of each spectrum joint: a row for each station.
     angles: Vec<DMatrix<f64>>,
-    /// Residuals.
+    /// Whitened residuals at the observations.
     data: DVector<f64>,
 }
 
@@ -68,7 +68,7 @@ impl WhitenedRows {
 }
 
 impl ModelColumns<'_> {
-    /// Columns of registration.
+    /// Range of the columns of registration.
     #[must_use]
     pub fn registration(&self) -> Range<usize> {
         0..registration::width(self.targets, self.dataset.fixed_points, self.dataset.rows_per_observation)
@@ -81,7 +81,7 @@ impl ModelColumns<'_> {
         start..start + 6 * FRAMES
     }
 
-    /// Columns of each cause, in usual sizes.
+    /// Columns of each cause, in prior sigmas.
     #[must_use]
     pub fn of_causes(&self) -> Vec<Range<usize>> {
         ranges(self.geometry().end, self.causes.iter().map(|c| c.prior_sigma.len()))
@@ -218,7 +218,7 @@ impl NormalEquations {
     pub fn solve(&self, precisions: &[f64], wanted: bool) -> Option<(DVector<f64>, Option<Vec<f64>>)> {
         let mut sum = self.gram.clone();
         for (i, precision) in precisions.iter().enumerate() {
-            // A whisper on flat directions that the poses do not tell.
+            // A little regularisation: directions that the poses do not determine stay where they are.
             sum[(i, i)] += precision + 1e-10 * sum[(i, i)] + 1e-18;
         }
         let lower = lower_root(sum)?;

@@ -9,7 +9,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// One cause, told apart from its rivals.
+    /// One cause, told apart from its alternatives.
     Explained,
     /// A cause is there; `causes` is the set that these data cannot tell apart.
     Ambiguous,
@@ -50,13 +50,13 @@ impl Verdict {
 /// One cause, or candidate.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
-    /// Effect's name.
+    /// Kind of the effect, which names it.
     pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// Driven joint, from 1.
     pub joint_b: Option<usize>,
-    /// Periods per turn.
+    /// Periods per turn of a gear line.
     pub n: Option<u32>,
     /// When a step happened.
     pub t0_min: Option<f64>,
@@ -66,7 +66,7 @@ pub struct Cause {
     pub size: Option<f64>,
     /// Standard deviation of the size.
     pub sigma: Option<f64>,
-    /// Unit of `size`.
+    /// Unit of `size` and `sigma`.
     pub unit: &'static str,
     /// The effect's own size at the measured point over these poses.
     pub rms_mm: Option<f64>,
@@ -108,7 +108,7 @@ impl Cause {
 /// Where the gap lies.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Location {
-    /// Joint, from 1.
+    /// Joint or link, counted from 1.
     pub joint: Option<usize>,
     /// constant, drift or step.
     pub time: Option<&'static str>,
@@ -119,22 +119,22 @@ pub struct Location {
 /// A ball in the robot's base.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Region {
-    /// Middle.
+    /// Centre of the ball, mm.
     pub center_mm: [f64; 3],
-    /// Radius.
+    /// Radius of the ball, mm.
     pub radius_mm: f64,
 }
 
 /// How far the gap shrinks on poses that were held out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ErrorReduction {
-    /// With registration only.
+    /// rms with registration only, mm.
     pub before_rms_mm: Option<f64>,
     /// With the named causes added.
     pub after_rms_mm: Option<f64>,
-    /// What noise leaves.
+    /// rms that noise alone leaves, mm.
     pub floor_rms_mm: Option<f64>,
-    /// After over before.
+    /// rms after over rms before.
     pub ratio: Option<f64>,
     /// 90 % interval of the ratio.
     pub ci90: Option<[f64; 2]>,
@@ -149,9 +149,9 @@ pub struct ErrorReduction {
 /// One block held out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HeldOutBlock {
-    /// Stations in it.
+    /// Number of stations in the block.
     pub n: usize,
-    /// With registration only.
+    /// rms with registration only, mm.
     pub before_rms_mm: f64,
     /// With the named causes added.
     pub after_rms_mm: f64,
@@ -162,9 +162,9 @@ pub struct HeldOutBlock {
 /// A pose worth measuring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NextMeasurement {
-    /// Joints.
+    /// Joint angles, joint 1 first, degrees.
     pub q_deg: [f64; 6],
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
     /// Sign of each joint's last motion.
     pub dir: [i8; 6],
@@ -173,24 +173,24 @@ pub struct NextMeasurement {
 /// An effect, or some of its joints, that these data cannot show.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Untestable {
-    /// Effect's name.
+    /// Kind of the effect, which names it.
     pub effect: EffectKind,
     /// Joints, from 1; empty = the whole effect.
     pub joints: Vec<usize>,
-    /// Why.
+    /// Why these data cannot show it.
     pub reason: String,
 }
 
 /// What size of an effect would have been seen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Detectable {
-    /// Effect's name.
+    /// Kind of the effect, which names it.
     pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
     /// Smallest size that would have passed the alarm.
     pub size: f64,
-    /// Its unit.
+    /// Unit of that size.
     pub unit: &'static str,
 }
 
@@ -216,7 +216,7 @@ pub struct RowResidual {
     pub line: u64,
     /// `id` of the row.
     pub id: Option<String>,
-    /// Joints.
+    /// Joint angles, joint 1 first, degrees.
     pub q_deg: [f64; 6],
     /// Minutes since cold start.
     pub t_min: Option<f64>,
@@ -233,7 +233,7 @@ pub struct RowResidual {
 /// A joint's zero, where zeros were all that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct JointZero {
-    /// From 1.
+    /// Joint or axis, counted from 1.
     pub joint: usize,
     /// By how much it would be off.
     pub offset_rad: f64,
@@ -265,19 +265,19 @@ pub struct FalseRow {
     pub looks_like: Option<String>,
 }
 
-/// The whole answer.
+/// All that a diagnosis says of a data set.
 #[derive(Clone, Debug, Serialize)]
 pub struct Diagnosis {
-    /// In one word.
+    /// The verdict in one word.
     pub verdict: Verdict,
-    /// In one sentence.
+    /// The verdict in one sentence.
     pub reason: String,
-    /// Ranked.
+    /// Causes, likeliest first.
     pub causes: Vec<Cause>,
-    /// Where.
+    /// Where the gap lies: joint, time, region.
     #[serde(rename = "where")]
     pub place: Location,
-    /// How far.
+    /// How far the gap shrinks on held-out poses.
     pub shrink: ErrorReduction,
     /// Effects that these data cannot show.
     pub untestable: Vec<EffectKind>,
@@ -287,11 +287,11 @@ pub struct Diagnosis {
     pub next_measurements: Vec<NextMeasurement>,
     /// What they are good for.
     pub next_reason: String,
-    /// Noise.
+    /// The noise as known and as found.
     pub noise: NoiseEstimate,
     /// Rows read and stations used.
     pub rows: usize,
-    /// Stations used.
+    /// Number of stations used.
     pub stations: usize,
     /// Likeliest other explanations, that were found wanting.
     #[serde(rename = "rivals")]
@@ -306,9 +306,9 @@ pub struct Diagnosis {
     pub zeros_alone: Option<JointZeros>,
     /// Place of the target on the flange, as fitted.
     pub tool_mm: Option<[f64; 3]>,
-    /// Codes and messages.
+    /// Warnings of reading and judging the data.
     pub warnings: Vec<Warning>,
-    /// Residuals for `--csv`.
+    /// Residuals of every row, before and after; not in the JSON.
     #[serde(skip)]
     pub residuals: Vec<RowResidual>,
 }
@@ -316,9 +316,9 @@ pub struct Diagnosis {
 /// A warning in JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Warning {
-    /// Stable code.
+    /// Stable code, listed in docs/MESSAGES.md.
     pub code: &'static str,
-    /// Sentence.
+    /// The message as a sentence.
     pub message: String,
 }
 

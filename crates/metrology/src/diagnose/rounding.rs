@@ -2,7 +2,7 @@
 
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
-use super::model::{Model, solve};
+use super::model::{Model, Workspace, solve};
 use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::units::{mm_from_m, rad_from_deg};
@@ -19,7 +19,12 @@ const CLEAR_NATS: f64 = 8.0;
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
-pub fn find(measurements: &Measurements, linear: &Linearised, model: &Model<'_>) -> Option<Fault> {
+pub fn find(
+    measurements: &Measurements,
+    linear: &Linearised,
+    model: &Model,
+    workspace: &Workspace<'_>,
+) -> Option<Fault> {
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
     if measurements.joint_decimals > FINE_DECIMALS || !all_seen {
         return None;
@@ -77,9 +82,11 @@ pub fn find(measurements: &Measurements, linear: &Linearised, model: &Model<'_>)
         twists.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let ratio = NuisanceModel::new(&model.design, &groups, &[], model.noise).null().geometry_ratio;
-    let bare = points(&model.design.residuals(&solve(&model.design, &groups, &[], Some(ratio)).coefficients));
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let ratio = NuisanceModel::new(&workspace.design, &groups, &[], model.noise).null().geometry_ratio;
+    let bare = points(
+        &workspace.design.residuals(&solve(&workspace.design, &groups, &[], Some(ratio)).coefficients),
+    );
     let best = points(&model.residuals);
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
     let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();

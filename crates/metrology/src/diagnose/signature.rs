@@ -12,22 +12,22 @@ use std::collections::BTreeSet;
 /// A measurement that could be taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedMeasurement {
-    /// Joints.
+    /// Joint angles, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Sign of each joint's last motion.
     pub direction: [i8; 6],
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
-    /// When.
+    /// Minute since cold start at which it is taken.
     pub t_min: f64,
     /// Instead of the arm: nest number so and so, in the base.
     pub nest: Option<(usize, Vector3<f64>)>,
 }
 
-/// One form of an effect: its columns in [`Signatures::rows`].
+/// One variant of an effect: its columns in [`Signatures::rows`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
-    /// Name.
+    /// Kind of the effect, which names it.
     pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
@@ -41,9 +41,9 @@ pub struct Signature {
     pub usual: f64,
     /// Its first column; the first is the effect itself, the others leave its shape open.
     pub first: usize,
-    /// Number of columns.
+    /// Number of columns of the effect.
     pub width: usize,
-    /// Prior weight: families alike, forms share their family's.
+    /// Prior weight: families alike, variants share their family's.
     pub weight: f64,
 }
 
@@ -54,11 +54,11 @@ pub struct Signatures {
     pub registration: usize,
     /// Columns of geometry, per tolerance.
     pub geometry: usize,
-    /// The effects.
+    /// One for each effect and joint.
     pub effects: Vec<Signature>,
-    /// All columns.
+    /// Number of all columns together.
     pub width: usize,
-    /// Three rows for each measurement, metres, each of `width` numbers; effects per usual size.
+    /// Three rows for each measurement, metres, each of `width` numbers; effects per prior sigma.
     pub rows: Vec<f64>,
     /// How each joint moves the target at each measurement, metres per radian.
     pub turns: Vec<[[f64; 3]; 6]>,
@@ -149,7 +149,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
     Signatures { registration, geometry, effects, width: first, rows, turns }
 }
 
-/// One form of each effect and joint: the likeliest.
+/// One variant of each effect and joint: the likeliest.
 fn variants(dataset: &Dataset) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in effects::candidates(dataset).0 {

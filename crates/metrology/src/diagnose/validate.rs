@@ -16,11 +16,11 @@ use std::sync::Arc;
 /// What of the registration is fitted again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RefitScope {
-    /// Base and tool.
+    /// Base and tool are fitted again.
     BaseAndTool,
     /// The base; the tool is the model's.
     Base,
-    /// Nothing.
+    /// Nothing is fitted: base and tool are as the model has them.
     Nothing,
 }
 
@@ -36,45 +36,45 @@ pub enum ValidateError {
     /// The model has fewer targets.
     #[error("the model knows {known} targets, the file has {found}: use --register base,tool")]
     Targets {
-        /// In the model.
+        /// Targets that the model has mountings of.
         known: usize,
-        /// In the file.
+        /// Targets in the measurement file.
         found: usize,
     },
 }
 
-/// Distances, mm.
+/// Statistics of distances, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct DistanceStatistics {
-    /// Root mean square.
+    /// Root mean square distance, mm.
     pub rms_mm: f64,
-    /// Mean.
+    /// Mean distance, mm.
     pub mean_mm: f64,
-    /// Largest.
+    /// Largest distance, mm.
     pub max_mm: f64,
 }
 
 /// The model's and the nominal arm's distances over some of the poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PoseSubset {
-    /// How many.
+    /// Number of poses compared.
     pub n: usize,
-    /// The model's.
+    /// Distances that the model leaves.
     #[serde(flatten)]
     pub model: DistanceStatistics,
-    /// The nominal arm's.
+    /// Distances that the nominal arm leaves.
     pub nominal: DistanceStatistics,
 }
 
 /// What a model leaves of measurements that it has not seen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Validation {
-    /// All poses.
+    /// All poses of the file.
     #[serde(flatten)]
     pub all: PoseSubset,
     /// Those within the joint ranges in which the model was found.
     pub inside: PoseSubset,
-    /// The others.
+    /// Poses with a joint outside those ranges.
     pub outside: PoseSubset,
     /// Each outside joint with how many poses: `[joint, poses]`.
     pub joints_outside: Vec<[usize; 2]>,

@@ -4,7 +4,7 @@
 //! They are still the first thing to look at, and the cheapest to mend.
 
 use super::linearise::shift_m;
-use super::model::{Model, solve};
+use super::model::{Model, Workspace, solve};
 use super::outcome::{JointZero, JointZeros};
 use super::search::ChosenCause;
 use robot_model::deform::EffectKind;
@@ -14,25 +14,28 @@ use robot_model::units::mm_from_m;
 const WORTH: f64 = 0.3;
 
 /// The zeros fitted with base and target alone; none where they take little.
-pub(super) fn zeros(model: &mut Model<'_>) -> Option<JointZeros> {
-    let candidates = model.library.candidates;
+pub(super) fn zeros(model: &Model, workspace: &mut Workspace<'_>) -> Option<JointZeros> {
+    let candidates = workspace.library.candidates;
     let offsets: Vec<usize> = (0..candidates.len())
         .filter(|&c| candidates[c].kind == EffectKind::JointOffset && candidates[c].variant.joint.is_some())
         .collect();
     let chosen: Vec<ChosenCause> = offsets
         .into_iter()
         .map(|candidate| {
-            let columns =
-                model.library.columns_in_design(&mut model.design, &mut model.column_index, candidate);
+            let columns = workspace.library.columns_in_design(
+                &mut workspace.design,
+                &mut workspace.column_index,
+                candidate,
+            );
             // Free: what they would be if they were all.
             ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 }
         })
         .collect();
-    model.library.extend(&model.design);
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
+    workspace.library.extend(&workspace.design);
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let rms_m = |chosen: &[ChosenCause]| {
-        let fit = solve(&model.design, &groups, chosen, None);
-        let left = model.design.residuals(&fit.coefficients);
+        let fit = solve(&workspace.design, &groups, chosen, None);
+        let left = workspace.design.residuals(&fit.coefficients);
         let kept = || left.iter().zip(&model.outliers).filter(|(_, out)| !**out).map(|(m, _)| shift_m(m));
         ((kept().map(|d| d * d).sum::<f64>() / kept().count().max(1) as f64).sqrt(), fit)
     };

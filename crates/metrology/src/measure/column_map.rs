@@ -3,19 +3,19 @@
 //! A map says which of their columns is which of ours, how cells are divided, and in what units and conventions the
 //! numbers are.
 
-use super::read::{JOINTS, POINT, QUATERNION, known};
+use super::column_names::{JOINTS, POINT, QUATERNION, known};
+use super::error::missing_column;
 use super::table::{Line, Table};
 use super::timestamp::TimestampFormat;
 use super::{MeasureError, Rotation};
 use csv::{ReaderBuilder, Trim};
-use nalgebra::{UnitQuaternion, Vector3};
 use robot_model::units::{
     deg_from_rad, m_from_inch, m_from_mm, min_from_h, min_from_s, mm_from_m, rad_from_deg,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// A layout.
+/// A layout of a measurement table as other programs write it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ColumnMap {
@@ -286,7 +286,7 @@ impl ColumnMap {
                 header
                     .iter()
                     .position(|n| plain(n) == plain(name))
-                    .ok_or_else(|| super::read::missing(name, header))
+                    .ok_or_else(|| missing_column(name, header))
             }
         }
     }
@@ -371,23 +371,4 @@ impl ColumnMap {
 
 fn wrong(problem: String) -> MeasureError {
     MeasureError::Map { problem }
-}
-
-impl Rotation {
-    /// The orientation that three angles, radians, mean.
-    #[must_use]
-    pub fn quaternion(self, rad: [f64; 3]) -> UnitQuaternion<f64> {
-        let about = |k: usize, angle_rad: f64| {
-            let mut axis = Vector3::zeros();
-            axis[k] = angle_rad;
-            UnitQuaternion::from_scaled_axis(axis)
-        };
-        let [a, b, c] = rad;
-        match self {
-            Self::FixedXyz => about(2, c) * about(1, b) * about(0, a),
-            Self::MovingXyz => about(0, a) * about(1, b) * about(2, c),
-            Self::MovingZyx => about(2, a) * about(1, b) * about(0, c),
-            Self::Vector => UnitQuaternion::from_scaled_axis(Vector3::from(rad)),
-        }
-    }
 }

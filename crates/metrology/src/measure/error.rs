@@ -13,7 +13,7 @@ pub enum MeasureError {
     /// A column that every file needs.
     #[error("column {column} is missing; the header has: {found}{hint}")]
     MissingColumn {
-        /// Its name.
+        /// Name of the column.
         column: String,
         /// The columns that are there.
         found: String,
@@ -23,7 +23,7 @@ pub enum MeasureError {
     /// The same column twice.
     #[error("column {column} stands twice in the header; remove one")]
     DoubledColumn {
-        /// Its name.
+        /// Name of the column.
         column: String,
     },
     /// More joints than the robot has.
@@ -31,17 +31,17 @@ pub enum MeasureError {
         "column {column}: the file has more than six joints, the robot six; remove the column or take the robot's own file"
     )]
     TooManyJoints {
-        /// Its name.
+        /// Name of the column.
         column: String,
     },
     /// A cell that is no finite number.
     #[error("line {line}, column {column}: '{text}' is not a number{hint}")]
     NotANumber {
-        /// Line, from 1.
+        /// Line in the file, from 1.
         line: u64,
-        /// Column's name.
+        /// Name of the column.
         column: String,
-        /// What stands there.
+        /// The cell as written, cut to 40 characters.
         text: String,
         /// What is likely the matter, or empty.
         hint: &'static str,
@@ -49,21 +49,21 @@ pub enum MeasureError {
     /// A cell whose number cannot be.
     #[error("line {line}, column {column}: {text} is out of what can be: {why}")]
     Impossible {
-        /// Line, from 1.
+        /// Line in the file, from 1.
         line: u64,
-        /// Column's name.
+        /// Name of the column.
         column: String,
-        /// What stands there.
+        /// The cell as written, cut to 40 characters.
         text: String,
-        /// Why not.
+        /// Why it cannot be.
         why: &'static str,
     },
     /// A line with more or fewer cells than the header.
     #[error("line {line} has {cells} cells, the header {columns}")]
     CellCount {
-        /// Line, from 1.
+        /// Line in the file, from 1.
         line: u64,
-        /// Cells in it.
+        /// Number of cells in the line.
         cells: u64,
         /// Columns of the header.
         columns: u64,
@@ -71,7 +71,7 @@ pub enum MeasureError {
     /// Not UTF-8 or not CSV.
     #[error("line {line}: {problem}")]
     NotCsv {
-        /// Line, from 1.
+        /// Line in the file, from 1.
         line: u64,
         /// What the reader says.
         problem: String,
@@ -79,15 +79,15 @@ pub enum MeasureError {
     /// The column map cannot be.
     #[error("the column map: {problem}")]
     Map {
-        /// What is wrong.
+        /// What is wrong, as a phrase.
         problem: String,
     },
     /// A cell that is no time of the format that the column map gives.
     #[error("line {line}: '{text}' is no time written {format}")]
     NotATime {
-        /// Line, from 1.
+        /// Line in the file, from 1.
         line: u64,
-        /// What stands there.
+        /// The cell as written, cut to 40 characters.
         text: String,
         /// How times are written.
         format: String,
@@ -95,12 +95,32 @@ pub enum MeasureError {
     /// Joints twice for the same id.
     #[error("id {id} stands twice in the file of joints, lines {} and {}", lines[0], lines[1])]
     DoubledId {
-        /// Which.
+        /// The id that stands twice.
         id: String,
-        /// Where.
+        /// The two lines in the file.
         lines: [u64; 2],
     },
     /// A header and nothing else.
     #[error("the file has a header but no rows with a pose")]
     NoRows,
+}
+
+/// The error of a column that is missing from `header`, with what is likely the matter.
+pub(super) fn missing_column(column: &str, header: &[String]) -> MeasureError {
+    let found: Vec<&str> = header.iter().map(String::as_str).collect();
+    let hint = if found.len() == 1 && found[0].contains(';') {
+        "; the columns seem to be separated by ';', commas are needed"
+    } else if found.len() == 1 && found[0].contains('\t') {
+        "; the columns seem to be separated by tabs, commas are needed"
+    } else if found.iter().any(|n| n.ends_with("_rad")) {
+        "; joints are given in degrees"
+    } else {
+        ""
+    };
+    let mut found = found.join(", ");
+    if let Some((cut, _)) = found.char_indices().nth(200) {
+        found.truncate(cut);
+        found.push_str(", ...");
+    }
+    MeasureError::MissingColumn { column: column.to_owned(), found, hint }
 }

@@ -7,12 +7,12 @@ use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use std::collections::BTreeSet;
 
-/// Which contradiction.
+/// Kinds of contradictions that are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaultKind {
     /// Points in metres, inches.
     PositionUnits,
-    /// Joints in radians.
+    /// Joints are in radians, the columns say degrees.
     JointUnits,
     /// Measured axes swapped or one with the wrong sign.
     SwappedAxes,
@@ -24,7 +24,7 @@ pub enum FaultKind {
     RoundedJoints,
     /// The tool is not the one named.
     WrongTool,
-    /// Another robot fits.
+    /// The points fit another robot.
     WrongRobot,
     /// Nothing fits, reason not found.
     NothingFits,
@@ -33,7 +33,7 @@ pub enum FaultKind {
 /// A contradiction, and what it rests on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Which.
+    /// Kind of the contradiction.
     pub kind: FaultKind,
     /// One sentence for people.
     pub reason: String,

@@ -1,9 +1,18 @@
-//! Where a registration starts: the base by Procrustes, fixed places by what touches, sees or measures to them.
+//! Where a registration starts: the base by Procrustes, fixed points by what touches, sees or measures to them.
 
-use super::register::{SPREAD_M, oriented};
 use super::{Reading, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
+/// Least spread of the points that places a base, metres.
+const SPREAD_M: f64 = 3e-3;
+
+/// Whether the orientation was measured with every point.
+pub(super) fn oriented(stations: &[Station]) -> bool {
+    let mut points = stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).peekable();
+    points.peek().is_some() && points.all(|s| s.orientation.is_some())
+}
+
+/// A registration with known base and targets, fixed points not yet placed.
 pub(super) fn without_fit(
     tools_m: &[Vector3<f64>],
     fixed_points: usize,
@@ -12,7 +21,7 @@ pub(super) fn without_fit(
     Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); fixed_points])
 }
 
-/// Fixed places as the base and the targets put them.
+/// Fixed points as the base and the targets put them.
 pub(super) fn place_fixed_points(fit: &mut Registration, stations: &[Station], poses: &[Isometry3<f64>]) {
     for fixed_point in 0..fit.fixed_points_m.len() {
         let here =
@@ -56,7 +65,7 @@ fn trilaterated(lengths: &[(Vector3<f64>, f64)]) -> Option<Vector3<f64>> {
 }
 
 /// Base by Procrustes for an assumed place of the target (Arun, Huang and Blostein, 1987), where points were measured;
-/// fixed places behind it.
+/// fixed points behind it.
 pub(super) fn initial_guess(
     all: &[Station],
     all_poses: &[Isometry3<f64>],

@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// How far the mean of the attained poses is from the command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// AP_p, metres.
+    /// AP_p, the distance of the barycentre from the command, metres.
     pub ap_m: f64,
     /// AP_x, AP_y, AP_z, metres.
     pub of_axes_m: [f64; 3],
@@ -16,11 +16,11 @@ pub struct Accuracy {
 /// How close the attained poses are to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeatability {
-    /// How many.
+    /// Number of attained poses.
     pub n: usize,
     /// Mean distance from their barycentre, metres.
     pub mean_m: f64,
-    /// S_l, metres.
+    /// S_l, the standard deviation of the distances, metres.
     pub s_m: f64,
     /// RP_l = mean + 3 S_l, metres.
     pub rp_m: f64,

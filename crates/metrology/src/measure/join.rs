@@ -1,7 +1,8 @@
 //! Points and joints in two files: their rows put together.
 
 use super::MeasureError;
-use super::read::{JOINTS, missing};
+use super::column_names::JOINTS;
+use super::error::missing_column;
 use super::table::{Line, Table};
 use std::collections::BTreeMap;
 
@@ -12,7 +13,7 @@ pub enum MatchBy {
     Id,
     /// The first with the first, the second with the second.
     Order,
-    /// The nearest `t_min`.
+    /// The row that is nearest in `t_min`.
     Time,
 }
 
@@ -35,7 +36,7 @@ pub struct Joined {
 pub fn join(points: &Table, joints: &Table, by: MatchBy, within_min: f64) -> Result<Joined, MeasureError> {
     for name in JOINTS {
         if joints.column(name).is_none() {
-            return Err(missing(name, &joints.header));
+            return Err(missing_column(name, &joints.header));
         }
     }
     let kind = points.column("kind");
@@ -79,7 +80,7 @@ fn by_id(points: &Table, joints: &Table, arm: &[&Line]) -> Result<Vec<Option<usi
         .into_iter()
         .find(|name| points.column(name).is_some() && joints.column(name).is_some())
         .ok_or_else(|| {
-            missing("id", if points.column("id").is_none() { &points.header } else { &joints.header })
+            missing_column("id", if points.column("id").is_none() { &points.header } else { &joints.header })
         })?;
     let cell = |table: &Table, line: &Line| -> String {
         table.column(name).and_then(|k| line.cells.get(k)).cloned().unwrap_or_default()
@@ -102,7 +103,7 @@ fn by_time(
     within_min: f64,
 ) -> Result<Vec<Option<usize>>, MeasureError> {
     let time = |table: &Table, line: &Line| -> Result<f64, MeasureError> {
-        let at = table.column("t_min").ok_or_else(|| missing("t_min", &table.header))?;
+        let at = table.column("t_min").ok_or_else(|| missing_column("t_min", &table.header))?;
         let text = line.cells.get(at).map_or("", String::as_str);
         text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or_else(|| MeasureError::NotANumber {
             line: line.number,

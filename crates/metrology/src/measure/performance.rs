@@ -26,7 +26,7 @@ pub enum PerformanceError {
     /// The rows contradict the robot.
     #[error("{reason}")]
     Fault {
-        /// How.
+        /// In what way, as a sentence.
         reason: String,
     },
 }
@@ -47,7 +47,7 @@ pub enum ComparisonFrame {
 pub struct PerformanceAtTime {
     /// First minute, where it is recorded.
     pub t_min: Option<f64>,
-    /// Accuracy then.
+    /// Accuracy of the pose at that time.
     pub accuracy: Accuracy,
     /// Repeatability then, of two and more.
     pub repeatability: Option<Repeatability>,
@@ -62,13 +62,13 @@ pub struct PosePerformance {
     pub id: Option<String>,
     /// Number of the pose: one pose come to from several sides is several of these.
     pub pose: usize,
-    /// Reflector.
+    /// Index of the reflector or stylus.
     pub target: usize,
-    /// Joints as commanded.
+    /// Joint angles as commanded, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Barycentre in the base, metres.
     pub barycentre_m: Vector3<f64>,
-    /// Of all rows.
+    /// Accuracy of all rows of the pose.
     pub accuracy: Accuracy,
     /// Of all rows, two and more.
     pub repeatability: Option<Repeatability>,
@@ -95,7 +95,7 @@ impl PosePerformance {
     }
 }
 
-/// A file's performance.
+/// Performance of the robot in a whole file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performance {
     /// In the order of the first rows.

@@ -4,39 +4,39 @@ use nalgebra::Vector3;
 
 /// What was seen at a row.
 ///
-/// A place is a point that stands still in the base's frame, unknown: an index into [`Measurements::fixed_points`].
+/// A fixed point stands still in the base's frame, where is unknown: an index into [`Measurements::fixed_points`].
 ///
-/// [`Measurements::fixed_points`]: super::Measurements::places
+/// [`Measurements::fixed_points`]: super::Measurements::fixed_points
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reading {
     /// The target on the tool, in the instrument's frame.
     Point {
-        /// Metres.
+        /// In the instrument's frame, metres.
         position_m: Vector3<f64>,
     },
     /// A nest on base or floor, in the instrument's frame; the arm has no part in it.
     Nest {
-        /// Which.
+        /// Index of the fixed point.
         fixed_point: usize,
-        /// Metres.
+        /// In the instrument's frame, metres.
         position_m: Vector3<f64>,
     },
     /// The tip touches a fixed point: a closed loop without an instrument.
     Touch {
-        /// Which.
+        /// Index of the fixed point.
         fixed_point: usize,
     },
     /// How far the target is from a fixed point: a draw-wire, a ballbar.
     Length {
-        /// Which.
+        /// Index of the fixed point.
         fixed_point: usize,
-        /// Metres.
+        /// Distance from the fixed point, metres.
         length_m: f64,
     },
 }
 
 impl Reading {
-    /// The fixed place that takes part.
+    /// The fixed point that takes part.
     #[must_use]
     pub fn fixed_point(&self) -> Option<usize> {
         match *self {

@@ -1,8 +1,19 @@
-//! A registration refined: Gauss and Newton's steps over base, targets, fixed places and sensor, robust by re-weighting.
+//! A registration refined: Gauss and Newton's steps over base, targets, fixed points and sensor, robust by re-weighting.
 
 use super::station::median;
-use super::{FreeParameters, Registration, Station};
+use super::{Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Translation3, UnitQuaternion, Vector3};
+
+/// What a registration may fit; fixed points always.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FreeParameters {
+    /// Base and targets are fitted.
+    All,
+    /// The base; the targets are known.
+    Base,
+    /// Neither: the base stands there in the instrument's frame.
+    Nothing(Isometry3<f64>),
+}
 
 const ITERATIONS: usize = 60;
 /// Orientation residuals weigh as if at this distance, metres.

@@ -1,11 +1,11 @@
 //! Registration: where the robot's base stands in the instrument's frame, and the target on the flange.
 //!
-//! Nonlinear least squares over base (6), each target's place on the flange (3), each fixed place in the base (3)
+//! Nonlinear least squares over base (6), each target's place on the flange (3), each fixed point in the base (3)
 //! and, with measured orientation, the sensor's orientation on the flange (3); robust by re-weighting. Never a
 //! finding: all are unknown.
 
-use super::initial_guess::{initial_guess, place_fixed_points, without_fit};
-use super::refine::gauss_newton;
+use super::initial_guess::{initial_guess, oriented, place_fixed_points, without_fit};
+use super::refine::{FreeParameters, gauss_newton};
 use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use thiserror::Error;
@@ -22,8 +22,6 @@ const STARTS_M: [[f64; 3]; 7] = [
 ];
 /// Stations used to choose the start.
 const START_STATIONS: usize = 150;
-/// Least spread of the points that places a base, metres.
-pub(super) const SPREAD_M: f64 = 3e-3;
 
 /// Why a registration failed.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -82,17 +80,6 @@ pub fn register(
     Ok(gauss_newton(best, stations, base_from_flange, FreeParameters::All))
 }
 
-/// What a registration may fit; fixed places always.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FreeParameters {
-    /// Base and targets.
-    All,
-    /// The base; the targets are known.
-    Base,
-    /// Neither: the base stands there in the instrument's frame.
-    Nothing(Isometry3<f64>),
-}
-
 fn unknowns(stations: &[Station], targets: usize) -> usize {
     let base = if stations.iter().any(|s| s.reading.position_m().is_some()) { 6 } else { 0 };
     base + 3 * targets + if oriented(stations) { 3 } else { 0 }
@@ -104,12 +91,6 @@ fn equations(station: &Station) -> usize {
         _ if station.orientation.is_some() => 6,
         _ => 3,
     }
-}
-
-/// Whether the orientation was measured with every point.
-pub(super) fn oriented(stations: &[Station]) -> bool {
-    let mut points = stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).peekable();
-    points.peek().is_some() && points.all(|s| s.orientation.is_some())
 }
 
 fn fixed_points(stations: &[Station]) -> usize {

@@ -1,4 +1,4 @@
-//! Where the robot's base stands in the instrument's frame, the targets on the flange, fixed places in the base.
+//! Where the robot's base stands in the instrument's frame, the targets on the flange, fixed points in the base.
 
 use super::{Reading, Station};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
@@ -10,7 +10,7 @@ pub struct Registration {
     pub instrument_from_base: Isometry3<f64>,
     /// Each target's place in the flange's frame.
     pub tools_m: Vec<Vector3<f64>>,
-    /// Each fixed place in the base: nests, points touched, ends of wires.
+    /// Each fixed point in the base: nests, points touched, ends of wires.
     pub fixed_points_m: Vec<Vector3<f64>>,
     /// Standard deviation of the first target's place, metres: large where the poses do not tell it.
     pub tool_sigma_m: f64,
@@ -20,7 +20,7 @@ pub struct Registration {
     pub rms_m: f64,
     /// The middle distance left, metres: robust against false rows.
     pub median_m: f64,
-    /// Gauss-Newton steps taken.
+    /// Number of Gauss-Newton steps taken.
     pub iterations: usize,
     /// Whether the last step was below a nanometre.
     pub converged: bool,
@@ -83,7 +83,7 @@ impl Registration {
         base_from_flange.translation.vector + base_from_flange.rotation * tool
     }
 
-    /// Where a length was measured: the direction from the fixed place to the target, base axes.
+    /// Where a length was measured: the direction from the fixed point to the target, base axes.
     #[must_use]
     pub fn along(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Option<Vector3<f64>> {
         let Reading::Length { fixed_point, .. } = station.reading else { return None };

@@ -21,7 +21,7 @@ const FALSE_REPEAT: f64 = 7.0;
 pub struct Station {
     /// Commanded pose; stations of one pose stay together in every fold.
     pub pose: usize,
-    /// Which reflector.
+    /// Index of the reflector or stylus.
     pub target: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
@@ -33,7 +33,7 @@ pub struct Station {
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion.
     pub direction: Option<[i8; 6]>,
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
     pub joint_temperature_c: Option<[f64; 6]>,
@@ -69,11 +69,11 @@ pub struct Stations {
     pub stations: Vec<Station>,
     /// Noise from repeats; `None` where nothing was repeated.
     pub repeats: Option<Repeats>,
-    /// Optional columns.
+    /// Optional columns that are complete.
     pub channels: Channels,
-    /// Number of reflectors.
+    /// Number of reflectors, one at least.
     pub targets: usize,
-    /// Number of fixed places.
+    /// Number of fixed points.
     pub fixed_points: usize,
     /// Rows left out as false repeats.
     pub false_rows: Vec<usize>,

@@ -1,7 +1,7 @@
 //! A table as text: column names and cells, each row with its line in the file it came from.
 
 use super::MeasureError;
-use super::read::missing;
+use super::error::missing_column;
 use csv::{ReaderBuilder, Trim};
 use rapid_syntax::diagnostic::LineIndex;
 
@@ -40,7 +40,7 @@ impl Table {
         if let [alone] = header.as_slice()
             && alone.contains([';', '\t'])
         {
-            return Err(missing("q1_deg", &header));
+            return Err(missing_column("q1_deg", &header));
         }
         let mut lines = Vec::new();
         for record in reader.records() {

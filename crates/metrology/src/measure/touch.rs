@@ -1,10 +1,9 @@
 //! Few points measured again and again while a robot warms up: fixed points touched (`fixed_id`), or poses seen by a tracker.
 
-use super::read;
-use super::{MeasureError, Measurements, Reading, Table};
+use super::{Measurements, Reading};
 use nalgebra::Vector3;
 
-/// One touch, SI.
+/// One touch of a point, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Touch {
     /// Line in the file, from 1.
@@ -13,7 +12,7 @@ pub struct Touch {
     pub point: usize,
     /// Minutes since the cold start.
     pub t_min: f64,
-    /// Joints.
+    /// Joint angles, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// The measured point in the instrument's frame; `None` where a fixed point was touched.
     pub measured_m: Option<Vector3<f64>>,
@@ -29,22 +28,6 @@ pub struct Touches {
 }
 
 impl Touches {
-    /// Reads touches of fixed points, or of poses (`pose_id`) with measured points.
-    ///
-    /// # Errors
-    /// A column or cell that is missing or wrong; a row without time.
-    pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
-        Self::from_table(&Table::from_csv(bytes)?)
-    }
-
-    /// As [`Touches::from_csv`], of a table.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn from_table(table: &Table) -> Result<Self, MeasureError> {
-        read::touches(table)
-    }
-
     /// The touches of a whole measurement file, pose by pose.
     #[must_use]
     pub fn of_poses(measurements: &Measurements) -> Option<Self> {

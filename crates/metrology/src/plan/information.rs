@@ -4,6 +4,10 @@
 use crate::diagnose::signature::{Signature, Signatures};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
+/// Separations below this do not tell two effects of usual size apart.
+pub const APART: f64 = 20.0;
+/// Nats that an effect must gain to be named, alarm and the price of its parameters.
+pub const NAMED_NATS: f64 = 8.0;
 /// A rival may be this many times as large as usual.
 const RIVAL: f64 = 3.0;
 /// A whisper on flat directions.
@@ -20,7 +24,7 @@ pub struct Reduced<'a> {
     signatures: &'a Signatures,
     nuisance: Cholesky<f64, Dyn>,
     gram: &'a DMatrix<f64>,
-    /// Effects' own block.
+    /// The effects' own block of the reduced information.
     own: DMatrix<f64>,
     rivals: Vec<Option<Cholesky<f64, Dyn>>>,
 }
@@ -35,7 +39,7 @@ pub struct Regression {
 }
 
 impl Information {
-    /// None.
+    /// The information of no measurement.
     #[must_use]
     pub fn none(width: usize) -> Self {
         Self { gram: DMatrix::zeros(width, width) }

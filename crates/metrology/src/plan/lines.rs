@@ -1,7 +1,7 @@
 //! What can be expected of the lines of a gear, 3 to 320 per turn of each joint: how exactly one will be known, and which
 //! periods look like another over the angles that are planned.
 
-use super::outlook::{APART, NAMED_NATS};
+use super::information::{APART, NAMED_NATS};
 use crate::diagnose::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
@@ -18,13 +18,13 @@ const FLAT: f64 = 1e-9;
 /// The lines of one joint's gear.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct GearLines {
-    /// Always `gear_mesh`.
+    /// Always the kind `gear_mesh`.
     pub effect: EffectKind,
-    /// Joint, from 1.
+    /// Joint or link, counted from 1.
     pub joint: usize,
     /// Unit of the sizes.
     pub unit: &'static str,
-    /// Usual size.
+    /// Usual size of a sine or cosine.
     pub usual: f64,
     /// Expected standard deviation of a line, it being the only cause: the middle one over all periods.
     pub sigma: f64,
@@ -32,7 +32,7 @@ pub struct GearLines {
     pub seen_from: f64,
     /// Periods that are told from every other at their usual size.
     pub told_apart: usize,
-    /// Of so many.
+    /// Number of periods compared.
     pub of: usize,
     /// Periods with the one each is most easily taken for, hardest first: `[n, taken for]`.
     pub confounded: Vec<[u32; 2]>,

@@ -6,6 +6,7 @@
 mod exchange;
 mod information;
 mod lines;
+mod options;
 mod outlook;
 mod pool;
 mod rapid;
@@ -13,11 +14,10 @@ mod sheet;
 mod sweep;
 
 pub use lines::GearLines;
+pub use options::{PlanError, PlanOptions, Restriction, Space, Sweeps};
 pub use outlook::{Confounded, EffectName, Outlook, Parameter};
-pub use pool::{Restriction, Space};
 pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};
-pub use sweep::Sweeps;
 
 use crate::diagnose::signature::{PlannedMeasurement, signatures};
 use nalgebra::Vector3;
@@ -25,7 +25,6 @@ use pool::Pose;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use robot_model::robot::Robot;
-use thiserror::Error;
 
 /// Possible poses among which the best are chosen.
 const POOL: usize = 1500;
@@ -36,62 +35,6 @@ const NESTS_M: [[f64; 3]; 4] = [[0.5, 0.5, 0.0], [0.5, -0.5, 0.0], [-0.4, 0.0, 0
 /// Poses between two looks at the nests.
 const BETWEEN_NESTS: usize = 10;
 
-/// What is to be measured.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlanOptions {
-    /// The measured point in the flange's frame.
-    pub tool_m: Vector3<f64>,
-    /// Measurements of poses, repeats among them.
-    pub n: usize,
-    /// Of these, how many come back to a pose: they tell the noise.
-    pub repeats: usize,
-    /// Single joints moved in small steps, after the poses and beside `n`.
-    pub sweeps: Sweeps,
-    /// Payloads in turn.
-    pub payloads_kg: Vec<f64>,
-    /// Nests on the base, looked at every ten poses.
-    pub nests: usize,
-    /// Expected noise of one coordinate.
-    pub sigma_m: f64,
-    /// Time that one measurement takes.
-    pub each_min: f64,
-    /// Where the robot may go.
-    pub space: Space,
-    /// The same seed gives the same plan.
-    pub seed: u64,
-}
-
-/// Why there is no plan.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PlanError {
-    /// Too few measurements for any answer.
-    #[error("{n} measurements with {repeats} repeats are too few: 12 different poses at least, 60 say a lot")]
-    TooFew {
-        /// Asked.
-        n: usize,
-        /// Of these repeats.
-        repeats: usize,
-    },
-    /// Hardly a pose is allowed.
-    #[error("of {tried} poses tried only {found} are allowed ({restriction}): give the robot more room")]
-    NoRoom {
-        /// Tried.
-        tried: usize,
-        /// Allowed.
-        found: usize,
-        /// What forbids most.
-        restriction: Restriction,
-    },
-    /// Nowhere can a joint be moved so far.
-    #[error(
-        "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
-    )]
-    NoSweep {
-        /// From 1.
-        joint: usize,
-    },
-}
-
 /// One step of a measurement run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeasurementStep {
@@ -99,18 +42,18 @@ pub enum MeasurementStep {
     Pose {
         /// Which pose, from 0: repeats share it.
         pose: usize,
-        /// Joints.
+        /// Joint angles, joint 1 first, radians.
         q_rad: [f64; 6],
         /// Where each joint comes from.
         approach_rad: [f64; 6],
         /// Sign of each joint's last motion.
         direction: [i8; 6],
-        /// Payload.
+        /// Mass of the payload as declared, kg.
         payload_kg: f64,
     },
     /// Measure a nest on the base.
     Nest {
-        /// Which, from 0.
+        /// Number of the nest, from 0.
         nest: usize,
     },
 }

@@ -1,14 +1,10 @@
 //! What can be expected of a plan: how exactly each effect will be known, and which pairs stay confounded.
 
-use super::information::{Information, Reduced};
+use super::information::{APART, Information, NAMED_NATS, Reduced};
 use super::lines::GearLines;
 use crate::diagnose::signature::{Signature, Signatures};
 use robot_model::deform::EffectKind;
 
-/// Separations below this do not tell two effects of usual size apart.
-pub const APART: f64 = 20.0;
-/// Nats that an effect must gain to be named, alarm and the price of its parameters.
-pub(super) const NAMED_NATS: f64 = 8.0;
 /// Squared signal over noise under which nothing will ever be seen of an effect of usual size.
 const HIDDEN: f64 = 0.01;
 
@@ -18,7 +14,7 @@ const CONTAINED: f64 = 0.97;
 /// An effect by name.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct EffectName {
-    /// Its name.
+    /// Kind of the effect, which names it.
     pub effect: EffectKind,
     /// Joint or link, from 1.
     pub joint: Option<usize>,
@@ -29,12 +25,12 @@ pub struct EffectName {
 /// How exactly an effect will be known.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Parameter {
-    /// Which.
+    /// The effect and its joint.
     #[serde(flatten)]
     pub of: EffectName,
     /// Unit of the sizes.
     pub unit: &'static str,
-    /// Its usual size.
+    /// Size that the effect usually has.
     pub usual: f64,
     /// Expected standard deviation, it being the only cause.
     pub sigma: f64,
@@ -45,7 +41,7 @@ pub struct Parameter {
 /// Two effects that these measurements will not tell apart at their usual size.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Confounded {
-    /// The true one.
+    /// The effect that is at work.
     pub a: EffectName,
     /// The one it is taken for.
     pub b: EffectName,

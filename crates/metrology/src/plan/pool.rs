@@ -1,6 +1,6 @@
 //! Poses that the robot may take: inside its ranges, off singularities, above the floor, clear of its own foot.
 
-use super::{PlanError, PlanOptions};
+use super::options::{PlanError, PlanOptions, Restriction};
 use crate::diagnose::signature::PlannedMeasurement;
 use nalgebra::{Matrix6, Vector3};
 use rand::RngExt;
@@ -9,7 +9,6 @@ use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use robot_model::units::rad_from_deg;
 use std::f64::consts::PI;
-use std::fmt;
 
 /// Each joint comes from so far away.
 const APPROACH_DEG: f64 = 3.0;
@@ -24,51 +23,16 @@ const FOOT_M: f64 = 0.15;
 /// Tried for each pose wanted.
 const TRIES: usize = 400;
 
-/// Where the robot may go.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Space {
-    /// Wrist, flange and tool stay above this plane of the base.
-    pub floor_m: f64,
-    /// The measured point stays this near to the base's axis.
-    pub reach_m: Option<f64>,
-    /// The measured point stays in this box: lowest and highest corner in the base.
-    pub box_m: Option<[[f64; 3]; 2]>,
-}
-
-/// What forbids a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Restriction {
-    /// Under the floor plane.
-    Floor,
-    /// Too near to the robot's own foot.
-    Foot,
-    /// Near a singularity.
-    Singular,
-    /// Beyond the reach or outside the box.
-    Outside,
-}
-
-impl fmt::Display for Restriction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Floor => "most are under the floor plane",
-            Self::Foot => "most are too near to the robot's own foot",
-            Self::Singular => "most are near a singularity",
-            Self::Outside => "most are beyond the reach or outside the box",
-        })
-    }
-}
-
 /// A pose and how it is come to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// Joints.
+    /// Joint angles, joint 1 first, radians.
     pub q_rad: [f64; 6],
     /// Where they come from.
     pub approach_rad: [f64; 6],
     /// Sign of each joint's last motion.
     pub direction: [i8; 6],
-    /// Payload.
+    /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
 }
 

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 const NO_AXES: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 
-/// The module's text.
+/// The text of the RAPID module.
 #[must_use]
 pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
     let mut data = String::new();

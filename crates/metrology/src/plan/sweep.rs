@@ -1,21 +1,10 @@
 //! Sweeps of single joints in small steps: what tells the lines of a gear from each other, which poses far apart only sample.
 
+use super::options::{PlanError, PlanOptions};
 use super::pool::{Pose, approach_rad, restriction_of};
-use super::{PlanError, PlanOptions};
 use nalgebra::Vector3;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
-
-/// Sweeps of joints, each from one pose.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Sweeps {
-    /// Joints, from 0.
-    pub joints: Vec<usize>,
-    /// Poses of each.
-    pub n: usize,
-    /// From pose to pose.
-    pub step_rad: f64,
-}
 
 /// The poses of all sweeps, every joint come to from below; each sweep is round the pose of `pool` in which its joint
 /// moves the target furthest and all its poses are allowed.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// What hangs on the flange.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Payload {
-    /// Mass, kg.
+    /// Mass of the payload, kg.
     pub mass_kg: f64,
     /// Centre of gravity in the flange's frame, metres.
     pub cog_m: [f64; 3],

@@ -10,7 +10,7 @@ pub enum DeformError {
     /// The file is not CSV.
     #[error("deformation table, line {line}: {message}")]
     Csv {
-        /// From 1.
+        /// Line in the file, from 1.
         line: u64,
         /// What the CSV reader says.
         message: String,
@@ -21,7 +21,7 @@ pub enum DeformError {
          scheduled `t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg` (or with `temp_c` in place of `t_min`): {problem}"
     )]
     Header {
-        /// As found.
+        /// The header as it was found.
         header: String,
         /// What is missing or too much.
         problem: String,
@@ -29,15 +29,15 @@ pub enum DeformError {
     /// A field cannot be used.
     #[error("deformation table, line {line}, column {column} (`{name}`): {problem}; {remedy}")]
     Field {
-        /// From 1.
+        /// Line in the file, from 1.
         line: u64,
-        /// From 1.
+        /// Column in the line, from 1.
         column: usize,
-        /// The column's name.
+        /// Name of the column.
         name: String,
-        /// What is wrong.
+        /// What is wrong, as a phrase.
         problem: String,
-        /// What to do.
+        /// What to do about it.
         remedy: &'static str,
     },
     /// A static table must have a row for each joint.

@@ -11,12 +11,12 @@ pub enum GrowthLaw {
     None,
     /// One lag: 1 - e^(-t/τ).
     Exp {
-        /// τ, minutes.
+        /// Time constant τ, minutes.
         tau_min: f64,
     },
     /// Two equal lags in a row: 1 - (1 + t/τ) e^(-t/τ).
     TwoStage {
-        /// τ, minutes.
+        /// Time constant τ, minutes.
         tau_min: f64,
     },
 }
@@ -27,7 +27,7 @@ pub enum GrowthLaw {
     "`{text}` is no growth law: {problem}; write `none`, `exp:TAU` or `two-stage:TAU` with TAU in minutes, e.g. `two-stage:46`"
 )]
 pub struct GrowthError {
-    /// As given.
+    /// The law as given.
     pub text: String,
     /// What is wrong with it.
     pub problem: &'static str,
@@ -59,6 +59,22 @@ impl GrowthLaw {
             Self::None => None,
             Self::Exp { tau_min } | Self::TwoStage { tau_min } => Some(tau_min),
         }
+    }
+
+    /// The same law with another time constant, minutes; a law without one stays as it is.
+    #[must_use]
+    pub fn with_tau_min(self, tau_min: f64) -> Self {
+        match self {
+            Self::None => Self::None,
+            Self::Exp { .. } => Self::Exp { tau_min },
+            Self::TwoStage { .. } => Self::TwoStage { tau_min },
+        }
+    }
+
+    /// Whether both are the same kind of law, whatever their time constants.
+    #[must_use]
+    pub fn is_same_kind(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
     }
 
     /// The minute at which the share `growth` is reached: 0 for `growth` ≤ 0, `None` for `growth` ≥ 1, which a lag

@@ -1,6 +1,7 @@
 //! Candidates that only turn one joint, by the thousand: their products come by matrix products.
 
-use super::{Design, Products};
+use super::matrix::Design;
+use super::products::Products;
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
 use nalgebra::DMatrix;
@@ -12,13 +13,13 @@ pub struct Turning {
     joint: usize,
     /// Indices into the candidates.
     pub members: Vec<usize>,
-    /// Angles per usual size: two rows for each member, a column for each site in the order of atoms.
+    /// Angles per prior sigma: two rows for each member, a column for each observation in the order of groups.
     angles: DMatrix<f64>,
 }
 
 impl Design {
     /// Angles of the candidates that only turn `joint`: one row for each parameter, one column for each
-    /// site in the order of atoms.
+    /// observation in the order of groups.
     #[must_use]
     pub fn turning(&self, dataset: &Dataset, candidates: &[Candidate], joint: usize) -> Turning {
         let members: Vec<usize> = (0..candidates.len())
@@ -69,7 +70,7 @@ impl Design {
         }
     }
 
-    /// Brings the members' products up to date with columns appended since: one matrix product per atom.
+    /// Brings the members' products up to date with columns appended since: one matrix product per group.
     pub fn extend_turning(&self, turning: &Turning, products: &mut [Products]) {
         let Some(first) = turning.members.first().and_then(|&c| products.get(c)) else { return };
         let known = first.cross.first().map_or(0, |c| c.len() / 2);
@@ -99,21 +100,4 @@ impl Design {
             }
         }
     }
-
-    pub(super) fn multiply_turns(&mut self) {
-        let d = self.rows_per_observation;
-        for (turn, products) in self.turns.iter().zip(&mut self.turn_products) {
-            for column in &self.columns[products.len()..] {
-                products.push(by_observation(turn, column, d));
-            }
-        }
-    }
-}
-
-/// Products of two columns, summed over each site's rows.
-pub fn by_observation(a: &[f64], b: &[f64], rows_per_observation: usize) -> Vec<f64> {
-    a.chunks_exact(rows_per_observation)
-        .zip(b.chunks_exact(rows_per_observation))
-        .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())
-        .collect()
 }

@@ -1,23 +1,23 @@
-//! Products of a candidate's columns with themselves and with the design's, atom by atom.
+//! Products of a candidate's columns with themselves and with the design's, group by group.
 
-use super::{Design, dot};
+use super::matrix::{Design, dot};
 use nalgebra::DMatrix;
 
 /// Rows that are multiplied at one go: so many of all columns stay in the processor's cache.
 const BLOCK: usize = 1024;
 
-/// A candidate's products for each atom, its columns scaled by their usual size.
+/// A candidate's products for each group, its columns scaled by their prior sigma.
 #[derive(Clone, Debug)]
 pub struct Products {
-    /// Number of parameters.
+    /// Number of parameters of the candidate.
     pub p: usize,
-    /// With itself: p x p for each atom.
+    /// With itself: p x p for each group.
     pub(super) own: Vec<f64>,
-    /// With the design's columns: p values for each column, for each atom.
+    /// With the design's columns: p values for each column, for each group.
     pub(super) cross: Vec<Vec<f64>>,
 }
 
-/// A candidate's products over a subset of atoms.
+/// A candidate's products over a subset of groups.
 #[derive(Clone, Debug)]
 pub struct Sums {
     /// With itself, p x p.
@@ -44,7 +44,7 @@ impl Design {
         products
     }
 
-    /// The same over all atoms at once.
+    /// The same over all groups at once.
     #[must_use]
     pub fn sums(&self, columns: &[Vec<f64>]) -> Sums {
         let p = columns.len();
@@ -55,7 +55,7 @@ impl Design {
         sums
     }
 
-    /// Brings `sums` over all atoms up to date with columns appended since.
+    /// Brings `sums` over all groups up to date with columns appended since.
     pub fn extend_sums(&self, sums: &mut Sums, columns: &[Vec<f64>]) {
         let known = sums.cross.ncols();
         let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
@@ -86,7 +86,7 @@ impl Design {
 }
 
 impl Products {
-    /// None yet.
+    /// Products of no columns at all.
     #[must_use]
     pub fn none() -> Self {
         Self { p: 0, own: Vec::new(), cross: Vec::new() }
@@ -110,7 +110,7 @@ impl Products {
         sums.cross.as_mut_slice()[p * known..].copy_from_slice(&more);
     }
 
-    /// Over a subset of atoms.
+    /// Over a subset of groups.
     #[must_use]
     pub fn sum(&self, subset: &[usize]) -> Sums {
         let p = self.p;

@@ -1,9 +1,9 @@
-//! Columns of what is not known of base, targets and fixed places: flat, never a finding.
+//! Columns of what is not known of base, targets and fixed points: flat, never a finding.
 
 use crate::diagnose::dataset::{Observation, ObservationKind, Twist, scaled};
 use nalgebra::Vector3;
 
-/// Number of columns.
+/// Number of columns of the registration.
 pub fn width(targets: usize, fixed_points: usize, rows_per_observation: usize) -> usize {
     6 + 3 * targets + 3 * fixed_points + if rows_per_observation == 6 { 3 } else { 0 }
 }

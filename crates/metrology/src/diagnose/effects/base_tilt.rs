@@ -10,7 +10,7 @@ use robot_model::deform::EffectKind;
 /// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
 pub struct BaseTilt;
 
-/// Usual compliance, rad/(N.m).
+/// Prior standard deviation of the compliance, rad/(N.m).
 const USUAL: f64 = 1e-6;
 
 impl Effect for BaseTilt {

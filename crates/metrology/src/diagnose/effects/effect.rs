@@ -105,7 +105,7 @@ impl EffectVariant {
 pub struct Candidate {
     /// The effect that it is a variant of.
     pub kind: EffectKind,
-    /// What is scanned.
+    /// Joint, period, growth: what is scanned.
     pub variant: EffectVariant,
     /// Prior standard deviation of each parameter, SI.
     pub prior_sigma: Vec<f64>,

@@ -5,7 +5,7 @@ use super::rigid::turn_joint;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
-/// J_b times q_a.
+/// The driven joint's Jacobian column J_b times the driving joint's angle q_a.
 pub struct JointCoupling;
 
 impl Effect for JointCoupling {

@@ -5,7 +5,7 @@ use super::rigid::turn_joint;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
-/// J_j times q_j.
+/// The Jacobian's column J_j times q_j.
 pub struct JointGain;
 
 impl Effect for JointGain {

@@ -59,7 +59,7 @@ impl Candidate {
 /// An effect that a data set cannot show, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UntestableEffect {
-    /// The effect's kind.
+    /// Kind of the effect that cannot be shown.
     pub kind: EffectKind,
     /// Why, as a phrase.
     pub reason: String,

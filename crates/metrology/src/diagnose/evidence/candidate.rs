@@ -1,22 +1,22 @@
-//! A candidate over a background: what is left of it, and its evidence.
+//! A candidate over a nuisance model: what is left of it, and its evidence.
 
 use super::prior::size_prior;
 use super::{EvidencePeak, NuisanceModel};
 use crate::diagnose::design::Sums;
 use nalgebra::{DMatrix, DVector};
 
-/// A candidate over a background; [`NuisanceModel::update`] follows a background that has grown.
+/// A candidate over a nuisance model; [`NuisanceModel::update`] follows a nuisance model that has grown.
 pub struct Projected {
     own: DMatrix<f64>,
     with_y: DVector<f64>,
     /// With the geometry's columns.
     geometry: DMatrix<f64>,
-    /// Along each of the background's directions.
+    /// Along each of the nuisance model's directions.
     hat: Vec<DVector<f64>>,
 }
 
 impl NuisanceModel {
-    /// A candidate with the background's flat columns projected out.
+    /// A candidate with the nuisance model's flat columns projected out.
     #[must_use]
     pub fn project(&self, sums: &Sums) -> Projected {
         let p = sums.own.nrows();
@@ -31,7 +31,7 @@ impl NuisanceModel {
         projected
     }
 
-    /// Projects out the directions that the background has gained.
+    /// Projects out the directions that the nuisance model has gained.
     pub fn update(&self, candidate: &mut Projected, sums: &Sums) {
         let p = sums.own.nrows();
         for k in candidate.hat.len()..self.directions.len() {
@@ -141,7 +141,7 @@ impl NuisanceModel {
         best
     }
 
-    /// Root mean square over the rows of the signal of one usual size, metres.
+    /// Root mean square over the rows of the signal of one prior sigma, metres.
     fn signal_of_unit_size(&self, candidate: &Projected) -> f64 {
         (candidate.own.trace().max(0.0) / self.m).sqrt()
     }

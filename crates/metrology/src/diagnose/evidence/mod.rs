@@ -1,7 +1,7 @@
 //! Evidence: how much likelier the residuals are with a candidate than without, in closed form.
 //!
 //! e = N b + G g + A th + noise, whitened. N flat and projected out; g ~ N(0, s_g^2) in tolerances,
-//! th ~ N(0, s^2) in usual sizes. With the ratios s_g/sigma and s/sigma on logarithmic grids everything is
+//! th ~ N(0, s^2) in prior sigmas. With the ratios s_g/sigma and s/sigma on logarithmic grids everything is
 //! diagonal, and sigma is integrated in closed form against the repeats' chi-square (MacKay 1992;
 //! Rasmussen and Williams 2006, ch. 5).
 
@@ -21,7 +21,7 @@ const RANK: f64 = 1e-10;
 /// What a candidate reaches.
 #[derive(Clone, Copy, Debug)]
 pub struct EvidencePeak {
-    /// ln evidence, up to a constant shared by all on the same background.
+    /// ln evidence, up to a constant shared by all on the same nuisance model.
     pub log_evidence: f64,
     /// Best noise sigma, metres.
     pub sigma_m: f64,
@@ -247,7 +247,7 @@ impl NuisanceModel {
     }
 }
 
-/// gram x.
+/// The product of `gram` with the sparse vector `x`.
 fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; gram.nrows()];
     for (c, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {

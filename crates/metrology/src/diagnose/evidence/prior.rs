@@ -6,7 +6,7 @@ use nalgebra::DVector;
 /// Prior weight of geometry exactly as drawn.
 pub const NO_GEOMETRY: f64 = 0.25;
 
-/// Smallest size that is looked at, in usual sizes.
+/// Smallest size that is looked at, in prior sigmas.
 const SMALLEST: f64 = 1.0 / 64.0;
 
 /// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
@@ -69,7 +69,7 @@ mod tests {
                 .sum();
             assert!((total - 1.0).abs() < 1e-3, "{total}");
         }
-        // 1/300 of usual: 6.3 standard deviations of the usual sizes, but the middle of those by the noise:
+        // 1/300 of usual: 6.3 standard deviations of the prior sigmas, but the middle of those by the noise:
         // ln(0.5 ln 2 / (1.1 sqrt(2 pi)))
         let seen = size_prior(1.0 / 300.0, 1.0);
         let middle = (0.5 * std::f64::consts::LN_2 / (1.1 * std::f64::consts::TAU.sqrt())).ln();

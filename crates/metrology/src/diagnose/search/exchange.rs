@@ -1,8 +1,9 @@
-//! What is chosen, tried again: each cause against its rivals, gear lines against their neighbours, two against one.
+//! What is chosen, tried again: each cause against its alternatives, gear lines against their neighbours, two against one.
 
+use super::admission::MOST_CAUSES;
+use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR, cause_columns};
 use super::library::{Library, TrackedCandidate};
 use super::ranking::HypothesisRanking;
-use super::{ChosenCause, DROP_NATS, MOST_CAUSES, NULL_PRIOR, cause_columns};
 use crate::diagnose::design::Design;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::marginal::NoisePrior;
@@ -32,7 +33,7 @@ impl Search<'_> {
         kept.map(|(_, one)| one.clone()).collect()
     }
 
-    /// The background of `chosen`.
+    /// The nuisance model of `chosen`.
     pub(super) fn nuisance(&self, chosen: &[ChosenCause]) -> NuisanceModel {
         NuisanceModel::new(self.design, self.subset, &cause_columns(chosen, None), self.noise)
     }

@@ -1,6 +1,6 @@
-//! What the search looks at: candidates with their products, and kernels.
+//! What the search looks at: candidates with their products, and GP alternatives.
 
-use super::{NULL_PRIOR, UNEXPLAINED_PRIOR};
+use super::chosen::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::design::{Design, Products, Sums, Turning};
 use crate::diagnose::effects::Candidate;
@@ -12,18 +12,18 @@ use std::collections::BTreeSet;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
 const MOST_KEPT: usize = 40_000_000;
-/// Features of kernels are kept for no more stations than this: 80 MB.
+/// Features of GP alternatives are kept for no more stations than this: 80 MB.
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
 /// Whitened columns of one candidate.
 type Columns = Vec<Vec<f64>>;
-/// A kernel's features.
+/// Computes the features of a GP alternative.
 pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> Vec<Vec<f64>> + Sync + 'a;
 
-/// What the search looks at: candidates with their products, and kernels.
+/// What the search looks at: candidates with their products, and GP alternatives.
 pub struct Library<'a> {
-    /// The scene.
+    /// The observations that columns are computed at.
     pub dataset: &'a Dataset,
-    /// Candidates.
+    /// Every variant of every effect that the data can show.
     pub candidates: &'a [Candidate],
     /// Their products with the design.
     pub products: Vec<Products>,
@@ -35,23 +35,23 @@ pub struct Library<'a> {
     turning: Vec<Turning>,
     /// Columns of the other candidates, where there is room to keep them.
     columns: Vec<Option<Columns>>,
-    /// Kernels.
+    /// GP alternatives.
     pub gp_alternatives: Vec<Structure>,
 }
 
-/// A kernel over the data.
+/// A GP alternative over the data.
 pub struct Structure {
-    /// Which.
+    /// Which alternative it is.
     pub gp_alternative: GpAlternative,
     /// Its features as columns, where they are kept.
     columns: Option<Columns>,
-    /// Their products with the design, over all its atoms.
+    /// Their products with the design, over all its groups.
     pub sums: Sums,
-    /// ln prior.
+    /// ln of the prior probability.
     pub log_prior: f64,
 }
 
-/// A candidate over the background of a search, with what is needed to follow it.
+/// A candidate over the nuisance model of a search, with what is needed to follow it.
 pub(super) struct TrackedCandidate {
     pub candidate: usize,
     pub sums: Sums,
@@ -106,14 +106,14 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// Adds `list` of kernels, each with its share of the prior of what no effect explains.
+    /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
     pub fn add_gp_alternatives(
         &mut self,
         design: &Design,
         list: Vec<(GpAlternative, f64)>,
         columns: &ColumnsOf<'_>,
     ) {
-        // Those of a cause in the model cannot be computed again from the scene alone.
+        // Those of a cause in the model cannot be computed again from the dataset alone.
         let small = self.dataset.observations.len() <= MAX_OBSERVATIONS_KEPT;
         let keep = |gp_alternative: GpAlternative| {
             small || matches!(gp_alternative, GpAlternative::TimeVaryingCause(_))
@@ -183,7 +183,7 @@ impl<'a> Library<'a> {
             .collect()
     }
 
-    /// Brings the followers up to date with a background that has grown.
+    /// Brings the tracked candidates up to date with a nuisance model that has grown.
     pub(super) fn update_tracked(
         &self,
         nuisance: &NuisanceModel,

@@ -1,6 +1,6 @@
 //! All hypotheses for one place of the model, by their evidence.
 
-use super::NULL_PRIOR;
+use super::chosen::NULL_PRIOR;
 use super::library::{Library, TrackedCandidate};
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, ScreeningPoint};
 use crate::diagnose::marginal::{log_sum, normal_cdf};
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 const LONG_LIST: usize = 320;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
-/// A kernel this far behind is not looked at again.
+/// A GP alternative this far behind is not looked at again.
 const FAR_BEHIND_NATS: f64 = 7.0;
 
 /// Probability that an effect has the sign that physics gives it: a controller may take off too much of it.
@@ -20,11 +20,11 @@ const RIGHT_SIGN: f64 = 0.9;
 /// What stands in one place of the model, and how likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hypothesis {
-    /// Nothing.
+    /// Nothing stands in this place of the model.
     Null,
     /// A candidate, by index.
     Effect(usize),
-    /// A kernel, by index.
+    /// A GP alternative, by index.
     GpAlternative(usize),
 }
 
@@ -38,7 +38,7 @@ pub struct HypothesisRanking {
 }
 
 impl Library<'_> {
-    /// Every hypothesis over `nuisance` of all atoms, `subset`, but the candidates in `without`.
+    /// Every hypothesis over `nuisance` of all groups, `subset`, but the candidates in `without`.
     #[must_use]
     pub fn scan(&self, nuisance: &NuisanceModel, subset: &[usize], without: &[usize]) -> HypothesisRanking {
         let tracked = self.track(nuisance, subset);
@@ -47,7 +47,7 @@ impl Library<'_> {
         self.rank(nuisance, &open, true)
     }
 
-    /// Every kernel over `nuisance` of all atoms, weighed against nothing.
+    /// Every GP alternative over `nuisance` of all groups, weighed against nothing.
     #[must_use]
     pub fn rank_gp_alternatives(&self, nuisance: &NuisanceModel) -> HypothesisRanking {
         self.rank(nuisance, &[], true)
@@ -101,7 +101,7 @@ impl Library<'_> {
         let firsts = score(&long, &|p| nuisance.screening_evidence(p, &screening_grid).log_evidence);
         let seen: Vec<usize> = best(firsts, long, LONG_LIST);
         let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
-        // Thousands of gear lines must not push out the one form of an effect that explains as much.
+        // Thousands of gear lines must not push out the one variant of an effect that explains as much.
         let mut kinds = BTreeSet::new();
         let order: Vec<usize> = seen
             .into_iter()
@@ -133,7 +133,7 @@ impl Library<'_> {
         HypothesisRanking { ranked, null }
     }
 
-    /// Every kernel by its evidence: in full what comes near the best of them or nothing, a first look for the others.
+    /// Every GP alternative by its evidence: in full what comes near the best of them or nothing, a first look for the others.
     fn scanned(
         &self,
         nuisance: &NuisanceModel,

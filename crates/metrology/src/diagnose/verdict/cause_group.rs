@@ -1,8 +1,8 @@
-//! What stands in one place of the model, cause by cause: all forms of one effect in one joint together.
+//! What stands in one place of the model, cause by cause: all variants of one effect in one joint together.
 
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::model::Model;
+use crate::diagnose::model::{Model, Workspace};
 use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, cause_columns};
 use robot_model::deform::EffectKind;
 
@@ -11,23 +11,23 @@ const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
 const CREDIBLE: f64 = 0.95;
 
-/// A cause over all its forms in one slot.
+/// A cause over all its variants in one ranking.
 pub struct CauseGroup {
-    /// Its likeliest form.
+    /// Index of its likeliest candidate.
     pub best: usize,
-    /// Of all its forms.
+    /// Of all its variants.
     pub probability: f64,
-    /// ln evidence of that form over nothing.
+    /// ln evidence of that variant over nothing.
     pub gain_nats: f64,
 }
 
-/// The causes of a slot, likeliest first.
+/// The causes of a ranking, likeliest first.
 #[must_use]
-pub fn cause_groups(model: &Model<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
+pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
     let mut found: Vec<(Key, CauseGroup)> = Vec::new();
     for (hypothesis, probability, peak) in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
-        let this = key(&model.library.candidates[*c]);
+        let this = key(&workspace.library.candidates[*c]);
         match found.iter_mut().find(|(k, _)| *k == this) {
             Some((_, cause_group)) => cause_group.probability += probability,
             None => found.push((
@@ -47,11 +47,11 @@ pub fn cause_groups(model: &Model<'_>, ranking: &HypothesisRanking) -> Vec<Cause
 
 /// Joins to the likeliest cause the rival that holds it as a special case: what the rival adds is not needed, and
 /// the simpler of two nested explanations is the one to name.
-pub fn join_nested(model: &Model<'_>, cause_groups: &mut Vec<CauseGroup>) {
+pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
     let Some(first) = cause_groups.first() else { return };
-    let simple = key(&model.library.candidates[first.best]);
+    let simple = key(&workspace.library.candidates[first.best]);
     let nests = |g: &CauseGroup| {
-        let rich = key(&model.library.candidates[g.best]);
+        let rich = key(&workspace.library.candidates[g.best]);
         (simple.0, rich.0) == (EffectKind::JointOffset, EffectKind::ThermalJointDrift) && simple.1 == rich.1
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
@@ -77,15 +77,21 @@ pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
 
 /// Every hypothesis in the place `without` of the model (none: beside it), and how much geometry is needed there.
 #[must_use]
-pub fn scan(model: &Model<'_>, chosen: &[ChosenCause], without: Option<usize>) -> (HypothesisRanking, f64) {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let nuisance = NuisanceModel::new(&model.design, &groups, &cause_columns(chosen, without), model.noise);
+pub fn scan(
+    model: &Model,
+    workspace: &Workspace<'_>,
+    chosen: &[ChosenCause],
+    without: Option<usize>,
+) -> (HypothesisRanking, f64) {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let nuisance =
+        NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, without), model.noise);
     let taken: Vec<usize> =
         chosen.iter().enumerate().filter(|(i, _)| Some(*i) != without).map(|(_, c)| c.candidate).collect();
-    (model.library.scan(&nuisance, &groups, &taken), nuisance.geometry_gain())
+    (workspace.library.scan(&nuisance, &groups, &taken), nuisance.geometry_gain())
 }
 
-/// What forms of one cause share.
+/// What variants of one cause share.
 type Key = (EffectKind, Option<usize>, Option<usize>);
 
 fn key(c: &Candidate) -> Key {

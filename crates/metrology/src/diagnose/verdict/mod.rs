@@ -10,7 +10,7 @@ pub use wording::{describe, describe_candidate};
 
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
-use super::model::Model;
+use super::model::{Model, Workspace};
 use super::outcome::{Cause, Location, Verdict};
 use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use cause_group::{cause_groups, credible, join_nested, scan};
@@ -18,8 +18,8 @@ use noise::{MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, joint_scatter, reduced_chi_
 use robot_model::deform::EffectKind;
 use size::{cause, cause_unfitted, line_among_many, moved_m, total_rms_m};
 use structure::{
-    MANY_CAUSES, SMALL_BESIDE, add_gp_alternatives, gp_alternative_share, left_over_m, location_of_gp,
-    odds_over_causes, region_of, rival_share, shape_of_lines, structure as structure_in, structure_odds,
+    MANY_CAUSES, SMALL_BESIDE, add_gp_alternatives, alternative_share, gp_alternative_share, left_over_m,
+    location_of_gp, odds_over_causes, region_of, shape_of_lines, structure as structure_in, structure_odds,
     varying_cause,
 };
 use wording::{in_short, structure_reason};
@@ -31,19 +31,19 @@ const LARGE_SET: usize = 6;
 
 /// The verdict and what it rests on.
 pub struct Judgement {
-    /// Verdict.
+    /// The verdict on the data.
     pub verdict: Verdict,
-    /// One sentence.
+    /// The verdict in one sentence.
     pub reason: String,
-    /// Ranked causes.
+    /// Causes, likeliest first.
     pub causes: Vec<Cause>,
-    /// Rivals found wanting.
+    /// The likeliest explanations that were rejected.
     pub alternatives: Vec<Cause>,
-    /// Where.
+    /// Where the gap lies: joint, time, region.
     pub place: Location,
     /// Candidates of the likeliest cause and its likeliest rival.
     pub pair: Option<(usize, Option<usize>)>,
-    /// Scatter against repeats.
+    /// Residual variance over the variance of the repeats.
     pub reduced_chi_square: Option<f64>,
 }
 
@@ -51,20 +51,20 @@ pub struct Judgement {
 /// is halved: even odds at best that the verdict is wrong and the candidate right.
 const AS_A_CANDIDATE: f64 = 0.5;
 
-/// Judges the model.
+/// Judges the best model of the data.
 #[must_use]
-pub fn judge(model: &mut Model<'_>, linear: &Linearised) -> Judgement {
+pub fn judge(model: &Model, workspace: &mut Workspace<'_>, linear: &Linearised) -> Judgement {
     let chosen = model.chosen.clone();
-    model.library.forget_columns();
-    add_gp_alternatives(model, linear, &chosen);
-    let (rest, geometry_gain) = scan(model, &chosen, None);
-    let chi = reduced_chi_square(model, linear, &chosen);
-    let along = joint_scatter(model, linear).filter(|j| j.gain_nats > ALARM_NATS);
+    workspace.library.forget_columns();
+    add_gp_alternatives(workspace, linear, &chosen);
+    let (rest, geometry_gain) = scan(model, workspace, &chosen, None);
+    let chi = reduced_chi_square(model, workspace, linear, &chosen);
+    let along = joint_scatter(model, workspace, linear).filter(|j| j.gain_nats > ALARM_NATS);
     let scatter = Scatter { chi: chi.filter(|&(value, limit)| value > limit).map(|c| c.0), along };
     let mut judgement = if chosen.is_empty() {
-        without_cause(model, linear, &rest, geometry_gain, scatter)
+        without_cause(model, workspace, linear, &rest, geometry_gain, scatter)
     } else {
-        with_causes(model, linear, &chosen, &rest, scatter)
+        with_causes(model, workspace, linear, &chosen, &rest, scatter)
     };
     judgement.reduced_chi_square = chi.map(|c| c.0);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
@@ -76,16 +76,17 @@ pub fn judge(model: &mut Model<'_>, linear: &Linearised) -> Judgement {
 }
 
 fn without_cause(
-    model: &mut Model<'_>,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
     linear: &Linearised,
     ranking: &HypothesisRanking,
     geometry_gain: f64,
     scatter: Scatter,
 ) -> Judgement {
-    let cause_groups = cause_groups(model, ranking);
+    let cause_groups = cause_groups(workspace, ranking);
     let mut causes = Vec::new();
     for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > 0.001) {
-        causes.push(cause(model, linear, &[], None, cause_group));
+        causes.push(cause(model, workspace, linear, &[], None, cause_group));
     }
     let mut judgement = Judgement {
         verdict: Verdict::NothingAboveNoise,
@@ -96,16 +97,16 @@ fn without_cause(
         pair: cause_groups.first().map(|g| (g.best, cause_groups.get(1).map(|h| h.best))),
         reduced_chi_square: None,
     };
-    let found = structure_in(model, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
-    let slow = found.is_some_and(|(_, gp_alternative)| slow_noise(model, linear, gp_alternative));
+    let found = structure_in(workspace, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
+    let slow = found.is_some_and(|(_, gp_alternative)| slow_noise(model, workspace, linear, gp_alternative));
     if slow {
         SLOW_NOISE.clone_into(&mut judgement.reason);
     }
     if let Some((_, gp_alternative)) = found.filter(|_| !slow) {
         judgement.verdict = Verdict::UnexplainedStructure;
-        judgement.place = location_of_gp(model, linear, &[], gp_alternative);
+        judgement.place = location_of_gp(model, workspace, linear, &[], gp_alternative);
         judgement.reason = structure_reason(
-            model.library.gp_alternatives[gp_alternative].gp_alternative,
+            workspace.library.gp_alternatives[gp_alternative].gp_alternative,
             linear.dataset.time_min.is_some(),
         );
     } else if scatter.chi.is_some() || scatter.along.is_some() {
@@ -121,7 +122,8 @@ fn without_cause(
 }
 
 fn with_causes(
-    model: &mut Model<'_>,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
     linear: &Linearised,
     chosen: &[ChosenCause],
     rest: &HypothesisRanking,
@@ -135,15 +137,16 @@ fn with_causes(
     let mut needed = 0;
     let mut lost = 0;
     for i in 0..chosen.len() {
-        if chosen.len() > MANY_CAUSES && model.library.candidates[chosen[i].candidate].variant.n.is_some() {
-            causes.push(line_among_many(model, linear, chosen, i));
+        if chosen.len() > MANY_CAUSES && workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
+        {
+            causes.push(line_among_many(model, workspace, linear, chosen, i));
             needed += 1;
             clear += 1;
             continue;
         }
-        let (ranking, _) = scan(model, chosen, Some(i));
-        let mut cause_groups = cause_groups(model, &ranking);
-        join_nested(model, &mut cause_groups);
+        let (ranking, _) = scan(model, workspace, chosen, Some(i));
+        let mut cause_groups = cause_groups(workspace, &ranking);
+        join_nested(workspace, &mut cause_groups);
         let Some(first) = cause_groups.first() else { continue };
         let near = credible(&cause_groups);
         let nothing = ranking.ranked.iter().find(|r| r.0 == Hypothesis::Null).map_or(0.0, |r| r.1);
@@ -152,10 +155,10 @@ fn with_causes(
             continue;
         }
         needed += 1;
-        let gp_alternatives = rival_share(model, &ranking, first.best);
+        let gp_alternatives = alternative_share(workspace, &ranking, first.best);
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
         if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
-            winning_gp = structure_in(model, &ranking).map(|s| s.1);
+            winning_gp = structure_in(workspace, &ranking).map(|s| s.1);
             lost += 1;
         }
         clear += usize::from(near.len() == 1 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share);
@@ -163,10 +166,10 @@ fn with_causes(
             pair = Some((first.best, cause_groups.get(1).map(|g| g.best)));
         }
         for cause_group in &near {
-            causes.push(cause(model, linear, chosen, Some(i), cause_group));
+            causes.push(cause(model, workspace, linear, chosen, Some(i), cause_group));
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
-            alternatives.push(cause_unfitted(model, cause_group));
+            alternatives.push(cause_unfitted(workspace, cause_group));
         }
     }
     for a in (1..causes.len()).rev() {
@@ -186,15 +189,15 @@ fn with_causes(
     });
 
     let alternatives = rejected(alternatives, &causes);
-    let cause_rms_m = total_rms_m(model, chosen);
-    let left = structure_in(model, rest).filter(|(gain, _)| *gain > ALARM_NATS);
+    let cause_rms_m = total_rms_m(model, workspace, chosen);
+    let left = structure_in(workspace, rest).filter(|(gain, _)| *gain > ALARM_NATS);
     let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(rest, k));
-    let odds = odds_over_causes(model, chosen);
+    let odds = odds_over_causes(model, workspace, chosen);
     let together = chosen.len() > 1 && odds > 0.0;
     // Structure alone that is likelier than the causes with structure beside them.
-    let all = odds > structure_in(model, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
-    let shape = shape_of_lines(model, chosen);
-    let varies = varying_cause(model, rest);
+    let all = odds > structure_in(workspace, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
+    let shape = shape_of_lines(model, workspace, chosen);
+    let varies = varying_cause(workspace, rest);
     winning_gp = shape.or(varies).or(winning_gp);
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
@@ -204,31 +207,31 @@ fn with_causes(
 
     let mut place = Location { joint: causes.first().and_then(|c| c.joint), ..Location::default() };
     place.time = causes.first().map(|c| c.time);
-    place.region = region_of(linear, &moved_m(model, linear, chosen));
+    place.region = region_of(linear, &moved_m(model, workspace, linear, chosen));
     let (verdict, reason) = if alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m {
         let gp_alternative = winning_gp.or(left.map(|l| l.1)).or_else(|| {
-            let groups: Vec<usize> = (0..model.design.groups()).collect();
-            let bare = NuisanceModel::new(&model.design, &groups, &[], model.noise);
-            structure_in(model, &model.library.rank_gp_alternatives(&bare)).map(|s| s.1)
+            let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+            let bare = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
+            structure_in(workspace, &workspace.library.rank_gp_alternatives(&bare)).map(|s| s.1)
         });
         let reason = gp_alternative.map_or_else(String::new, |k| {
             structure_reason(
-                model.library.gp_alternatives[k].gp_alternative,
+                workspace.library.gp_alternatives[k].gp_alternative,
                 linear.dataset.time_min.is_some(),
             )
         });
         match gp_alternative {
-            Some(gp_alternative) if slow_noise(model, linear, gp_alternative) => {
+            Some(gp_alternative) if slow_noise(model, workspace, linear, gp_alternative) => {
                 place = Location::default();
                 (Verdict::NothingAboveNoise, SLOW_NOISE.to_owned())
             }
             Some(gp_alternative) => {
-                place = location_of_gp(model, linear, &[], gp_alternative);
+                place = location_of_gp(model, workspace, linear, &[], gp_alternative);
                 (Verdict::UnexplainedStructure, reason)
             }
             None => (Verdict::UnexplainedStructure, reason),
         }
-    } else if scatter.alternatives(model, linear, cause_rms_m) {
+    } else if scatter.is_comparable(model, linear, cause_rms_m) {
         place.joint = scatter.along.map(|a| a.joint + 1);
         (Verdict::UnexplainedScatter, scatter.reason())
     } else if clear < needed.min(2) || scale {

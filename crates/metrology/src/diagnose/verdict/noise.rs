@@ -4,7 +4,7 @@ use super::size::rms;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linearise::{Linearised, shift_m};
-use crate::diagnose::model::{Model, solve};
+use crate::diagnose::model::{Model, Workspace, solve};
 use crate::diagnose::scatter::{self, JointScatter};
 use crate::diagnose::search::{ChosenCause, cause_columns};
 
@@ -17,7 +17,7 @@ const STATED_SCATTER: f64 = 2.8;
 const BY_CHANCE: f64 = 2.878;
 /// Structure left that is larger than this share of the causes makes them doubtful.
 pub const MAX_RESIDUAL_SHARE: f64 = 0.5;
-/// [`slow_noise`] in words.
+/// The reason that [`slow_noise`] gives.
 pub const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
      part of it, but together they scatter no more than the noise allows";
 
@@ -26,19 +26,19 @@ pub const SLOW_NOISE: &str = "no effect of the library stands out of the noise; 
 pub struct Scatter {
     /// Reduced chi-square against the noise, where it is too large.
     pub chi: Option<f64>,
-    /// Along a joint.
+    /// Scatter along one joint, where it passes the alarm.
     pub along: Option<JointScatter>,
 }
 
 impl Scatter {
     /// Whether it is not small against what the causes take.
     #[must_use]
-    pub fn alternatives(&self, model: &Model<'_>, linear: &Linearised, cause_rms_m: f64) -> bool {
+    pub fn is_comparable(&self, model: &Model, linear: &Linearised, cause_rms_m: f64) -> bool {
         self.along.is_some_and(|a| a.rms_m > MAX_RESIDUAL_SHARE * cause_rms_m)
             || self.chi.is_some() && excess_m(model, linear) > MAX_RESIDUAL_SHARE * cause_rms_m
     }
 
-    /// In words.
+    /// The scatter as a sentence for people.
     #[must_use]
     pub fn reason(&self) -> String {
         let what = match (self.along, self.chi) {
@@ -52,10 +52,10 @@ impl Scatter {
 
 /// Scatter of the residuals along a joint.
 #[must_use]
-pub fn joint_scatter(model: &Model<'_>, linear: &Linearised) -> Option<JointScatter> {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
+pub fn joint_scatter(model: &Model, workspace: &Workspace<'_>, linear: &Linearised) -> Option<JointScatter> {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let nuisance =
-        NuisanceModel::new(&model.design, &groups, &cause_columns(&model.chosen, None), model.noise);
+        NuisanceModel::new(&workspace.design, &groups, &cause_columns(&model.chosen, None), model.noise);
     // Orientation has rows of its own; half of the parameters are then the points'.
     let share = 3.0 / linear.dataset.rows_per_observation as f64;
     let used = share * nuisance.parameters(model.peak.geometry_ratio);
@@ -70,7 +70,7 @@ pub fn joint_scatter(model: &Model<'_>, linear: &Linearised) -> Option<JointScat
 }
 
 /// Scatter beyond the noise as known, 3-D rms, metres.
-fn excess_m(model: &Model<'_>, linear: &Linearised) -> f64 {
+fn excess_m(model: &Model, linear: &Linearised) -> f64 {
     let Some((sigma_m, _)) = model.noise.known else { return 0.0 };
     let kept: Vec<f64> = model
         .residuals
@@ -88,18 +88,19 @@ fn excess_m(model: &Model<'_>, linear: &Linearised) -> f64 {
 /// Scatter about a model of `chosen` over what the repeats allow, and the limit for as many repeats as there are.
 #[must_use]
 pub fn reduced_chi_square(
-    model: &Model<'_>,
+    model: &Model,
+    workspace: &Workspace<'_>,
     linear: &Linearised,
     chosen: &[ChosenCause],
 ) -> Option<(f64, f64)> {
     let (sigma_m, freedom) = model.noise.known?;
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let nuisance = NuisanceModel::new(&model.design, &groups, &cause_columns(chosen, None), model.noise);
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let nuisance = NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, None), model.noise);
     let ratio = nuisance.null().geometry_ratio;
-    let fit = solve(&model.design, &groups, chosen, Some(ratio));
+    let fit = solve(&workspace.design, &groups, chosen, Some(ratio));
     let mut sum = 0.0;
     let mut rows = 0.0;
-    let residuals = model.design.residuals(&fit.coefficients);
+    let residuals = workspace.design.residuals(&fit.coefficients);
     for ((m, observation), out) in residuals.iter().zip(&linear.dataset.observations).zip(&model.outliers) {
         if !*out {
             sum += shift_m(m).powi(2) * observation.repeats as f64;
@@ -132,14 +133,19 @@ fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
 /// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
 /// in the model, no larger than the repeats or the statement say.
 #[must_use]
-pub fn slow_noise(model: &Model<'_>, linear: &Linearised, gp_alternative: usize) -> bool {
+pub fn slow_noise(
+    model: &Model,
+    workspace: &Workspace<'_>,
+    linear: &Linearised,
+    gp_alternative: usize,
+) -> bool {
     let over_time = matches!(
-        model.library.gp_alternatives[gp_alternative].gp_alternative,
+        workspace.library.gp_alternatives[gp_alternative].gp_alternative,
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime
     );
     over_time
         && linear.dataset.time_min.is_some()
-        && reduced_chi_square(model, linear, &[]).is_some_and(|(value, limit)| value <= limit)
+        && reduced_chi_square(model, workspace, linear, &[]).is_some_and(|(value, limit)| value <= limit)
 }
 
 #[cfg(test)]

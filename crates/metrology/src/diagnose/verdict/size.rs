@@ -3,21 +3,25 @@
 use super::cause_group::CauseGroup;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::linearise::{Linearised, shift_m};
-use crate::diagnose::model::{Fit, Model, solve};
+use crate::diagnose::model::{Fit, Model, Workspace, solve};
 use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
 use robot_model::units::mm_from_m;
 
 /// A cause with its size: fitted in place `i` of `chosen`, or alone.
 pub fn cause(
-    model: &mut Model<'_>,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
     linear: &Linearised,
     chosen: &[ChosenCause],
     i: Option<usize>,
     cause_group: &CauseGroup,
 ) -> Cause {
-    let columns =
-        model.library.columns_in_design(&mut model.design, &mut model.column_index, cause_group.best);
+    let columns = workspace.library.columns_in_design(
+        &mut workspace.design,
+        &mut workspace.column_index,
+        cause_group.best,
+    );
     let size_ratio = i.and_then(|i| chosen.get(i)).map_or(1.0 / model.peak.sigma_m, |c| c.size_ratio);
     let this = ChosenCause {
         candidate: cause_group.best,
@@ -30,12 +34,12 @@ pub fn cause(
         Some(i) => all[i] = this,
         None => all.push(this),
     }
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let fit = solve(&model.design, &groups, &all, Some(model.peak.geometry_ratio));
-    let candidate = &model.library.candidates[cause_group.best];
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let fit = solve(&workspace.design, &groups, &all, Some(model.peak.geometry_ratio));
+    let candidate = &workspace.library.candidates[cause_group.best];
     let (size, sigma) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
     let moved: Vec<f64> = moved_by(linear, candidate, &columns, &fit);
-    let mut cause = cause_unfitted(model, cause_group);
+    let mut cause = cause_unfitted(workspace, cause_group);
     cause.size = Some(size);
     cause.sigma = Some(sigma);
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
@@ -44,25 +48,26 @@ pub fn cause(
 
 /// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
 pub fn line_among_many(
-    model: &mut Model<'_>,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
     linear: &Linearised,
     chosen: &[ChosenCause],
     i: usize,
 ) -> Cause {
     let one = &chosen[i];
-    let odds = one.gain_nats + model.library.log_prior[one.candidate] - NULL_PRIOR.ln();
+    let odds = one.gain_nats + workspace.library.log_prior[one.candidate] - NULL_PRIOR.ln();
     let cause_group = CauseGroup {
         best: one.candidate,
         probability: 1.0 / (1.0 + (-odds).exp()),
         gain_nats: one.gain_nats,
     };
-    cause(model, linear, chosen, Some(i), &cause_group)
+    cause(model, workspace, linear, chosen, Some(i), &cause_group)
 }
 
 /// A cause without its size.
 #[must_use]
-pub fn cause_unfitted(model: &Model<'_>, cause_group: &CauseGroup) -> Cause {
-    let candidate = &model.library.candidates[cause_group.best];
+pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Cause {
+    let candidate = &workspace.library.candidates[cause_group.best];
     Cause {
         joint: candidate.variant.joint.map(|j| j + 1),
         joint_b: candidate.variant.joint_b.map(|j| j + 1),
@@ -75,12 +80,17 @@ pub fn cause_unfitted(model: &Model<'_>, cause_group: &CauseGroup) -> Cause {
 
 /// How far all of `chosen` together move the point at each station, metres.
 #[must_use]
-pub fn moved_m(model: &Model<'_>, linear: &Linearised, chosen: &[ChosenCause]) -> Vec<f64> {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let fit = solve(&model.design, &groups, chosen, Some(model.peak.geometry_ratio));
+pub fn moved_m(
+    model: &Model,
+    workspace: &Workspace<'_>,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+) -> Vec<f64> {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
     let mut total = vec![0.0_f64; linear.dataset.observations.len()];
     for one in chosen {
-        let candidate = &model.library.candidates[one.candidate];
+        let candidate = &workspace.library.candidates[one.candidate];
         for (sum, moved) in total.iter_mut().zip(moved_by(linear, candidate, &one.columns, &fit)) {
             *sum = sum.hypot(moved);
         }
@@ -90,12 +100,12 @@ pub fn moved_m(model: &Model<'_>, linear: &Linearised, chosen: &[ChosenCause]) -
 
 /// What `chosen` take off the residuals beyond registration and geometry, 3-D rms, metres.
 #[must_use]
-pub fn total_rms_m(model: &Model<'_>, chosen: &[ChosenCause]) -> f64 {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
+pub fn total_rms_m(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> f64 {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let ratio = Some(model.peak.geometry_ratio);
     let left = |chosen: &[ChosenCause]| {
-        let fit = solve(&model.design, &groups, chosen, ratio);
-        let residuals = model.design.residuals(&fit.coefficients);
+        let fit = solve(&workspace.design, &groups, chosen, ratio);
+        let residuals = workspace.design.residuals(&fit.coefficients);
         let kept: Vec<f64> = residuals
             .iter()
             .zip(&model.outliers)
@@ -107,7 +117,7 @@ pub fn total_rms_m(model: &Model<'_>, chosen: &[ChosenCause]) -> f64 {
     (left(&[]) - left(chosen)).max(0.0).sqrt()
 }
 
-/// Root mean square.
+/// Root mean square of the values; 0 of none.
 #[must_use]
 pub fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()

@@ -6,7 +6,7 @@ use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::gp_alternative::{self, GpAlternative};
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
-use crate::diagnose::model::{Model, solve};
+use crate::diagnose::model::{Model, Workspace, solve};
 use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR,
@@ -22,12 +22,13 @@ const MOST_OVERTONES: usize = 10;
 const PERIOD_WEIGHT: f64 = 0.05;
 /// Prior of one cause that varies, over that of all other structure.
 const VARYING_WEIGHT: f64 = 0.1;
-/// And structure smaller than this share leaves them in their right, even where it could replace one.
+/// Structure beside the causes whose rms is under this share of theirs does not call them into doubt, even where a GP
+/// alternative could replace one of them.
 pub const SMALL_BESIDE: f64 = 0.25;
 /// With more causes than this each gear line is not tried against all others again.
 pub const MANY_CAUSES: usize = 8;
 
-/// Probability of all structure in a slot.
+/// Probability of all structure in a ranking.
 #[must_use]
 pub fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
     ranking.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::GpAlternative(_))).map(|r| r.1).sum()
@@ -35,24 +36,24 @@ pub fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
 
 /// Whether `gp_alternative` is a mere shape of `candidate`: a joint that turns slowly over time, somehow, is what a joint does that
 /// drifts as it warms.
-fn is_shape_of(model: &Model<'_>, gp_alternative: usize, candidate: usize) -> bool {
-    let this = &model.library.candidates[candidate];
+fn is_shape_of(workspace: &Workspace<'_>, gp_alternative: usize, candidate: usize) -> bool {
+    let this = &workspace.library.candidates[candidate];
     let warming = (this.kind == EffectKind::ThermalJointDrift).then_some(this.variant.joint).flatten();
-    matches!(model.library.gp_alternatives[gp_alternative].gp_alternative, GpAlternative::JointTime(j) if Some(j) == warming)
+    matches!(workspace.library.gp_alternatives[gp_alternative].gp_alternative, GpAlternative::JointTime(j) if Some(j) == warming)
 }
 
-/// Probability of the structure in a slot that is no mere shape of `candidate`.
+/// Probability of the structure in a ranking that is no mere shape of `candidate`.
 #[must_use]
-pub fn rival_share(model: &Model<'_>, ranking: &HypothesisRanking, candidate: usize) -> f64 {
-    let rival = |(h, _, _): &&(Hypothesis, f64, EvidencePeak)| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(model, *k, candidate));
+pub fn alternative_share(workspace: &Workspace<'_>, ranking: &HypothesisRanking, candidate: usize) -> f64 {
+    let rival = |(h, _, _): &&(Hypothesis, f64, EvidencePeak)| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
     ranking.ranked.iter().filter(rival).map(|r| r.1).sum()
 }
 
-/// ln evidence of structure over nothing, priors within the kernels included; and the likeliest kernel.
-pub fn structure(model: &Model<'_>, ranking: &HypothesisRanking) -> Option<(f64, usize)> {
+/// ln evidence of structure over nothing, priors within the GP alternatives included; and the likeliest GP alternative.
+pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Option<(f64, usize)> {
     let gain = log_sum(ranking.ranked.iter().filter_map(|(h, _, r)| match h {
         Hypothesis::GpAlternative(k) => {
-            Some(r.log_evidence + model.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln())
+            Some(r.log_evidence + workspace.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln())
         }
         _ => None,
     })) - ranking.null.log_evidence;
@@ -64,20 +65,23 @@ pub fn structure(model: &Model<'_>, ranking: &HypothesisRanking) -> Option<(f64,
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
-pub fn add_gp_alternatives(model: &mut Model<'_>, linear: &Linearised, chosen: &[ChosenCause]) {
+pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, chosen: &[ChosenCause]) {
     let dataset = &linear.dataset;
     let mut list = gp_alternative::gp_alternatives();
     let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
-    for (joint, lines) in lines_by_joint(model, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
+    for (joint, lines) in
+        lines_by_joint(workspace, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
     {
-        let orders: Vec<u32> =
-            lines.iter().filter_map(|&i| model.library.candidates[chosen[i].candidate].variant.n).collect();
+        let orders: Vec<u32> = lines
+            .iter()
+            .filter_map(|&i| workspace.library.candidates[chosen[i].candidate].variant.n)
+            .collect();
         let common = orders.iter().copied().fold(0, greatest_common_divisor);
         periods.extend(orders.into_iter().chain([common]).filter(|n| *n > 0).map(|n| (joint, n)));
     }
     let of_line = |joint: usize, n: u32| {
         let variant = |c: &&Candidate| c.variant.joint == Some(joint) && c.variant.n == Some(n);
-        model.library.candidates.iter().find(variant).map_or(0.0, |c| c.weight)
+        workspace.library.candidates.iter().find(variant).map_or(0.0, |c| c.weight)
     };
     for (joint, n) in periods {
         let weight = 0.5 * PERIOD_WEIGHT * of_line(joint, n);
@@ -89,8 +93,8 @@ pub fn add_gp_alternatives(model: &mut Model<'_>, linear: &Linearised, chosen: &
     if dataset.time_min.is_none() && chosen.len() <= MANY_CAUSES {
         list.extend((0..chosen.len()).map(|i| (GpAlternative::TimeVaryingCause(i), VARYING_WEIGHT)));
     }
-    let design = &model.design;
-    model.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
+    let design = &workspace.design;
+    workspace.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
         GpAlternative::TimeVaryingCause(i) => {
             gp_alternative::time_varying_columns(design, dataset, &chosen[i].columns)
         }
@@ -98,15 +102,15 @@ pub fn add_gp_alternatives(model: &mut Model<'_>, linear: &Linearised, chosen: &
     });
 }
 
-/// A kernel that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
+/// A GP alternative that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
 /// many gears.
-pub fn shape_of_lines(model: &Model<'_>, chosen: &[ChosenCause]) -> Option<usize> {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let whole_m = total_rms_m(model, chosen);
-    for (joint, lines) in lines_by_joint(model, chosen) {
+pub fn shape_of_lines(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> Option<usize> {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let whole_m = total_rms_m(model, workspace, chosen);
+    for (joint, lines) in lines_by_joint(workspace, chosen) {
         let rest: Vec<ChosenCause> =
             (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
-        let taken_m = (whole_m.powi(2) - total_rms_m(model, &rest).powi(2)).max(0.0).sqrt();
+        let taken_m = (whole_m.powi(2) - total_rms_m(model, workspace, &rest).powi(2)).max(0.0).sqrt();
         if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
             continue;
         }
@@ -114,10 +118,10 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[ChosenCause]) -> Option<usize
             .filter(|i| !lines.contains(i))
             .flat_map(|i| chosen[i].columns.iter().copied())
             .collect();
-        let nuisance = NuisanceModel::new(&model.design, &groups, &others, model.noise);
+        let nuisance = NuisanceModel::new(&workspace.design, &groups, &others, model.noise);
         let bare = nuisance.null().log_evidence;
         let mut best: Option<(f64, usize)> = None;
-        for (k, structure) in model.library.gp_alternatives.iter().enumerate() {
+        for (k, structure) in workspace.library.gp_alternatives.iter().enumerate() {
             let fits = match structure.gp_alternative {
                 GpAlternative::Periodic(j, _)
                 | GpAlternative::SquareWave(j, _)
@@ -135,10 +139,10 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[ChosenCause]) -> Option<usize
         }
         let mut together = 0.0;
         for &i in &lines {
-            let nuisance = NuisanceModel::new(&model.design, &groups, &others, model.noise);
+            let nuisance = NuisanceModel::new(&workspace.design, &groups, &others, model.noise);
             let c = chosen[i].candidate;
-            together +=
-                model.library.gain(&nuisance, &groups, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+            together += workspace.library.gain(&nuisance, &groups, c) + workspace.library.log_prior[c]
+                - NULL_PRIOR.ln();
             others.extend(chosen[i].columns.iter().copied());
         }
         if let Some((_, gp_alternative)) = best.filter(|(odds, _)| *odds > together + DROP_NATS) {
@@ -149,11 +153,11 @@ pub fn shape_of_lines(model: &Model<'_>, chosen: &[ChosenCause]) -> Option<usize
 }
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
-pub fn varying_cause(model: &Model<'_>, rest: &HypothesisRanking) -> Option<usize> {
+pub fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Option<usize> {
     rest.ranked.iter().find_map(|(h, _, peak)| match h {
         Hypothesis::GpAlternative(k)
             if matches!(
-                model.library.gp_alternatives[*k].gp_alternative,
+                workspace.library.gp_alternatives[*k].gp_alternative,
                 GpAlternative::TimeVaryingCause(_)
             ) =>
         {
@@ -163,7 +167,7 @@ pub fn varying_cause(model: &Model<'_>, rest: &HypothesisRanking) -> Option<usiz
     })
 }
 
-/// How large the structure is that a kernel takes after the causes, 3-D rms, metres.
+/// How large the structure is that a GP alternative takes after the causes, 3-D rms, metres.
 pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
     let sigma_with = ranking
         .ranked
@@ -174,22 +178,23 @@ pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
 }
 
 /// ln odds of structure alone, of no cause a mere shape, over all causes together.
-pub fn odds_over_causes(model: &Model<'_>, chosen: &[ChosenCause]) -> f64 {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
+pub fn odds_over_causes(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> f64 {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let over = |k: usize| {
-        NuisanceModel::new(&model.design, &groups, &cause_columns(&chosen[..k], None), model.noise)
+        NuisanceModel::new(&workspace.design, &groups, &cause_columns(&chosen[..k], None), model.noise)
     };
-    let ranking = model.library.rank_gp_alternatives(&over(0));
+    let ranking = workspace.library.rank_gp_alternatives(&over(0));
     let structure = log_sum(ranking.ranked.iter().filter_map(|(h, _, peak)| match h {
-        Hypothesis::GpAlternative(k) if !chosen.iter().any(|c| is_shape_of(model, *k, c.candidate)) => {
-            Some(peak.log_evidence + model.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
+        Hypothesis::GpAlternative(k) if !chosen.iter().any(|c| is_shape_of(workspace, *k, c.candidate)) => {
+            Some(peak.log_evidence + workspace.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
         }
         _ => None,
     })) - ranking.null.log_evidence;
     let mut causes = 0.0;
     for (k, one) in chosen.iter().enumerate() {
         let c = one.candidate;
-        causes += model.library.gain(&over(k), &groups, c) + model.library.log_prior[c] - NULL_PRIOR.ln();
+        causes +=
+            workspace.library.gain(&over(k), &groups, c) + workspace.library.log_prior[c] - NULL_PRIOR.ln();
     }
     structure - causes
 }
@@ -203,15 +208,16 @@ pub fn structure_odds(gain_nats: f64) -> f64 {
 /// Where the structure lies.
 #[must_use]
 pub fn location_of_gp(
-    model: &Model<'_>,
+    model: &Model,
+    workspace: &Workspace<'_>,
     linear: &Linearised,
     chosen: &[ChosenCause],
     gp_alternative: usize,
 ) -> Location {
-    let groups: Vec<usize> = (0..model.design.groups()).collect();
-    let fit = solve(&model.design, &groups, chosen, Some(model.peak.geometry_ratio));
-    let left: Vec<f64> = model.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
-    let kind = model.library.gp_alternatives[gp_alternative].gp_alternative;
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
+    let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
+    let kind = workspace.library.gp_alternatives[gp_alternative].gp_alternative;
     Location {
         joint: match kind {
             GpAlternative::Joint(j)
@@ -244,10 +250,10 @@ pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
 }
 
 /// Places in `chosen` of lines of each joint's gear.
-fn lines_by_joint(model: &Model<'_>, chosen: &[ChosenCause]) -> BTreeMap<usize, Vec<usize>> {
+fn lines_by_joint(workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> BTreeMap<usize, Vec<usize>> {
     let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (i, one) in chosen.iter().enumerate() {
-        let variant = &model.library.candidates[one.candidate].variant;
+        let variant = &workspace.library.candidates[one.candidate].variant;
         if let (Some(joint), Some(_)) = (variant.joint, variant.n) {
             lines.entry(joint).or_default().push(i);
         }

@@ -12,6 +12,22 @@ pub struct Standstill {
     pub to_min: f64,
 }
 
+/// How a robot warms while it runs and cools while it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ThermalHistory {
+    /// Law of growth with its time constant.
+    pub law: GrowthLaw,
+    /// Time constant of cooling, minutes; `None` where the robot never stood.
+    pub tau_cool_min: Option<f64>,
+}
+
+/// A history with the evidence of the touches under it.
+pub(super) struct WeighedHistory {
+    pub history: ThermalHistory,
+    /// ln evidence, nats, up to a constant.
+    pub log_evidence: f64,
+}
+
 /// Shorter pauses between touches are no stop, minutes.
 const SHORTEST_STOP_MIN: f64 = 15.0;
 /// A stop is longer than so many usual pauses.
@@ -27,29 +43,17 @@ pub(super) fn cool_taus_min(tau_min: f64) -> impl Iterator<Item = f64> {
     (-6..=6).map(move |k| tau_min * 1.2_f64.powi(k))
 }
 
-/// A law with another τ.
-fn with_tau(law: GrowthLaw, tau_min: f64) -> GrowthLaw {
-    match law {
-        GrowthLaw::None => GrowthLaw::None,
-        GrowthLaw::Exp { .. } => GrowthLaw::Exp { tau_min },
-        GrowthLaw::TwoStage { .. } => GrowthLaw::TwoStage { tau_min },
-    }
-}
-
 /// A finer grid round the likeliest history of a coarse one: four standard deviations to each side in the logarithms.
-pub(super) fn round(
-    coarse: &[(GrowthLaw, Option<f64>, f64)],
-    likeliest: &(GrowthLaw, Option<f64>, f64),
-) -> Vec<(GrowthLaw, Option<f64>)> {
+pub(super) fn finer_grid(coarse: &[WeighedHistory], likeliest: &WeighedHistory) -> Vec<ThermalHistory> {
     /// Points to each side, and the least half width: a step of the coarse grid.
     const SIDE: i32 = 8;
     const LEAST: [f64; 2] = [0.1, 0.19];
-    let of = |w: &(GrowthLaw, Option<f64>, f64)| [w.0.tau_min().unwrap_or(1.0).ln(), w.1.unwrap_or(1.0).ln()];
-    let same = coarse.iter().filter(|w| super::same_law(&w.0, &likeliest.0));
+    let of = |h: &ThermalHistory| [h.law.tau_min().unwrap_or(1.0).ln(), h.tau_cool_min.unwrap_or(1.0).ln()];
+    let same = coarse.iter().filter(|w| w.history.law.is_same_kind(&likeliest.history.law));
     let [mut total, mut mean, mut square] = [[0.0; 2]; 3];
     for one in same {
-        let weight = (one.2 - likeliest.2).exp();
-        for (k, value) in of(one).into_iter().enumerate() {
+        let weight = (one.log_evidence - likeliest.log_evidence).exp();
+        for (k, value) in of(&one.history).into_iter().enumerate() {
             total[k] += weight;
             mean[k] += weight * value;
             square[k] += weight * value * value;
@@ -61,10 +65,11 @@ pub(super) fn round(
     let at = |k: usize, i: i32| (middle[k] + half[k] * f64::from(i) / f64::from(SIDE)).exp();
     let mut grid = Vec::new();
     for i in -SIDE..=SIDE {
-        let law = with_tau(likeliest.0, at(0, i));
-        match likeliest.1 {
-            None => grid.push((law, None)),
-            Some(_) => grid.extend((-SIDE..=SIDE).map(|j| (law, Some(at(1, j))))),
+        let law = likeliest.history.law.with_tau_min(at(0, i));
+        let cooling = |j| ThermalHistory { law, tau_cool_min: Some(at(1, j)) };
+        match likeliest.history.tau_cool_min {
+            None => grid.push(ThermalHistory { law, tau_cool_min: None }),
+            Some(_) => grid.extend((-SIDE..=SIDE).map(cooling)),
         }
     }
     grid
@@ -86,7 +91,8 @@ pub(super) fn longest_pause(touches: &Touches) -> Vec<Standstill> {
 }
 
 /// The share of the settled deformation at each minute, 0 cold to 1.
-pub(super) fn warmth(law: GrowthLaw, cool_min: Option<f64>, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
+pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
+    let ThermalHistory { law, tau_cool_min: cool_min } = *history;
     t_min
         .iter()
         .map(|&t| {

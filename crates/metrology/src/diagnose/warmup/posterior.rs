@@ -4,7 +4,7 @@
 //! warmth. The evidence is that of s ~ N(0, A S A' + D) times that of what is left about it (Rasmussen and Williams 2006,
 //! ch. 2 and 5), over a grid of prior sizes.
 
-use super::PARAMETERS;
+use super::parameters::PARAMETERS;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3xX, Vector3};
 
 /// Prior sizes of shifts tried, metres, and of turns, radians.
@@ -16,13 +16,13 @@ const TURNS_RAD: [f64; 6] = [1e-5, 2e-5, 4e-5, 8e-5, 1.6e-4, 3.2e-4];
 const USUAL: [f64; 2] = [3e-5, 8e-5];
 const USUAL_SPREAD: f64 = 0.7;
 
-/// One point's sums.
+/// What the likelihood needs of the touches of one point.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     signature: Matrix3xX<f64>,
     /// Sum of squared warmth about its mean.
     spread: f64,
-    /// Warmth with displacement.
+    /// Sum of warmth about its mean times displacement, metres.
     cross_m: Vector3<f64>,
     /// Squared displacement about its mean.
     square_m2: f64,
@@ -68,7 +68,7 @@ pub(super) struct Posterior {
     pub(super) mean: DVector<f64>,
     pub(super) covariance: DMatrix<f64>,
     pub(super) sigma_m: f64,
-    /// Prior sizes, averaged.
+    /// Prior sizes of shifts and turns, averaged over the posterior.
     pub(super) prior: [f64; 2],
 }
 

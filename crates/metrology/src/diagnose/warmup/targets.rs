@@ -1,7 +1,8 @@
 //! What a fitted warm-up means at other places: how well they will be met, what a plain shift would reach, and which
 //! further point would help most.
 
-use super::{WarmUp, signature};
+use super::fitted::WarmUp;
+use super::parameters::signature;
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -9,18 +10,18 @@ use robot_model::robot::Robot;
 /// Somewhere the tool goes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkTarget {
-    /// Its name.
+    /// Name of the target, for reports.
     pub name: String,
-    /// Nominal joints.
+    /// Nominal joint angles at the target, radians.
     pub q_rad: [f64; 6],
     /// The tool's point in the flange's frame, metres.
     pub tool_m: Vector3<f64>,
 }
 
-/// One place, settled.
+/// One target when the robot has warmed up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetDrift {
-    /// Its name.
+    /// Name of the target, for reports.
     pub name: String,
     /// Where the tool goes without correction, from where it should be: base axes, metres.
     pub drift_m: Vector3<f64>,
@@ -42,7 +43,7 @@ pub struct SuggestedPoint {
 /// All places together, settled, rms in space, metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetForecast {
-    /// One by one.
+    /// Each target by itself.
     pub targets: Vec<TargetDrift>,
     /// Without correction, as far as the fit says.
     pub drift_rms_m: f64,

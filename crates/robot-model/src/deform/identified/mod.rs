@@ -32,13 +32,13 @@ pub struct ThermalState {
 pub struct MeasuredRange {
     /// Rows of the measurement.
     pub rows: usize,
-    /// Joints, radians.
+    /// Lowest and highest angle of each joint, radians.
     pub q_rad: [[f64; 2]; 6],
     /// Minutes since the cold start.
     pub t_min: Option<[f64; 2]>,
     /// Temperature of each joint, degrees Celsius.
     pub joint_temperature_c: Option<[[f64; 2]; 6]>,
-    /// Payload, kg.
+    /// Lowest and highest payload that was declared, kg.
     pub payload_kg: Option<[f64; 2]>,
 }
 
@@ -54,7 +54,7 @@ pub struct Mounting {
 /// A model of one robot, as found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Identified {
-    /// The robot's name.
+    /// Name of the robot in its file.
     pub robot: String,
     /// File or set it was found from.
     pub data: String,
@@ -68,7 +68,7 @@ pub struct Identified {
     pub measured_range: MeasuredRange,
     /// How it was measured.
     pub mounting: Option<Mounting>,
-    /// What was found.
+    /// Effects with their values, causes first.
     pub terms: Vec<Term>,
 }
 

@@ -19,7 +19,7 @@ impl TableReader {
         ModelError::Value { place: format!("{}, {key}", self.place), problem }
     }
 
-    /// A text.
+    /// The text of `key`; `None` where it is missing.
     pub(super) fn text(&mut self, key: &str) -> Result<Option<String>, ModelError> {
         match self.left.remove(key) {
             None => Ok(None),
@@ -28,7 +28,7 @@ impl TableReader {
         }
     }
 
-    /// True or false.
+    /// The value of `key`, true or false.
     pub(super) fn boolean(&mut self, key: &str) -> Result<Option<bool>, ModelError> {
         match self.left.remove(key) {
             None => Ok(None),
@@ -37,7 +37,7 @@ impl TableReader {
         }
     }
 
-    /// A whole number.
+    /// The whole number of `key`; `None` where it is missing.
     pub(super) fn integer(&mut self, key: &str) -> Result<Option<i64>, ModelError> {
         match self.left.remove(key) {
             None => Ok(None),
@@ -64,7 +64,7 @@ impl TableReader {
         if value.is_finite() { Ok(value) } else { Err(self.wrong(key, "must be finite".to_owned())) }
     }
 
-    /// A finite number.
+    /// The finite number of `key`; `None` where it is missing.
     pub(super) fn number(&mut self, key: &str) -> Result<Option<f64>, ModelError> {
         self.left.remove(key).map(|value| self.float(key, &value)).transpose()
     }
@@ -78,7 +78,7 @@ impl TableReader {
         }
     }
 
-    /// `N` numbers.
+    /// The `N` numbers of `key`; `None` where it is missing.
     pub(super) fn numbers<const N: usize>(&mut self, key: &str) -> Result<Option<[f64; N]>, ModelError> {
         let there = self.left.contains_key(key);
         let values = self.list(key)?;
@@ -96,7 +96,7 @@ impl TableReader {
         self.numbers(key)?.ok_or_else(|| self.wrong(key, "missing".to_owned()))
     }
 
-    /// Six ranges.
+    /// Six ranges [low, high], one for each joint.
     pub(super) fn ranges(&mut self, key: &str) -> Result<Option<[[f64; 2]; 6]>, ModelError> {
         let Some(value) = self.left.remove(key) else { return Ok(None) };
         let wrong = || self.wrong(key, "six ranges [low, high] are needed".to_owned());
@@ -111,7 +111,7 @@ impl TableReader {
         Ok(Some(ranges))
     }
 
-    /// A table.
+    /// The table of `key`; `None` where it is missing.
     pub(super) fn table(&mut self, key: &str) -> Result<Option<Self>, ModelError> {
         match self.left.remove(key) {
             None => Ok(None),
@@ -120,7 +120,7 @@ impl TableReader {
         }
     }
 
-    /// Tables, `[[key]]`.
+    /// The tables `[[key]]`; none where there are none.
     pub(super) fn tables(&mut self, key: &str) -> Result<Vec<toml::Table>, ModelError> {
         let wrong = || self.wrong(key, "must be tables, [[effect]]".to_owned());
         match self.left.get(key) {

@@ -13,28 +13,28 @@ use nalgebra::{Isometry3, Vector3};
 /// Growth in time or temperature, 0 to about 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Growth {
-    /// Always there.
+    /// There from the cold start on, at full size.
     #[default]
     Always,
     /// With warm-up time, by a growth law.
     Law(GrowthLaw),
     /// From 0 to 1 between two minutes, held outside.
     Linear {
-        /// 0 here.
+        /// The minute up to which it is 0.
         from_min: f64,
-        /// 1 here.
+        /// The minute from which on it is 1.
         to_min: f64,
     },
     /// 0 before, 1 from then on.
     Step {
-        /// When.
+        /// Minute of the step since cold start.
         t0_min: f64,
     },
     /// A joint's temperature from `from_c` (0) to `to_c` (1), not held.
     Temperature {
-        /// 0 here.
+        /// Temperature of each joint at which it is 0, degrees Celsius.
         from_c: [f64; 6],
-        /// 1 here.
+        /// Temperature of each joint at which it is 1, degrees Celsius.
         to_c: [f64; 6],
     },
 }
@@ -99,7 +99,7 @@ impl PayloadScaling {
 /// A parameter's value and how well it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Value {
-    /// SI.
+    /// The value in SI units.
     pub value: f64,
     /// One standard deviation, SI; `None` where it was not estimated.
     pub sigma: Option<f64>,
@@ -108,7 +108,7 @@ pub struct Value {
 /// One effect with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
-    /// Which.
+    /// Kind of the effect.
     pub kind: EffectKind,
     /// Joint or link, from 0; link i follows joint i.
     pub joint: Option<usize>,
@@ -116,7 +116,7 @@ pub struct Term {
     pub joint_b: Option<usize>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
-    /// Growth.
+    /// Growth of the effect in time or temperature.
     pub growth: Growth,
     /// Backlash: above this torque gravity holds the teeth on one side, N.m; negative where gravity's side counts
     /// against the direction's (the joint lags behind its motor, and its load pulls it ahead).

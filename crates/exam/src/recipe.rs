@@ -1,0 +1,36 @@
+//! What a data set is to be, before anything of it is drawn.
+
+use super::effect::Effect;
+use super::poses::{Recorded, Spread};
+use super::truth::QuestionKind;
+
+/// What a data set is to be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recipe {
+    /// Name of the data set and of its folder.
+    pub name: String,
+    /// What kind of question it is.
+    pub kind: QuestionKind,
+    /// Effects, each with the size it is to have: its rms at the point over the noise's rms.
+    pub effects: Vec<(Effect, f64)>,
+    /// Number of rows in all.
+    pub n: usize,
+    /// Of these, rows that come back to the first poses.
+    pub repeats: usize,
+    /// Noise of each coordinate, mm.
+    pub sigma_mm: f64,
+    /// What is told to be the noise; `None` = nothing is told.
+    pub stated_sigma_mm: Option<f64>,
+    /// How the poses are spread.
+    pub spread: Spread,
+    /// Columns that the file has.
+    pub recorded: Recorded,
+    /// Share of each row's noise that is the row's before; 0 is white.
+    pub slowness: f64,
+    /// Share of rows that are grossly wrong.
+    pub outliers: f64,
+    /// Geometry errors in the background, in parts of the manufacturing tolerance (0.15 mm, 0.25 mrad).
+    pub geometry: f64,
+    /// Payloads in turn, kg.
+    pub payloads_kg: [f64; 2],
+}

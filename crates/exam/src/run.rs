@@ -1,0 +1,68 @@
+//! A measurement run on the virtual robot: where its points stand with and without effects.
+
+use super::arm::{Arm, Disturbance};
+use super::effect::{ArmState, Effect};
+use super::registration::rms_after_registration_m;
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Where the instrument stands in the base frame, metres.
+const INSTRUMENT_M: Vector3<f64> = Vector3::new(2.1, -0.6, 0.4);
+
+/// An arm in the states in which it is measured, and where its points stand without any effect.
+pub(super) struct MeasuredRun<'a> {
+    pub arm: &'a Arm,
+    pub tool_m: Vector3<f64>,
+    pub states: Vec<ArmState>,
+    pub flanges: Vec<Isometry3<f64>>,
+    pub nominal_m: Vec<Vector3<f64>>,
+}
+
+impl MeasuredRun<'_> {
+    pub fn flange(
+        &self,
+        k: usize,
+        effects: &[(Effect, f64)],
+        background: &Disturbance,
+    ) -> (Isometry3<f64>, Disturbance) {
+        let mut disturbance = *background;
+        for (effect, amplitude) in effects {
+            effect.disturb(self.arm, *amplitude, &self.states[k], &mut disturbance);
+        }
+        (self.arm.flange(&self.states[k].q_rad, &disturbance), disturbance)
+    }
+
+    /// Where the measured point stands, in the base frame.
+    pub fn point_m(&self, k: usize, effects: &[(Effect, f64)], background: &Disturbance) -> Vector3<f64> {
+        let (flange, disturbance) = self.flange(k, effects, background);
+        let point = (flange * Point3::from(self.tool_m)).coords + disturbance.point_m;
+        // an instrument that reads long does so from where it stands, two metres before the robot
+        let from_instrument = point - INSTRUMENT_M;
+        point + from_instrument * disturbance.instrument_scale
+    }
+
+    pub fn off_m(&self, effects: &[(Effect, f64)], background: &Disturbance) -> Vec<Vector3<f64>> {
+        (0..self.states.len()).map(|k| self.point_m(k, effects, background) - self.nominal_m[k]).collect()
+    }
+
+    pub fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
+        rms_after_registration_m(&self.flanges, &self.nominal_m, off_m)
+    }
+
+    /// The same over the rows that are not grossly wrong.
+    pub fn sound_rms_m(&self, off_m: &[Vector3<f64>], is_outlier: &[bool]) -> f64 {
+        let sound: Vec<usize> = (0..off_m.len()).filter(|&k| !is_outlier[k]).collect();
+        let flanges: Vec<_> = sound.iter().map(|&k| self.flanges[k]).collect();
+        let nominal_m: Vec<_> = sound.iter().map(|&k| self.nominal_m[k]).collect();
+        let off_m: Vec<_> = sound.iter().map(|&k| off_m[k]).collect();
+        rms_after_registration_m(&flanges, &nominal_m, &off_m)
+    }
+
+    /// The amplitude at which an effect has the wanted rms, found by proportion (the effects are small and so
+    /// nearly linear); `None` where it leaves no signal at all over these poses.
+    pub fn amplitude(&self, effect: Effect, wanted_rms_m: f64) -> Option<f64> {
+        let [low, high] = effect.usual();
+        let trial = (low * high).sqrt();
+        let rms = self.rms_m(&self.off_m(&[(effect, trial)], &Disturbance::default()));
+        (rms > 1e-9).then(|| trial * wanted_rms_m / rms)
+    }
+}

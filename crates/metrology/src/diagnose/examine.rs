@@ -1,0 +1,289 @@
+//! The diagnosis from measurements to verdict: checks, registration, linearisation, search, judgement.
+
+use super::effects::Candidate;
+use super::evidence::NuisanceModel;
+use super::linearise::{Linearised, linearise};
+use super::marginal::NoisePrior;
+use super::model::{Model, Workspace};
+use super::options::Options;
+use super::outcome::{
+    Cause, Detectable, Diagnosis, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
+};
+use super::{
+    dataset, design, effects, false_row, heldout, identify, model, next_measurements, rounding, search,
+    verdict, zeros,
+};
+use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
+use nalgebra::Isometry3;
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Identified;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+/// Fewer stations or poses than these say nothing.
+const FEWEST_STATIONS: usize = 12;
+const FEWEST_POSES: usize = 8;
+/// Geometry this many tolerances off, all joints together, is no mere nuisance any more.
+const BEYOND: f64 = 1.0;
+/// Of which less than this share is left by the registration: no signal.
+const INVISIBLE: f64 = 1e-7;
+
+/// Diagnoses `measurements` of `robot`.
+#[must_use]
+pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -> Diagnosis {
+    examine(measurements, robot, options, None)
+}
+
+/// As [`diagnose`], with what was found as a model; `None` where nothing could be fitted.
+#[must_use]
+pub fn diagnose_and_identify(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+) -> (Diagnosis, Option<Identified>) {
+    let mut identified = None;
+    let diagnosis = examine(measurements, robot, options, Some(&mut identified));
+    if let Some(model) = &mut identified {
+        model.verdict = diagnosis.verdict.name().to_owned();
+    }
+    (diagnosis, identified)
+}
+
+fn examine(
+    measurements: &Measurements,
+    robot: &Robot,
+    options: &Options,
+    identified: Option<&mut Option<Identified>>,
+) -> Diagnosis {
+    let checked = check_rows(measurements, robot);
+    let mut warnings: Vec<Warning> =
+        measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
+    let finish = |mut d: Diagnosis, warnings: Vec<Warning>| {
+        d.rows = measurements.rows.len();
+        d.warnings = warnings;
+        d
+    };
+    if let Some(fault) = &checked.fault {
+        return finish(faulty(fault), warnings);
+    }
+    let mut stations = gather(measurements, &checked.used);
+    stations.channels.time &= checked.time_usable;
+    if !stations.channels.time {
+        stations.stations.iter_mut().for_each(|s| s.t_min = None);
+    }
+    let poses: std::collections::BTreeSet<usize> = stations.stations.iter().map(|s| s.pose).collect();
+    if stations.stations.len() < FEWEST_STATIONS || poses.len() < FEWEST_POSES {
+        let reason = format!(
+            "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot",
+            poses.len()
+        );
+        return finish(Diagnosis::without_causes(Verdict::InsufficientData, reason), warnings);
+    }
+    let chain = Chain::nominal(robot);
+    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
+    let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
+        Ok(registration) => registration,
+        Err(error) => {
+            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
+        }
+    };
+    if let Some(fault) =
+        find_fault(robot, &stations.stations, stations.targets, &registration, options.tool_m)
+    {
+        return finish(faulty(&fault), warnings);
+    }
+    let channels = stations.channels;
+    let linear = match linearise(robot, &stations, &registration, options.tool_m, channels) {
+        Ok(linear) => linear,
+        Err(error) => {
+            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
+        }
+    };
+    let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
+    if let (true, Some(seen)) =
+        (NoisePrior::contradicted(stations.repeats.as_ref(), options.sigma_m), stations.repeats)
+    {
+        warnings.push(Warning {
+            code: "diagnose::noise",
+            message: format!(
+                "the repeats scatter by {:.4} mm in one coordinate, which is not the noise that was stated; the repeats are believed",
+                mm_from_m(seen.sigma_m)
+            ),
+        });
+    }
+    let mut diagnosis = evaluate(measurements, robot, &stations, &linear, noise, options, identified);
+    diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
+    diagnosis.stations = stations.stations.len();
+    warnings.append(&mut diagnosis.warnings);
+    finish(diagnosis, warnings)
+}
+
+fn faulty(fault: &Fault) -> Diagnosis {
+    let mut diagnosis = Diagnosis::without_causes(Verdict::DataFault, fault.reason.clone());
+    let kind = match fault.kind {
+        FaultKind::SwappedAxes => Some(EffectKind::SwappedAxes),
+        FaultKind::RoundedJoints => Some(EffectKind::JointRounding),
+        _ => None,
+    };
+    diagnosis.causes.extend(kind.map(|kind| Cause::of(kind, 1.0)));
+    diagnosis
+}
+
+fn evaluate(
+    measurements: &Measurements,
+    robot: &Robot,
+    stations: &Stations,
+    linear: &Linearised,
+    noise: NoisePrior,
+    options: &Options,
+    identified: Option<&mut Option<Identified>>,
+) -> Diagnosis {
+    let (all, mut untestable) = effects::candidates(&linear.dataset);
+    let folds = heldout::folds(&linear.dataset);
+    let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
+    let (model, mut workspace) = model::build(linear, &candidates, noise, stations.targets, &folds.group_of);
+    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace) {
+        return faulty(&fault);
+    }
+    let judgement = verdict::judge(&model, &mut workspace, linear);
+    if let Some(to) = identified {
+        *to = identify::identify(measurements, robot, stations, linear, &model, &workspace, options.tool_m);
+    }
+    workspace.library.gp_alternatives.clear();
+    // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
+    let far_off = model.peak.geometry_ratio * model.peak.sigma_m > BEYOND;
+    let geometry = judgement.verdict == Verdict::Geometry || far_off;
+    let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
+    diagnosis.shrink = heldout::shrink(&model, &mut workspace, linear, &folds, geometry);
+    detail.extend(untestable.drain(..).map(|hidden| Untestable {
+        effect: hidden.kind,
+        joints: Vec::new(),
+        reason: hidden.reason,
+    }));
+    let mut names: Vec<EffectKind> = detail.iter().map(|d| d.effect).collect();
+    names.sort_by_key(|kind| kind.name());
+    names.dedup();
+    diagnosis.untestable = names;
+    diagnosis.untestable_detail = detail;
+    diagnosis.zeros_alone = far_off.then(|| zeros::zeros(&model, &mut workspace)).flatten();
+    diagnosis.noise = NoiseEstimate {
+        repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
+        repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
+        model_sigma_mm: Some(mm_from_m(model.peak.sigma_m)),
+        reduced_chi_square: judgement.reduced_chi_square,
+        geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
+    };
+    (diagnosis.next_measurements, diagnosis.next_reason) = next_measurements::next_measurements(
+        robot,
+        &workspace,
+        linear,
+        judgement.pair,
+        judgement.verdict,
+        options,
+    );
+    diagnosis.causes = judgement.causes;
+    diagnosis.alternatives = judgement.alternatives;
+    diagnosis.place = judgement.place;
+    diagnosis.detectable = detectable(&model, &workspace);
+    diagnosis.false_rows = false_row::false_rows(measurements, stations, linear, &model);
+    diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
+    diagnosis.residuals = residuals(measurements, linear, stations, &model, &workspace);
+    diagnosis
+}
+
+/// Candidates that leave a signal beside the registration, and those that do not.
+fn visible(
+    linear: &Linearised,
+    all: Vec<Candidate>,
+    targets: usize,
+    noise: NoisePrior,
+) -> (Vec<Candidate>, Vec<Untestable>) {
+    let n = linear.dataset.observations.len();
+    let whitening = design::Whitening { weights: vec![1.0; n], arm_m: 0.2 };
+    let design = design::Design::new(&linear.dataset, &linear.residuals, targets, whitening, &vec![0; n]);
+    let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
+    let mut kept = Vec::new();
+    let mut hidden: Vec<Untestable> = Vec::new();
+    for candidate in all {
+        // Lines of a gear never lie in the registration; there are thousands.
+        let line = candidate.kind == EffectKind::GearMesh;
+        let share = if line {
+            1.0
+        } else {
+            let columns = design.columns_of(&linear.dataset, &candidate);
+            nuisance.visible(&design.products(&columns).sum(&[0]))
+        };
+        if share > INVISIBLE {
+            kept.push(candidate);
+            continue;
+        }
+        let effect = candidate.kind;
+        let joint = candidate.variant.joint.map(|j| j + 1);
+        let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
+        match hidden.iter_mut().find(|h| h.effect == effect) {
+            Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
+            None => hidden.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
+        }
+    }
+    (kept, hidden)
+}
+
+/// For each effect and joint the size that would have passed the alarm.
+fn detectable(model: &Model, workspace: &Workspace<'_>) -> Vec<Detectable> {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let also = search::cause_columns(&model.chosen, None);
+    let nuisance = NuisanceModel::new(&workspace.design, &groups, &also, model.noise);
+    let mut seen: Vec<Detectable> = Vec::new();
+    for (candidate, products) in workspace.library.candidates.iter().zip(&workspace.library.products) {
+        let effect = candidate.effect();
+        let joint = candidate.variant.joint.map(|j| j + 1);
+        let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
+        if known || candidate.variant.joint_b.is_some() {
+            continue;
+        }
+        let strength =
+            nuisance.strength(&nuisance.project(&products.sum(&groups)), model.peak.geometry_ratio);
+        if strength > 0.0 {
+            // Half the squared signal over noise must pass the alarm and the price of its parameters.
+            let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
+            let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
+            let size = needed / strength * prior_sigma * candidate.display_scale;
+            seen.push(Detectable { effect: effect.kind(), joint, size, unit: effect.unit() });
+        }
+    }
+    seen
+}
+
+fn residuals(
+    measurements: &Measurements,
+    linear: &Linearised,
+    stations: &Stations,
+    model: &Model,
+    workspace: &Workspace<'_>,
+) -> Vec<RowResidual> {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let before =
+        workspace.design.residuals(&model::solve(&workspace.design, &groups, &[], None).coefficients);
+    let mm = |m: &dataset::Twist| [m[0], m[1], m[2]].map(mm_from_m);
+    let mut all = Vec::new();
+    for (i, station) in stations.stations.iter().enumerate() {
+        for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
+            all.push(RowResidual {
+                line: row.line,
+                id: row.id.clone(),
+                q_deg: row.q_rad.map(deg_from_rad),
+                t_min: row.t_min,
+                point_mm: {
+                    let point = linear.dataset.observations[i].point_m;
+                    [point.x, point.y, point.z].map(mm_from_m)
+                },
+                before_mm: mm(&before[i]),
+                after_mm: mm(&model.residuals[i]),
+                outlier: model.outliers[i],
+            });
+        }
+    }
+    all.sort_by_key(|r| r.line);
+    all
+}

@@ -1,0 +1,169 @@
+//! The search: the best effect above the alarm is added, then the next; each is tried against all others in
+//! its own place; what falls below is dropped.
+
+use super::chosen::ChosenCause;
+use super::exchange::Search;
+use super::library::{Library, TrackedCandidate};
+use super::ranking::{Hypothesis, HypothesisRanking};
+use crate::diagnose::design::Design;
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
+use crate::diagnose::marginal::NoisePrior;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Share of it that a further effect has to pass: where one effect is at work, more are.
+const BESIDE: f64 = 0.8;
+/// Gear lines that are added together when each is this clear.
+const LINES_AT_ONCE: usize = 7;
+const CLEAR_NATS: f64 = 25.0;
+/// An arm whose geometry is this many tolerances off, all joints together, was never calibrated.
+const FAR_OFF: f64 = 1.5;
+/// Nothing is added where fewer numbers than this are left to contradict it.
+const FEWEST_FREE: f64 = 12.0;
+/// With more causes than this each is not tried against all others.
+const MOST_SWAPPED: usize = 8;
+/// Rounds of adding and trying in turn.
+const PASSES: usize = 3;
+
+impl Library<'_> {
+    /// Adds effects while one passes `alarm_nats`; then tries each against all others in its place, drops what
+    /// falls under, and, where that changed anything, goes on.
+    ///
+    /// `design` gains the chosen effects' columns; `column_index` remembers where.
+    pub fn search(
+        &mut self,
+        design: &mut Design,
+        subset: &[usize],
+        noise: NoisePrior,
+        column_index: &mut BTreeMap<usize, Vec<usize>>,
+        alarm_nats: f64,
+    ) -> Vec<ChosenCause> {
+        let mut nuisance = NuisanceModel::new(design, subset, &[], noise);
+        let tracked = self.track(&nuisance, subset);
+        let null = nuisance.null();
+        let uncalibrated = null.geometry_ratio * null.sigma_m > FAR_OFF;
+        let (chosen, near) = (Vec::new(), BTreeSet::new());
+        let mut search = Search { design, subset, noise, column_index, chosen, near, tracked };
+        for pass in 0..PASSES {
+            self.add_while(&mut search, &mut nuisance, alarm_nats, uncalibrated);
+            let many = search.chosen.len() > MOST_SWAPPED;
+            // Over a fold the lines are chosen anew, but not settled: that takes as long as all the rest.
+            let settled = pass > 0 || subset.len() < search.design.groups();
+            if search.chosen.len() < 2 || many && settled {
+                break;
+            }
+            let candidates =
+                |search: &Search<'_>| search.chosen.iter().map(|c| c.candidate).collect::<Vec<_>>();
+            let before = candidates(&search);
+            if many {
+                self.settle_lines(&mut search);
+            } else {
+                self.swap(&mut search);
+                self.merge(&mut search);
+            }
+            if before == candidates(&search) {
+                break;
+            }
+            nuisance = search.nuisance(&search.chosen);
+            search.tracked.par_iter_mut().for_each(|f| {
+                self.products[f.candidate].sum_more(subset, &mut f.sums);
+                f.projected = nuisance.project(&f.sums);
+            });
+        }
+        self.drop_offsets(&mut search);
+        search.chosen
+    }
+
+    /// Adds the best effect, and the next, while it passes `alarm_nats`.
+    fn add_while(
+        &mut self,
+        search: &mut Search<'_>,
+        nuisance: &mut NuisanceModel,
+        alarm_nats: f64,
+        uncalibrated: bool,
+    ) {
+        loop {
+            let beside = if search.chosen.is_empty() { 1.0 } else { BESIDE };
+            let alarm_nats = beside * alarm_nats;
+            let open: Vec<&TrackedCandidate> = search
+                .tracked
+                .iter()
+                .filter(|f| self.allowed(f.candidate, &search.chosen))
+                .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
+                .collect();
+            let ranking = self.rank(nuisance, &open, false);
+            search.near.extend(ranking.ranked.iter().filter_map(|(h, _, _)| match h {
+                Hypothesis::Effect(c) => Some(*c),
+                _ => None,
+            }));
+            // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
+            let offsets = ranking.ranked.iter().find_map(|(h, _, r)| match h {
+                Hypothesis::Effect(c) if self.all_offsets(*c) => {
+                    Some((*c, r.log_evidence - ranking.null.log_evidence, *r))
+                }
+                _ => None,
+            });
+            let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&ranking));
+            let Some((candidate, gain, peak)) = best else { return };
+            if gain < alarm_nats || nuisance.freedom() < FEWEST_FREE {
+                return;
+            }
+            let mut first = vec![(candidate, gain, peak)];
+            if self.all_offsets(candidate) {
+                first = self.single_offsets().into_iter().map(|c| (c, gain, peak)).collect();
+            }
+            let sure = first.len();
+            let wanted: Vec<ChosenCause> = first
+                .into_iter()
+                .chain(self.more_lines(&ranking, candidate))
+                .map(|(candidate, gain_nats, peak)| {
+                    let columns = self.columns_in_design(search.design, search.column_index, candidate);
+                    ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
+                })
+                .collect();
+            self.extend(search.design);
+            for (i, mut one) in wanted.into_iter().enumerate() {
+                // A further line may be the shadow of those before it: it must be clear beside them.
+                if i >= sure {
+                    if nuisance.freedom() < FEWEST_FREE {
+                        break;
+                    }
+                    let projected = nuisance.project(&self.products[one.candidate].sum(search.subset));
+                    let peak = self.evidence(nuisance, &projected, one.candidate);
+                    one.gain_nats = peak.log_evidence - nuisance.null().log_evidence;
+                    one.size_ratio = peak.size_ratio;
+                    if one.gain_nats < CLEAR_NATS {
+                        continue;
+                    }
+                }
+                nuisance.grow(search.design, search.subset, &one.columns);
+                search.chosen.push(one);
+            }
+            self.update_tracked(nuisance, search.subset, &mut search.tracked);
+        }
+    }
+
+    /// Further gear lines of the same scan that are so clear, and so far from each other, that they need
+    /// hardly wait for the next: a real gear has dozens.
+    fn more_lines(&self, ranking: &HypothesisRanking, first: usize) -> Vec<(usize, f64, EvidencePeak)> {
+        let mut lines: Vec<usize> = vec![first];
+        let mut more = Vec::new();
+        for (hypothesis, _, peak) in &ranking.ranked {
+            let Hypothesis::Effect(c) = *hypothesis else { continue };
+            let variant = &self.candidates[c].variant;
+            let gain = peak.log_evidence + self.candidates[c].weight.ln() - ranking.null.log_evidence;
+            let far = lines.iter().all(|&l| {
+                let other = &self.candidates[l].variant;
+                other.n.is_some()
+                    && (other.joint != variant.joint
+                        || other.n.unwrap_or(0).abs_diff(variant.n.unwrap_or(0)) > 3)
+            });
+            if variant.n.is_none() || gain < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
+                continue;
+            }
+            lines.push(c);
+            more.push((c, gain, *peak));
+        }
+        more
+    }
+}

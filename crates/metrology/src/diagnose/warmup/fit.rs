@@ -1,0 +1,270 @@
+//! The fit of a warm-up: every history of warmth weighed by its evidence, and what the touches say under the likeliest.
+
+use super::fitted::{TouchedPoint, WarmUp};
+use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min, warmth};
+use super::parameters::{PARAMETERS, signature};
+use super::posterior::{Posterior, Sums, log_evidence, posterior};
+use crate::measure::{self, RegisterError, Station, Touches, register};
+use nalgebra::{DMatrix, Matrix3xX, Vector3};
+use rayon::prelude::*;
+use robot_model::deform::GrowthLaw;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+
+/// A pose that moved by more than this between two touches of one point is another pose, radians.
+const SAME_POSE_RAD: f64 = 0.02;
+
+/// Histories this much less likely than the likeliest do not count.
+const NEGLIGIBLE_NATS: f64 = 14.0;
+
+/// Why there is no fit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// Too few touches of one point.
+    #[error(
+        "{touches} touches of {points} points say too little: at least 6 touches of one point are needed"
+    )]
+    TooFew {
+        /// Touches in the file.
+        touches: usize,
+        /// Of how many points.
+        points: usize,
+    },
+    /// One point, two poses.
+    #[error(
+        "line {line}: point {point} is touched in another pose than before; give each pose a name of its own"
+    )]
+    OtherPose {
+        /// Line in the file.
+        line: u64,
+        /// Name of the touched point.
+        point: String,
+    },
+    /// All at one time.
+    #[error("all touches lie within {span_min:.0} minutes: touch again while the robot warms up")]
+    NoTime {
+        /// Minutes from the first to the last touch.
+        span_min: f64,
+    },
+    /// The instrument cannot be registered.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+}
+
+/// What the caller knows beside the touches.
+#[derive(Clone, Debug, Default)]
+pub struct FitOptions {
+    /// Place of the touching point in the flange's frame, metres, to about a millimetre.
+    pub tool_m: Vector3<f64>,
+    /// When the robot stood; `None` = the longest pause between touches.
+    pub stops: Option<Vec<Standstill>>,
+}
+
+/// A history of warmth, and what the touches say under it.
+#[derive(Clone)]
+struct FittedHistory {
+    history: ThermalHistory,
+    posterior: Posterior,
+}
+
+/// Fits a settled deformation and its growth to `touches` of one robot.
+///
+/// # Errors
+/// Too few touches, a point in two poses, all at one time, poses that cannot be registered.
+pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<WarmUp, FitError> {
+    let chain = Chain::nominal(robot);
+    let observed = observed_m(touches, robot, &chain, options)?;
+    let points = grouped(touches, &chain, &observed, &options.tool_m)?;
+    let first_min = touches.touches.first().map_or(0.0, |t| t.t_min);
+    let last_min = touches.touches.last().map_or(0.0, |t| t.t_min);
+    if last_min - first_min < 20.0 {
+        return Err(FitError::NoTime { span_min: last_min - first_min });
+    }
+    let stops = options.stops.clone().unwrap_or_else(|| history::longest_pause(touches));
+    let mut grid = Vec::new();
+    for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
+        for tau_min in taus_min() {
+            let law = law.with_tau_min(tau_min);
+            if stops.is_empty() {
+                grid.push(ThermalHistory { law, tau_cool_min: None });
+            } else {
+                let cooling = |tau_cool| ThermalHistory { law, tau_cool_min: Some(tau_cool) };
+                grid.extend(cool_taus_min(tau_min).map(cooling));
+            }
+        }
+    }
+    let sums =
+        |history: &ThermalHistory| points.iter().map(|p| p.sums(history, &stops)).collect::<Vec<Sums>>();
+    let weigh = |grid: Vec<ThermalHistory>| -> Vec<WeighedHistory> {
+        grid.into_par_iter()
+            .filter_map(|history| {
+                Some(WeighedHistory { history, log_evidence: log_evidence(&sums(&history))? })
+            })
+            .collect()
+    };
+    let coarse = weigh(grid);
+    let Some(likeliest) = coarse.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)) else {
+        return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
+    };
+    let other_law = share_of_other_law(&coarse, likeliest);
+    // Round the likeliest, as wide as the evidence is and fine enough for it.
+    let weighed = weigh(history::finer_grid(&coarse, likeliest));
+    let most = weighed.iter().map(|w| w.log_evidence).fold(f64::NEG_INFINITY, f64::max);
+    let fits: Vec<FittedHistory> = weighed
+        .into_par_iter()
+        .filter(|w| w.log_evidence > most - NEGLIGIBLE_NATS)
+        .filter_map(|w| Some(FittedHistory { history: w.history, posterior: posterior(&sums(&w.history))? }))
+        .collect();
+    let most = fits.iter().map(|f| f.posterior.log_evidence).fold(f64::NEG_INFINITY, f64::max);
+    let weights: Vec<f64> = fits.iter().map(|f| (f.posterior.log_evidence - most).exp()).collect();
+    let total: f64 = weights.iter().sum();
+    let weights: Vec<f64> = weights.into_iter().map(|w| w / total).collect();
+    let best = weights.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i);
+    let Some(FittedHistory { history, posterior: chosen }) = fits.get(best).cloned() else {
+        return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
+    };
+    let spread = |of: fn(&ThermalHistory) -> Option<f64>, about: f64| -> f64 {
+        fits.iter()
+            .zip(&weights)
+            .map(|(f, w)| w * of(&f.history).map_or(0.0, |v| (v - about).powi(2)))
+            .sum::<f64>()
+            .sqrt()
+    };
+    // The values belong to the likeliest law; how well they are known takes in all of them.
+    let mut covariance = DMatrix::zeros(PARAMETERS, PARAMETERS);
+    for (fit, weight) in fits.iter().zip(&weights).filter(|(_, w)| **w > 1e-6) {
+        let one = &fit.posterior;
+        let away = &one.mean - &chosen.mean;
+        covariance += (&one.covariance + &away * away.transpose()) * *weight;
+    }
+    let mut settled = [0.0; PARAMETERS];
+    settled.copy_from_slice(chosen.mean.as_slice());
+    let touched = points
+        .iter()
+        .map(|p| TouchedPoint {
+            name: touches.points.get(p.index).cloned().unwrap_or_default(),
+            q_rad: p.q_rad,
+            settled_m: p.sums(&history, &stops).settled_m(),
+        })
+        .collect();
+    Ok(WarmUp {
+        growth: history.law,
+        tau_sigma_min: spread(|h| h.law.tau_min(), history.law.tau_min().unwrap_or(0.0)),
+        other_law,
+        tau_cool_min: history.tau_cool_min.map(|cool| [cool, spread(|h| h.tau_cool_min, cool)]),
+        stops,
+        sigma_m: chosen.sigma_m,
+        settled,
+        covariance,
+        prior: chosen.prior,
+        points: touched,
+        span_min: [first_min, last_min],
+        touches: touches.touches.len(),
+    })
+}
+
+/// Probability of the law that is not the likeliest's.
+fn share_of_other_law(weighed: &[WeighedHistory], likeliest: &WeighedHistory) -> f64 {
+    let [mut all, mut other] = [0.0; 2];
+    for one in weighed {
+        let weight = (one.log_evidence - likeliest.log_evidence).exp();
+        all += weight;
+        if !one.history.law.is_same_kind(&likeliest.history.law) {
+            other += weight;
+        }
+    }
+    other / all
+}
+
+/// How far each touch says the real tool is from where the nominal arm believes it, up to a constant of its point.
+fn observed_m(
+    touches: &Touches,
+    robot: &Robot,
+    chain: &Chain,
+    options: &FitOptions,
+) -> Result<Vec<Vector3<f64>>, FitError> {
+    let believed = |q_rad: &[f64; 6], tool_m: &Vector3<f64>| {
+        let flange = chain.forward(q_rad);
+        flange.translation.vector + flange.rotation * tool_m
+    };
+    if touches.touches.iter().all(|t| t.measured_m.is_none()) {
+        // The point stands still: what the arm believes has moved is what it really moved by, the other way round.
+        return Ok(touches.touches.iter().map(|t| -believed(&t.q_rad, &options.tool_m)).collect());
+    }
+    let stations: Vec<Station> = touches
+        .touches
+        .iter()
+        .enumerate()
+        .map(|(i, t)| Station {
+            pose: t.point,
+            target: 0,
+            t_min: Some(t.t_min),
+            q_rad: t.q_rad,
+            reading: t.measured_m.map_or(measure::Reading::Touch { fixed_point: t.point }, |position_m| {
+                measure::Reading::Point { position_m }
+            }),
+            orientation: None,
+            direction: None,
+            payload_kg: None,
+            joint_temperature_c: None,
+            air_temperature_c: None,
+            rows: vec![i],
+        })
+        .collect();
+    let poses: Vec<_> = stations.iter().map(|s| s.pose(&Chain::nominal(robot))).collect();
+    let registration = register(&stations, &poses, 1, Some(options.tool_m))?;
+    Ok(stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose)).collect())
+}
+
+/// The touches of one point in one pose.
+pub(super) struct Point {
+    index: usize,
+    q_rad: [f64; 6],
+    signature: Matrix3xX<f64>,
+    t_min: Vec<f64>,
+    observed_m: Vec<Vector3<f64>>,
+}
+
+impl Point {
+    fn sums(&self, history: &ThermalHistory, stops: &[Standstill]) -> Sums {
+        let grown = warmth(history, stops, &self.t_min);
+        Sums::new(&self.signature, &grown, &self.observed_m)
+    }
+}
+
+fn grouped(
+    touches: &Touches,
+    chain: &Chain,
+    observed: &[Vector3<f64>],
+    tool_m: &Vector3<f64>,
+) -> Result<Vec<Point>, FitError> {
+    let mut points: Vec<Point> = Vec::new();
+    for (touch, observed) in touches.touches.iter().zip(observed) {
+        match points.iter_mut().find(|p| p.index == touch.point) {
+            Some(point) => {
+                let moved = point.q_rad.iter().zip(touch.q_rad).any(|(a, b)| (a - b).abs() > SAME_POSE_RAD);
+                if moved {
+                    return Err(FitError::OtherPose {
+                        line: touch.line,
+                        point: touches.points.get(touch.point).cloned().unwrap_or_default(),
+                    });
+                }
+                point.t_min.push(touch.t_min);
+                point.observed_m.push(*observed);
+            }
+            None => points.push(Point {
+                index: touch.point,
+                q_rad: touch.q_rad,
+                signature: signature(chain, &touch.q_rad, tool_m),
+                t_min: vec![touch.t_min],
+                observed_m: vec![*observed],
+            }),
+        }
+    }
+    let all = points.len();
+    points.retain(|p| p.t_min.len() >= 6);
+    if points.is_empty() {
+        return Err(FitError::TooFew { touches: touches.touches.len(), points: all });
+    }
+    Ok(points)
+}

@@ -1,0 +1,70 @@
+//! The rows of a measurement file, in SI units, and which optional columns it has.
+
+use super::Reading;
+use nalgebra::UnitQuaternion;
+use rapid_syntax::diagnostic::Diagnostic;
+
+/// One measured pose, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasurementRow {
+    /// Line in the file, from 1.
+    pub line: u64,
+    /// `id`, where the file has it.
+    pub id: Option<String>,
+    /// Which commanded pose: rows with the same number repeat one.
+    pub pose: usize,
+    /// Which reflector or stylus, index into [`Measurements::targets`].
+    pub target: usize,
+    /// Minutes since cold start.
+    pub t_min: Option<f64>,
+    /// Joints; at a nest they say nothing.
+    pub q_rad: [f64; 6],
+    /// What the instrument, or the touch, gave.
+    pub reading: Reading,
+    /// The measured orientation in the instrument's frame.
+    pub orientation: Option<UnitQuaternion<f64>>,
+    /// Sign of each joint's last motion before the pose.
+    pub direction: Option<[i8; 6]>,
+    /// Mass of the payload as declared, kg.
+    pub payload_kg: Option<f64>,
+    /// Temperature of each joint.
+    pub joint_temperature_c: Option<[f64; 6]>,
+    /// Temperature of the air.
+    pub air_temperature_c: Option<f64>,
+}
+
+/// Which optional columns the file has, complete for every row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Channels {
+    /// Name of the commanded pose: `pose_id`.
+    pub pose_id: bool,
+    /// Minutes since cold start: `t_min`.
+    pub time: bool,
+    /// `qw, qx, qy, qz`.
+    pub orientation: bool,
+    /// Directions of approach: `dir1` to `dir6`.
+    pub direction: bool,
+    /// Payload as declared: `payload_kg`.
+    pub payload: bool,
+    /// Joint temperatures: `temp_j1_c` to `temp_j6_c`.
+    pub joint_temperature: bool,
+    /// Temperature of the air: `temp_air_c`.
+    pub air_temperature: bool,
+}
+
+/// A measurement file as read.
+#[derive(Clone, Debug)]
+pub struct Measurements {
+    /// Rows in the file's order.
+    pub rows: Vec<MeasurementRow>,
+    /// Optional columns that are complete.
+    pub channels: Channels,
+    /// Names of the reflectors; one unnamed where the file does not tell them apart.
+    pub targets: Vec<String>,
+    /// Names of the fixed points: nests, points touched, ends of wires.
+    pub fixed_points: Vec<String>,
+    /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
+    pub joint_decimals: usize,
+    /// What a person should look at.
+    pub warnings: Vec<Diagnostic>,
+}

@@ -1,0 +1,107 @@
+//! What is to be measured, where the robot may go for it, and why there may be no plan.
+
+use nalgebra::Vector3;
+use std::fmt;
+use thiserror::Error;
+
+/// What is to be measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanOptions {
+    /// The measured point in the flange's frame.
+    pub tool_m: Vector3<f64>,
+    /// Measurements of poses, repeats among them.
+    pub n: usize,
+    /// Of these, how many come back to a pose: they tell the noise.
+    pub repeats: usize,
+    /// Single joints moved in small steps, after the poses and beside `n`.
+    pub sweeps: Sweeps,
+    /// Payloads to measure with, one after the other, kg.
+    pub payloads_kg: Vec<f64>,
+    /// Nests on the base, looked at every ten poses.
+    pub nests: usize,
+    /// Expected noise of one coordinate.
+    pub sigma_m: f64,
+    /// Time that one measurement takes.
+    pub each_min: f64,
+    /// Where the robot may go.
+    pub space: Space,
+    /// The same seed gives the same plan.
+    pub seed: u64,
+}
+
+/// Why there is no plan.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum PlanError {
+    /// Too few measurements for any answer.
+    #[error("{n} measurements with {repeats} repeats are too few: 12 different poses at least, 60 say a lot")]
+    TooFew {
+        /// Measurements that were asked for.
+        n: usize,
+        /// How many of these repeat a pose.
+        repeats: usize,
+    },
+    /// Hardly a pose is allowed.
+    #[error("of {tried} poses tried only {found} are allowed ({restriction}): give the robot more room")]
+    NoRoom {
+        /// Poses that were tried.
+        tried: usize,
+        /// Poses that were allowed.
+        found: usize,
+        /// The restriction that refused most poses.
+        restriction: Restriction,
+    },
+    /// Nowhere can a joint be moved so far.
+    #[error(
+        "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
+    )]
+    NoSweep {
+        /// Joint or axis, counted from 1.
+        joint: usize,
+    },
+}
+
+/// Where the robot may go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Space {
+    /// Wrist, flange and tool stay above this plane of the base.
+    pub floor_m: f64,
+    /// The measured point stays this near to the base's axis.
+    pub reach_m: Option<f64>,
+    /// The measured point stays in this box: lowest and highest corner in the base.
+    pub box_m: Option<[[f64; 3]; 2]>,
+}
+
+/// What forbids a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Restriction {
+    /// Under the floor plane.
+    Floor,
+    /// Too near to the robot's own foot.
+    Foot,
+    /// The pose is near a singularity.
+    Singular,
+    /// Beyond the reach or outside the box.
+    Outside,
+}
+
+impl fmt::Display for Restriction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Floor => "most are under the floor plane",
+            Self::Foot => "most are too near to the robot's own foot",
+            Self::Singular => "most are near a singularity",
+            Self::Outside => "most are beyond the reach or outside the box",
+        })
+    }
+}
+
+/// Sweeps of joints, each from one pose.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sweeps {
+    /// Joints to sweep, counted from 0.
+    pub joints: Vec<usize>,
+    /// Number of poses of each sweep.
+    pub n: usize,
+    /// From pose to pose.
+    pub step_rad: f64,
+}
