@@ -2,15 +2,15 @@
 
 use crate::report::{self, CompensationJson, JointRow, MotionRows, Review, Told};
 use rapid_program::compensate::plan::{Plan, Totals};
-use rapid_program::compensate::{CompensateError, FormChoice, joints_every_minute};
+use rapid_program::compensate::{CompensateError, FormChoice, Options, joints_every_minute};
 use rapid_program::emit::{EmitError, EmittedFile};
 use rapid_program::program::Program;
 use rapid_program::program::motion::SkipReason;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::Deformation;
+use robot_model::robot::Robot;
 use std::io::{self, Write};
 use std::sync::Arc;
-
-use super::compensation::Compensation;
 
 /// More text than this is said to be large, bytes.
 const LARGE_BYTES: usize = 8_000_000;
@@ -19,9 +19,13 @@ const CORRECTION_BYTES: usize = 105;
 
 /// A program with its plan, emitted.
 pub struct Compensated<'c> {
-    /// How it was asked for.
-    pub compensation: &'c Compensation,
-    /// Changed and new files; empty after [`Compensation::run_each`], which has handed them on.
+    /// The arm as its model says.
+    pub robot: &'c Robot,
+    /// How it deforms.
+    pub deformation: &'c Deformation,
+    /// What was asked of the corrections.
+    pub options: &'c Options,
+    /// Changed and new files; empty after [`run_each`](super::Compensation::run_each), which has handed them on.
     pub files: Vec<EmittedFile>,
     /// The program as it was read.
     pub program: Program,
@@ -137,8 +141,7 @@ impl Compensated<'_> {
     /// # Errors
     /// Those of `out`; there is none where the schedule goes by temperature.
     pub fn write_joints(&self, out: &mut dyn Write) -> io::Result<()> {
-        let Compensation { robot, deformation, options, .. } = self.compensation;
-        let rows = joints_every_minute(&self.program, &self.plan, &robot.model, &deformation.model, options)
+        let rows = joints_every_minute(&self.program, &self.plan, self.robot, self.deformation, self.options)
             .map_err(|error| io::Error::other(Diagnostic::error(error.code(), error.to_string())))?;
         let mut table = report::JointTable::new(out)?;
         for row in rows {
@@ -151,7 +154,7 @@ impl Compensated<'_> {
 
     /// What `auto` would write, where arrays are large.
     pub fn size_note(&self) -> Option<String> {
-        let form = self.compensation.options.form;
+        let form = self.options.form;
         (form == FormChoice::Schedule && self.text_bytes > LARGE_BYTES).then(|| {
             let targets: usize = self.totals.targets.iter().sum();
             let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();

@@ -166,7 +166,9 @@ impl Compensation {
         let totals = Totals::of(&program, &plan);
         let provenance = self.provenance(label);
         Ok(Compensated {
-            compensation: self,
+            robot: &self.robot.model,
+            deformation: &self.deformation.model,
+            options: &self.options,
             files: Vec::new(),
             program,
             plan,

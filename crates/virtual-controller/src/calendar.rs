@@ -1,6 +1,6 @@
 //! Date, time of day and a steady clock; all advance only when told to.
 
-use robot_model::units::seconds_from_min;
+use robot_model::units::{min_from_h, seconds_from_min};
 
 /// Date, time of day and steady clock of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ impl Calendar {
     /// Set date and time; the steady clock goes on.
     pub fn set(&mut self, date: (i64, u32, u32), time: (u32, u32, f64)) {
         let days = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) as f64;
-        let seconds = seconds_from_min(f64::from(time.0) * 60.0 + f64::from(time.1)) + time.2;
+        let seconds = seconds_from_min(min_from_h(f64::from(time.0)) + f64::from(time.1)) + time.2;
         self.zero_s = days * 86_400.0 + seconds - self.shown_s;
     }
 

@@ -4,7 +4,7 @@
 //! possible: an answer near a singularity is then as good as any other. Every answer is proved by forward kinematics.
 
 use super::chain::{Chain, Pose};
-use super::configuration::Configuration;
+use super::configuration::{Configuration, Posture};
 use super::matrix::{self, Mat3, Vec3, apply, dot, mul, sub, transpose};
 use super::real::Lanes;
 use super::solve::within;
@@ -40,6 +40,34 @@ impl Solution {
 
 /// A joint this little outside its range is on its limit, radians: rounding of a range written in degrees.
 const ON_LIMIT_RAD: f64 = 1e-9;
+
+impl ClosedForm {
+    /// Quadrants and branch of these joints.
+    #[must_use]
+    pub fn configuration(&self, q_rad: &[f64; 6]) -> Configuration {
+        Configuration::of(&self.posture(q_rad), q_rad)
+    }
+
+    /// How far these joints are from the arm's singularities.
+    #[must_use]
+    pub fn posture(&self, q_rad: &[f64; 6]) -> Posture {
+        Posture::of(&self.structure, &self.canonical(q_rad), q_rad)
+    }
+
+    /// Whether the joints stand as a configuration from elsewhere says. A joint up to half a degree past its quadrant's
+    /// border agrees: at 0° both 0 and -1 do. The branch has no such play.
+    #[must_use]
+    pub fn agrees(&self, configuration: &Configuration, q_rad: &[f64; 6]) -> bool {
+        configuration.agrees(&self.configuration(q_rad), q_rad)
+    }
+
+    /// The configuration to write beside these joints: each number of `source` stays unless its joint is clearly, by
+    /// more than half a degree, past the border; cfx is always the joints' own.
+    #[must_use]
+    pub fn kept(&self, source: &Configuration, q_rad: &[f64; 6]) -> Configuration {
+        source.kept(&self.configuration(q_rad), q_rad)
+    }
+}
 
 impl ClosedForm {
     /// For a robot whose axes make an ortho-parallel basis with a spherical wrist: all built-in ones.

@@ -1,7 +1,7 @@
 //! Configuration of an arm: quadrants of joints 1, 4, 6 and the branch, numbered as ABB's confdata does; and how far
 //! the arm stands from where two branches meet.
 
-use super::closed_form::ClosedForm;
+use super::structure::Structure;
 use crate::units::rad_from_deg;
 use std::f64::consts::FRAC_PI_2;
 
@@ -36,55 +36,49 @@ const HYSTERESIS_DEG: f64 = 0.5;
 /// Rounding: a joint this little below a border is on it, radians.
 const ON_BORDER_RAD: f64 = 1e-9;
 
-impl ClosedForm {
-    /// Quadrants and branch of these joints.
-    #[must_use]
-    pub fn configuration(&self, q_rad: &[f64; 6]) -> Configuration {
-        let posture = self.posture(q_rad);
-        let cfx = 4 * i32::from(posture.shoulder_m < 0.0)
-            + 2 * i32::from(posture.elbow_rad < 0.0)
-            + i32::from(q_rad[4] < 0.0);
-        Configuration { cf1: quadrant(q_rad[0]), cf4: quadrant(q_rad[3]), cf6: quadrant(q_rad[5]), cfx }
-    }
-
-    /// How far these joints are from the arm's singularities.
-    #[must_use]
-    pub fn posture(&self, q_rad: &[f64; 6]) -> Posture {
-        let s = &self.structure;
-        let theta = self.canonical(q_rad);
-        let (sin_2, _) = theta[1].sin_cos();
-        let (sin_3, cos_3) = theta[2].sin_cos();
-        let (sin_23, cos_23) = (theta[1] + theta[2]).sin_cos();
+impl Posture {
+    /// Posture of the joints `q_rad`, which are `theta_rad` counted as the closed form counts them.
+    pub(super) fn of(structure: &Structure, theta_rad: &[f64; 6], q_rad: &[f64; 6]) -> Self {
+        let s = structure;
+        let (sin_2, _) = theta_rad[1].sin_cos();
+        let (sin_3, cos_3) = theta_rad[2].sin_cos();
+        let (sin_23, cos_23) = (theta_rad[1] + theta_rad[2]).sin_cos();
         let in_front = (s.c3 * cos_3 + s.a2 * sin_3) / s.c3.hypot(s.a2);
-        let wrist = theta[4].sin().abs().asin();
-        Posture {
+        let wrist = theta_rad[4].sin().abs().asin();
+        Self {
             shoulder_m: s.a1 + s.c2 * sin_2 + s.c3 * cos_23 + s.a2 * sin_23,
             elbow_rad: in_front.clamp(-1.0, 1.0).asin(),
             wrist_rad: if q_rad[4] < 0.0 { -wrist } else { wrist },
         }
     }
+}
 
-    /// Whether the joints stand as a configuration from elsewhere says. A joint up to half a degree past its quadrant's
-    /// border agrees: at 0° both 0 and -1 do. The branch has no such play.
-    #[must_use]
-    pub fn agrees(&self, configuration: &Configuration, q_rad: &[f64; 6]) -> bool {
-        let c = configuration;
-        c.cfx == self.configuration(q_rad).cfx
-            && in_quadrant(q_rad[0], c.cf1)
-            && in_quadrant(q_rad[3], c.cf4)
-            && in_quadrant(q_rad[5], c.cf6)
+impl Configuration {
+    /// Quadrants and branch of joints that stand in `posture`.
+    pub(super) fn of(posture: &Posture, q_rad: &[f64; 6]) -> Self {
+        let cfx = 4 * i32::from(posture.shoulder_m < 0.0)
+            + 2 * i32::from(posture.elbow_rad < 0.0)
+            + i32::from(q_rad[4] < 0.0);
+        Self { cf1: quadrant(q_rad[0]), cf4: quadrant(q_rad[3]), cf6: quadrant(q_rad[5]), cfx }
     }
 
-    /// The configuration to write beside these joints: each number of `source` stays unless its joint is clearly, by
-    /// more than half a degree, past the border; cfx is always the joints' own.
-    #[must_use]
-    pub fn kept(&self, source: &Configuration, q_rad: &[f64; 6]) -> Configuration {
-        let own = self.configuration(q_rad);
+    /// Whether joints whose own configuration is `own` stand as this one says. A joint up to half a degree past its
+    /// quadrant's border agrees: at 0° both 0 and -1 do. The branch has no such play.
+    pub(super) fn agrees(&self, own: &Self, q_rad: &[f64; 6]) -> bool {
+        self.cfx == own.cfx
+            && in_quadrant(q_rad[0], self.cf1)
+            && in_quadrant(q_rad[3], self.cf4)
+            && in_quadrant(q_rad[5], self.cf6)
+    }
+
+    /// The configuration to write beside joints whose own is `own`: each number of this one stays unless its joint is
+    /// clearly, by more than half a degree, past the border; cfx is always the joints' own.
+    pub(super) fn kept(&self, own: &Self, q_rad: &[f64; 6]) -> Self {
         let keep = |source, q_rad, own| if in_quadrant(q_rad, source) { source } else { own };
-        Configuration {
-            cf1: keep(source.cf1, q_rad[0], own.cf1),
-            cf4: keep(source.cf4, q_rad[3], own.cf4),
-            cf6: keep(source.cf6, q_rad[5], own.cf6),
+        Self {
+            cf1: keep(self.cf1, q_rad[0], own.cf1),
+            cf4: keep(self.cf4, q_rad[3], own.cf4),
+            cf6: keep(self.cf6, q_rad[5], own.cf6),
             cfx: own.cfx,
         }
     }
@@ -102,6 +96,7 @@ fn in_quadrant(q_rad: f64, quadrant: i32) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::closed_form::ClosedForm;
     use super::*;
     use crate::robot::Robot;
 
