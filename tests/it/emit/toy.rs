@@ -7,6 +7,7 @@ use rapid_program::compensate::plan::{
 };
 use rapid_program::program::Program;
 use rapid_program::program::data::{ConfData, JointTarget, RobTarget};
+use rapid_program::program::few::Few;
 use rapid_program::program::motion::{
     Loop, Motion, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
 };
@@ -219,7 +220,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
         let mut planned = PlannedMotion {
             status: Status::Compensated,
             form: Form::Schedule,
-            targets: Box::default(),
+            targets: Few::default(),
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
             mid_path_m: None,

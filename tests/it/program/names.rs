@@ -121,14 +121,9 @@ fn facts_about_modules() {
     let [module] = facts.modules.as_slice() else { panic!("one module") };
     let of = |range: rapid_syntax::diagnostic::TextRange| &text[range.start as usize..range.end as usize];
     assert_eq!(module.name, "Teil");
-    assert_eq!(of(module.head), "MODULE Teil(NOSTEPIN)");
     assert_eq!(of(module.compensated.unwrap()), "! driftpost 0.1.0");
-    assert!(text[..module.last_data_end.unwrap() as usize].ends_with("CONST num b:=2;"));
-    assert!(text[module.first_routine.unwrap() as usize..].starts_with("PROC a()"));
-    assert!(text[module.end.unwrap() as usize..].starts_with("ENDMODULE"));
     assert_eq!(facts.kinematics[0].word, "calibrated");
     assert!(!facts.kinematics[0].is_nominal());
-    assert!(facts.is_taken("tci") && facts.is_taken("b2") && !facts.is_taken("calibrated"));
     assert_eq!(facts.entries.iter().map(|e| e.name.as_str()).collect::<Vec<_>>(), ["a"]);
     // The names alone may be the user's own; with both it is one of ours whose header is gone.
     for (text, expected) in [

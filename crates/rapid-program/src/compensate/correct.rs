@@ -78,7 +78,7 @@ pub(super) fn correct(
                 let error_m = ramp.errors_m(&point, &corrections, model);
                 let worst = &mut made.error_m[0];
                 *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
-                Corrections::AtNodes(corrections.into())
+                Corrections::AtNodes(corrections.into_iter().collect())
             }
         };
         targets.push(planned_target(&point, &value, corrections, model));
@@ -91,7 +91,7 @@ pub(super) fn correct(
             targets.clear();
         }
     }
-    made.planned.targets = targets.into();
+    made.planned.targets = targets.into_iter().collect();
     made
 }
 

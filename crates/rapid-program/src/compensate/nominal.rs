@@ -6,6 +6,7 @@ use super::model::Model;
 use super::placement::{Placement, keep};
 use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget};
+use crate::program::few::Few;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -67,7 +68,7 @@ pub(super) struct Resolved {
     /// Where tool and work object are; `None` where that is not known.
     placement: Option<Arc<Placement>>,
     /// Nominal joints at each of its targets' values on the branch that is meant, radians; none where they are not known.
-    joints: Joints,
+    joints: Few<[f64; 6]>,
     /// Why it stays as it is.
     kept: Option<Arc<SkipReason>>,
     /// For each value load and direction, where a model asks for them.
@@ -78,29 +79,6 @@ pub(super) struct Resolved {
     ends_at_target: bool,
 }
 
-/// Joints at each of a motion's targets, radians; most motions have one.
-#[derive(Clone, Debug)]
-enum Joints {
-    One([f64; 6]),
-    Several(Box<[[f64; 6]]>),
-}
-
-impl Joints {
-    fn new(q_rad: Vec<[f64; 6]>) -> Self {
-        match q_rad.as_slice() {
-            [one] => Self::One(*one),
-            _ => Self::Several(q_rad.into()),
-        }
-    }
-
-    fn as_slice(&self) -> &[[f64; 6]] {
-        match self {
-            Self::One(q_rad) => std::slice::from_ref(q_rad),
-            Self::Several(all) => all,
-        }
-    }
-}
-
 impl Resolved {
     /// Why the motion stays as it is; `None` where it can be corrected.
     pub(super) fn kept(&self) -> Option<&Arc<SkipReason>> {
@@ -109,7 +87,7 @@ impl Resolved {
 
     /// Nominal joints at its targets, radians; none where it stays as it is.
     pub(super) fn q_rad(&self) -> &[[f64; 6]] {
-        if self.kept.is_none() { self.joints.as_slice() } else { &[] }
+        if self.kept.is_none() { &self.joints } else { &[] }
     }
 
     /// Its targets; none where it stays as it is.
@@ -121,7 +99,7 @@ impl Resolved {
         let placement = self.placement.as_deref().filter(|_| self.kept.is_none());
         placement.into_iter().flat_map(move |placement| {
             let values = motion.targets.iter().flat_map(Target::values);
-            let all = values.zip(self.joints.as_slice()).enumerate();
+            let all = values.zip(&self.joints).enumerate();
             all.map(move |(k, (value, q_rad))| {
                 Point::new(placement, &value, *q_rad, self.conditions_at(k), model)
             })
@@ -130,14 +108,14 @@ impl Resolved {
 
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.
     pub(super) fn exit_q_rad(&self) -> Option<[f64; 6]> {
-        self.joints.as_slice().last().filter(|_| !self.indexed).copied()
+        self.joints.last().filter(|_| !self.indexed).copied()
     }
 
     /// Where it ends, where that is known exactly.
     pub(super) fn end<'r>(&'r self, motion: &Motion, model: &Model) -> Option<Point<'r>> {
         let known = !self.indexed && (self.kept.is_none() || self.ends_at_target);
         let placement = self.placement.as_deref().filter(|_| known)?;
-        let q_rad = *self.joints.as_slice().last()?;
+        let q_rad = *self.joints.last()?;
         let value = motion.targets.iter().flat_map(Target::values).last()?;
         Some(Point::new(placement, &value, q_rad, self.conditions_at(usize::MAX), model))
     }
@@ -156,7 +134,7 @@ impl Resolved {
     /// Fills in the load, and for each value the direction it is come to in.
     pub(super) fn set_conditions(&mut self, payload: Payload, directions: &[[i8; 6]]) {
         let at = |k: usize| Conditions { payload, direction: directions.get(k).copied().unwrap_or_default() };
-        let count = self.joints.as_slice().len();
+        let count = self.joints.len();
         let last = directions.last().copied().unwrap_or_default();
         let conditions: Box<[Conditions]> = match self.kept {
             None => (0..count).map(at).collect(),
@@ -231,7 +209,14 @@ fn resolve_motion(
         (None, None) => ill_posed(motion, &q_rad, model).map(Arc::new),
     };
     let ends_at_target = motion.skip_reason.is_none();
-    Resolved { placement, joints: Joints::new(q_rad), kept, conditions: None, indexed, ends_at_target }
+    Resolved {
+        placement,
+        joints: q_rad.into_iter().collect(),
+        kept,
+        conditions: None,
+        indexed,
+        ends_at_target,
+    }
 }
 
 /// Why the arm cannot be corrected there at all.

@@ -5,6 +5,7 @@
 //! deformation.
 
 pub mod data;
+pub mod few;
 pub mod module_facts;
 pub mod motion;
 pub mod pgf;
@@ -64,7 +65,7 @@ pub struct Program {
     pub loops: Vec<Loop>,
     /// Every motion instruction, in file order.
     pub motions: Vec<Motion>,
-    /// Modules, names that are taken, entries and so on.
+    /// Modules, remarks, routines that a program can begin with.
     pub facts: Facts,
     /// What a reader of the program should know.
     pub diagnostics: Vec<Diagnostic>,

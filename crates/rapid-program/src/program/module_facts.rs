@@ -1,14 +1,12 @@
-//! Facts about modules that an emitted program must respect: where each begins and ends, which names are
-//! taken, what RoboDK says of the kinematics it used, and whether a module is already compensated.
+//! Facts about files beside their motion: which modules there are, what RoboDK says of the kinematics it used, and whether
+//! a module is already compensated.
 
-use super::expressions::words;
 use super::index::Index;
 use super::made_for::{self, RobotRemark};
 use super::names::{as_text, lower_case};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{FileItem, Module, ModuleItem, Stmt, StmtKind};
-use std::collections::BTreeSet;
 
 /// The first words of the header of a module that this program has emitted.
 pub const EMITTED_MARK: &str = "! driftpost";
@@ -18,22 +16,12 @@ pub const EMITTED_MARK: &str = "! driftpost";
 pub struct Facts {
     /// All modules, in file order.
     pub modules: Vec<ModuleFacts>,
-    /// For each file every word outside strings and comments, in lower case: names that are taken.
-    pub identifiers: Vec<BTreeSet<String>>,
     /// `! Using X kinematics.`, in file order.
     pub kinematics: Vec<KinematicsRemark>,
     /// The robots that programs say they were made for, in file order.
     pub made_for: Vec<RobotRemark>,
     /// Routines that nothing in the given files calls: a program can begin there. In file order.
     pub entries: Vec<Entry>,
-}
-
-impl Facts {
-    /// Whether a name, in lower case, occurs in any file.
-    #[must_use]
-    pub fn is_taken(&self, name: &str) -> bool {
-        self.identifiers.iter().any(|names| names.contains(name))
-    }
 }
 
 /// What is known of a module.
@@ -43,14 +31,6 @@ pub struct ModuleFacts {
     pub file: FileId,
     /// Its name as written.
     pub name: String,
-    /// From `MODULE` to the end of the name or of the attributes.
-    pub head: TextRange,
-    /// End of the last data declaration; `None` where there is none.
-    pub last_data_end: Option<u32>,
-    /// Where the first routine begins; `None` where there is none.
-    pub first_routine: Option<u32>,
-    /// Where `ENDMODULE` begins; `None` where the file ends before it.
-    pub end: Option<u32>,
     /// What shows that this program has already compensated it.
     pub compensated: Option<TextRange>,
 }
@@ -89,8 +69,6 @@ pub struct Entry {
 pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
     let mut facts = Facts::default();
     for file in index.files {
-        let names = words(&file.bytes, 0).into_iter().map(|w| lower_case(file.text(w)));
-        facts.identifiers.push(names.collect());
         for item in &file.tree.items {
             match item {
                 FileItem::Module(module) => {
@@ -126,27 +104,24 @@ pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
 }
 
 fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
-    let mut last_data_end = None;
-    let mut first_routine = None;
-    let mut mark = None;
+    let (mut in_head, mut mark) = (true, None);
     let (mut state, mut update) = (None, None);
     for item in &module.items {
         match item {
             ModuleItem::Data(data) => {
-                last_data_end = Some(data.range.end);
                 if lower_case(file.text(data.name)) == "tcstate" {
                     state = state.or(Some(data.range));
                 }
             }
             ModuleItem::Routine(routine) => {
-                first_routine = first_routine.or(Some(routine.range.start));
+                in_head = false;
                 if lower_case(file.text(routine.name)) == "tcupdate" {
                     update = update.or(Some(routine.head));
                 }
             }
             ModuleItem::Comment(range) => {
                 let text = as_text(file.text(*range));
-                if first_routine.is_none() && text.trim_end().to_lowercase().starts_with(EMITTED_MARK) {
+                if in_head && text.trim_end().to_lowercase().starts_with(EMITTED_MARK) {
                     mark = mark.or(Some(*range));
                 }
             }
@@ -156,10 +131,6 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
     ModuleFacts {
         file: file.id,
         name: as_text(file.text(module.name)),
-        head: module.head,
-        last_data_end,
-        first_routine,
-        end: module.end.map(|e| e.start),
         // The names alone may be the user's own: both together are not by chance.
         compensated: mark.or(state.filter(|_| update.is_some())),
     }

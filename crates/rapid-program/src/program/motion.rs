@@ -4,10 +4,10 @@
 //! A program may have a million of them: what neighbours have in common stands once, in a [`MotionSetup`].
 
 use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
+use super::few::Few;
 pub use super::target::{Origin, Target, TargetValue};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use std::num::NonZeroU32;
-use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// How the TCP goes to the target.
@@ -54,7 +54,7 @@ pub struct Motion {
     /// Instruction, tool, work object and whatever else it shares with its neighbours.
     pub setup: Arc<MotionSetup>,
     /// Its targets: circle point and end point for an arc, else one.
-    pub targets: Targets,
+    pub targets: Few<Target>,
     /// The motion that runs just before this one, where the program's text alone says so.
     pub previous: Option<MotionId>,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
@@ -97,54 +97,6 @@ pub struct MotionSetup {
     pub conf_monitored: Option<bool>,
     /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
     pub grip: Option<LoadData>,
-}
-
-/// A motion's targets, as a slice; one stands in the motion itself.
-#[derive(Clone, Debug)]
-pub enum Targets {
-    /// The target of every move but an arc.
-    One(Target),
-    /// Circle point and end point; or none, where an argument is missing.
-    Several(Box<[Target]>),
-}
-
-impl Deref for Targets {
-    type Target = [Target];
-
-    fn deref(&self) -> &[Target] {
-        match self {
-            Self::One(target) => std::slice::from_ref(target),
-            Self::Several(targets) => targets,
-        }
-    }
-}
-
-impl DerefMut for Targets {
-    fn deref_mut(&mut self) -> &mut [Target] {
-        match self {
-            Self::One(target) => std::slice::from_mut(target),
-            Self::Several(targets) => targets,
-        }
-    }
-}
-
-impl<'t> IntoIterator for &'t Targets {
-    type Item = &'t Target;
-    type IntoIter = std::slice::Iter<'t, Target>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.iter()
-    }
-}
-
-impl FromIterator<Target> for Targets {
-    fn from_iter<I: IntoIterator<Item = Target>>(targets: I) -> Self {
-        let mut targets = targets.into_iter();
-        match (targets.next(), targets.next()) {
-            (Some(one), None) => Self::One(one),
-            (first, second) => Self::Several(first.into_iter().chain(second).chain(targets).collect()),
-        }
-    }
 }
 
 /// Why a motion stays as it is, as far as the program's text tells.

@@ -8,9 +8,7 @@ use super::flow::BLOCKERS;
 use super::index::{Ctx, Index};
 use super::instructions::Special;
 use super::module_facts::facts;
-use super::motion::{
-    Motion, MotionSetup, Origin, Path, RoutineInfo, SkipReason, Target, TargetValue, Targets,
-};
+use super::motion::{Motion, MotionSetup, Origin, Path, RoutineInfo, SkipReason, Target, TargetValue};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{as_text, lower_case};
 use super::order::order;
@@ -260,7 +258,7 @@ impl<'a> MotionReader<'_, 'a> {
             line: index.file(ctx.file).line(range),
             range,
             setup: self.shared_setup(setup),
-            targets: targets.into_iter().collect::<Targets>(),
+            targets: targets.into_iter().collect(),
             previous: None,
             run_time: first.is_some() && run_time && args.tool.is_some() && args.conditional.is_empty(),
             skip_reason: first.map(|keep| self.shared_skip(keep)),
