@@ -1,8 +1,8 @@
 //! A question of the blind check: measurements whose truth is sealed, put to the diagnosis.
 
 use super::diagnosis::Diagnosis;
+use exam::answer::Answer;
 use exam::generate::Task;
-use exam::score::Answer;
 use metrology::diagnose::Options;
 use metrology::measure::Measurements;
 use nalgebra::Vector3;

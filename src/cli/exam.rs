@@ -2,8 +2,10 @@
 
 use super::{Console, Outcome, files, model};
 use driftpost::application::Question;
+use exam::answer::Answer;
 use exam::generate::Task;
-use exam::score::{Answer, Measure, score};
+use exam::measure::Measure;
+use exam::score::score;
 use exam::truth::{Sealed, Truth, seal};
 use metrology::measure::Measurements;
 use rapid_syntax::diagnostic::Diagnostic;

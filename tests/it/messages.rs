@@ -31,6 +31,7 @@ fn every_code_is_documented_and_every_documented_code_exists() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = Vec::new();
     rust_files(&root.join("src"), &mut files);
+    rust_files(&root.join("crates"), &mut files);
     let mut used = BTreeSet::new();
     for path in files {
         let text = fs::read_to_string(&path).unwrap();

@@ -6,11 +6,13 @@
 //! code with `kinematics`, `deform` or `diagnose`: a mistake made there cannot hide here. Reads the
 //! diagnosis only as the JSON that any script would read.
 
+pub mod answer;
 pub mod arm;
 mod csv;
 pub mod effect;
 pub mod effect_spec;
 pub mod generate;
+pub mod measure;
 pub mod mixture;
 mod outside;
 pub mod poses;

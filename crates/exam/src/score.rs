@@ -2,85 +2,13 @@
 //!
 //! Reads the diagnosis's JSON as any script would; a missing or misspelt field counts as a wrong answer.
 
+use super::answer::{Answer, Cause};
+use super::measure::{Measure, wilson90};
 use super::mixture::{WEAK_RHO, WEAK_ROWS};
 use super::truth::{QuestionKind, Truth};
-use serde::{Deserialize, Serialize};
 
 /// An effect is weak by design where its size is within this share of the weak class's.
 const WEAK_WITHIN: f64 = 0.05;
-
-/// One named cause of a diagnosis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cause {
-    /// Name of the effect.
-    pub effect: String,
-    /// Joint or link of the cause, from 1.
-    pub joint: Option<usize>,
-    /// The probability that the diagnosis states.
-    pub posterior: Option<f64>,
-}
-
-/// How far the error shrinks, as the diagnosis says.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Shrink {
-    /// rms with registration only, mm.
-    pub before_rms_mm: Option<f64>,
-    /// rms with the named causes, mm.
-    pub after_rms_mm: Option<f64>,
-    /// 90 % interval of after / before.
-    pub ci90: Option<[f64; 2]>,
-}
-
-/// What is read of a diagnosis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
-    /// Name of the verdict.
-    pub verdict: String,
-    /// The causes, the most probable first.
-    pub causes: Vec<Cause>,
-    /// How far the error shrinks.
-    pub shrink: Option<Shrink>,
-}
-
-/// A measure of the exam with what it came to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Measure {
-    /// Name of the measure, as printed.
-    pub name: &'static str,
-    /// The value; `None` where no data set asks for it.
-    pub value: Option<f64>,
-    /// Its 90 % interval: Wilson's for a rate; none for a median or a mean.
-    pub ci90: Option<[f64; 2]>,
-    /// Number of data sets it rests on.
-    pub sets: usize,
-    /// The value from which on it passes.
-    pub pass: f64,
-    /// The value from which on it is world-class.
-    pub world_class: f64,
-    /// Whether a small value is good.
-    pub small_is_good: bool,
-}
-
-impl Measure {
-    /// Whether the value is at least as good as `limit`.
-    #[must_use]
-    pub fn reaches(&self, limit: f64) -> bool {
-        self.value.is_some_and(|v| if self.small_is_good { v <= limit } else { v >= limit })
-    }
-}
-
-/// Wilson's score interval for `hits` of `n` at 90 % (Wilson 1927).
-#[must_use]
-pub fn wilson90(hits: usize, n: usize) -> Option<[f64; 2]> {
-    const Z: f64 = 1.644_853_626_951_472_7;
-    if n == 0 {
-        return None;
-    }
-    let (n, p) = (n as f64, hits as f64 / n as f64);
-    let middle = (p + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
-    let half = Z / (1.0 + Z * Z / n) * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
-    Some([(middle - half).max(0.0), (middle + half).min(1.0)])
-}
 
 /// An answer names causes and stands by them.
 fn names_a_cause(answer: &Answer) -> bool {
@@ -337,6 +265,7 @@ pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::ErrorReduction;
     use crate::effect::Effect;
     use crate::poses::{Recorded, Spread};
     use crate::truth::InjectedEffect;
@@ -372,7 +301,7 @@ mod tests {
                     posterior: Some(posterior),
                 })
                 .collect(),
-            shrink: Some(Shrink {
+            shrink: Some(ErrorReduction {
                 before_rms_mm: Some(0.10),
                 after_rms_mm: Some(0.07),
                 ci90: Some([0.3, 0.5]),

@@ -4,9 +4,15 @@
 //! th ~ N(0, s^2) in prior sigmas. With the ratios s_g/sigma and s/sigma on logarithmic grids everything is
 //! diagonal, and sigma is integrated in closed form against the repeats' chi-square (MacKay 1992;
 //! Rasmussen and Williams 2006, ch. 5).
+//!
+//! The grids are coarse: on 36 random problems whose integral was computed by dense matrices and fine sums, ln evidence
+//! was off by 0.51 nats at most, and a candidate's gain over none by 0.40; without geometry by 0.2 and mostly by less
+//! than 0.01. Decisions are made at 3 and 5 nats. The tests hold it to 0.6 and 0.5.
 
 mod candidate;
 mod prior;
+#[cfg(test)]
+mod tests;
 
 pub use candidate::{Projected, ScreeningPoint};
 
@@ -15,6 +21,12 @@ use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};
 use nalgebra::{DMatrix, DVector};
 use prior::{NO_GEOMETRY, geometry_prior, grids, size_prior};
 
+/// How far ln evidence may lie from the integral that it stands for, nats.
+#[cfg(test)]
+const EVIDENCE_ERROR_NATS: f64 = 0.6;
+/// The same of a candidate's gain over none, nats.
+#[cfg(test)]
+const GAIN_ERROR_NATS: f64 = 0.5;
 /// Directions that the flat columns tell less than this share of the best are not told.
 const RANK: f64 = 1e-10;
 

@@ -3,7 +3,7 @@
 use super::admission::MOST_CAUSES;
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR, cause_columns};
 use super::library::{Library, TrackedCandidate};
-use super::ranking::HypothesisRanking;
+use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::marginal::NoisePrior;
@@ -59,14 +59,8 @@ impl Library<'_> {
     }
 
     /// Puts `candidate` into place `i`.
-    fn put(
-        &mut self,
-        search: &mut Search<'_>,
-        i: usize,
-        candidate: usize,
-        gain_nats: f64,
-        peak: &EvidencePeak,
-    ) {
+    fn replace(&mut self, search: &mut Search<'_>, i: usize, best: BestEffect) {
+        let BestEffect { candidate, gain_nats, peak } = best;
         let columns = self.columns_in_design(search.design, search.column_index, candidate);
         self.extend(search.design);
         search.chosen[i] = ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio };
@@ -79,11 +73,11 @@ impl Library<'_> {
             let others = search.others(&[i]);
             let (_, ranking) = self.rank_near(search, &others);
             match self.best_effect(&ranking) {
-                Some((_, gain, _)) if gain < DROP_NATS => {
+                Some(best) if best.gain_nats < DROP_NATS => {
                     search.chosen.remove(i);
                     continue;
                 }
-                Some((candidate, gain, peak)) => self.put(search, i, candidate, gain, &peak),
+                Some(best) => self.replace(search, i, best),
                 None => {}
             }
             i += 1;
@@ -120,7 +114,11 @@ impl Library<'_> {
                     continue;
                 }
                 Some((candidate, peak)) => {
-                    self.put(search, i, candidate, peak.log_evidence - bare, &peak);
+                    self.replace(
+                        search,
+                        i,
+                        BestEffect { candidate, gain_nats: peak.log_evidence - bare, peak },
+                    );
                 }
                 None => {}
             }
@@ -140,15 +138,16 @@ impl Library<'_> {
         for (i, k) in pairs.into_iter().rev() {
             let others = search.others(&[i, k]);
             let (mut nuisance, ranking) = self.rank_near(search, &others);
-            let Some((candidate, gain, peak)) = self.best_effect(&ranking) else { continue };
+            let Some(best) = self.best_effect(&ranking) else { continue };
+            let candidate = best.candidate;
             let odds = |gain: f64, c: usize| gain + self.log_prior[c] - NULL_PRIOR.ln();
             let (first, second) = (search.chosen[i].candidate, search.chosen[k].candidate);
-            let single = odds(peak.log_evidence - ranking.null.log_evidence, candidate);
+            let single = odds(best.peak.log_evidence - ranking.null.log_evidence, candidate);
             let mut both = odds(self.gain(&nuisance, search.subset, first), first);
             nuisance.grow(search.design, search.subset, &search.chosen[i].columns);
             both += odds(self.gain(&nuisance, search.subset, second), second);
             if candidate != first && candidate != second && single > both {
-                self.put(search, i, candidate, gain, &peak);
+                self.replace(search, i, best);
                 search.chosen.remove(k);
                 return;
             }

@@ -4,9 +4,9 @@
 use super::chosen::ChosenCause;
 use super::exchange::Search;
 use super::library::{Library, TrackedCandidate};
-use super::ranking::{Hypothesis, HypothesisRanking};
+use super::ranking::{BestEffect, Hypothesis, HypothesisRanking, RankedHypothesis};
 use crate::diagnose::design::Design;
-use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
+use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::marginal::NoisePrior;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -92,31 +92,40 @@ impl Library<'_> {
                 .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
                 .collect();
             let ranking = self.rank(nuisance, &open, false);
-            search.near.extend(ranking.ranked.iter().filter_map(|(h, _, _)| match h {
-                Hypothesis::Effect(c) => Some(*c),
-                _ => None,
-            }));
+            search.near.extend(ranking.ranked.iter().filter_map(
+                |RankedHypothesis { hypothesis: h, .. }| match h {
+                    Hypothesis::Effect(c) => Some(*c),
+                    _ => None,
+                },
+            ));
             // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
-            let offsets = ranking.ranked.iter().find_map(|(h, _, r)| match h {
-                Hypothesis::Effect(c) if self.all_offsets(*c) => {
-                    Some((*c, r.log_evidence - ranking.null.log_evidence, *r))
-                }
-                _ => None,
-            });
-            let best = offsets.filter(|o| o.1 > alarm_nats).or_else(|| self.best_effect(&ranking));
-            let Some((candidate, gain, peak)) = best else { return };
-            if gain < alarm_nats || nuisance.freedom() < FEWEST_FREE {
+            let offsets =
+                ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
+                    Hypothesis::Effect(c) if self.all_offsets(*c) => {
+                        let gain_nats = r.log_evidence - ranking.null.log_evidence;
+                        Some(BestEffect { candidate: *c, gain_nats, peak: *r })
+                    }
+                    _ => None,
+                });
+            let best = offsets.filter(|o| o.gain_nats > alarm_nats).or_else(|| self.best_effect(&ranking));
+            let Some(best) = best else { return };
+            let candidate = best.candidate;
+            if best.gain_nats < alarm_nats || nuisance.freedom() < FEWEST_FREE {
                 return;
             }
-            let mut first = vec![(candidate, gain, peak)];
+            let mut first = vec![best];
             if self.all_offsets(candidate) {
-                first = self.single_offsets().into_iter().map(|c| (c, gain, peak)).collect();
+                first = self
+                    .single_offsets()
+                    .into_iter()
+                    .map(|candidate| BestEffect { candidate, ..best })
+                    .collect();
             }
             let sure = first.len();
             let wanted: Vec<ChosenCause> = first
                 .into_iter()
                 .chain(self.more_lines(&ranking, candidate))
-                .map(|(candidate, gain_nats, peak)| {
+                .map(|BestEffect { candidate, gain_nats, peak }| {
                     let columns = self.columns_in_design(search.design, search.column_index, candidate);
                     ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
                 })
@@ -145,24 +154,24 @@ impl Library<'_> {
 
     /// Further gear lines of the same scan that are so clear, and so far from each other, that they need
     /// hardly wait for the next: a real gear has dozens.
-    fn more_lines(&self, ranking: &HypothesisRanking, first: usize) -> Vec<(usize, f64, EvidencePeak)> {
+    fn more_lines(&self, ranking: &HypothesisRanking, first: usize) -> Vec<BestEffect> {
         let mut lines: Vec<usize> = vec![first];
         let mut more = Vec::new();
-        for (hypothesis, _, peak) in &ranking.ranked {
+        for RankedHypothesis { hypothesis, peak, .. } in &ranking.ranked {
             let Hypothesis::Effect(c) = *hypothesis else { continue };
             let variant = &self.candidates[c].variant;
-            let gain = peak.log_evidence + self.candidates[c].weight.ln() - ranking.null.log_evidence;
+            let gain_nats = peak.log_evidence + self.candidates[c].weight.ln() - ranking.null.log_evidence;
             let far = lines.iter().all(|&l| {
                 let other = &self.candidates[l].variant;
                 other.n.is_some()
                     && (other.joint != variant.joint
                         || other.n.unwrap_or(0).abs_diff(variant.n.unwrap_or(0)) > 3)
             });
-            if variant.n.is_none() || gain < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
+            if variant.n.is_none() || gain_nats < CLEAR_NATS || !far || more.len() == LINES_AT_ONCE {
                 continue;
             }
             lines.push(c);
-            more.push((c, gain, *peak));
+            more.push(BestEffect { candidate: c, gain_nats, peak: *peak });
         }
         more
     }

@@ -10,4 +10,4 @@ mod ranking;
 
 pub use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
 pub use library::Library;
-pub use ranking::{Hypothesis, HypothesisRanking};
+pub use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};

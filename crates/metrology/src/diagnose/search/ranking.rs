@@ -28,11 +28,33 @@ pub enum Hypothesis {
     GpAlternative(usize),
 }
 
+/// A hypothesis with how likely it is beside the others.
+#[derive(Clone, Copy, Debug)]
+pub struct RankedHypothesis {
+    /// What would stand in the place.
+    pub hypothesis: Hypothesis,
+    /// Posterior probability among all hypotheses for the place.
+    pub probability: f64,
+    /// Its evidence, and where that peaks.
+    pub peak: EvidencePeak,
+}
+
+/// The best candidate for one place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BestEffect {
+    /// Index into the candidates.
+    pub candidate: usize,
+    /// ln evidence of its effect over nothing, nats.
+    pub gain_nats: f64,
+    /// Its evidence, and where that peaks.
+    pub peak: EvidencePeak,
+}
+
 /// All hypotheses for one place, likeliest first, with ln posterior weights that sum to 1.
 #[derive(Clone, Debug)]
 pub struct HypothesisRanking {
     /// Hypothesis, probability, what it reached.
-    pub ranked: Vec<(Hypothesis, f64, EvidencePeak)>,
+    pub ranked: Vec<RankedHypothesis>,
     /// Evidence with nothing here.
     pub null: EvidencePeak,
 }
@@ -126,10 +148,15 @@ impl Library<'_> {
         }
         ranked.push((Hypothesis::Null, null.log_evidence + NULL_PRIOR.ln(), null));
         let total = log_sum(ranked.iter().map(|r| r.1));
-        for entry in &mut ranked {
-            entry.1 = (entry.1 - total).exp();
-        }
-        ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut ranked: Vec<RankedHypothesis> = ranked
+            .into_iter()
+            .map(|(hypothesis, log_weight, peak)| RankedHypothesis {
+                hypothesis,
+                probability: (log_weight - total).exp(),
+                peak,
+            })
+            .collect();
+        ranked.sort_by(|a, b| b.probability.total_cmp(&a.probability));
         HypothesisRanking { ranked, null }
     }
 
@@ -166,19 +193,20 @@ impl Library<'_> {
     }
 
     /// Best candidate of `ranking` and its effect's ln evidence over nothing, the prior within the effect included.
-    pub(super) fn best_effect(&self, ranking: &HypothesisRanking) -> Option<(usize, f64, EvidencePeak)> {
-        let (best, peak) = ranking.ranked.iter().find_map(|(h, _, r)| match h {
-            Hypothesis::Effect(c) => Some((*c, *r)),
-            _ => None,
-        })?;
-        Some((best, self.effect_gain(ranking, best), peak))
+    pub(super) fn best_effect(&self, ranking: &HypothesisRanking) -> Option<BestEffect> {
+        let (best, peak) =
+            ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
+                Hypothesis::Effect(c) => Some((*c, *r)),
+                _ => None,
+            })?;
+        Some(BestEffect { candidate: best, gain_nats: self.effect_gain(ranking, best), peak })
     }
 
     /// ln evidence of the whole effect that `candidate` belongs to, over nothing.
     #[must_use]
     pub fn effect_gain(&self, ranking: &HypothesisRanking, candidate: usize) -> f64 {
         let kind = self.candidates[candidate].kind;
-        log_sum(ranking.ranked.iter().filter_map(|(h, _, r)| match h {
+        log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
             Hypothesis::Effect(c) if self.candidates[*c].kind == kind => {
                 Some(r.log_evidence + self.candidates[*c].weight.ln())
             }

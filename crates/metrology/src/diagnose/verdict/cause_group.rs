@@ -3,7 +3,7 @@
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::model::{Model, Workspace};
-use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, cause_columns};
+use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, RankedHypothesis, cause_columns};
 use robot_model::deform::EffectKind;
 
 /// A rival this likely, against the likeliest, cannot be told apart.
@@ -25,7 +25,7 @@ pub struct CauseGroup {
 #[must_use]
 pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
     let mut found: Vec<(Key, CauseGroup)> = Vec::new();
-    for (hypothesis, probability, peak) in &ranking.ranked {
+    for RankedHypothesis { hypothesis, probability, peak } in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
         let this = key(&workspace.library.candidates[*c]);
         match found.iter_mut().find(|(k, _)| *k == this) {

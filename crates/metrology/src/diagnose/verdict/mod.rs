@@ -149,7 +149,8 @@ fn with_causes(
         join_nested(workspace, &mut cause_groups);
         let Some(first) = cause_groups.first() else { continue };
         let near = credible(&cause_groups);
-        let nothing = ranking.ranked.iter().find(|r| r.0 == Hypothesis::Null).map_or(0.0, |r| r.1);
+        let nothing =
+            ranking.ranked.iter().find(|r| r.hypothesis == Hypothesis::Null).map_or(0.0, |r| r.probability);
         if nothing > first.probability.max(gp_alternative_share(&ranking)) {
             // Beside the others it is no longer needed.
             continue;

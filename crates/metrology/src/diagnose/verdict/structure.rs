@@ -2,15 +2,15 @@
 
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
+use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::{self, GpAlternative};
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{Model, Workspace, solve};
 use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
-    ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR,
-    cause_columns,
+    ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
+    UNEXPLAINED_PRIOR, cause_columns,
 };
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -31,7 +31,12 @@ pub const MANY_CAUSES: usize = 8;
 /// Probability of all structure in a ranking.
 #[must_use]
 pub fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
-    ranking.ranked.iter().filter(|(h, _, _)| matches!(h, Hypothesis::GpAlternative(_))).map(|r| r.1).sum()
+    ranking
+        .ranked
+        .iter()
+        .filter(|RankedHypothesis { hypothesis: h, .. }| matches!(h, Hypothesis::GpAlternative(_)))
+        .map(|r| r.probability)
+        .sum()
 }
 
 /// Whether `gp_alternative` is a mere shape of `candidate`: a joint that turns slowly over time, somehow, is what a joint does that
@@ -45,19 +50,21 @@ fn is_shape_of(workspace: &Workspace<'_>, gp_alternative: usize, candidate: usiz
 /// Probability of the structure in a ranking that is no mere shape of `candidate`.
 #[must_use]
 pub fn alternative_share(workspace: &Workspace<'_>, ranking: &HypothesisRanking, candidate: usize) -> f64 {
-    let rival = |(h, _, _): &&(Hypothesis, f64, EvidencePeak)| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
-    ranking.ranked.iter().filter(rival).map(|r| r.1).sum()
+    let rival = |RankedHypothesis { hypothesis: h, .. }: &&RankedHypothesis| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
+    ranking.ranked.iter().filter(rival).map(|r| r.probability).sum()
 }
 
 /// ln evidence of structure over nothing, priors within the GP alternatives included; and the likeliest GP alternative.
 pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Option<(f64, usize)> {
-    let gain = log_sum(ranking.ranked.iter().filter_map(|(h, _, r)| match h {
-        Hypothesis::GpAlternative(k) => {
-            Some(r.log_evidence + workspace.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln())
-        }
-        _ => None,
-    })) - ranking.null.log_evidence;
-    let best = ranking.ranked.iter().find_map(|(h, _, _)| match h {
+    let gain = log_sum(ranking.ranked.iter().filter_map(
+        |RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
+            Hypothesis::GpAlternative(k) => Some(
+                r.log_evidence + workspace.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln(),
+            ),
+            _ => None,
+        },
+    )) - ranking.null.log_evidence;
+    let best = ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, .. }| match h {
         Hypothesis::GpAlternative(k) => Some(*k),
         _ => None,
     })?;
@@ -154,7 +161,7 @@ pub fn shape_of_lines(model: &Model, workspace: &Workspace<'_>, chosen: &[Chosen
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
 pub fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Option<usize> {
-    rest.ranked.iter().find_map(|(h, _, peak)| match h {
+    rest.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
         Hypothesis::GpAlternative(k)
             if matches!(
                 workspace.library.gp_alternatives[*k].gp_alternative,
@@ -172,8 +179,8 @@ pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
     let sigma_with = ranking
         .ranked
         .iter()
-        .find(|(h, _, _)| *h == Hypothesis::GpAlternative(gp_alternative))
-        .map_or(ranking.null.sigma_m, |r| r.2.sigma_m);
+        .find(|RankedHypothesis { hypothesis: h, .. }| *h == Hypothesis::GpAlternative(gp_alternative))
+        .map_or(ranking.null.sigma_m, |r| r.peak.sigma_m);
     (3.0 * (ranking.null.sigma_m.powi(2) - sigma_with.powi(2)).max(0.0)).sqrt()
 }
 
@@ -184,12 +191,15 @@ pub fn odds_over_causes(model: &Model, workspace: &Workspace<'_>, chosen: &[Chos
         NuisanceModel::new(&workspace.design, &groups, &cause_columns(&chosen[..k], None), model.noise)
     };
     let ranking = workspace.library.rank_gp_alternatives(&over(0));
-    let structure = log_sum(ranking.ranked.iter().filter_map(|(h, _, peak)| match h {
-        Hypothesis::GpAlternative(k) if !chosen.iter().any(|c| is_shape_of(workspace, *k, c.candidate)) => {
-            Some(peak.log_evidence + workspace.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
-        }
-        _ => None,
-    })) - ranking.null.log_evidence;
+    let structure =
+        log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
+            Hypothesis::GpAlternative(k)
+                if !chosen.iter().any(|c| is_shape_of(workspace, *k, c.candidate)) =>
+            {
+                Some(peak.log_evidence + workspace.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
+            }
+            _ => None,
+        })) - ranking.null.log_evidence;
     let mut causes = 0.0;
     for (k, one) in chosen.iter().enumerate() {
         let c = one.candidate;
