@@ -17,7 +17,7 @@ use std::collections::HashMap;
 const NOT_USED: f64 = 8.9e9;
 /// Joints that turn by less have not moved, radians.
 const MIN_MOTION_RAD: f64 = 1e-7;
-/// Samples on a linear way: one for so many metres, or so many radians.
+/// Samples on a linear path: one for so many metres, or so many radians.
 const SAMPLE_M: f64 = 0.02;
 const SAMPLE_RAD: f64 = 0.1;
 
@@ -121,11 +121,6 @@ impl Arm {
     #[must_use]
     pub fn q_rad(&self) -> Option<[f64; 6]> {
         self.q_rad
-    }
-
-    /// Let it stand somewhere, or nowhere known.
-    pub fn stand_at(&mut self, q_rad: Option<[f64; 6]>) {
-        self.q_rad = q_rad;
     }
 
     /// The moves since the last time this was asked for.
@@ -270,25 +265,27 @@ impl Arm {
         }
         let start = self.q_rad.unwrap_or_default();
         let from = setup.object_from_tcp(&self.forward(&start));
-        let (way, via_share) = match targets {
+        let (tcp_path, via_share) = match targets {
             [via, _] => {
                 let via = self.displacement * frame::isometry_of(via)?;
-                let way = CartesianPath::arc(from, &via, object_from_tcp);
-                let total = way.length_m();
-                let part = CartesianPath::arc(from, &way.at(1e-3), via).length_m();
-                (way, Some(if total > 0.0 { (part / total).clamp(0.0, 1.0) } else { 0.5 }))
+                let tcp_path = CartesianPath::arc(from, &via, object_from_tcp);
+                let total = tcp_path.length_m();
+                let part = CartesianPath::arc(from, &tcp_path.at(1e-3), via).length_m();
+                (tcp_path, Some(if total > 0.0 { (part / total).clamp(0.0, 1.0) } else { 0.5 }))
             }
             _ => (CartesianPath::line(from, object_from_tcp), None),
         };
-        let samples = (way.length_m() / SAMPLE_M).max(way.turn_rad() / SAMPLE_RAD).ceil().clamp(1.0, 200.0);
+        let samples =
+            (tcp_path.length_m() / SAMPLE_M).max(tcp_path.turn_rad() / SAMPLE_RAD).ceil().clamp(1.0, 200.0);
         let mut q_rad = start;
         let mut via_q_rad = None;
         for k in 1..=(samples as u32) {
             let share = f64::from(k) / samples;
             if let Some(s) = via_share.filter(|s| via_q_rad.is_none() && *s <= share) {
-                via_q_rad = self.closed.nearest(&setup.base_from_flange(&way.at(s)), &q_rad).map(|s| s.q_rad);
+                via_q_rad =
+                    self.closed.nearest(&setup.base_from_flange(&tcp_path.at(s)), &q_rad).map(|s| s.q_rad);
             }
-            let base_from_flange = setup.base_from_flange(&way.at(share));
+            let base_from_flange = setup.base_from_flange(&tcp_path.at(share));
             match self.closed.nearest(&base_from_flange, &q_rad) {
                 Some(s) => q_rad = s.q_rad,
                 None if self.is_reachable(&base_from_flange) => {
@@ -300,7 +297,7 @@ impl Arm {
         let complaint =
             (self.conf_l && !self.closed.agrees(&conf, &q_rad)).then(|| self.mismatch(&conf, &q_rad));
         let mut solved = self.solved(via_q_rad, q_rad, setup, complaint);
-        solved.length_m = way.length_m();
+        solved.length_m = tcp_path.length_m();
         Ok(Ok(solved))
     }
 
@@ -340,7 +337,7 @@ impl Arm {
         setup: &Setup,
         complaint: Option<String>,
     ) -> Solved {
-        let way = self.q_rad.map(|start| {
+        let tcp_path = self.q_rad.map(|start| {
             CartesianPath::line(
                 setup.object_from_tcp(&self.forward(&start)),
                 setup.object_from_tcp(&self.forward(&q_rad)),
@@ -349,8 +346,8 @@ impl Arm {
         Solved {
             via_q_rad,
             q_rad,
-            length_m: way.as_ref().map_or(0.0, CartesianPath::length_m),
-            turn_rad: way.as_ref().map_or(0.0, CartesianPath::turn_rad),
+            length_m: tcp_path.as_ref().map_or(0.0, CartesianPath::length_m),
+            turn_rad: tcp_path.as_ref().map_or(0.0, CartesianPath::turn_rad),
             complaint,
         }
     }

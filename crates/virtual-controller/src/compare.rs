@@ -87,7 +87,7 @@ impl Evaluator<'_> {
     /// How far `executed` ends (and passes its circle point) from what `intended` says on a perfect robot, when
     /// the true robot is `truth`; `None` where one of them was not made.
     ///
-    /// Both are seen in the work object, so that a stationary tool is judged as well.
+    /// Both are seen in the work object, so that a stationary tool is compared as well.
     #[must_use]
     pub fn pose_error(&self, truth: &DeformedArm, intended: &Move, executed: &Move) -> Option<PoseError> {
         let end = self.point_error(truth, intended, &intended.q_rad?, executed, &executed.q_rad?);

@@ -10,18 +10,18 @@ use std::collections::BTreeMap;
 pub struct ErrorStatistics {
     /// Largest distance of a TCP from where it was meant to be, metres.
     pub max_m: f64,
-    /// Root mean square, metres.
+    /// Root mean square of the distances, metres.
     pub rms_m: f64,
     /// Largest angle of a tool from how it was meant to be, radians.
     pub max_rad: f64,
 }
 
 impl ErrorStatistics {
-    /// One more; the mean is taken at the end.
-    pub(super) fn add(&mut self, miss: &PoseError) {
-        self.max_m = self.max_m.max(miss.position_m);
-        self.max_rad = self.max_rad.max(miss.angle_rad);
-        self.rms_m += miss.position_m * miss.position_m;
+    /// Adds the error of one move; the mean is taken at the end.
+    pub(super) fn add(&mut self, error: &PoseError) {
+        self.max_m = self.max_m.max(error.position_m);
+        self.max_rad = self.max_rad.max(error.angle_rad);
+        self.rms_m += error.position_m * error.position_m;
     }
 }
 
@@ -40,7 +40,7 @@ pub struct Pass {
     pub after: ErrorStatistics,
     /// The program's, of those moves alone that go elsewhere than the original's.
     pub corrected: ErrorStatistics,
-    /// Largest distance from the meant way, metres; `None` where ways were not followed.
+    /// Largest distance from the path that was meant, metres; `None` where paths were not followed.
     pub path_after_m: Option<f64>,
     /// The index in use after the pass (`tcI`), where the program has one.
     pub index: Option<f64>,
@@ -52,11 +52,11 @@ pub struct Pass {
     pub failure: Option<String>,
     /// Moves that the original makes and the program does not.
     pub unreached: usize,
-    /// The moves are not the same.
+    /// The first difference, where the moves are not the same.
     pub mismatch: Option<Mismatch>,
 }
 
-/// A move that was further off than others.
+/// The move that ended farthest from where it was meant to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorstMove {
     /// Warm-up minute of the robot at the beginning of the pass.

@@ -3,6 +3,7 @@
 //! What one step needs of the three is borrowed for as long as it runs; nothing is kept here.
 
 mod arguments;
+mod arithmetic;
 mod backwards;
 mod call;
 mod data;

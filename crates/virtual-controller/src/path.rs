@@ -1,4 +1,4 @@
-//! The way of the TCP in the work object between two targets: a line or an arc.
+//! The path of the TCP in the work object between two targets: a line or an arc.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
@@ -15,7 +15,7 @@ pub enum PathKind {
     AbsJoint,
 }
 
-/// A way in Cartesian space; the orientation turns evenly from start to end.
+/// A path in Cartesian space; the orientation turns evenly from start to end.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CartesianPath {
     /// A straight line between two poses.
@@ -64,7 +64,7 @@ impl CartesianPath {
             let angle = axis.dot(&r.cross(&s)).atan2(r.dot(&s));
             if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
         };
-        // The normal u×v makes the way from start through the circle point to the end one turn forward.
+        // The normal u×v makes the path from start through the circle point to the end one turn forward.
         Self::Arc { from, to, centre_m: Point3::from(centre), turn_rad: axis * angle(v) }
     }
 
@@ -74,7 +74,7 @@ impl CartesianPath {
         }
     }
 
-    /// The pose at a share of the way, 0 to 1.
+    /// The pose at a share of the path, 0 to 1.
     #[must_use]
     pub fn at(&self, share: f64) -> Isometry3<f64> {
         let (from, to) = self.ends();
@@ -107,7 +107,7 @@ impl CartesianPath {
         from.rotation.angle_to(&to.rotation)
     }
 
-    /// How far a point is from the way, metres.
+    /// How far a point is from the path, metres.
     #[must_use]
     pub fn distance_m(&self, point_m: &Vector3<f64>) -> f64 {
         match self {

@@ -22,7 +22,7 @@ pub struct SessionOptions {
     pub entry: Option<String>,
     /// Passes of the outermost endless loop.
     pub passes: u64,
-    /// Follow the way between targets as well.
+    /// Follow the path between targets as well.
     pub paths: bool,
     /// The analog input or persistent that shows the robot's temperature, where it deforms by that.
     pub thermometer: Option<String>,
