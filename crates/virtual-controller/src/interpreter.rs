@@ -4,7 +4,6 @@
 
 mod arguments;
 mod arithmetic;
-mod backwards;
 mod call;
 mod data;
 mod eval;
@@ -12,13 +11,39 @@ mod exec;
 mod outside;
 
 pub(super) use arguments::Args;
-pub use backwards::BackStep;
 
 use super::arm::Arm;
+use super::code::{Call, Name};
 use super::loaded::LoadedProgram;
 use super::machine::Machine;
-use super::outcome::SourceLine;
+use super::outcome::{Fault, SourceLine};
+use super::value::{Type, Value};
 use rapid_syntax::diagnostic::TextRange;
+
+/// What every controller executes that is not written in RAPID.
+pub(super) trait BuiltIns {
+    /// An instruction of the controller.
+    fn instruction(
+        &self,
+        vm: &mut Interpreter<'_>,
+        name: &Name,
+        spelt: &str,
+        call: &Call,
+    ) -> Result<(), Fault>;
+
+    /// A function of the controller; `want` is the type that the caller has use for.
+    fn function(
+        &self,
+        vm: &mut Interpreter<'_>,
+        name: &Name,
+        spelt: &str,
+        call: &Call,
+        want: Option<&Type>,
+    ) -> Result<Value, Fault>;
+
+    /// Data that the system keeps, by name in lower case.
+    fn system_data(&self, vm: &Interpreter<'_>, name: &str) -> Option<Value>;
+}
 
 /// A program, the state it runs in, and the arm that it moves.
 pub(super) struct Interpreter<'c> {
@@ -26,6 +51,7 @@ pub(super) struct Interpreter<'c> {
     pub machine: &'c mut Machine,
     /// `None`: it computes, keeps time and lists moves, but knows no joints.
     pub arm: Option<&'c mut Arm>,
+    pub built_ins: &'static dyn BuiltIns,
 }
 
 impl Interpreter<'_> {

@@ -10,6 +10,7 @@
 //! A [`Session`] runs a program beside its original and compares where the true robot's TCP goes.
 
 mod arm;
+mod backwards;
 mod builtin;
 mod calendar;
 mod code;
@@ -36,12 +37,12 @@ mod value;
 mod warming;
 
 pub use arm::{Arm, Move};
+pub use backwards::BackStep;
 pub use builtin::{Signature, built_ins, parse as parse_value, written as value_text};
 pub use calendar::Calendar;
 pub use controller::{Backup, Controller};
 pub use effort::{Effort, EffortRange};
 pub use frame::Setup;
-pub use interpreter::BackStep;
 pub use outcome::{Message, Outcome, SimulateError, SourceLine};
 pub use path::{CartesianPath, PathKind};
 pub use scenario::Scenario;

@@ -17,7 +17,7 @@ pub use parameter::Signature;
 pub use text::{parse, written};
 
 use super::code::{Call, Name};
-use super::interpreter::Interpreter;
+use super::interpreter::{BuiltIns, Interpreter};
 use super::outcome::Fault;
 use super::value::{Type, Value};
 use parameter::{Cost, Function, Instruction};
@@ -47,48 +47,59 @@ static FUNCTION_BY_NAME: LazyLock<HashMap<&str, &Function>> =
 static INSTRUCTION_BY_NAME: LazyLock<HashMap<&str, &Instruction>> =
     LazyLock::new(|| INSTRUCTIONS.into_iter().flatten().map(|i| (i.signature.name, i)).collect());
 
-/// An instruction of the controller; one it does not know is listed and passed over.
-pub(super) fn instruction(
-    vm: &mut Interpreter<'_>,
-    name: &Name,
-    spelt: &str,
-    call: &Call,
-) -> Result<(), Fault> {
-    let args = vm.args(name, call);
-    if let Some(form) = moves::form(name) {
-        return moves::make(vm, &form, &args);
-    }
-    match INSTRUCTION_BY_NAME.get(&**name) {
-        Some(instruction) => (instruction.call)(vm, &args),
-        None if data::NO_EFFECT.contains(&&**name) => Ok(()),
-        None => {
-            vm.machine.log.unknown.insert(spelt.to_owned());
-            Ok(())
+/// The built-in functions, instructions and data of the virtual controller.
+pub(super) struct Tables;
+
+impl BuiltIns for Tables {
+    /// An instruction of the controller; one it does not know is listed and passed over.
+    fn instruction(
+        &self,
+        vm: &mut Interpreter<'_>,
+        name: &Name,
+        spelt: &str,
+        call: &Call,
+    ) -> Result<(), Fault> {
+        let args = vm.args(name, call);
+        if let Some(form) = moves::form(name) {
+            return moves::make(vm, &form, &args);
+        }
+        match INSTRUCTION_BY_NAME.get(&**name) {
+            Some(instruction) => (instruction.call)(vm, &args),
+            None if data::NO_EFFECT.contains(&&**name) => Ok(()),
+            None => {
+                vm.machine.log.unknown.insert(spelt.to_owned());
+                Ok(())
+            }
         }
     }
-}
 
-/// A function of the controller; one it does not know is listed and gives 0, FALSE or "".
-pub(super) fn function(
-    vm: &mut Interpreter<'_>,
-    name: &Name,
-    spelt: &str,
-    call: &Call,
-    want: Option<&Type>,
-) -> Result<Value, Fault> {
-    let args = vm.args(name, call);
-    let Some(function) = FUNCTION_BY_NAME.get(&**name) else {
-        vm.machine.log.unknown.insert(spelt.to_owned());
-        return Ok(want.map_or(Value::Num(0.0), Type::initial));
-    };
-    let value = (function.call)(vm, &args)?;
-    let effort = &mut vm.machine.meter.total;
-    match function.cost {
-        Cost::Nothing => {}
-        Cost::Arithmetic => effort.arithmetic += 1,
-        Cost::Trigonometric => effort.trigonometric += 1,
+    /// A function of the controller; one it does not know is listed and gives 0, FALSE or "".
+    fn function(
+        &self,
+        vm: &mut Interpreter<'_>,
+        name: &Name,
+        spelt: &str,
+        call: &Call,
+        want: Option<&Type>,
+    ) -> Result<Value, Fault> {
+        let args = vm.args(name, call);
+        let Some(function) = FUNCTION_BY_NAME.get(&**name) else {
+            vm.machine.log.unknown.insert(spelt.to_owned());
+            return Ok(want.map_or(Value::Num(0.0), Type::initial));
+        };
+        let value = (function.call)(vm, &args)?;
+        let effort = &mut vm.machine.meter.total;
+        match function.cost {
+            Cost::Nothing => {}
+            Cost::Arithmetic => effort.arithmetic += 1,
+            Cost::Trigonometric => effort.trigonometric += 1,
+        }
+        Ok(value)
     }
-    Ok(value)
+
+    fn system_data(&self, vm: &Interpreter<'_>, name: &str) -> Option<Value> {
+        (name == "c_progdisp").then(|| moves::program_displacement(vm))
+    }
 }
 
 /// Every function and instruction that the controller executes, but for moves and for those without effect.

@@ -1,7 +1,6 @@
 //! Calls: arguments to parameters by mode, interrupts to traps.
 
 use super::Interpreter;
-use crate::builtin;
 use crate::code::{Call, Expr, ExprKind, Name, Param};
 use crate::loaded::RoutineKind;
 use crate::machine::{Access, Binding, DataRef, Slot};
@@ -13,7 +12,7 @@ impl Interpreter<'_> {
     /// A statement that calls: a procedure of the program, else an instruction of the controller.
     pub fn call_procedure(&mut self, name: &Name, spelt: &str, call: &Call) -> Result<(), Fault> {
         let Some(routine) = self.program.routine(self.machine.stack.scope.0, name) else {
-            return builtin::instruction(self, name, spelt, call);
+            return self.built_ins.instruction(self, name, spelt, call);
         };
         match self.program.kind(routine) {
             Some(RoutineKind::Proc) => {
@@ -33,7 +32,7 @@ impl Interpreter<'_> {
         want: Option<&Type>,
     ) -> Result<Value, Fault> {
         let Some(routine) = self.program.routine(self.machine.stack.scope.0, name) else {
-            return builtin::function(self, name, spelt, call, want);
+            return self.built_ins.function(self, name, spelt, call, want);
         };
         match self.program.kind(routine) {
             Some(RoutineKind::Func(_)) => {

@@ -2,7 +2,6 @@
 
 use super::Interpreter;
 use super::arithmetic::arithmetic;
-use crate::builtin;
 use crate::code::{Callee, Expr, ExprKind};
 use crate::machine::{Binding, DataRef};
 use crate::outcome::{Fault, fatal, raise};
@@ -118,8 +117,10 @@ impl Interpreter<'_> {
         match &**name {
             "errno" => return Ok(Value::Num(self.machine.errors.errno)),
             "intno" => return Ok(Value::Num(self.machine.interrupts.intno)),
-            "c_progdisp" => return Ok(builtin::moves::program_displacement(self)),
             _ => {}
+        }
+        if let Some(value) = self.built_ins.system_data(self, name) {
+            return Ok(value);
         }
         if let Some(value) = predefined::constant(&self.program.types, name) {
             return Ok(value);

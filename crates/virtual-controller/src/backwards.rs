@@ -5,9 +5,9 @@
 //! closed) stays done. What branches or jumps is not gone through backwards, and neither is a procedure without
 //! BACKWARD section. An arc is gone back on the straight line.
 
-use super::Interpreter;
 use crate::builtin::moves::{self, MoveForm};
 use crate::code::{Call, Callee, Code, Op};
+use crate::interpreter::Interpreter;
 use crate::outcome::Fault;
 use std::rc::Rc;
 
