@@ -3,7 +3,7 @@
 //! # A program corrected for the warm-up
 //!
 //! A RoboDK export of 45 targets, for an IRB 140 that deforms as the reference paper measured it: uncorrected the tool misses by
-//! 0.19 mm after three hours, corrected by 0.005 mm.
+//! 0.19 mm once it is warm, corrected by 0.005 mm.
 //!
 //! ```
 //! use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
@@ -18,7 +18,7 @@
 //! assert!((0.00019..0.00020).contains(&summary.worst_before_m), "{}", summary.worst_before_m);
 //! assert!(summary.worst_after_m < 0.0000051, "{}", summary.worst_after_m);
 //! let text = String::from_utf8_lossy(result.text().expect("one module"));
-//! assert!(text.contains("MoveJ tc1{tcK()}"), "each motion asks for its target");
+//! assert!(text.contains("MoveL tc31{tcK()}"), "each motion asks for its target");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

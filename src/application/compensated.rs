@@ -6,7 +6,7 @@ use rapid_program::compensate::{CompensateError, FormChoice, Options, joints_eve
 use rapid_program::emit::{EmitError, EmittedFile};
 use rapid_program::program::Program;
 use rapid_program::program::motion::SkipReason;
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
 use std::io::{self, Write};
@@ -198,6 +198,16 @@ impl Compensated<'_> {
         Box::new(Refusal { program: self.program, plan: Some(self.plan), kept: Vec::new(), messages })
     }
 }
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let errors = self.messages.iter().filter(|m| m.diagnostic.severity == Severity::Error);
+        let texts: Vec<String> = errors.map(|m| m.diagnostic.to_string()).collect();
+        write!(f, "nothing is written: {}", texts.join("; "))
+    }
+}
+
+impl std::error::Error for Refusal {}
 
 impl Refusal {
     /// What was found, for scripts.

@@ -25,7 +25,7 @@ use std::sync::Arc;
 /// let compensation = Compensation::new(robot, Deformation::paper());
 /// let program = ProgramFiles::one("Nothing.mod", *b"MODULE Nothing\nENDMODULE\n");
 /// let refusal = compensation.run(&program).err().expect("there is no motion in it");
-/// assert_eq!(refusal.messages[0].diagnostic.code, "compensate::nothing");
+/// assert_eq!(refusal.messages[0].diagnostic.code, "compensate::no-motion");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Compensation {

@@ -14,9 +14,9 @@ use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
 /// let simulation = Simulation::new(TrueRobot::new(robot, Deformation::paper()));
 /// let cube = include_bytes!("../../fixtures/robodk/irc5/Cube45.mod");
 /// let program = ProgramFiles::one("Cube45.mod", *cube);
-/// let report = simulation.run(&program, Some(&program), &Course::Minutes(vec![180.0]))?;
+/// let report = simulation.run(&program, Some(&program), &Course::Minutes(vec![600.0]))?;
 /// let worst = report.worst.expect("it moves");
-/// assert!((0.00018..0.00020).contains(&worst.error_m), "an uncorrected program misses by 0.19 mm after three hours");
+/// assert!((0.00018..0.00020).contains(&worst.error_m), "an uncorrected program misses by 0.19 mm once the arm is warm");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -34,7 +34,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
-    /// Corrected tool, work object and load data as RAPID to paste, and each axis's offset (docs/SHOP.md).
+    /// Corrected tool, work object and load data as RAPID to paste, and each axis's offset (docs/ISO9283_AND_CHANGES.md).
     #[arg(long, value_name = "FILE")]
     pub rapid_out: Option<PathBuf>,
 

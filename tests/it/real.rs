@@ -83,7 +83,7 @@ fn a_model_is_never_worse_than_nominal_where_it_was_not_learned() {
     assert!(inside < 0.4 * inside_nominal, "{inside} of {inside_nominal}");
 }
 
-/// The whole sets: docs/REAL.md has the figures.
+/// The whole sets: docs/FIELD_RESULTS.md has the figures.
 #[test]
 #[ignore = "minutes, and 2 GB: run with --release, DRIFTPOST_MEASUREMENTS naming the folder of ur10_ipa_A and ur10_ipa_B"]
 fn a_model_of_one_season_holds_in_the_next() {

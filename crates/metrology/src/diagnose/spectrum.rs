@@ -4,7 +4,7 @@
 //! part of the turn the wrong one is as bad as none. Where a joint has several lines, the model therefore has all
 //! periods, each with the same small prior, which spreads what cannot be told apart. The size of that prior is chosen by
 //! transfer: each joint's lowest and highest fifth of its angles, and the last fifth of the time, are held out whole.
-//! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/REAL.md).
+//! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/FIELD_RESULTS.md).
 
 use super::dataset::{Dataset, Twist};
 use super::design::Whitening;
