@@ -1,6 +1,6 @@
 //! A compensated program, and the reasons why there is none.
 
-use crate::report::{self, CompensationJson, JointRow, MotionRows, Review, Told};
+use crate::report::{self, CompensationJson, JointRow, LocatedDiagnostic, MotionRows, Review};
 use rapid_program::compensate::plan::{Plan, Totals};
 use rapid_program::compensate::{CompensateError, FormChoice, Options, joints_every_minute};
 use rapid_program::emit::{EmitError, EmittedFile};
@@ -38,7 +38,7 @@ pub struct Compensated<'c> {
     /// Clock and index are in the module itself.
     pub(super) embedded: bool,
     /// All warnings there are.
-    pub messages: Vec<Told>,
+    pub messages: Vec<LocatedDiagnostic>,
     pub(super) provenance: Vec<(&'static str, String)>,
 }
 
@@ -52,7 +52,7 @@ pub struct Refusal {
     /// Why each motion is kept, where all are.
     pub kept: Vec<Arc<SkipReason>>,
     /// Warnings, and at least one error.
-    pub messages: Vec<Told>,
+    pub messages: Vec<LocatedDiagnostic>,
 }
 
 /// Why no program, or none but a part, was emitted.
@@ -194,7 +194,7 @@ impl Compensated<'_> {
 
     /// The refusal of what is made but cannot be written.
     pub fn refuse(self, message: Diagnostic) -> Box<Refusal> {
-        let messages = vec![Told::new(message, &self.program.files)];
+        let messages = vec![LocatedDiagnostic::new(message, &self.program.files)];
         Box::new(Refusal { program: self.program, plan: Some(self.plan), kept: Vec::new(), messages })
     }
 }
@@ -249,6 +249,6 @@ fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> io::Result<()> 
 
 impl From<Diagnostic> for Box<Refusal> {
     fn from(message: Diagnostic) -> Self {
-        Box::new(Refusal { messages: vec![Told::new(message, &[])], ..Refusal::default() })
+        Box::new(Refusal { messages: vec![LocatedDiagnostic::new(message, &[])], ..Refusal::default() })
     }
 }

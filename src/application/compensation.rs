@@ -3,7 +3,7 @@
 use super::compensated::{Compensated, EmitFailure, Refusal};
 use super::named::{Named, model_of_another_robot};
 use super::program_files::{ProgramFiles, check_modules, check_text};
-use crate::report::Told;
+use crate::report::LocatedDiagnostic;
 use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
 use rapid_program::emit::{Clock, EmitOptions, EmittedFile, emit_each};
@@ -131,12 +131,12 @@ impl Compensation {
         let label = program.label();
         let files = program.sources();
         if let Err(message) = check_modules(&files) {
-            let messages = vec![Told::new(message, &files)];
+            let messages = vec![LocatedDiagnostic::new(message, &files)];
             let program = Program { files, ..Program::default() };
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
         let program = Program::read(files, &self.overrides);
-        let mut messages = Told::all(self.check_program(&program), &program.files);
+        let mut messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
@@ -145,11 +145,11 @@ impl Compensation {
                 Ok(plan) => plan,
                 Err(error) => {
                     let (why, kept) = why_no_plan(error);
-                    messages.extend(Told::all(why, &program.files));
+                    messages.extend(LocatedDiagnostic::all(why, &program.files));
                     return Err(Box::new(Refusal { program, plan: None, kept, messages }));
                 }
             };
-        messages.extend(Told::all(std::mem::take(&mut plan.diagnostics), &program.files));
+        messages.extend(LocatedDiagnostic::all(std::mem::take(&mut plan.diagnostics), &program.files));
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
@@ -160,7 +160,7 @@ impl Compensation {
             accept(&program, file).map_err(EmitFailure::Write)
         });
         if let Err(failure) = emitted {
-            messages.push(Told::new(failure.into(), &program.files));
+            messages.push(LocatedDiagnostic::new(failure.into(), &program.files));
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
         let totals = Totals::of(&program, &plan);
@@ -243,7 +243,7 @@ impl Compensation {
     }
 }
 
-fn is_error(message: &Told) -> bool {
+fn is_error(message: &LocatedDiagnostic) -> bool {
     message.diagnostic.severity == Severity::Error
 }
 

@@ -5,7 +5,7 @@ use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
-use driftpost::report::{Told, accuracy as report};
+use driftpost::report::{LocatedDiagnostic, accuracy as report};
 use metrology::measure::{ComparisonFrame, PerformanceError, performance};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -65,7 +65,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let compared = compared(args.register, tool_m)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
-    console.explain(&Told::all(measurements.warnings.iter().cloned(), &[]), true);
+    console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
     let found = performance(&measurements, &robot, compared).map_err(|error| refused(&error))?;
     let worst = report::worst(&found);
     let mut beyond = Vec::new();

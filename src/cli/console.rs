@@ -4,7 +4,7 @@
 //! dropped, the work goes on and the exit code is what it would have been.
 
 use super::Outcome;
-use driftpost::report::{self, Look, Told};
+use driftpost::report::{self, ColorMode, LocatedDiagnostic};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::{self, IsTerminal, Write};
 
@@ -50,8 +50,8 @@ impl Console {
     }
 
     /// Messages to standard error, with excerpts of the files they are about.
-    pub fn explain(&mut self, messages: &[Told], all: bool) {
-        let look = if self.err_is_terminal { Look::Coloured } else { Look::Plain };
+    pub fn explain(&mut self, messages: &[LocatedDiagnostic], all: bool) {
+        let look = if self.err_is_terminal { ColorMode::Coloured } else { ColorMode::Plain };
         let _ = report::write_messages(&mut self.err, messages, look, all); // as in `say`
     }
 
@@ -64,7 +64,7 @@ impl Console {
     pub fn fail(&mut self, error: &anyhow::Error) -> Outcome {
         let _ = self.out.flush();
         match error.downcast_ref::<Diagnostic>() {
-            Some(message) => self.explain(&[Told::new(message.clone(), &[])], true),
+            Some(message) => self.explain(&[LocatedDiagnostic::new(message.clone(), &[])], true),
             None => self.say(format_args!("error: {error:#}")),
         }
         Outcome::Refused

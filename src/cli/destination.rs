@@ -1,7 +1,7 @@
 //! Where the files of a result go.
 
 use super::files::{self, PENDING, Pending};
-use super::given::{Given, Shape};
+use super::program_input::{ProgramInput, Shape};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::module_facts::EMITTED_MARK;
 use rapid_program::program::{modules_of_pgf, pgf_with_module};
@@ -24,7 +24,7 @@ impl Destination {
     ///
     /// # Errors
     /// `output::is-input` where an input would be overwritten and `in_place` does not say so.
-    pub fn new(given: &Given, output: Option<&Path>, in_place: bool) -> Result<Self, Diagnostic> {
+    pub fn new(given: &ProgramInput, output: Option<&Path>, in_place: bool) -> Result<Self, Diagnostic> {
         if in_place {
             let lists = given.others.iter().map(|(path, _)| path).filter(|path| is_pgf(path));
             let others = lists.map(|path| (path.clone(), path.clone())).collect();
@@ -57,7 +57,7 @@ impl Destination {
         Ok(destination)
     }
 
-    fn check(&self, given: &Given) -> Result<(), Diagnostic> {
+    fn check(&self, given: &ProgramInput) -> Result<(), Diagnostic> {
         let inputs: Vec<PathBuf> =
             given.paths.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
         for path in self.modules.iter().chain(self.others.iter().map(|(_, to)| to)) {
@@ -91,7 +91,7 @@ impl Destination {
 
     /// Where an emitted file goes; a new one goes beside the modules it belongs to.
     #[must_use]
-    pub fn path_of(&self, emitted: &EmittedFile, given: &Given) -> PathBuf {
+    pub fn path_of(&self, emitted: &EmittedFile, given: &ProgramInput) -> PathBuf {
         let own = emitted.source.and_then(|FileId(id)| self.modules.get(id as usize));
         if let Some(path) = own {
             return path.clone();
@@ -107,7 +107,7 @@ impl Destination {
 
     /// Refuses new modules in the place of others: an input, another result, or what belongs to another
     /// program.
-    fn check_new(&self, given: &Given, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
+    fn check_new(&self, given: &ProgramInput, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
         let paths: Vec<PathBuf> = emitted.iter().map(|file| self.path_of(file, given)).collect();
         let inputs: Vec<&Path> = given.paths.iter().map(PathBuf::as_path).collect();
         let new = emitted.iter().zip(&paths).filter(|(file, _)| file.source.is_none());
@@ -131,7 +131,7 @@ impl Destination {
         from: &Path,
         to: &Path,
         bytes: &[u8],
-        given: &Given,
+        given: &ProgramInput,
         emitted: &[EmittedFile],
     ) -> Vec<u8> {
         let folder = from.parent().unwrap_or(Path::new(""));
@@ -191,7 +191,12 @@ impl Writing {
     ///
     /// # Errors
     /// `output::unwritable`.
-    pub fn add(&mut self, to: &Destination, given: &Given, file: EmittedFile) -> Result<(), Diagnostic> {
+    pub fn add(
+        &mut self,
+        to: &Destination,
+        given: &ProgramInput,
+        file: EmittedFile,
+    ) -> Result<(), Diagnostic> {
         let path = to.path_of(&file, given);
         let mut pending = Pending::new(&path)?;
         pending.fill(&mut file.bytes.as_slice())?;
@@ -214,7 +219,11 @@ impl Writing {
     ///
     /// # Errors
     /// `output::unwritable` or `input::unreadable`.
-    pub fn finish(mut self, to: &Destination, given: &Given) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
+    pub fn finish(
+        mut self,
+        to: &Destination,
+        given: &ProgramInput,
+    ) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
         to.check_new(given, &self.emitted)?;
         if to.whole {
             for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {

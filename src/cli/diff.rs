@@ -1,11 +1,11 @@
 //! `driftpost diff`: two programs, line by line, motion by motion and bucket by bucket.
 
 use super::files::Output;
-use super::given::Given;
 use super::inspect::Format;
+use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome};
-use driftpost::report::{self, Compared, Told};
+use driftpost::report::{self, Compared, LocatedDiagnostic};
 use rapid_program::compensate::compare::compare;
 use rapid_program::emit::differences;
 use rapid_program::program::{Overrides, Program};
@@ -51,7 +51,7 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let robot = args.robot.load()?;
-    let given = [&args.before, &args.after].map(|path| Given::read(std::slice::from_ref(path)));
+    let given = [&args.before, &args.after].map(|path| ProgramInput::read(std::slice::from_ref(path)));
     let [before, after] = given;
     let (given_before, given_after) = (before?, after?);
     let (Some(before), Some(after)) = (program(&given_before, console), program(&given_after, console))
@@ -82,10 +82,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(if same_bytes || shown.is_same() { Outcome::Done } else { Outcome::Difference })
 }
 
-fn program(given: &Given, console: &mut Console) -> Option<Program> {
+fn program(given: &ProgramInput, console: &mut Console) -> Option<Program> {
     let files = given.program().sources();
     if let Err(message) = driftpost::application::check_modules(&files) {
-        console.explain(&[Told::new(message, &files)], true);
+        console.explain(&[LocatedDiagnostic::new(message, &files)], true);
         return None;
     }
     Some(Program::read(files, &Overrides::default()))

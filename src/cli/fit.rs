@@ -1,7 +1,7 @@
 //! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
 
-use super::given::Given;
 use super::measured::MeasurementArgs;
+use super::program_input::ProgramInput;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
 use driftpost::application::{Fit, targets_of_program};
@@ -160,5 +160,5 @@ fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<Wo
     if args.program.is_empty() {
         return Ok(Vec::new());
     }
-    Ok(targets_of_program(&Given::read(&args.program)?.program(), robot, warm_up)?)
+    Ok(targets_of_program(&ProgramInput::read(&args.program)?.program(), robot, warm_up)?)
 }

@@ -7,11 +7,11 @@
 use super::compensate;
 use super::destination::Destination;
 use super::files::{self, Output, Pending};
-use super::given::Given;
+use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use clap::{Args as _, FromArgMatches};
 use driftpost::application::write_file_diff;
-use driftpost::report::{self, Look};
+use driftpost::report::{self, ColorMode};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -99,14 +99,14 @@ fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
 /// What `compensate` makes of a case.
 fn result_of(case: &Path) -> anyhow::Result<Files> {
     let args = options(case)?;
-    let mut given = Given::read(&args.program)?;
+    let mut given = ProgramInput::read(&args.program)?;
     let destination = Destination::new(&given, Some(Path::new("expected")), false)?;
     // what comes out must not depend on where the folder of cases stands
     for (path, place) in given.paths.iter_mut().zip(&given.places) {
         *path = Path::new("source").join(place);
     }
     let mut result = Files::new();
-    let look = Look::Plain;
+    let look = ColorMode::Plain;
     let mut said = Vec::new();
     let mut diff = Vec::new();
     let mut take = |program: &Program, file: EmittedFile| {

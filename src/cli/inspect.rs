@@ -1,10 +1,10 @@
 //! `driftpost inspect`: what a program's motions are, and which can be compensated.
 
 use super::files::Output;
-use super::given::Given;
+use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use clap::ValueEnum;
-use driftpost::report::{self, Told};
+use driftpost::report::{self, LocatedDiagnostic};
 use rapid_program::program::{Overrides, Program};
 use std::path::PathBuf;
 
@@ -45,15 +45,15 @@ pub enum Format {
 /// Files that cannot be read, or hold no module.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
-    let given = Given::read(&args.program)?;
+    let given = ProgramInput::read(&args.program)?;
     let files = given.program().sources();
     if let Err(message) = driftpost::application::check_modules(&files) {
-        console.explain(&[Told::new(message, &files)], true);
+        console.explain(&[LocatedDiagnostic::new(message, &files)], true);
         return Ok(Outcome::Refused);
     }
     let program = Program::read(files, &Overrides::default());
     let warnings = program.files.iter().flat_map(|file| &file.warnings);
-    let messages = Told::all(warnings.chain(&program.diagnostics).cloned(), &program.files);
+    let messages = LocatedDiagnostic::all(warnings.chain(&program.diagnostics).cloned(), &program.files);
     console.explain(&messages, args.all);
     let pretty = || format!("{:#}\n", report::inspection(&program, &messages)).into_bytes();
     if !json.is_standard() {

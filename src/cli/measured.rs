@@ -2,7 +2,7 @@
 
 use super::{Console, files, model};
 use clap::ValueEnum;
-use driftpost::report::Told;
+use driftpost::report::LocatedDiagnostic;
 use metrology::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -92,7 +92,7 @@ impl MeasurementArgs {
                 format!("{} and {}: {error}", points.display(), joints.display()),
             )
         })?;
-        console.explain(&Told::all(unmatched(&joined, points, joints), &[]), true);
+        console.explain(&LocatedDiagnostic::all(unmatched(&joined, points, joints), &[]), true);
         whole.sha256 = driftpost::application::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;

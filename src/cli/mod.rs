@@ -8,12 +8,12 @@
 mod console;
 mod destination;
 pub mod files;
-pub mod given;
 pub mod measured;
 pub mod minutes;
 pub mod model;
 pub mod number;
 mod outcome;
+pub mod program_input;
 pub mod shared;
 pub mod suggest;
 

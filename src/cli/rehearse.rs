@@ -1,7 +1,7 @@
 //! `driftpost rehearse`: the whole loop on a virtual robot. An effect is withheld, the robot measured, the measurements
 //! diagnosed, a program compensated for what was found, and its targets measured again on the same robot.
 
-use super::given::Given;
+use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::Rehearsal;
@@ -61,7 +61,7 @@ pub struct Args {
 /// A file that cannot be read, an effect that a program cannot meet, a program that cannot be compensated.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load()?;
-    let given = Given::read(&args.program)?;
+    let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let mut rng = Rng::new(args.seed, 0);

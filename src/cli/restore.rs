@@ -2,7 +2,7 @@
 
 use super::files::{self, Output, Pending};
 use super::{Console, Outcome};
-use driftpost::report::Told;
+use driftpost::report::LocatedDiagnostic;
 use rapid_program::emit::{Altered, ModifiedIn, RestoreError, Restored, altered_core, restore};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
@@ -82,7 +82,7 @@ fn warn(path: &Path, altered: &[Altered], console: &mut Console) {
     let message = |what: &Altered| {
         Diagnostic::warning(what.code(), format!("{}:{}: {what}", path.display(), what.line()))
     };
-    console.explain(&Told::all(altered.iter().map(message), &[]), true);
+    console.explain(&LocatedDiagnostic::all(altered.iter().map(message), &[]), true);
 }
 
 /// Where an original goes.

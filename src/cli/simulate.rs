@@ -2,9 +2,9 @@
 
 use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
-use super::given::Given;
 use super::minutes::Minutes;
 use super::number::positive;
+use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use driftpost::application::{Course, Simulation};
@@ -119,8 +119,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
     let robot = args.robot.load()?;
     let truth = true_robot(args, robot)?;
-    let program = Given::read(&args.program)?;
-    let original = if args.original.is_empty() { None } else { Some(Given::read(&args.original)?) };
+    let program = ProgramInput::read(&args.program)?;
+    let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
     let scenario = match &args.scenario {
         Some(path) => {
             let bytes = files::read(path, "scenario")?;

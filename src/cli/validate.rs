@@ -5,7 +5,7 @@ use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
 use clap::ValueEnum;
-use driftpost::report::Told;
+use driftpost::report::LocatedDiagnostic;
 use metrology::diagnose::{PoseSubset, RefitScope, ValidateError, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
@@ -63,7 +63,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
     console.explain(
-        &Told::all(driftpost::application::model_of_another_robot(&identified.model, &robot), &[]),
+        &LocatedDiagnostic::all(
+            driftpost::application::model_of_another_robot(&identified.model, &robot),
+            &[],
+        ),
         false,
     );
     let which = match args.register {

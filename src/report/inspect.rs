@@ -1,7 +1,7 @@
 //! What a program's motions are, as far as its text tells, and which can be compensated.
 
 use super::json::messages;
-use super::message::Told;
+use super::message::LocatedDiagnostic;
 use super::{Align, Table, rounded};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Motion, Origin, Target, TargetValue};
@@ -109,7 +109,7 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
 
 /// The same for scripts.
 #[must_use]
-pub fn inspection(program: &Program, warnings: &[Told]) -> Value {
+pub fn inspection(program: &Program, warnings: &[LocatedDiagnostic]) -> Value {
     let motions: Vec<Value> = program
         .motions
         .iter()

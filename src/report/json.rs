@@ -1,6 +1,6 @@
 //! The JSON that scripts rely on; its keys and units are part of the contract, more may be added.
 
-use super::message::Told;
+use super::message::LocatedDiagnostic;
 use super::motion_rows::target_name;
 use rapid_program::compensate::plan::{Plan, PlannedMotion, Status};
 use rapid_program::program::Program;
@@ -28,7 +28,7 @@ pub struct CompensationJson<'a> {
     /// What becomes of its motions.
     pub plan: &'a Plan,
     /// What there is to be said of both.
-    pub messages: &'a [Told],
+    pub messages: &'a [LocatedDiagnostic],
 }
 
 impl Serialize for CompensationJson<'_> {
@@ -124,7 +124,7 @@ fn motion_row(
 /// The same keys for a program for which there is no plan; `kept` says why each motion is kept, where all
 /// are.
 #[must_use]
-pub fn refusal(program: &Program, kept: &[Arc<SkipReason>], list: &[Told]) -> Value {
+pub fn refusal(program: &Program, kept: &[Arc<SkipReason>], list: &[LocatedDiagnostic]) -> Value {
     let row = |(index, (motion, why)): (usize, (&Motion, &Arc<SkipReason>))| {
         motion_row(program, index, motion, ("kept", Some(why)), [0.0; 2], None)
     };
@@ -145,12 +145,12 @@ pub fn refusal(program: &Program, kept: &[Arc<SkipReason>], list: &[Told]) -> Va
 /// Messages as `{"code","file","line","message","help"}`; `file` and `line` are null where a message is
 /// about the whole run.
 #[must_use]
-pub fn messages(list: &[Told]) -> Value {
+pub fn messages(list: &[LocatedDiagnostic]) -> Value {
     of_severity(list, |_| true)
 }
 
-fn of_severity(list: &[Told], is: fn(Severity) -> bool) -> Value {
-    let one = |told: &Told| {
+fn of_severity(list: &[LocatedDiagnostic], is: fn(Severity) -> bool) -> Value {
+    let one = |told: &LocatedDiagnostic| {
         let message = &told.diagnostic;
         json!({
             "code": message.code,
@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn a_message_without_a_place_has_null_for_it() {
         let list = [Diagnostic::warning("a::b", "w"), Diagnostic::error("c::d", "e").help("h")];
-        let list = Told::all(list, &[]);
+        let list = LocatedDiagnostic::all(list, &[]);
         let value = refusal(&Program::default(), &[], &list);
         assert_eq!(
             value["warnings"][0],

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Whether messages may be coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
+pub enum ColorMode {
     /// Text alone.
     Plain,
     /// Colours, for a terminal.
@@ -27,7 +27,7 @@ const SHOWN_OF_A_CODE: usize = 5;
 
 /// A message with all that is needed to show it when its files are no longer at hand.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct LocatedDiagnostic {
     /// The message.
     pub diagnostic: Diagnostic,
     /// The path of the file that it is about, and the line.
@@ -35,7 +35,7 @@ pub struct Told {
     excerpts: Vec<Excerpt>,
 }
 
-impl Told {
+impl LocatedDiagnostic {
     /// Takes from `files` what is to be seen of them; a place in a file that is not among them is left out.
     #[must_use]
     pub fn new(diagnostic: Diagnostic, files: &[SourceFile]) -> Self {
@@ -64,7 +64,12 @@ impl Told {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_messages(out: &mut dyn Write, messages: &[Told], look: Look, all: bool) -> io::Result<()> {
+pub fn write_messages(
+    out: &mut dyn Write,
+    messages: &[LocatedDiagnostic],
+    look: ColorMode,
+    all: bool,
+) -> io::Result<()> {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
     for message in messages {
         let count = seen.entry(message.diagnostic.code).or_default();
@@ -86,11 +91,11 @@ pub fn write_messages(out: &mut dyn Write, messages: &[Told], look: Look, all: b
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_message(out: &mut dyn Write, message: &Told, look: Look) -> io::Result<()> {
-    let Told { diagnostic, excerpts, .. } = message;
+pub fn write_message(out: &mut dyn Write, message: &LocatedDiagnostic, look: ColorMode) -> io::Result<()> {
+    let LocatedDiagnostic { diagnostic, excerpts, .. } = message;
     let renderer = match look {
-        Look::Plain => Renderer::plain(),
-        Look::Coloured => Renderer::styled(),
+        ColorMode::Plain => Renderer::plain(),
+        ColorMode::Coloured => Renderer::styled(),
     }
     .term_width(WIDTH);
     let level = match diagnostic.severity {
@@ -202,7 +207,7 @@ mod tests {
 
     fn plain(message: &Diagnostic, files: &[SourceFile]) -> String {
         let mut out = Vec::new();
-        write_message(&mut out, &Told::new(message.clone(), files), Look::Plain).unwrap();
+        write_message(&mut out, &LocatedDiagnostic::new(message.clone(), files), ColorMode::Plain).unwrap();
         String::from_utf8(out).unwrap()
     }
 
@@ -225,10 +230,10 @@ mod tests {
         let there = Span { file: FileId(1), range: TextRange::new(26, 28) };
         assert_eq!([first.text(here.range), second.text(there.range)], [b"p1"; 2]);
         let message = Diagnostic::warning("keep::x", "no value").at(here).label(there, "declared here");
-        let told = Told::new(message, &[first, second]);
+        let told = LocatedDiagnostic::new(message, &[first, second]);
         assert_eq!(told.place(), Some(("cell/prog.mod", 2)));
         let mut out = Vec::new();
-        write_message(&mut out, &told, Look::Plain).unwrap();
+        write_message(&mut out, &told, ColorMode::Plain).unwrap();
         let expected = "warning[keep::x]: no value\n --> cell/prog.mod:2:8\n  |\n2 |  MoveL p1,v5;\n  |        ^^\n  |\n ::: cell/data.sys:2:18\n  |\n2 |  CONST robtarget p1;\n  |                  -- declared here\n";
         assert_eq!(String::from_utf8(out).unwrap(), expected);
     }
@@ -246,9 +251,9 @@ mod tests {
     #[test]
     fn many_messages_of_one_code_are_counted_and_a_place_that_is_not_there_is_left_out() {
         let outside = Span { file: FileId(7), range: TextRange::new(1, 2) };
-        let many = Told::all((0..9).map(|i| Diagnostic::warning("a::b", format!("m{i}"))), &[]);
+        let many = LocatedDiagnostic::all((0..9).map(|i| Diagnostic::warning("a::b", format!("m{i}"))), &[]);
         let mut out = Vec::new();
-        write_messages(&mut out, &many, Look::Plain, false).unwrap();
+        write_messages(&mut out, &many, ColorMode::Plain, false).unwrap();
         let text = String::from_utf8(out).unwrap();
         assert!(text.contains("m4") && !text.contains("m5"), "{text}");
         assert!(text.contains("4 more of a::b"), "{text}");

@@ -27,7 +27,7 @@ pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::{JointRow, JointTable};
 pub use json::{CompensationJson, messages, refusal, rounded};
-pub use message::{Look, Told, write_message, write_messages};
+pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
 pub use review::{Review, write_review};
 pub use table::{Align, Table};

@@ -8,7 +8,7 @@ use driftpost::application::{Compensated, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing};
 use super::files::{Output, Pending};
-use super::given::Given;
+use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use driftpost::report;
 use rapid_program::emit::EmittedFile;
@@ -44,7 +44,7 @@ fn write_result(
     json: &mut Option<Output>,
 ) -> Result<anyhow::Result<()>, Box<Refusal>> {
     args.check()?;
-    let given = Given::read(&args.program)?;
+    let given = ProgramInput::read(&args.program)?;
     let program = given.program();
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
     let job = args.compensation()?;

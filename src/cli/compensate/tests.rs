@@ -2,7 +2,7 @@
 
 use super::*;
 use clap::{Args as _, FromArgMatches as _};
-use driftpost::report::{Look, write_messages};
+use driftpost::report::{ColorMode, write_messages};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ fn out(words: &[&str]) -> Out {
     let words = [&["compensate"], words, &[folder.to_str().unwrap()]].concat();
     let command = Args::augment_args(clap::Command::new("compensate"));
     let args = Args::from_arg_matches(&command.try_get_matches_from(words).unwrap()).unwrap();
-    let given = Given::read(&args.program).unwrap();
+    let given = ProgramInput::read(&args.program).unwrap();
     let job = args.compensation().unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     let mut accept = |_: &Program, file: EmittedFile| {
@@ -46,7 +46,7 @@ fn out(words: &[&str]) -> Out {
             refusal.messages
         }
     };
-    write_messages(&mut said, &messages, Look::Plain, true).unwrap();
+    write_messages(&mut said, &messages, ColorMode::Plain, true).unwrap();
     let (messages, json) = (String::from_utf8(said).unwrap(), serde_json::from_slice(&json).unwrap());
     Out { files, texts, messages, json }
 }
@@ -89,7 +89,7 @@ fn a_program_is_read_from_a_pipe() {
     let bytes = std::fs::read(fixture("parts").join("A.mod")).unwrap();
     let (to, sent) = (pipe.clone(), bytes.clone());
     let writer = std::thread::spawn(move || std::fs::write(to, sent).unwrap());
-    let given = Given::read(&[pipe, fixture("parts").join("Main.mod")]).unwrap();
+    let given = ProgramInput::read(&[pipe, fixture("parts").join("Main.mod")]).unwrap();
     writer.join().unwrap();
     assert_eq!(&*given.bytes[0], bytes.as_slice());
 }

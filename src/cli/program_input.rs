@@ -26,7 +26,7 @@ pub enum Shape {
 
 /// The files of a program.
 #[derive(Debug)]
-pub struct Given {
+pub struct ProgramInput {
     /// One file or more.
     pub shape: Shape,
     /// What the result is called after: a module's file, a folder or a `.pgf`.
@@ -41,7 +41,7 @@ pub struct Given {
     pub others: Vec<(PathBuf, PathBuf)>,
 }
 
-impl Given {
+impl ProgramInput {
     /// Finds and reads what `arguments` name.
     ///
     /// # Errors
@@ -223,9 +223,9 @@ mod tests {
     #[test]
     fn places_are_relative_to_the_folder_that_all_stand_in() {
         let paths = ["cell/a/x.mod", "cell/b/y.mod"].map(PathBuf::from);
-        let given = Given::list(Shape::Several, &paths[0], &paths);
+        let given = ProgramInput::list(Shape::Several, &paths[0], &paths);
         assert_eq!(given.places, ["a/x.mod", "b/y.mod"].map(PathBuf::from));
-        let given = Given::list(Shape::One, &paths[0], &paths[..1]);
+        let given = ProgramInput::list(Shape::One, &paths[0], &paths[..1]);
         assert_eq!(given.places, [PathBuf::from("x.mod")]);
     }
 }
