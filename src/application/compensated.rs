@@ -21,7 +21,7 @@ const CORRECTION_BYTES: usize = 105;
 pub struct Compensated<'c> {
     /// The arm as its model says.
     pub robot: &'c Robot,
-    /// How it deforms.
+    /// How the arm deforms as it warms up.
     pub deformation: &'c Deformation,
     /// What was asked of the corrections.
     pub options: &'c Options,
@@ -121,7 +121,7 @@ impl Compensated<'_> {
     /// What happened, for scripts.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { program, plan, messages, .. } = self;
         pretty(out, &CompensationJson { program, plan, messages })
@@ -178,7 +178,7 @@ impl Compensated<'_> {
     /// The summary and the table of motions; `all`, or those that are corrected most.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
         let review = Review {
             schedule: &self.plan.schedule,
@@ -213,7 +213,7 @@ impl Refusal {
     /// What was found, for scripts.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
@@ -226,7 +226,7 @@ impl Refusal {
 /// The diff of a changed file, which goes to `path`, or of a new one.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_file_diff(
     out: &mut dyn Write,
     program: &Program,

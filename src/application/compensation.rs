@@ -31,7 +31,7 @@ use std::sync::Arc;
 pub struct Compensation {
     /// The arm as its model says.
     pub robot: Named<Robot>,
-    /// How it deforms.
+    /// How the arm deforms as it warms up.
     pub deformation: Named<Deformation>,
     /// What is asked of the corrections.
     pub options: Options,

@@ -16,7 +16,7 @@ pub struct Question {
     pub task: Task,
     /// The robot as its model says.
     pub robot: Robot,
-    /// What was measured.
+    /// The rows of the set, as its file holds them.
     pub measurements: Measurements,
 }
 

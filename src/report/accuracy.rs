@@ -32,7 +32,7 @@ pub fn worst(found: &Performance) -> Worst {
 /// For people.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     writeln!(out, "ISO 9283, mm; the commanded poses are the nominal arm's")?;
     let mut table = Table::new(&[

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 /// For people.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
     writeln!(out, "{}", if is_changed { "CHANGED" } else { "not changed" })?;
     let [before, after] = found.alone;

@@ -41,7 +41,7 @@ impl Compared<'_> {
     /// Writes the verdict and a row for each motion, its worst bucket; every bucket with `all`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
         let c = self.comparison;
         if self.elsewhere.is_empty() {
@@ -186,7 +186,7 @@ impl Compared<'_> {
     /// Writes one row for each motion and bucket.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut csv = csv::Writer::from_writer(out);
         csv.write_record([

@@ -18,7 +18,7 @@ const SEARCH: Duration = Duration::from_secs(20);
 /// those of an emitted file are. Costs no search: the hunks are where the edits are.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_edits(
     out: &mut dyn Write,
     old_path: &str,
@@ -90,7 +90,7 @@ pub fn write_created(
 /// The diff of two texts; nothing where they are equal.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_texts(
     out: &mut dyn Write,
     old_path: &str,

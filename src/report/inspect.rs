@@ -16,7 +16,7 @@ const SHORT: usize = 200;
 /// Writes the summary and the list of motions for people.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io::Result<()> {
     for module in &program.facts.modules {
         writeln!(out, "module {} in {}", module.name, program.file(module.file).path)?;
@@ -82,7 +82,7 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
 /// Writes the list of motions as CSV.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
     csv.write_record([

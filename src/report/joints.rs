@@ -67,7 +67,7 @@ impl<W: Write> JointTable<W> {
     /// Writes the header.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn new(out: W) -> io::Result<Self> {
         let mut csv = csv::Writer::from_writer(out);
         csv.write_record(HEADER)?;
@@ -77,7 +77,7 @@ impl<W: Write> JointTable<W> {
     /// Writes a row.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn add(&mut self, row: JointRow<'_>) -> io::Result<()> {
         let mut record = vec![row.target.into_owned(), row.file.to_owned(), row.line.to_string()];
         record.push(row.t_min.to_string());
@@ -90,7 +90,7 @@ impl<W: Write> JointTable<W> {
     /// Brings out what is still to be written.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn finish(mut self) -> io::Result<()> {
         self.0.flush()
     }

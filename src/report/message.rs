@@ -63,7 +63,7 @@ impl LocatedDiagnostic {
 /// Writes messages in their order; of each code the first few in full, the rest as a count, or all.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_messages(
     out: &mut dyn Write,
     messages: &[LocatedDiagnostic],
@@ -90,7 +90,7 @@ pub fn write_messages(
 /// Writes one message, with the lines of source it points at where it points at any.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_message(out: &mut dyn Write, message: &LocatedDiagnostic, look: ColorMode) -> io::Result<()> {
     let LocatedDiagnostic { diagnostic, excerpts, .. } = message;
     let renderer = match look {

@@ -14,7 +14,7 @@ const SHOWN_LINES: usize = 6;
 /// For people.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Result<()> {
     let poses: Vec<usize> = plan
         .steps

@@ -29,7 +29,7 @@ pub struct Review<'a> {
 /// Writes the summary, the buckets and the motions.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of writing to `out`.
 pub fn write_review(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     write_provenance(out, review)?;
     write_summary(out, review)?;

@@ -89,7 +89,7 @@ pub fn csv(report: &Report) -> io::Result<Vec<u8>> {
 /// The passes in words; the last line says whether all stand within `tolerance_mm`.
 ///
 /// # Errors
-/// Those of `to`.
+/// Those of writing to `to`.
 pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, within: bool) -> io::Result<()> {
     let most = |of: fn(&Pass) -> f64| report.passes.iter().map(of).fold(0.0, f64::max);
     let moves: usize = report.passes.iter().map(|p| p.n).sum();

@@ -40,7 +40,7 @@ impl Table {
     /// Writes the table, every line behind `indent`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of writing to `out`.
     pub fn write(&self, out: &mut dyn Write, indent: &str) -> io::Result<()> {
         for line in self.0.lines() {
             writeln!(out, "{indent}{}", line.trim_end())?;

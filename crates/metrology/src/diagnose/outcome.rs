@@ -272,7 +272,7 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// The verdict in one sentence.
     pub reason: String,
-    /// Causes, likeliest first.
+    /// Causes in order of probability, the likeliest first.
     pub causes: Vec<Cause>,
     /// Where the gap lies: joint, time, region.
     #[serde(rename = "where")]

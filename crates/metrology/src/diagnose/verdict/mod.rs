@@ -35,7 +35,7 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// The verdict in one sentence.
     pub reason: String,
-    /// Causes, likeliest first.
+    /// Causes in order of probability, the likeliest first.
     pub causes: Vec<Cause>,
     /// The likeliest explanations that were rejected.
     pub alternatives: Vec<Cause>,
