@@ -1,16 +1,27 @@
-//! A gear or encoder disc runs out of centre: an error once per turn of the joint.
+//! A gear or encoder disc runs out of centre: an error once per turn of the joint; or a gear or bearing is oval, a strain-wave gear's
+//! error: twice per turn.
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::turn_joint;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
-/// J_j times a sine and a cosine of 1 q_j.
-pub struct GearEccentricity;
+/// J_j times a sine and a cosine of n q_j.
+pub struct GearHarmonic {
+    kind: EffectKind,
+    /// Periods per turn of the joint.
+    n: u32,
+}
 
-impl Effect for GearEccentricity {
+/// An error of one period per turn of the joint.
+pub const GEAR_ECCENTRICITY: GearHarmonic = GearHarmonic { kind: EffectKind::GearEccentricity, n: 1 };
+
+/// An error of two periods per turn of the joint.
+pub const GEAR_SECOND_HARMONIC: GearHarmonic = GearHarmonic { kind: EffectKind::GearSecondHarmonic, n: 2 };
+
+impl Effect for GearHarmonic {
     fn kind(&self) -> EffectKind {
-        EffectKind::GearEccentricity
+        self.kind
     }
     fn unit(&self) -> &'static str {
         "rad"
@@ -25,8 +36,8 @@ impl Effect for GearEccentricity {
         (0..6)
             .map(|j| {
                 Candidate::new(
-                    EffectKind::GearEccentricity,
-                    EffectVariant { n: Some(1), ..EffectVariant::of_joint(j) },
+                    self.kind,
+                    EffectVariant { n: Some(self.n), ..EffectVariant::of_joint(j) },
                     vec![1e-4, 1e-4],
                 )
             })
@@ -34,7 +45,7 @@ impl Effect for GearEccentricity {
     }
     fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
         let q_rad = observation.q_rad[variant.joint.unwrap_or(0).min(5)];
-        Some((f64::from(variant.n.unwrap_or(1)) * q_rad).sin_cos().into())
+        Some((f64::from(variant.n.unwrap_or(self.n)) * q_rad).sin_cos().into())
     }
     fn signature(
         &self,
