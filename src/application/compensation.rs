@@ -2,7 +2,7 @@
 
 use super::compensated::{Compensated, EmitFailure, Refusal};
 use super::named::{Named, model_of_another_robot};
-use super::program_files::{ProgramFiles, check_modules, check_text};
+use super::program_files::{ProgramFiles, check_modules, check_names, check_text};
 use crate::report::LocatedDiagnostic;
 use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
@@ -61,7 +61,9 @@ impl Compensation {
             growth,
             core: None,
             robot: robot.source.clone(),
-            deformation: deformation.source.clone(),
+            deformation: Some(deformation.source.clone()),
+            model: None,
+            settings: Vec::new(),
             absolute_accuracy: false,
             self_test: false,
         };
@@ -82,6 +84,8 @@ impl Compensation {
         let [max_m, max_rad] = Self::largest_correction(true);
         let mut new = Self::new(robot, Named::of_model_alone(&identified, None));
         new.emit.growth = None;
+        new.emit.deformation = None;
+        new.emit.model = Some(identified.source);
         new.options.max_correction_m = max_m;
         new.options.max_correction_rad = max_rad;
         new.options.model = Some(Arc::new(identified.model));
@@ -130,7 +134,7 @@ impl Compensation {
         program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
         let label = program.label();
         let files = program.sources();
-        if let Err(message) = check_modules(&files) {
+        if let Err(message) = check_modules(&files).and_then(|()| check_names(&files)) {
             let messages = vec![LocatedDiagnostic::new(message, &files)];
             let program = Program { files, ..Program::default() };
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
@@ -154,7 +158,8 @@ impl Compensation {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
         let (mut text_bytes, mut embedded) = (0, true);
-        let emitted = emit_each(&program, &plan, &self.emit, &mut |file| {
+        let options = EmitOptions { settings: self.settings(), ..self.emit.clone() };
+        let emitted = emit_each(&program, &plan, &options, &mut |file| {
             embedded &= file.source.is_some();
             text_bytes += file.bytes.len();
             accept(&program, file).map_err(EmitFailure::Write)
@@ -228,6 +233,25 @@ impl Compensation {
             messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
         }
         messages
+    }
+
+    /// What the comment block of an emitted module says for those who compare or execute it later, by the names of options.
+    fn settings(&self) -> Vec<(String, String)> {
+        let list = |values: &[f64]| values.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        let growth = self.deformation.model.growth().filter(|_| self.emit.deformation.is_some());
+        let Options { payload_kg, joint_temperature_c, .. } = &self.options;
+        let mut settings: Vec<(String, String)> = Vec::new();
+        let mut add = |name: &str, value: Option<String>| {
+            settings.extend(value.map(|value| (name.to_owned(), value)));
+        };
+        add("growth", growth.map(ToString::to_string));
+        add("payload-kg", payload_kg.map(|kg| kg.to_string()));
+        add("temperature-c", joint_temperature_c.map(|celsius| list(&celsius)));
+        for (option, data) in [("tool", &self.overrides.tools), ("wobj", &self.overrides.wobjs)] {
+            data.iter().for_each(|(name, value)| add(option, Some(format!("{name}={value}"))));
+        }
+        settings.extend(self.emit.settings.iter().cloned());
+        settings
     }
 
     fn provenance(&self, program: &str) -> Vec<(&'static str, String)> {

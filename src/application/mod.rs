@@ -17,7 +17,7 @@ pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
 pub use fit::{Fit, targets_of_program};
 pub use named::{Named, model_of_another_robot, sha256};
-pub use program_files::{ProgramFiles, check_modules, check_text};
+pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 pub use question::Question;
 pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};
 pub use simulation::{Course, Simulation};

@@ -1,8 +1,10 @@
 //! The files of a program as bytes: where they stand on a disk is of no matter here.
 
+use rapid_program::program::task_of;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
-use rapid_syntax::tree::FileItem;
+use rapid_syntax::tree::{FileItem, ModuleItem};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The modules of one task.
@@ -45,6 +47,34 @@ impl ProgramFiles {
         self.files.iter().map(|(path, bytes)| (path.as_str(), &**bytes))
     }
 
+    /// What the modules declare.
+    #[must_use]
+    pub fn names(&self) -> DeclaredNames {
+        let mut names = DeclaredNames::default();
+        for file in self.sources() {
+            let text = |range| String::from_utf8_lossy(file.text(range)).into_owned();
+            for item in &file.tree.items {
+                let FileItem::Module(module) = item else { continue };
+                for item in &module.items {
+                    match item {
+                        ModuleItem::Data(data) => names.data.push(text(data.name)),
+                        ModuleItem::Routine(routine) => names.routines.push(text(routine.name)),
+                        _ => {}
+                    }
+                }
+            }
+        }
+        names
+    }
+
+    /// Whether a word stands anywhere in the modules, in whatever case.
+    #[must_use]
+    pub fn mentions(&self, word: &str) -> bool {
+        let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_' || !byte.is_ascii();
+        let mut words = self.iter().flat_map(|(_, bytes)| bytes.split(move |byte| !is_word(byte)));
+        words.any(|found| found.eq_ignore_ascii_case(word.as_bytes()))
+    }
+
     /// The files, parsed; by one thread, as what trees have held is then there for what is made of them.
     #[must_use]
     pub fn sources(&self) -> Vec<SourceFile> {
@@ -52,6 +82,23 @@ impl ProgramFiles {
             SourceFile::read(FileId(id as u32), path.as_str(), Arc::clone(bytes))
         };
         self.files.iter().enumerate().map(read).collect()
+    }
+}
+
+/// What the modules of a program declare, as spelt.
+#[derive(Clone, Debug, Default)]
+pub struct DeclaredNames {
+    /// Procedures, functions and traps.
+    pub routines: Vec<String>,
+    /// Data of modules.
+    pub data: Vec<String>,
+}
+
+impl DeclaredNames {
+    /// Whether data of this name are declared, in whatever case.
+    #[must_use]
+    pub fn has_data(&self, name: &str) -> bool {
+        self.data.iter().any(|data| data.eq_ignore_ascii_case(name))
     }
 }
 
@@ -108,6 +155,28 @@ pub fn check_modules(files: &[SourceFile]) -> Result<(), Diagnostic> {
             let text = format!("{} holds no RAPID module", file.path);
             return Err(Diagnostic::error("input::no-module", text)
                 .help("a module begins with MODULE NAME and ends with ENDMODULE"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses two modules of one name in one task, which no controller loads together.
+///
+/// # Errors
+/// `input::module-twice`, naming both files.
+pub fn check_names(files: &[SourceFile]) -> Result<(), Diagnostic> {
+    let mut seen: BTreeMap<(Option<String>, String), &str> = BTreeMap::new();
+    for file in files {
+        for item in &file.tree.items {
+            let FileItem::Module(module) = item else { continue };
+            let name = String::from_utf8_lossy(file.text(module.name)).into_owned();
+            let task = task_of(&file.path).map(str::to_ascii_lowercase);
+            if let Some(first) = seen.insert((task, name.to_ascii_lowercase()), file.path.as_str()) {
+                let text = format!("module {name} is there twice, in {first} and in {}", file.path);
+                return Err(Diagnostic::error("input::module-twice", text).at(file.span(module.head)).help(
+                    "a controller loads a name once in a task: leave the copy out, or give one task alone",
+                ));
+            }
         }
     }
     Ok(())

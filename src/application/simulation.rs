@@ -1,9 +1,12 @@
 //! Execution of a program on the deformed robot.
 
 use super::program_files::ProgramFiles;
-use rapid_program::program::task_of;
+use rapid_program::program::{Overrides, task_of};
 use virtual_controller::session::{ProgramFile, SessionOptions};
 use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
+
+/// What the module is called that declares tools and work objects given from outside.
+const GIVEN: &str = "(given tools and work objects)";
 
 /// A virtual controller with a robot that waits for its program.
 ///
@@ -29,6 +32,12 @@ pub struct Simulation {
     pub task: Option<String>,
     /// Files on the controller's disk: path and bytes.
     pub disk: Vec<(String, Vec<u8>)>,
+    /// Tools and work objects for names that no given module declares.
+    pub overrides: Overrides,
+    /// Joints with which the arm stands when the entry is called first, radians.
+    pub start_rad: Option<[f64; 6]>,
+    /// Data and signals with the values that they have from the beginning, as text.
+    pub set: Vec<(String, String)>,
 }
 
 /// What the cell does while a program is executed.
@@ -44,7 +53,15 @@ impl Simulation {
     /// A robot that starts at the program's own entry, one pass a time.
     #[must_use]
     pub fn new(robot: TrueRobot) -> Self {
-        Self { robot, options: SessionOptions::default(), task: None, disk: Vec::new() }
+        Self {
+            robot,
+            options: SessionOptions::default(),
+            task: None,
+            disk: Vec::new(),
+            overrides: Overrides::default(),
+            start_rad: None,
+            set: Vec::new(),
+        }
     }
 
     /// Executes `program`, and finds where the robot stands against what `original` meant; without it, against what the program
@@ -58,13 +75,24 @@ impl Simulation {
         original: Option<&ProgramFiles>,
         course: &Course,
     ) -> Result<Report, SimulateError> {
-        let original = original.map(|original| self.loaded(original));
-        let mut session = Session::new(
-            &self.loaded(program),
-            original.as_deref(),
-            self.robot.clone(),
-            self.options.clone(),
-        )?;
+        let given = self.given_data(program);
+        let given_original = original.map(|original| self.given_data(original));
+        let mut files = self.loaded(program);
+        files.extend(given.iter().map(|text| (GIVEN, text.as_bytes())));
+        let original = original.zip(given_original.as_ref()).map(|(original, given)| {
+            let mut files = self.loaded(original);
+            files.extend(given.iter().map(|text| (GIVEN, text.as_bytes())));
+            files
+        });
+        let mut session =
+            Session::new(&files, original.as_deref(), self.robot.clone(), self.options.clone())?;
+        if let Some(start_rad) = self.start_rad {
+            let arms = [session.program.arm_mut(), session.original.arm_mut()];
+            arms.into_iter().flatten().for_each(|arm| arm.stand_at(start_rad));
+        }
+        for (name, value) in &self.set {
+            session.set_from_outside(name, value)?;
+        }
         for (path, bytes) in &self.disk {
             session.program.put_file(path, bytes);
         }
@@ -73,6 +101,19 @@ impl Simulation {
             Course::Minutes(minutes) => session.at_minutes(minutes)?,
         }
         Ok(session.into_report())
+    }
+
+    /// A module that declares the tools and work objects which no file of a program does.
+    fn given_data(&self, program: &ProgramFiles) -> Option<String> {
+        let declared = program.names();
+        let mut data = String::new();
+        let types = [("tooldata", &self.overrides.tools), ("wobjdata", &self.overrides.wobjs)];
+        for (type_name, given) in types {
+            for (name, value) in given.iter().filter(|(name, _)| !declared.has_data(name)) {
+                data.push_str(&format!("  PERS {type_name} {name}:={value};\n"));
+            }
+        }
+        (!data.is_empty()).then(|| format!("MODULE tcGivenData\n{data}ENDMODULE\n"))
     }
 
     /// The files of one task: those of its folder `TASKn`, and those outside of any.

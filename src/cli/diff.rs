@@ -1,17 +1,20 @@
 //! `driftpost diff`: two programs, line by line, motion by motion and bucket by bucket.
 
-use super::files::Output;
+use super::files::{self, Output};
 use super::inspect::Format;
+use super::made_with::MadeWith;
 use super::program_input::ProgramInput;
-use super::shared::RobotName;
+use super::shared::ProgramSettings;
 use super::{Console, Outcome};
 use driftpost::report::{self, Compared, LocatedDiagnostic};
 use rapid_program::compensate::compare::compare;
-use rapid_program::emit::differences;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::emit::{RestoreError, differences, restore};
+use rapid_program::program::{FilePairs, Overrides, Program, modules_of_pgf, pgf_with_module};
+use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::Diagnostic;
+use std::collections::BTreeMap;
 use std::io::Cursor;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A longer diff is cut on standard output.
 const DIFF_LINES: usize = 2000;
@@ -27,11 +30,11 @@ pub struct Args {
     #[arg(value_name = "B")]
     pub after: PathBuf,
 
-    /// The robot.
+    /// Robot, tools, work objects and start.
     #[command(flatten)]
-    pub robot: RobotName,
+    pub settings: ProgramSettings,
 
-    /// Form of what is written; text begins with the lines that differ.
+    /// Form of what is written; text begins with the lines that differ and ends with the verdict.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 
@@ -50,18 +53,31 @@ pub struct Args {
 /// A program that cannot be read, a robot that is not known.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
-    let robot = args.robot.load()?;
-    let given = [&args.before, &args.after].map(|path| ProgramInput::read(std::slice::from_ref(path)));
-    let [before, after] = given;
-    let (given_before, given_after) = (before?, after?);
-    let (Some(before), Some(after)) = (program(&given_before, console), program(&given_after, console))
+    let given_before = ProgramInput::read(std::slice::from_ref(&args.before))?;
+    let given_after = ProgramInput::read(std::slice::from_ref(&args.after))?;
+    let made_with = MadeWith::of(&[&given_after, &given_before]);
+    let robot = made_with.robot(args.settings.robot.as_deref())?;
+    let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
+    let start_rad = made_with.start_rad(args.settings.start_joints)?;
+    let (Some(before), Some(after)) =
+        (program(&given_before, &overrides, console), program(&given_after, &overrides, console))
     else {
         return Ok(Outcome::Refused);
     };
-    let comparison =
-        compare(&before, &after, &robot).map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
-    let elsewhere = differences(&before, &after);
-    let shown = Compared { before: &before, after: &after, comparison: &comparison, elsewhere: &elsewhere };
+    let pairs =
+        FilePairs::new((&before, &given_before.slashed_places()), (&after, &given_after.slashed_places()));
+    let comparison = compare(&before, &after, &pairs, (&robot, start_rad))
+        .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+    let elsewhere = differences(&before, &after, &pairs, &overrides);
+    let other_files = other_files(&given_before, &given_after)?;
+    let shown = Compared {
+        before: &before,
+        after: &after,
+        pairs: &pairs,
+        comparison: &comparison,
+        elsewhere: &elsewhere,
+        other_files: &other_files,
+    };
     let pretty = || -> anyhow::Result<Vec<u8>> {
         let mut bytes = serde_json::to_vec_pretty(&shown)?;
         bytes.push(b'\n');
@@ -70,7 +86,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if !json.is_standard() {
         match args.format {
             Format::Text => {
-                write_lines(&before, &after, args.all, console)?;
+                write_lines(&before, &after, &pairs, args.all, console)?;
                 shown.write(console.out(), args.all)?;
             }
             Format::Csv => shown.write_csv(console.out())?,
@@ -78,33 +94,91 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     }
     json.write(console, pretty)?;
-    let same_bytes = given_before.bytes == given_after.bytes;
-    Ok(if same_bytes || shown.is_same() { Outcome::Done } else { Outcome::Difference })
+    Ok(if shown.is_same() { Outcome::Done } else { Outcome::Difference })
 }
 
-fn program(given: &ProgramInput, console: &mut Console) -> Option<Program> {
+fn program(given: &ProgramInput, overrides: &Overrides, console: &mut Console) -> Option<Program> {
     let files = given.program().sources();
     if let Err(message) = driftpost::application::check_modules(&files) {
         console.explain(&[LocatedDiagnostic::new(message, &files)], true);
         return None;
     }
-    Some(Program::read(files, &Overrides::default()))
+    Some(Program::read(files, overrides))
 }
 
-/// The lines that differ, module by module.
-fn write_lines(before: &Program, after: &Program, all: bool, console: &mut Console) -> std::io::Result<()> {
-    let mut cut = report::Cut::new(console.out(), if all { usize::MAX } else { DIFF_LINES });
-    for module in &after.facts.modules {
-        let new = after.file(module.file);
-        let same = |name: &str| name.eq_ignore_ascii_case(&module.name);
-        match before.facts.modules.iter().find(|m| same(&m.name)).map(|m| before.file(m.file)) {
-            Some(old) => report::write_texts(&mut cut, &old.path, &new.path, &old.bytes, &new.bytes)?,
-            None => report::write_created(&mut cut, &new.path, &mut Cursor::new(&new.bytes))?,
+/// What differs among the files that are no modules, a sentence each.
+fn other_files(before: &ProgramInput, after: &ProgramInput) -> Result<Vec<String>, Diagnostic> {
+    let places = |given: &ProgramInput| -> BTreeMap<PathBuf, PathBuf> {
+        given.others.iter().map(|(path, place)| (place.clone(), path.clone())).collect()
+    };
+    let (ours, theirs) = (places(before), places(after));
+    let mut found = Vec::new();
+    for (place, path) in &ours {
+        let Some(other) = theirs.get(place).or_else(|| only_list(place, &ours, &theirs)) else {
+            found.push(format!("{} is only in the first program.", place.display()));
+            continue;
+        };
+        let (a, b) = (files::read(path, "file")?, files::read(other, "file")?);
+        if a != b && !lists_the_core(&a, &b, after) {
+            found.push(format!("{} differs.", place.display()));
         }
     }
+    for place in theirs.keys().filter(|place| !ours.contains_key(*place)) {
+        if only_list(place, &theirs, &ours).is_none() {
+            found.push(format!("{} is only in the second program.", place.display()));
+        }
+    }
+    Ok(found)
+}
+
+/// The list of modules of the other side, where a side has one alone and under a name of its own.
+fn only_list<'f>(
+    place: &Path,
+    own: &BTreeMap<PathBuf, PathBuf>,
+    others: &'f BTreeMap<PathBuf, PathBuf>,
+) -> Option<&'f PathBuf> {
+    let is_list = |place: &&PathBuf| place.extension().is_some_and(|e| e.eq_ignore_ascii_case("pgf"));
+    let lists = |files: &BTreeMap<PathBuf, PathBuf>| files.keys().filter(is_list).count();
+    let alone = is_list(&&place.to_path_buf()) && lists(own) == 1 && lists(others) == 1;
+    others.iter().find(|(place, _)| alone && is_list(place)).map(|(_, path)| path)
+}
+
+/// Whether a `.pgf` differs from another in naming the common module of compensated ones alone.
+fn lists_the_core(before: &[u8], after: &[u8], given: &ProgramInput) -> bool {
+    let listed = modules_of_pgf(before);
+    let new: Vec<String> =
+        modules_of_pgf(after).into_iter().filter(|module| !listed.contains(module)).collect();
+    let is_core = |module: &String| {
+        let at = given.slashed_places().iter().position(|place| place.ends_with(module.as_str()));
+        at.is_some_and(|at| restore(&given.bytes[at]).err() == Some(RestoreError::IsCore))
+    };
+    let expected = new.iter().fold(before.to_vec(), |list, module| pgf_with_module(&list, module));
+    new.iter().all(is_core) && expected == after
+}
+
+/// The lines that differ, file by file.
+fn write_lines(
+    before: &Program,
+    after: &Program,
+    pairs: &FilePairs,
+    all: bool,
+    console: &mut Console,
+) -> std::io::Result<()> {
+    let mut cut = report::Cut::new(console.out(), if all { usize::MAX } else { DIFF_LINES });
+    for (old, new) in pairs.pairs.iter().map(|(a, b)| (before.file(*a), after.file(*b))) {
+        report::write_texts(&mut cut, &old.path, &new.path, &old.bytes, &new.bytes)?;
+    }
+    let created = |file: &SourceFile, cut: &mut report::Cut<'_>| {
+        report::write_created(cut, &file.path, &mut Cursor::new(&file.bytes))
+    };
+    pairs.only_after.iter().try_for_each(|file| created(after.file(*file), &mut cut))?;
     let dropped = cut.dropped;
     if dropped > 0 {
-        writeln!(console.out(), "... and {dropped} more lines; --all shows all of them")?;
+        writeln!(
+            console.out(),
+            "... and {dropped} more {}; --all shows all of them",
+            report::plural(dropped, "line")
+        )?;
     }
     writeln!(console.out())
 }

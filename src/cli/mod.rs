@@ -8,6 +8,7 @@
 mod console;
 mod destination;
 pub mod files;
+pub mod made_with;
 pub mod measured;
 pub mod minutes;
 pub mod model;

@@ -15,3 +15,15 @@ pub fn positive(options: &[(&str, Option<f64>)]) -> Result<(), Diagnostic> {
     }
     Ok(())
 }
+
+/// Refuses a count of nothing.
+///
+/// # Errors
+/// `option::number`, naming the option.
+pub fn at_least_one(name: &str, count: u64) -> Result<(), Diagnostic> {
+    if count == 0 {
+        let text = format!("{name} must be 1 or more, not 0");
+        return Err(Diagnostic::error("option::number", text).help("leave it out for the default"));
+    }
+    Ok(())
+}

@@ -69,6 +69,12 @@ impl ProgramInput {
         ProgramFiles::new(files).called(label)
     }
 
+    /// The place of each file in the result, `/` between folders.
+    #[must_use]
+    pub fn slashed_places(&self) -> Vec<String> {
+        self.places.iter().map(|place| slashed(place)).collect()
+    }
+
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
     ///
     /// # Errors

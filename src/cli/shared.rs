@@ -6,7 +6,7 @@ use metrology::diagnose;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
-use robot_model::units::m_from_mm;
+use robot_model::units::{m_from_mm, rad_from_deg};
 
 /// The robot.
 #[derive(Debug, clap::Args)]
@@ -23,6 +23,55 @@ impl RobotName {
     /// What is wrong with the name or the file.
     pub fn load(&self) -> Result<Robot, Diagnostic> {
         model::robot(&self.name)
+    }
+}
+
+/// What programs are compared or executed with; what is left out is as the header of an emitted module says.
+#[derive(Debug, clap::Args)]
+pub struct ProgramSettings {
+    /// A built-in robot's name, or a robot file (TOML) [default: as the emitted module says, else irb140].
+    #[arg(id = "robot", long = "robot", value_name = "NAME|FILE", help_heading = "Robot and program")]
+    pub robot: Option<String>,
+
+    /// Value of a tool that no given module declares [default: as the emitted module says].
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "Robot and program")]
+    pub tool: Vec<(String, String)>,
+
+    /// Value of a work object that no given module declares [default: as the emitted module says].
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "Robot and program")]
+    pub wobj: Vec<(String, String)>,
+
+    /// Joints with which the arm stands when the entry is called, deg [default: as the emitted module says].
+    #[arg(long, value_name = "Q1,..,Q6", value_parser = joint_angles, allow_hyphen_values = true, help_heading = "Robot and program")]
+    pub start_joints: Option<JointAngles>,
+}
+
+/// Angles of the joints, radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointAngles(pub [f64; 6]);
+
+/// Six angles in degrees.
+///
+/// # Errors
+/// Anything else, as a sentence.
+pub fn joint_angles(text: &str) -> Result<JointAngles, String> {
+    let wrong = || "write six angles in degrees with commas, such as 0,0,0,0,30,0".to_owned();
+    let numbers = text.split(',').map(|q| q.trim().parse::<f64>().ok().filter(|q| q.is_finite()));
+    let degrees: Vec<f64> = numbers.collect::<Option<_>>().ok_or_else(wrong)?;
+    let degrees: [f64; 6] = degrees.try_into().map_err(|_| wrong())?;
+    Ok(JointAngles(degrees.map(rad_from_deg)))
+}
+
+/// `NAME=VALUE`.
+///
+/// # Errors
+/// No name, as a sentence.
+pub fn name_and_value(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim_end_matches(':').trim().is_empty() => {
+            Ok((name.trim_end_matches(':').trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write NAME=VALUE, the value as RAPID does".to_owned()),
     }
 }
 

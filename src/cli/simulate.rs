@@ -2,18 +2,20 @@
 
 use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
+use super::made_with::MadeWith;
 use super::minutes::Minutes;
-use super::number::positive;
+use super::number::{at_least_one, positive};
 use super::program_input::ProgramInput;
-use super::shared::RobotName;
-use super::{Console, Outcome, model};
-use driftpost::application::{Course, Simulation};
+use super::shared::{ProgramSettings, name_and_value};
+use super::{Console, Outcome, model, suggest};
+use driftpost::application::{Course, DeclaredNames, ProgramFiles, Simulation, check_names};
 use driftpost::report::simulation;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
+use virtual_controller::scenario::STEPS;
 use virtual_controller::session::SessionOptions;
 use virtual_controller::{Scenario, SimulateError, TrueRobot, Warming};
 
@@ -60,11 +62,16 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     pub thermometer: Option<String>,
 
-    /// The robot.
-    #[command(flatten)]
-    pub robot: RobotName,
+    /// Data of the program, or a signal, with the value that it has from the beginning; repeatable.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value, allow_hyphen_values = true)]
+    pub set: Vec<(String, String)>,
 
-    /// The true robot's deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
+    /// Robot, tools, work objects and start.
+    #[command(flatten)]
+    pub settings: ProgramSettings,
+
+    /// The true robot's deformation table (CSV), static or scheduled [default: as the emitted module says, else the
+    /// reference paper's Table 2, built in].
     #[arg(long, value_name = "FILE")]
     pub deformation: Option<PathBuf>,
 
@@ -117,16 +124,21 @@ impl From<WarmingArg> for Warming {
 /// A file that cannot be read or written, a module that does not load, or a scenario that cannot be played.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
-    let robot = args.robot.load()?;
-    let truth = true_robot(args, robot)?;
+    at_least_one("--passes", args.passes)?;
     let program = ProgramInput::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
+    let made_with = MadeWith::of(&[&program]);
+    let robot = made_with.robot(args.settings.robot.as_deref())?;
+    let truth = true_robot(args, robot, &made_with)?;
     let scenario = match &args.scenario {
         Some(path) => {
             let bytes = files::read(path, "scenario")?;
             let text = String::from_utf8_lossy(&bytes);
-            let scenario = Scenario::from_toml(&text)
-                .map_err(|e| model::in_file(&path.display().to_string(), diagnostic_of(&e)))?;
+            let scenario = Scenario::from_toml(&text).map_err(|e| {
+                let mut said = model::in_file(&path.display().to_string(), diagnostic_of(&e));
+                said.help = near_step(&said.message).or(said.help);
+                said
+            })?;
             Some(scenario)
         }
         None => None,
@@ -149,10 +161,20 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Some(scenario) => Course::Scenario(scenario),
         None => Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())),
     };
+    simulation.overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
+    simulation.start_rad = made_with.start_rad(args.settings.start_joints)?;
+    simulation.set = args.set.clone();
     let original = original.map(|given| given.program());
-    let report = simulation
-        .run(&program.program(), original.as_ref(), &course)
-        .map_err(|error| diagnostic_of(&error))?;
+    let program = program.program();
+    for files in original.iter().chain([&program]) {
+        check_names(&files.sources())?;
+    }
+    check_set(&args.set, &program)?;
+    let report = simulation.run(&program, original.as_ref(), &course).map_err(|error| {
+        let mut said = diagnostic_of(&error);
+        said.help = near_name(&error, &program.names()).or(said.help);
+        said
+    })?;
 
     let takes_standard_output = [&csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
     csv.write(console, || Ok(simulation::csv(&report)?))?;
@@ -160,23 +182,70 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let within = report.is_within(m_from_mm(args.tolerance_mm));
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     simulation::write_summary(to, &report, args.tolerance_mm, within)?;
-    Ok(if within { Outcome::Done } else { Outcome::Difference })
+    Ok(match (report.judged(), within) {
+        (0, _) => Outcome::Refused,
+        (_, true) => Outcome::Done,
+        (_, false) => Outcome::Difference,
+    })
 }
 
-/// The robot as it is.
-fn true_robot(args: &Args, robot: Robot) -> Result<TrueRobot, Diagnostic> {
+/// The robot as it is: as the options say, else as the emitted modules do.
+fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRobot, Diagnostic> {
     let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
-    let Some(path) = &args.model else {
-        return Ok(TrueRobot::new(robot, model::deformation(table, growth)?));
+    let by_options = table.is_some() || args.model.is_some();
+    let of_modules = if by_options { None } else { made_with.deformed(growth)? };
+    let (deformation, identified) = match (of_modules, &args.model) {
+        (Some(found), _) => found,
+        (None, Some(path)) => {
+            let identified = model::identified(path)?;
+            (model::deformation_beside(&identified, table, growth)?.model, Some(identified))
+        }
+        (None, None) => (model::deformation(table, growth)?, None),
     };
-    let identified = model::identified(path)?;
-    let deformation = model::deformation_beside(&identified, table, growth)?;
-    if identified.model.needs_temperature() && args.temperature_c.is_none() {
+    let truth = TrueRobot::new(robot, deformation);
+    let Some(identified) = identified else { return Ok(truth) };
+    let of_modules =
+        || made_with.one("temperature-c").ok().flatten().and_then(|text| temperatures(text).ok());
+    let temperature_c = args.temperature_c.or_else(of_modules).map(|t| t.0);
+    if identified.model.needs_temperature() && temperature_c.is_none() {
         return Err(Diagnostic::error("model::temperature", "the model has terms in joint temperature")
             .help("say how warm the joints are, --temperature-c T or six values"));
     }
-    let truth = TrueRobot::new(robot, deformation.model);
-    Ok(truth.with_model(&identified.model, args.temperature_c.map(|t| t.0)))
+    Ok(truth.with_model(&identified.model, temperature_c))
+}
+
+/// Refuses to set what no module mentions.
+fn check_set(set: &[(String, String)], program: &ProgramFiles) -> Result<(), Diagnostic> {
+    match set.iter().find(|(name, _)| !program.mentions(name)) {
+        None => Ok(()),
+        Some((name, _)) => {
+            let error = SimulateError::NoData(name.clone());
+            let near = near_name(&error, &program.names());
+            Err(Diagnostic::error(error.code(), format!("--set {name}: no module mentions this name")).help(
+                near.unwrap_or_else(|| {
+                    "give the name of data or of a signal as the program has it".to_owned()
+                }),
+            ))
+        }
+    }
+}
+
+/// The name that is nearest to one that is not there.
+fn near_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
+    let (wanted, known) = match error {
+        SimulateError::NoRoutine(name) => (name, &names.routines),
+        SimulateError::NoData(name) => (name, &names.data),
+        _ => return None,
+    };
+    let near = suggest::nearest(wanted, known.iter().map(String::as_str))?;
+    Some(format!("did you mean {near}?"))
+}
+
+/// The step that is nearest to one that no scenario has.
+fn near_step(message: &str) -> Option<String> {
+    let word = message.split('`').nth(1)?.split_whitespace().next()?;
+    let near = suggest::nearest(word, STEPS).filter(|near| *near != word)?;
+    Some(format!("did you mean {near}?"))
 }
 
 fn diagnostic_of(error: &SimulateError) -> Diagnostic {
@@ -186,6 +255,7 @@ fn diagnostic_of(error: &SimulateError) -> Diagnostic {
         SimulateError::Scenario(_) | SimulateError::Value { .. } | SimulateError::NoData(_) => {
             "correct the scenario, or give all files of the program"
         }
+        SimulateError::Endless { .. } => "say with --set NAME=VALUE what comes from outside",
         SimulateError::Arm(_) => "use another robot",
     };
     Diagnostic::error(error.code(), error.to_string()).help(help)

@@ -1,11 +1,12 @@
 //! Two programs compared: for people, as JSON and as CSV.
 
 use super::motion_rows::target_name;
-use super::{Align, Table, rounded};
+use super::{Align, Table, counted, rounded};
 use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
 use rapid_program::emit::Difference;
-use rapid_program::program::Program;
 use rapid_program::program::motion::Motion;
+use rapid_program::program::{FilePairs, Program};
+use rapid_syntax::diagnostic::FileId;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
@@ -21,54 +22,98 @@ pub struct Compared<'a> {
     pub before: &'a Program,
     /// The second.
     pub after: &'a Program,
+    /// Which of their files stand for each other.
+    pub pairs: &'a FilePairs,
     /// Their motions.
     pub comparison: &'a Comparison,
     /// What differs beside the targets.
     pub elsewhere: &'a [Difference],
+    /// What differs among files that are no modules, a sentence each.
+    pub other_files: &'a [String],
 }
 
 impl Compared<'_> {
-    /// Whether the two are the same program.
+    /// Whether the two are the same program, byte for byte.
     #[must_use]
     pub fn is_same(&self) -> bool {
-        let c = self.comparison;
-        self.elsewhere.is_empty()
-            && c.only_before.is_empty()
-            && c.only_after.is_empty()
-            && c.motions.iter().all(|m| m.same_frames && m.steps.iter().all(is_none) && m.steps.len() < 2)
+        let same = |(a, b): &(FileId, FileId)| self.before.file(*a).bytes == self.after.file(*b).bytes;
+        let FilePairs { pairs, only_before, only_after } = self.pairs;
+        only_before.is_empty()
+            && only_after.is_empty()
+            && self.other_files.is_empty()
+            && pairs.iter().all(same)
     }
 
-    /// Writes the verdict and a row for each motion, its worst bucket; every bucket with `all`.
+    /// Whether nothing differs but targets of motions and what compensation added.
+    fn is_same_elsewhere(&self) -> bool {
+        self.elsewhere.is_empty() && self.other_files.is_empty()
+    }
+
+    /// Writes a row for each motion, its worst bucket (every bucket with `all`), what they come to, and the verdict.
     ///
     /// # Errors
     /// Those of writing to `out`.
     pub fn write(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        self.write_motions(out, all)?;
+        self.write_figures(out)?;
+        self.write_verdict(out)
+    }
+
+    /// Whether a motion of the second program is corrected by a function that knows more than its text.
+    fn is_live(&self, compared: &ComparedMotion) -> bool {
+        let (_, after) = self.motions(compared);
+        let text = after.targets.last().map(|target| self.after.file(after.file).text(target.range));
+        text.is_some_and(|text| text.get(..6).is_some_and(|head| head.eq_ignore_ascii_case(b"tcLive")))
+    }
+
+    fn write_verdict(&self, out: &mut dyn Write) -> io::Result<()> {
         let c = self.comparison;
-        if self.elsewhere.is_empty() {
-            writeln!(out, "Every token that is not the target of a motion is the same in both.")?;
+        let count = |of: &dyn Fn(&&ComparedMotion) -> bool| c.motions.iter().filter(of).count();
+        let live = count(&|m| m.steps.is_empty() && self.is_live(m));
+        let unknown = count(&|m| m.steps.is_empty()) - live;
+        let changed = count(&|m| !m.steps.iter().all(is_none));
+        let moved = count(&|m| !m.same_frames);
+        let mut line =
+            format!("{} in both: {changed} with changed targets", counted(c.motions.len(), "motion"));
+        for (n, what) in [
+            (live, "corrected by the model at run time"),
+            (unknown, "with targets that are only known at run time"),
+            (moved, "with another instruction, tool or work object"),
+        ] {
+            if n > 0 {
+                line.push_str(&format!(", {n} {what}"));
+            }
         }
-        for difference in self.elsewhere {
-            writeln!(out, "{}", sentence(difference))?;
-        }
+        writeln!(out, "{line}")?;
         for (motions, program, which) in
             [(&c.only_before, self.before, "first"), (&c.only_after, self.after, "second")]
         {
-            for motion in motions.iter().filter_map(|&i| program.motions.get(i)) {
+            for motion in motions.iter().filter_map(|&i| program.motions.get(i)).take(SHORT) {
                 let (kind, line) = (motion.setup.kind, motion.line);
                 let file = &program.file(motion.file).path;
                 writeln!(out, "Only in the {which} program: {kind} in {file}:{line}")?;
             }
+            if motions.len() > SHORT {
+                writeln!(out, "... and {} more", motions.len() - SHORT)?;
+            }
         }
-        let unknown = c.motions.iter().filter(|m| m.steps.is_empty()).count();
-        let changed = c.motions.iter().filter(|m| !m.steps.iter().all(is_none)).count();
-        let moved = c.motions.iter().filter(|m| !m.same_frames).count();
-        writeln!(
-            out,
-            "{} motions in both: {changed} with changed targets, {moved} with another instruction, tool or work \
-             object, {unknown} with targets that are only known at run time\n",
-            c.motions.len()
-        )?;
-        self.write_figures(out)?;
+        for difference in self.elsewhere {
+            writeln!(out, "{}", sentence(difference))?;
+        }
+        self.other_files.iter().try_for_each(|sentence| writeln!(out, "{sentence}"))?;
+        let verdict = match (self.is_same(), self.is_same_elsewhere()) {
+            (true, _) => "The same, byte for byte.",
+            (_, false) => "DIFFERENT beside the targets of motions: see the lines above.",
+            (_, true) if changed + live > 0 => {
+                "Every token that is not the target of a motion is the same in both."
+            }
+            (_, true) => "The same but for its layout or for how numbers are spelt.",
+        };
+        writeln!(out, "{verdict}")
+    }
+
+    fn write_motions(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        let c = self.comparison;
         let mut table = Table::new(&[
             ("line", Align::Left),
             ("to", Align::Left),
@@ -108,9 +153,9 @@ impl Compared<'_> {
         }
         table.write(out, "")?;
         if cut > 0 {
-            writeln!(out, "... and {cut} more motions; --all shows every one and every bucket")?;
+            writeln!(out, "... and {} more; --all shows every one and every bucket", counted(cut, "motion"))?;
         }
-        Ok(())
+        writeln!(out)
     }
 
     /// What all motions and buckets come to.
@@ -136,7 +181,15 @@ impl Compared<'_> {
         line("nearest to a wrist or elbow singularity", &figures.singular, &coarse)?;
         let same =
             |same: bool| if same { "the same everywhere" } else { "NOT the same everywhere, see the notes" };
-        writeln!(out, "{:<44}{}\n", "configuration and branch of the arm", same(figures.same_configuration))
+        if figures.distance.is_some() {
+            writeln!(
+                out,
+                "{:<44}{}\n",
+                "configuration and branch of the arm",
+                same(figures.same_configuration)
+            )?;
+        }
+        Ok(())
     }
 
     fn row(&self, compared: &ComparedMotion, k: usize, step: Option<&TargetChange>) -> Vec<String> {
@@ -148,7 +201,11 @@ impl Compared<'_> {
             notes.push("another instruction, tool or work object");
         }
         if step.is_none() {
-            notes.push("only known at run time");
+            notes.push(if self.is_live(compared) {
+                "by the model at run time"
+            } else {
+                "only known at run time"
+            });
         }
         if step.is_some_and(|s| !s.same_configuration) {
             notes.push("other confdata or external axes");
@@ -324,9 +381,10 @@ impl Serialize for Compared<'_> {
         };
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("same", &self.is_same())?;
-        map.serialize_entry("same_elsewhere", &self.elsewhere.is_empty())?;
+        map.serialize_entry("same_elsewhere", &self.is_same_elsewhere())?;
         map.serialize_entry("worst", &Figures::of(self.comparison).json())?;
-        map.serialize_entry("elsewhere", &self.elsewhere.iter().map(sentence).collect::<Vec<_>>())?;
+        let elsewhere = self.elsewhere.iter().map(sentence).chain(self.other_files.iter().cloned());
+        map.serialize_entry("elsewhere", &elsewhere.collect::<Vec<_>>())?;
         map.serialize_entry("motions", &Motions(self))?;
         map.serialize_entry("only_before", &places(self.before, &self.comparison.only_before))?;
         map.serialize_entry("only_after", &places(self.after, &self.comparison.only_after))?;

@@ -21,6 +21,7 @@ pub mod shop;
 pub mod simulation;
 mod svg;
 mod table;
+mod words;
 
 pub use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
@@ -31,3 +32,4 @@ pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
 pub use review::{Review, write_review};
 pub use table::{Align, Table};
+pub use words::{counted, plural};

@@ -1,5 +1,6 @@
 //! What an executed program did, as JSON, CSV and words.
 
+use super::counted;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -46,6 +47,7 @@ pub fn json(report: &Report) -> Value {
             .map(|s| json!({ "t_min": s.t_min, "jump_mm": mm_from_m(s.jump_m) })).collect::<Vec<_>>(),
         "unchanged": report.unchanged.iter()
             .map(|((file, line), m)| json!({ "file": file, "line": line, "mm": mm_from_m(*m) })).collect::<Vec<_>>(),
+        "executed": { "motions": report.executed[0], "of": report.executed[1] },
         "unknown_instructions": report.unknown_instructions,
         "messages": report.messages.iter().map(message_json).collect::<Vec<_>>(),
         "functions": report.efforts.iter().map(|(name, e)| effort_json(name, e)).collect::<Vec<_>>(),
@@ -92,8 +94,14 @@ pub fn csv(report: &Report) -> io::Result<Vec<u8>> {
 /// Those of writing to `to`.
 pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, within: bool) -> io::Result<()> {
     let most = |of: fn(&Pass) -> f64| report.passes.iter().map(of).fold(0.0, f64::max);
-    let moves: usize = report.passes.iter().map(|p| p.n).sum();
-    writeln!(to, "{} passes, {moves} moves executed", report.passes.len())?;
+    let (passes, moves) = (counted(report.passes.len(), "pass"), counted(report.judged(), "move"));
+    let [executed, motions] = report.executed;
+    let share = 100.0 * executed as f64 / motions.max(1) as f64;
+    let motions = counted(motions, "motion");
+    writeln!(to, "{passes}, {moves} executed: {executed} of the program's {motions} ({share:.0} %)")?;
+    if report.judged() == 0 {
+        return write_nothing(to, report);
+    }
     writeln!(
         to,
         "before: up to {:.4} mm and {:.4} deg; after: up to {:.4} mm and {:.4} deg; way up to {:.4} mm",
@@ -109,22 +117,28 @@ pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, wit
     }
     if !report.switches.is_empty() {
         let jump = report.switches.iter().map(|s| s.jump_m).fold(0.0, f64::max);
-        writeln!(to, "{} changes of bucket, jump up to {:.4} mm", report.switches.len(), mm_from_m(jump))?;
+        let changes = counted(report.switches.len(), "change");
+        writeln!(to, "{changes} of bucket, jump up to {:.4} mm", mm_from_m(jump))?;
     }
     for ((file, line), error_m) in report.unchanged.iter().take(20) {
         writeln!(to, "{file}:{line} is as in the original, off by up to {:.4} mm", mm_from_m(*error_m))?;
     }
+    write_trouble(to, report)?;
+    let verdict = if within { "within" } else { "NOT within" };
+    writeln!(to, "{verdict} {tolerance_mm} mm of what was meant")
+}
+
+/// What went wrong, what is not known, what the controller showed.
+fn write_trouble(to: &mut dyn Write, report: &Report) -> io::Result<()> {
     for p in &report.passes {
         let mismatch = p.mismatch.as_ref().map(ToString::to_string);
         for why in p.failure.iter().chain(&mismatch) {
             writeln!(to, "minute {:.1}: {why}", p.t_min)?;
         }
         if p.unreached > 0 {
-            writeln!(
-                to,
-                "minute {:.1}: {} moves that the original makes are not made",
-                p.t_min, p.unreached
-            )?;
+            let moves = counted(p.unreached, "move");
+            let verb = if p.unreached == 1 { "makes is" } else { "makes are" };
+            writeln!(to, "minute {:.1}: {moves} that the original {verb} not made", p.t_min)?;
         }
     }
     if !report.unknown_instructions.is_empty() {
@@ -134,8 +148,13 @@ pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, wit
         writeln!(to, "{} ({}:{}): {}", m.source, m.at.file, m.at.line, m.text)?;
     }
     if report.messages.len() > 20 {
-        writeln!(to, "... and {} messages more", report.messages.len() - 20)?;
+        writeln!(to, "... and {} more", counted(report.messages.len() - 20, "message"))?;
     }
-    let verdict = if within { "within" } else { "NOT within" };
-    writeln!(to, "{verdict} {tolerance_mm} mm of what was meant")
+    Ok(())
+}
+
+/// The words for a program of which no move could be compared with the original's.
+fn write_nothing(to: &mut dyn Write, report: &Report) -> io::Result<()> {
+    write_trouble(to, report)?;
+    writeln!(to, "NOTHING was judged: no move was executed that the original makes too")
 }

@@ -92,7 +92,9 @@ fn controller_with(clock: Clock, schedule: &Schedule) -> Controller {
         clock,
         core: None,
         robot: Provenance::default(),
-        deformation: Provenance::default(),
+        deformation: Some(Provenance::default()),
+        model: None,
+        settings: Vec::new(),
         absolute_accuracy: false,
         self_test: false,
     };

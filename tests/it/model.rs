@@ -119,9 +119,15 @@ fn a_program_is_solved_for_every_effect_at_once_and_executed_on_that_robot() {
         let (before, after) = (minute["before"]["max_mm"].as_f64(), minute["after"]["max_mm"].as_f64());
         assert!(before.unwrap() > 0.5 && after.unwrap() < 0.006, "{minute}");
     }
+    // The module says which model it was made with, and that is not beside it.
+    let unknown = driftpost(&["simulate", &at("cube.mod"), "--original", CUBE, "--minutes", "60"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&unknown.stderr).contains("error[made-with::missing]"));
     // On the plain robot the same program is wrong: the model, not the table, made the difference.
-    let plain =
-        driftpost(&["simulate", &at("cube.mod"), "--original", CUBE, "--growth", "none", "--minutes", "60"]);
+    let table = ["--deformation", "fixtures/paper/table2_deformation.csv", "--growth", "none"];
+    let plain = driftpost(
+        &[&["simulate", &at("cube.mod"), "--original", CUBE, "--minutes", "60"][..], &table].concat(),
+    );
     assert_eq!(plain.status.code(), Some(1));
 }
 

@@ -332,13 +332,49 @@ fn hostile_programs_come_to_an_end() {
 fn a_loop_of_moves_that_never_ends_is_cut_off_early() {
     let robot = robot_model::robot::Robot::built_in("irb140").unwrap();
     let mut c = Controller::with_robot(&robot).unwrap();
-    let text = "MODULE M\nVAR num n;\nPROC main()\nWHILE n<1 DO\n\
+    let text = "MODULE M\nVAR num n;\nPROC main()\nWHILE n>=0 DO\nn:=n+1;\n\
                 MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDWHILE\nENDPROC\nENDMODULE";
     c.load("m.mod", text.as_bytes()).unwrap();
     c.step_limit = 100_000;
     assert_eq!(c.call("main", 1).unwrap(), Outcome::OutOfSteps);
     let moves = c.arm_mut().unwrap().take_moves().len();
     assert!((1_000..3_000).contains(&moves), "{moves}");
+}
+
+/// How a program ends that calls `main`; `body` stands in it behind two numbers, a flag and a clock.
+fn end_of(body: &str) -> Outcome {
+    let mut c = Controller::new();
+    let text = format!(
+        "MODULE M\nVAR num n;\nVAR num m;\nVAR bool done;\nVAR clock k;\nPROC count()\nm:=m+1;\nIF m=5000 done:=TRUE;\n\
+         ENDPROC\nPROC main()\n{body}\nENDPROC\nENDMODULE"
+    );
+    c.load("m.mod", text.as_bytes()).unwrap();
+    c.call("main", 1).unwrap()
+}
+
+#[test]
+fn a_loop_that_waits_in_vain_is_named_and_one_that_works_is_not() {
+    let start = std::time::Instant::now();
+    for (body, line, names) in [
+        ("WHILE DInput(diStart)=0 DO\nWaitTime 0.1;\nENDWHILE", 11, "diStart"),
+        ("n:=1;\nWHILE NOT done DO\nm:=m+1;\nENDWHILE", 12, "done"),
+        ("again:\nIF diGo=0 GOTO again;", 12, "diGo"),
+        ("WHILE TRUE DO\nWHILE TRUE DO\nIF diGo=1 n:=2;\nENDWHILE\nENDWHILE", 12, "diGo"),
+        ("WHILE ClkRead(k)<5 DO\nENDWHILE", 11, "k"),
+    ] {
+        let Outcome::Endless { at, names: found } = end_of(body) else { panic!("{body}") };
+        assert_eq!((at.line, found.join(",").as_str()), (line, names), "{body}");
+    }
+    assert!(start.elapsed().as_secs() < 2);
+    for body in [
+        "WHILE n<20000 DO\nn:=n+1;\nENDWHILE",
+        "WHILE NOT done DO\ncount;\nENDWHILE",
+        "ClkStart k;\nWHILE ClkRead(k)<5 DO\nWaitTime 0.01;\nENDWHILE",
+        "again:\nn:=n+1;\nIF n<300 GOTO again;",
+        "WHILE TRUE DO\nn:=n+1;\nIF n>400 RETURN;\nENDWHILE",
+    ] {
+        assert!(matches!(end_of(body), Outcome::Finished | Outcome::Passes), "{body}");
+    }
 }
 
 #[test]

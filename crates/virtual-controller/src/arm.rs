@@ -26,6 +26,8 @@ const SAMPLE_RAD: f64 = 0.1;
 pub struct Move {
     /// Where in the program.
     pub at: SourceLine,
+    /// Where the statement begins in its file, bytes.
+    pub offset: u32,
     /// The routine it stands in; for a module that the program loaded itself, the one that called it.
     pub routine: String,
     /// The instruction, lower case.
@@ -121,6 +123,11 @@ impl Arm {
     #[must_use]
     pub fn q_rad(&self) -> Option<[f64; 6]> {
         self.q_rad
+    }
+
+    /// Lets the arm stand somewhere before its first move; joints in radians.
+    pub fn stand_at(&mut self, q_rad: [f64; 6]) {
+        self.q_rad = Some(q_rad);
     }
 
     /// The moves since the last time this was asked for.

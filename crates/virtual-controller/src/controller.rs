@@ -2,8 +2,9 @@
 
 use super::arm::Arm;
 use super::backwards::BackStep;
-use super::builtin::Tables;
+use super::builtin::{Tables, moves};
 use super::calendar::Calendar;
+use super::code::{Callee, Op};
 use super::effort::EffortRange;
 use super::entry;
 use super::interpreter::Interpreter;
@@ -93,6 +94,27 @@ impl Controller {
     /// [`SimulateError::NoEntry`] names the candidates.
     pub fn entry(&self) -> Result<String, SimulateError> {
         entry::entry(&self.program)
+    }
+
+    /// How many motion instructions the loaded modules hold.
+    #[must_use]
+    pub fn motions(&self) -> usize {
+        let loaded = |module: usize| self.program.modules.get(module).is_some_and(|m| m.loaded);
+        let routines = self.program.routines.iter().enumerate().filter(|(_, r)| loaded(r.module));
+        let motions = routines.filter_map(|(id, routine)| {
+            let code = self.program.code(id)?;
+            let is_motion = |op: &Op| match op {
+                Op::Call(call) => match &call.callee {
+                    Callee::Name(name, _) => {
+                        moves::form(name).is_some() && self.program.routine(routine.module, name).is_none()
+                    }
+                    Callee::Late(_) => false,
+                },
+                _ => false,
+            };
+            Some(code.instructions.iter().filter(|instruction| is_motion(&instruction.op)).count())
+        });
+        motions.sum()
     }
 
     /// Call a procedure without arguments; endless loops end after `passes` passes of the outermost.

@@ -92,6 +92,8 @@ pub struct Report {
     /// Moves that never went elsewhere than the original's while others did, by file and line, with the
     /// largest distance from what was meant, metres: moves that were kept.
     pub unchanged: BTreeMap<(String, u32), f64>,
+    /// Motion instructions of the program that were executed at least once, and how many it holds.
+    pub executed: [usize; 2],
     /// What the controller does not know.
     pub unknown_instructions: Vec<String>,
     /// What the controller showed.
@@ -101,11 +103,21 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether every pass ended well, made the original's moves and stayed within the tolerance.
+    /// Moves that were compared with the original's, over all passes.
+    #[must_use]
+    pub fn judged(&self) -> usize {
+        self.passes.iter().map(|pass| pass.n).sum()
+    }
+
+    /// Whether something was judged, and every pass ended well, made the original's moves and stayed within the tolerance.
     #[must_use]
     pub fn is_within(&self, tolerance_m: f64) -> bool {
-        self.passes.iter().all(|p| {
-            p.failure.is_none() && p.mismatch.is_none() && p.unreached == 0 && p.after.max_m <= tolerance_m
-        })
+        self.judged() > 0
+            && self.passes.iter().all(|p| {
+                p.failure.is_none()
+                    && p.mismatch.is_none()
+                    && p.unreached == 0
+                    && p.after.max_m <= tolerance_m
+            })
     }
 }

@@ -6,6 +6,7 @@ mod arguments;
 mod arithmetic;
 mod call;
 mod data;
+mod endless;
 mod eval;
 mod exec;
 mod outside;
@@ -58,8 +59,14 @@ impl Interpreter<'_> {
     /// The instruction in work: file and line.
     pub fn here(&self) -> SourceLine {
         let Some(frame) = self.machine.stack.frames.last() else { return SourceLine::default() };
-        let range = frame.code.instructions.get(frame.current).map(|s| s.range);
-        self.program.source_line(frame.module, range.unwrap_or(TextRange::empty(0)))
+        self.program.source_line(frame.module, self.position())
+    }
+
+    /// The instruction in work: its place in its file.
+    pub fn position(&self) -> TextRange {
+        let frame = self.machine.stack.frames.last();
+        let instruction = frame.and_then(|frame| frame.code.instructions.get(frame.current));
+        instruction.map_or(TextRange::empty(0), |instruction| instruction.range)
     }
 
     /// Shows a message at the instruction in work.

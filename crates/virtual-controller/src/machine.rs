@@ -35,6 +35,8 @@ pub(super) struct Machine {
     pub log: Log,
     pub limits: RunLimits,
     pub meter: EffortMeter,
+    /// How often data or a signal got another value, or a clock was read.
+    pub changes: u64,
 }
 
 /// The error in work, and numbers handed out by BookErrNo.

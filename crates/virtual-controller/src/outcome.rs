@@ -28,6 +28,14 @@ pub enum SimulateError {
         /// The reason as a sentence without full stop.
         why: String,
     },
+    /// A loop waits for what nothing in the program brings about.
+    #[error("{}", endless(at, names))]
+    Endless {
+        /// The loop.
+        at: SourceLine,
+        /// What its conditions ask for.
+        names: Vec<String>,
+    },
     /// The arm has no closed-form inverse kinematics.
     #[error("the controller's kinematics of this arm is not known: {0}")]
     Arm(String),
@@ -46,9 +54,22 @@ impl SimulateError {
             Self::NoEntry(_) => "simulate::no-entry",
             Self::NoData(_) => "simulate::no-data",
             Self::Value { .. } => "simulate::value",
+            Self::Endless { .. } => "simulate::endless",
             Self::Arm(_) => "robot::structure",
             Self::Scenario(_) => "simulate::scenario",
         }
+    }
+}
+
+/// A loop that waits in vain, as a sentence without full stop.
+pub(super) fn endless(at: &SourceLine, names: &[String]) -> String {
+    let SourceLine { file, line } = at;
+    match names {
+        [] => format!("{file}:{line}: this loop never ends"),
+        names => format!(
+            "{file}:{line}: this loop waits for {}, which nothing in the program changes",
+            names.join(", ")
+        ),
     }
 }
 
@@ -74,6 +95,13 @@ pub enum Outcome {
     Stopped,
     /// More steps than allowed: the program does not end.
     OutOfSteps,
+    /// A loop that waits for what nothing in the program brings about.
+    Endless {
+        /// The loop.
+        at: SourceLine,
+        /// What its conditions ask for.
+        names: Vec<String>,
+    },
     /// An error that no handler took, or text no controller would run.
     Failed {
         /// RAPID's name of the error, where it has one.

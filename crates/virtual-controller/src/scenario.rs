@@ -65,6 +65,25 @@ fn argument(value: &toml::Value) -> String {
     }
 }
 
+/// The first words of all steps.
+pub const STEPS: [&str; 15] = [
+    "run",
+    "stand",
+    "pass",
+    "pp_to_main",
+    "power_off",
+    "call",
+    "set",
+    "temperature",
+    "signal",
+    "unit_down",
+    "unit_up",
+    "set_clock_back",
+    "set_date",
+    "backup",
+    "restore_backup",
+];
+
 /// What happens next in a cell; times in minutes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ScenarioStep {

@@ -2,7 +2,7 @@
 
 use super::arm::Move;
 use super::controller::Controller;
-use super::outcome::{Outcome, SimulateError};
+use super::outcome::{Outcome, SimulateError, endless};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
 use super::warming::Warming;
@@ -69,6 +69,8 @@ pub struct Session {
     pub(super) last: Option<(f64, Vec<Move>)>,
     /// Moves that went elsewhere than the original's at least once, by file and line.
     pub(super) changed: BTreeSet<(String, u32)>,
+    /// Motion instructions of the program that were executed, by file and place.
+    executed: BTreeSet<(String, u32)>,
     pub(super) report: Report,
 }
 
@@ -117,6 +119,7 @@ impl Session {
             nominal,
             last: None,
             changed: BTreeSet::new(),
+            executed: BTreeSet::new(),
             report,
         })
     }
@@ -124,16 +127,20 @@ impl Session {
     /// Run both once.
     ///
     /// # Errors
-    /// [`SimulateError::NoRoutine`]
+    /// [`SimulateError::NoRoutine`], [`SimulateError::Endless`]
     pub fn run(&mut self) -> Result<ExecutedPass, SimulateError> {
-        let meant = self.original.call(&self.entry, self.options.passes)?;
-        let done = self.program.call(&self.entry, self.options.passes)?;
+        let meant = ended(self.original.call(&self.entry, self.options.passes)?)?;
+        let done = ended(self.program.call(&self.entry, self.options.passes)?)?;
         let moves = |c: &mut Controller| c.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+        let (intended, executed) = (moves(&mut self.original), moves(&mut self.program));
+        for done in &executed {
+            self.executed.insert((done.at.file.clone(), done.offset));
+        }
         Ok(ExecutedPass {
             at_min: min_from_s(self.program.calendar().steady_s()),
             failure: failure(&done).or_else(|| failure(&meant)),
-            intended: moves(&mut self.original),
-            executed: moves(&mut self.program),
+            intended,
+            executed,
         })
     }
 
@@ -174,6 +181,7 @@ impl Session {
         self.report.unknown_instructions = self.program.unknown_instructions();
         self.report.messages.extend(self.program.take_messages());
         self.report.efforts = self.program.take_efforts();
+        self.report.executed = [self.executed.len(), self.program.motions()];
         self.report
     }
 
@@ -246,6 +254,26 @@ impl Session {
         }
     }
 
+    /// Set data of the program and of the original by text, else a signal.
+    ///
+    /// # Errors
+    /// Where the text is no value of the data's type, or no level of a signal.
+    pub fn set_from_outside(&mut self, name: &str, text: &str) -> Result<(), SimulateError> {
+        if self.program.has_data(name) {
+            return self.set_text(name, text);
+        }
+        let level = match text.to_ascii_lowercase().as_str() {
+            "true" | "high" => Some(1.0),
+            "false" | "low" => Some(0.0),
+            number => number.parse::<f32>().ok().filter(|level| level.is_finite()),
+        };
+        let why = || format!("`{text}` is no level of a signal, and no data of the program are called so");
+        let level = level.ok_or_else(|| SimulateError::Value { name: name.to_owned(), why: why() })?;
+        self.program.set_signal(name, level);
+        self.original.set_signal(name, level);
+        Ok(())
+    }
+
     /// Set data of the program by text, and of the original where it has the same.
     ///
     /// # Errors
@@ -267,11 +295,20 @@ fn set_text(c: &mut Controller, name: &str, text: &str) -> Result<(), SimulateEr
     c.set(name, value)
 }
 
+/// How a run ended; a loop that waits in vain does so in every pass.
+fn ended(outcome: Outcome) -> Result<Outcome, SimulateError> {
+    match outcome {
+        Outcome::Endless { at, names } => Err(SimulateError::Endless { at, names }),
+        other => Ok(other),
+    }
+}
+
 /// Why a run did not end as it should.
 fn failure(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Finished | Outcome::Passes | Outcome::Exited | Outcome::Stopped => None,
         Outcome::OutOfSteps => Some("the program does not come to an end".into()),
+        Outcome::Endless { at, names } => Some(endless(at, names)),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
     }
 }

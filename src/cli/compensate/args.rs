@@ -7,7 +7,7 @@
 
 use crate::cli::model;
 use crate::cli::number::positive;
-use crate::cli::shared::RobotName;
+use crate::cli::shared::{RobotName, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
 use driftpost::application::{Compensation, Named};
@@ -269,7 +269,7 @@ impl Args {
         let Models { robot, deformation, identified } = self.models()?;
         Ok(Compensation {
             options: self.options(identified.as_ref()),
-            emit: self.emit_options(&robot, &deformation),
+            emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
             overrides: self.overrides(),
             allow_non_nominal: self.allow_non_nominal,
             default_table: self.deformation.is_none() && self.model.is_none(),
@@ -279,8 +279,15 @@ impl Args {
     }
 
     /// How the program is emitted.
-    #[must_use]
-    pub fn emit_options(&self, robot: &Named<Robot>, deformation: &Named<Deformation>) -> EmitOptions {
+    ///
+    /// # Errors
+    /// What is wrong with the deformation table.
+    pub fn emit_options(
+        &self,
+        robot: &Named<Robot>,
+        deformation: &Named<Deformation>,
+        model: Option<&Named<Identified>>,
+    ) -> Result<EmitOptions, Diagnostic> {
         let clock = match &self.clock {
             ClockName::Elapsed => Clock::Elapsed,
             ClockName::Measured(source) => {
@@ -292,7 +299,13 @@ impl Args {
                 gap_min: self.gap_min,
             },
         };
-        EmitOptions {
+        // Beside a model the deformation is that of both.
+        let table = match (model, self.deformation.as_deref()) {
+            (None, _) => Some(deformation.source.clone()),
+            (Some(_), None) => None,
+            (Some(_), table) => Some(model::deformation_with_source(table, self.growth.as_deref())?.source),
+        };
+        Ok(EmitOptions {
             form: self.form.into(),
             clock,
             growth: deformation.model.growth().copied().filter(|_| self.model.is_none()),
@@ -301,10 +314,12 @@ impl Args {
                 CoreName::Separate => Core::Separate,
             }),
             robot: robot.source.clone(),
-            deformation: deformation.source.clone(),
+            deformation: table,
+            model: model.map(|model| model.source.clone()),
+            settings: Vec::new(),
             absolute_accuracy: self.absolute_accuracy,
             self_test: self.self_test,
-        }
+        })
     }
 
     /// Tools and work objects given as options.
@@ -364,16 +379,6 @@ pub(in crate::cli) fn temperatures(text: &str) -> Result<Temperatures, String> {
         [one] => Ok(Temperatures([one; 6])),
         [a, b, c, d, e, f] => Ok(Temperatures([a, b, c, d, e, f])),
         _ => Err(format!("one temperature or six are needed, there are {}", all.len())),
-    }
-}
-
-/// `NAME=VALUE`.
-fn name_and_value(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() => {
-            Ok((name.trim_end_matches(':').trim().to_owned(), value.trim().to_owned()))
-        }
-        _ => Err("write NAME=VALUE, the value as RAPID does".to_owned()),
     }
 }
 

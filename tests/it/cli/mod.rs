@@ -4,6 +4,7 @@ mod compensate;
 mod diff;
 mod outputs;
 mod refusals;
+mod reviewing;
 mod typos;
 
 use std::fs;

@@ -81,7 +81,9 @@ pub fn made_within(
         growth: deformation.growth().copied(),
         core: None,
         robot: Provenance { name: "irb140".into(), sha256: "11".repeat(32) },
-        deformation: Provenance { name: "Table 2".into(), sha256: "22".repeat(32) },
+        deformation: Some(Provenance { name: "Table 2".into(), sha256: "22".repeat(32) }),
+        model: None,
+        settings: Vec::new(),
         absolute_accuracy: false,
         self_test: false,
     };

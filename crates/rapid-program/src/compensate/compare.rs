@@ -9,9 +9,9 @@ use super::model::Model;
 use super::nominal::resolve;
 use super::options::Options;
 use super::placement::Placement;
-use crate::program::Program;
 use crate::program::data::RobTarget;
 use crate::program::motion::{Motion, TargetValue};
+use crate::program::{FilePairs, Program};
 use nalgebra::Isometry3;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::kinematics::{Configuration, FrameOffsets};
@@ -82,18 +82,26 @@ pub struct ArmChange {
 
 /// Compares what two programs command, routine by routine.
 ///
-/// Motions are matched by module, routine and their order in it.
+/// Motions are matched by file, module, routine and their order in it. `start_rad`: joints with which the arm stands when
+/// the entry is called, where they are known.
 ///
 /// # Errors
 /// [`CompensateError::Structure`] where the robot has no closed form.
-pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Comparison, CompensateError> {
+pub fn compare(
+    before: &Program,
+    after: &Program,
+    pairs: &FilePairs,
+    (robot, start_rad): (&Robot, Option<[f64; 6]>),
+) -> Result<Comparison, CompensateError> {
+    let _ = start_rad;
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
     let resolved = resolve(before, &model, &mut Messages::default());
     let mut out = Comparison::default();
-    let mut others = by_routine(after);
-    for (key, own) in by_routine(before) {
-        let other = others.remove(&key).unwrap_or_default();
+    let place = |is_before: bool, motion: &Motion| pairs.of(is_before, motion.file);
+    let mut others = by_routine(after, &|motion| place(false, motion));
+    for (key, own) in by_routine(before, &|motion| place(true, motion)) {
+        let other = if key.0.is_some() { others.remove(&key).unwrap_or_default() } else { Vec::new() };
         out.only_before.extend(own.iter().skip(other.len()));
         out.only_after.extend(other.iter().skip(own.len()));
         for (&i, &j) in own.iter().zip(&other) {
@@ -114,15 +122,27 @@ pub fn compare(before: &Program, after: &Program, robot: &Robot) -> Result<Compa
     Ok(out)
 }
 
-/// Motions by module and routine, in lower case.
-fn by_routine(program: &Program) -> BTreeMap<(String, String), Vec<usize>> {
-    let mut all: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
+/// Pair of files, module and routine, in lower case.
+type RoutineKey = (Option<usize>, String, String);
+
+/// Motions by their routine.
+fn by_routine(
+    program: &Program,
+    pair: &dyn Fn(&Motion) -> Option<usize>,
+) -> BTreeMap<RoutineKey, Vec<usize>> {
+    let mut all: BTreeMap<RoutineKey, Vec<usize>> = BTreeMap::new();
     for (i, motion) in program.motions.iter().enumerate() {
         let Some(routine) = program.routines.get(motion.setup.routine.index()) else { continue };
-        let key = (routine.module.to_ascii_lowercase(), routine.name.to_ascii_lowercase());
+        let key = (pair(motion), routine.module.to_ascii_lowercase(), routine.name.to_ascii_lowercase());
         all.entry(key).or_default().push(i);
     }
     all
+}
+
+/// Whether a motion's targets can be compared as poses: they, its tool and its work object are known.
+#[must_use]
+pub fn is_comparable(motion: &Motion) -> bool {
+    Placement::of(motion).is_ok() && motion.targets.iter().all(|target| target.values().next().is_some())
 }
 
 fn motion(
@@ -209,6 +229,7 @@ fn step(
     let same_configuration = match (a, b) {
         (TargetValue::Rob(a), TargetValue::Rob(b)) => a.conf == b.conf && a.ext == b.ext,
         (TargetValue::Joint(a), TargetValue::Joint(b)) => a.ext == b.ext,
+        (TargetValue::FromJoints(a), TargetValue::FromJoints(b)) => a.ext == b.ext,
         (TargetValue::FromJoints(_), _) | (_, TargetValue::FromJoints(_)) => true,
         _ => false,
     };

@@ -7,6 +7,9 @@
 use super::aggregate::singles;
 use super::insertion::white;
 
+/// What every line of a comment block begins with that is read back.
+pub const MARK: &str = "! driftpost ";
+
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
 
 struct Fnv(u64);
@@ -129,6 +132,11 @@ pub fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6
         [key, b": ", text, b"\n"].into_iter().for_each(|part| hash.add(part));
     }
     hash.letters()
+}
+
+/// Bytes as lower-case hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
 fn word(byte: u8) -> bool {

@@ -38,6 +38,8 @@ pub struct EmitContext<'e> {
     pub text: CoreText<'e>,
     /// The comment block's lines for people.
     pub header: Vec<String>,
+    /// What the program is made with, as the comment block names it.
+    pub settings: Vec<(String, String)>,
 }
 
 impl<'e> EmitContext<'e> {
@@ -57,7 +59,7 @@ impl<'e> EmitContext<'e> {
         let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
         let names = Names::new(Names::taken(program), [lines.as_str(), "tcCore"].into_iter());
         let header = header_text((&names, core, &text), options, plan, &totals);
-        Ok(Self { program, plan, names, core, text, header })
+        Ok(Self { program, plan, names, core, text, header, settings: options.made_with() })
     }
 
     /// The core's data, one a line.

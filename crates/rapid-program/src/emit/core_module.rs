@@ -1,6 +1,7 @@
 //! The module that holds clock and functions where several modules share them.
 
 use super::context::EmitContext;
+use super::digest;
 use super::header::{self, Record};
 use super::insertion::{LayoutStyle, majority_eol};
 use super::module::code_letters;
@@ -30,6 +31,7 @@ pub fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> EmittedFile 
     }
     bytes.extend_from_slice(b"ENDMODULE");
     bytes.extend_from_slice(style.eol);
+    digest::seal(&mut bytes, &mut []);
     let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
     let lower = beside.path.to_ascii_lowercase();
     let extension = match lower.rsplit('.').next() {

@@ -8,6 +8,7 @@ use super::change::{changes, check_plan};
 use super::clock::Law;
 use super::context::{Changes, EmitContext};
 use super::core_module::core_file;
+use super::digest;
 use super::header;
 use super::module;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
@@ -118,8 +119,9 @@ fn emitted_file(context: &EmitContext<'_>, id: FileId, changes: &Changes) -> Res
     }
     drop(tree);
     edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
-    let bytes = apply(&file.bytes, &edits)
+    let mut bytes = apply(&file.bytes, &edits)
         .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
+    digest::seal(&mut bytes, &mut edits);
     let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
     if back != Ok(true) {
         let what = back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());

@@ -4,14 +4,12 @@
 
 use std::collections::BTreeMap;
 
-use super::check;
-
-/// What every emitted module's comment block begins with.
-pub const MARK: &str = "! driftpost ";
+use super::check::{self, MARK};
+use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 9] =
-    [b"core", b"source", b"added", b"renamed", b"was", b"shares", b"points", b"targets", b"code"];
+const KEYS: [&[u8]; 10] =
+    [b"core", b"source", b"with", b"added", b"renamed", b"was", b"shares", b"points", b"targets", b"code"];
 
 /// Longest line; RAPID takes 255.
 const WIDTH: usize = 160;
@@ -25,6 +23,8 @@ pub struct Record {
     pub source_name: String,
     /// The program's common module, which has no source.
     pub is_core: bool,
+    /// What the module was made with: options of the command line by their names, and their values.
+    pub settings: Vec<(String, String)>,
     /// How many arrays of targets, or corrections, were added.
     pub targets: usize,
     /// How many other data declarations.
@@ -78,6 +78,9 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         add("core", "no source");
     } else {
         add("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
+        for (name, value) in &record.settings {
+            add("with", &format!("{name} {}", one_line(value)));
+        }
         let Record { targets, data, routines, .. } = record;
         add("added", &format!("{targets} targets, {data} data, {routines} routines"));
         for (name, text) in &record.was {
@@ -100,6 +103,7 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
     }
     let sum = check::of_lines(entries.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
     lines.push(format!("{MARK}sum: {}", String::from_utf8_lossy(&sum)));
+    lines.push(digest::line());
     lines.push(format!("{MARK}end"));
     lines
 }
@@ -135,6 +139,13 @@ pub fn escape(text: &[u8]) -> String {
         }
     }
     out
+}
+
+/// The same with its blanks, where no line breaks at one of them.
+fn one_line(text: &str) -> String {
+    let parts: Vec<String> = text.split(' ').map(|part| escape(part.as_bytes())).collect();
+    let fits = text.len() < WIDTH - 30 && !text.ends_with(' ') && !text.starts_with(' ');
+    parts.join(if fits { " " } else { "\\x20" })
 }
 
 /// The bytes that [`escape`] wrote; `None` where it did not.
@@ -222,6 +233,11 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 sha256.clone_into(&mut record.source_sha256);
                 name.clone_into(&mut record.source_name);
             }
+            b"with" => {
+                let (name, value) = utf8.split_once(' ').ok_or_else(broken)?;
+                let value = unescape(value.as_bytes()).and_then(|value| String::from_utf8(value).ok());
+                record.settings.push((name.to_owned(), value.ok_or_else(broken)?));
+            }
             b"added" => {
                 let mut numbers =
                     utf8.split(", ").map(|part| part.split(' ').next().and_then(|n| n.parse().ok()));
@@ -249,6 +265,16 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
     Ok((record, count))
 }
 
+/// What an emitted file says that it was made with, by the names of options; `None` where it is none, or its comment block
+/// is damaged.
+#[must_use]
+pub fn made_with(bytes: &[u8]) -> Option<Vec<(String, String)>> {
+    let lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.is_empty());
+    let block = lines.skip_while(|line| !begins(line.trim_ascii()));
+    let (record, _) = read(block).ok()?;
+    (record.is_whole && !record.is_core).then_some(record.settings)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -262,6 +288,10 @@ mod tests {
             source_sha256: "ab".repeat(32),
             source_name: "a program.mod".into(),
             is_core: false,
+            settings: vec![
+                ("robot".to_owned(), "SHA-256 ab my arm.toml".to_owned()),
+                ("tool".to_owned(), format!("t=[{}]", "a b\\, ".repeat(60))),
+            ],
             targets: 46,
             data: 12,
             routines: 11,
@@ -281,7 +311,7 @@ mod tests {
             lines.iter().map(|l| [b"   ", l.as_bytes()].concat()).chain([b"PROC x()".to_vec()]).collect();
         let (read, count) = read(text.iter().map(Vec::as_slice)).unwrap();
         assert_eq!((read, count), (record, lines.len()));
-        for lost in ["ABCabcABC", "! driftpost code", "10_2", "46 targets", "0.125"] {
+        for lost in ["ABCabcABC", "! driftpost code", "10_2", "46 targets", "0.125", "my arm"] {
             let at = text.iter().position(|l| String::from_utf8_lossy(l).contains(lost)).unwrap();
             let others = text.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, l)| l.as_slice());
             assert!(!super::read(others).unwrap().0.is_whole, "{lost}");

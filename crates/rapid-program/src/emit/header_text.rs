@@ -1,10 +1,9 @@
 //! The comment block's lines for people.
 
 use super::clock::{Choice, CoreText};
-use super::header;
 use super::names::Names;
 use super::number::num;
-use super::options::{Clock, Core, EmitOptions, Provenance, Sensor};
+use super::options::{Clock, Core, EmitOptions, Sensor};
 use crate::compensate::plan::{Form, Plan, Totals};
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -16,15 +15,10 @@ pub fn header_text(
     totals: &Totals,
 ) -> Vec<String> {
     let (schedule, temperature_c) = (&plan.schedule, plan.temperature_c);
-    let input =
-        |what: &str, p: &Provenance| format!("{what} {}, SHA-256 {}", header::plain(&p.name), p.sha256);
     let (unit, zero) = temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
     let [mode, update] = ["tcMode", "tcUpdate"].map(|name| names.core(name));
-    let mut about = vec![
-        input("Robot", &options.robot),
-        input("Deformation", &options.deformation),
-        format!("Form {}, clock {}", options.form.name(), clock(options, names.core("tcColdStart"))),
-    ];
+    let mut about =
+        vec![format!("Form {}, clock {}", options.form.name(), clock(options, names.core("tcColdStart")))];
     match &text.choice {
         Choice::Bucket(_) => {
             let edges: Vec<String> = schedule.buckets.iter().map(|b| num(zero + b.from_min)).collect();

@@ -2,7 +2,8 @@
 //! targets is a review of everything.
 
 use super::restore::{Altered, RestoreError, altered_core, restore};
-use crate::program::{Overrides, Program};
+use crate::compensate::compare::is_comparable;
+use crate::program::{FilePairs, Overrides, Program};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::{SourceFile, first_difference};
 
@@ -37,65 +38,89 @@ pub enum Difference {
 }
 
 /// Compares two programs token by token, what this program adds to a module taken out first, targets of
-/// motions left out.
+/// motions left out where they can be compared as poses.
 ///
-/// Modules are matched by name; the common module of a compensated program counts as what was added.
+/// The common module of a compensated program counts as what was added.
 #[must_use]
-pub fn differences(before: &Program, after: &Program) -> Vec<Difference> {
+pub fn differences(
+    before: &Program,
+    after: &Program,
+    pairs: &FilePairs,
+    overrides: &Overrides,
+) -> Vec<Difference> {
     let mut found = Vec::new();
-    let before = plain(before, &mut found);
-    let after = plain(after, &mut found);
-    for (name, file) in modules(&before) {
-        let Some((_, other)) = modules(&after).find(|(other, _)| other.eq_ignore_ascii_case(name)) else {
-            found.push(Difference::Missing(name.to_owned()));
-            continue;
-        };
-        let (a, b) = (before.file(file), after.file(other));
-        let at = first_difference(&a.bytes, &free(&before, file), &b.bytes, &free(&after, other));
-        if let Some((at_a, at_b)) = at {
-            let before = (a.path.clone(), a.lines.line(at_a));
-            found.push(Difference::Text { before, after: (b.path.clone(), b.lines.line(at_b)) });
+    let before = Plain::of(before, overrides, &mut found);
+    let after = Plain::of(after, overrides, &mut found);
+    for (a, b) in &pairs.pairs {
+        match (before.file(*a), after.file(*b)) {
+            (Some(a), Some(b)) => found.extend(text_difference((&before.program, a), (&after.program, b))),
+            (Some(a), None) => found.extend(before.modules(a).map(Difference::Missing)),
+            (None, Some(b)) => found.extend(after.modules(b).map(Difference::Added)),
+            (None, None) => {}
         }
     }
-    let known: Vec<&str> = modules(&before).map(|(name, _)| name).collect();
-    for (name, _) in modules(&after) {
-        if !known.iter().any(|known| known.eq_ignore_ascii_case(name)) {
-            found.push(Difference::Added(name.to_owned()));
-        }
-    }
+    let missing = pairs.only_before.iter().filter_map(|file| before.file(*file));
+    found.extend(missing.flat_map(|file| before.modules(file)).map(Difference::Missing));
+    let added = pairs.only_after.iter().filter_map(|file| after.file(*file));
+    found.extend(added.flat_map(|file| after.modules(file)).map(Difference::Added));
     found.dedup();
     found
 }
 
-fn modules(program: &Program) -> impl Iterator<Item = (&str, FileId)> {
-    program.facts.modules.iter().map(|module| (module.name.as_str(), module.file))
+fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileId)) -> Option<Difference> {
+    let (free_a, free_b) = (free(before, a), free(after, b));
+    let (a, b) = (before.file(a), after.file(b));
+    let (at_a, at_b) = first_difference(&a.bytes, &free_a, &b.bytes, &free_b)?;
+    let before = (a.path.clone(), a.lines.line(at_a));
+    Some(Difference::Text { before, after: (b.path.clone(), b.lines.line(at_b)) })
 }
 
-/// The program without what was added to it.
-fn plain(program: &Program, found: &mut Vec<Difference>) -> Program {
-    let compensated = |file: &SourceFile| {
-        program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())
-    };
-    let mut files: Vec<SourceFile> = Vec::new();
-    for file in &program.files {
-        let bytes = match compensated(file).then(|| restore(&file.bytes)) {
-            None => file.bytes.clone(),
-            Some(Ok(restored)) => {
-                found.extend(altered(file, restored.altered));
-                restored.bytes.into()
-            }
-            Some(Err(RestoreError::IsCore)) => {
-                found.extend(altered(file, altered_core(&file.bytes)));
-                continue;
-            }
-            Some(Err(error)) => {
-                found.push(Difference::Damaged { file: file.path.clone(), error });
-                file.bytes.clone()
-            }
+/// A program without what was added to it.
+struct Plain {
+    program: Program,
+    /// For each of its files the one that it was made of.
+    origin: Vec<FileId>,
+}
+
+impl Plain {
+    fn of(program: &Program, overrides: &Overrides, found: &mut Vec<Difference>) -> Self {
+        let compensated = |file: &SourceFile| {
+            program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())
         };
-        files.push(SourceFile::read(FileId(files.len() as u32), file.path.clone(), bytes));
+        let mut files: Vec<SourceFile> = Vec::new();
+        let mut origin = Vec::new();
+        for file in &program.files {
+            let bytes = match compensated(file).then(|| restore(&file.bytes)) {
+                None => file.bytes.clone(),
+                Some(Ok(restored)) => {
+                    found.extend(altered(file, restored.altered));
+                    restored.bytes.into()
+                }
+                Some(Err(RestoreError::IsCore)) => {
+                    found.extend(altered(file, altered_core(&file.bytes)));
+                    continue;
+                }
+                Some(Err(error)) => {
+                    found.push(Difference::Damaged { file: file.path.clone(), error });
+                    file.bytes.clone()
+                }
+            };
+            files.push(SourceFile::read(FileId(files.len() as u32), file.path.clone(), bytes));
+            origin.push(file.id);
+        }
+        Self { program: Program::read(files, overrides), origin }
     }
-    Program::read(files, &Overrides::default())
+
+    /// What became of a file; `None` where all of it was added.
+    fn file(&self, of: FileId) -> Option<FileId> {
+        Some(FileId(self.origin.iter().position(|file| *file == of)? as u32))
+    }
+
+    fn modules(&self, file: FileId) -> impl Iterator<Item = String> + '_ {
+        let path = &self.program.file(file).path;
+        let modules = self.program.facts.modules.iter().filter(move |module| module.file == file);
+        modules.map(move |module| format!("{} ({path})", module.name))
+    }
 }
 
 fn altered(file: &SourceFile, list: Vec<Altered>) -> impl Iterator<Item = Difference> {
@@ -105,7 +130,7 @@ fn altered(file: &SourceFile, list: Vec<Altered>) -> impl Iterator<Item = Differ
 
 /// The targets of a file's motions and the values of targets that are declared in it.
 fn free(program: &Program, file: FileId) -> Vec<TextRange> {
-    let targets = program.motions.iter().flat_map(|motion| {
+    let targets = program.motions.iter().filter(|motion| is_comparable(motion)).flat_map(|motion| {
         let own = motion.targets.iter().map(|target| Span { file: motion.file, range: target.range });
         own.chain(motion.targets.iter().filter_map(|target| target.literal(motion.file)))
     });

@@ -13,6 +13,7 @@ mod clock;
 mod context;
 mod core_module;
 mod correction;
+mod digest;
 mod emission;
 mod header;
 mod header_text;
@@ -28,7 +29,9 @@ mod restore;
 mod scale;
 mod target;
 
+pub use digest::is_as_written;
 pub use emission::{compensated_at, emit, emit_each};
+pub use header::made_with;
 pub use identity::{Difference, differences};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::added::Added;
-use super::check;
+use super::check::{self, hex};
 use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
@@ -34,6 +34,7 @@ pub fn edits(
         source_sha256: hex(&Sha256::digest(&file.bytes)),
         source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
         is_core: false,
+        settings: context.settings.clone(),
         targets: added.declarations.len(),
         data: declared(&data),
         routines: heads(&routines).count(),
@@ -121,9 +122,4 @@ fn written(added: &Added, style: &LayoutStyle) -> Result<Vec<Written>, EmitError
             Ok((text, letters))
         })
         .collect()
-}
-
-/// Bytes as lower-case hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|b| format!("{b:02x}")).collect()
 }

@@ -59,6 +59,21 @@ pub struct Provenance {
     pub sha256: String,
 }
 
+impl std::fmt::Display for Provenance {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "SHA-256 {} {}", self.sha256, self.name)
+    }
+}
+
+impl Provenance {
+    /// Reads what is written of one.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let (sha256, name) = text.strip_prefix("SHA-256 ")?.split_once(' ')?;
+        Some(Self { name: name.to_owned(), sha256: sha256.to_owned() })
+    }
+}
+
 /// How a program is emitted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmitOptions {
@@ -72,12 +87,30 @@ pub struct EmitOptions {
     pub core: Option<Core>,
     /// The robot that the targets are made for.
     pub robot: Provenance,
-    /// The deformation or model.
-    pub deformation: Provenance,
+    /// The deformation table; `None` where a model alone says how the arm deforms.
+    pub deformation: Option<Provenance>,
+    /// The identified model.
+    pub model: Option<Provenance>,
+    /// What else a reviewer's tools need: options of the command line by their names, without the dashes.
+    pub settings: Vec<(String, String)>,
     /// The user says that the controller's Absolute Accuracy is on.
     pub absolute_accuracy: bool,
     /// A routine is added that compares the controller's kinematics with those that the corrections were made for.
     pub self_test: bool,
+}
+
+impl EmitOptions {
+    /// All that a program is made with, by the names of options: files with their SHA-256, then [`settings`](Self::settings).
+    #[must_use]
+    pub fn made_with(&self) -> Vec<(String, String)> {
+        let files = [
+            ("robot", Some(&self.robot)),
+            ("deformation", self.deformation.as_ref()),
+            ("model", self.model.as_ref()),
+        ];
+        let files = files.into_iter().filter_map(|(name, file)| Some((name.to_owned(), file?.to_string())));
+        files.chain(self.settings.iter().cloned()).collect()
+    }
 }
 
 /// One file of the emitted program.

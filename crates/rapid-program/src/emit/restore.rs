@@ -13,9 +13,9 @@ mod removal;
 pub use altered::altered_core;
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 
+use super::check::hex;
 use super::header;
 use super::insertion;
-use super::module::hex;
 use super::names::words;
 use altered::altered_code;
 use comment_block::{comment_block, header_of};

@@ -16,6 +16,7 @@ mod const_eval;
 mod convert;
 mod errors;
 mod expressions;
+mod file_pairs;
 mod flow;
 mod functions;
 mod index;
@@ -36,6 +37,7 @@ mod tracked;
 mod value;
 mod writes;
 
+pub use file_pairs::FilePairs;
 pub use pgf::{modules_of_pgf, pgf_with_module};
 
 use module_facts::Facts;

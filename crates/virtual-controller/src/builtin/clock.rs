@@ -15,14 +15,17 @@ const LONGEST_CLOCK_S: f64 = 4_294_967.0;
 
 pub(super) const FUNCTIONS: &[Function] = &[
     function!("cdate", Nothing, (), |vm, args| {
+        vm.machine.changes += 1;
         let (year, month, day) = vm.machine.calendar.date();
         Ok(Value::text(&format!("{year:04}-{month:02}-{day:02}")))
     }),
     function!("ctime", Nothing, (), |vm, args| {
+        vm.machine.changes += 1;
         let (h, m, s) = vm.machine.calendar.time();
         Ok(Value::text(&format!("{h:02}:{m:02}:{s:02}")))
     }),
     function!("gettime", Nothing, (), |vm, args| {
+        vm.machine.changes += 1;
         let (h, m, s) = vm.machine.calendar.time();
         let parts = [("wday", vm.machine.calendar.weekday()), ("hour", h), ("min", m), ("sec", s)];
         match parts.iter().find(|(switch, _)| args.has(switch)) {
@@ -31,6 +34,7 @@ pub(super) const FUNCTIONS: &[Function] = &[
         }
     }),
     function!("clkread", Nothing, (clock: ClockState), |vm, args| {
+        vm.machine.changes += 1;
         let running_s = clock.since_s.map_or(0.0, |since_s| vm.machine.calendar.steady_s() - since_s);
         let seconds = clock.counted_s + running_s;
         if seconds > LONGEST_CLOCK_S {

@@ -157,6 +157,7 @@ pub(crate) fn execute(
     }
     let done = Move {
         at: vm.here(),
+        offset: vm.position().start,
         routine: routine_in_work(vm),
         instruction: args.callee.to_owned(),
         target: name_of_target(args.at(form.speed - 1)?),

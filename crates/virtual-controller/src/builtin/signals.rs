@@ -51,7 +51,8 @@ fn put(vm: &mut Interpreter<'_>, name: Name, value: f32) -> Result<(), Fault> {
     if vm.machine.signals.units_down.contains(&name) {
         return raise("err_norununit", format!("no contact with the unit of signal {name}"));
     }
-    vm.machine.signals.levels.insert(name, value);
+    let before = vm.machine.signals.levels.insert(name, value);
+    vm.machine.changes += u64::from(before != Some(value));
     Ok(())
 }
 

@@ -154,7 +154,9 @@ impl Interpreter<'_> {
                 fatal(format!("a string of {} characters; 80 fit", text.chars().count()))
             }
             Some(value) => {
+                let is_changed = *target != value;
                 *target = value;
+                self.machine.changes += u64::from(is_changed);
                 Ok(())
             }
             None => fatal(format!("a {given} is assigned to data of type {}", ty.name())),

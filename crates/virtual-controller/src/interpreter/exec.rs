@@ -1,6 +1,7 @@
 //! Execution of statements: one operation after another, errors to their handlers, interrupts between.
 
 use super::Interpreter;
+use super::endless::Waiting;
 use crate::code::{Callee, Code, Expr, Op};
 use crate::loaded::RoutineKind;
 use crate::machine::{Binding, Frame, Slot};
@@ -62,6 +63,10 @@ impl Interpreter<'_> {
                 }
             },
             Op::Jump(to) => {
+                let is_back = self.machine.stack.frames.last().is_some_and(|frame| *to <= frame.current);
+                if is_back && !matches!(self.waiting(*to), Waiting::No) {
+                    return Err(self.endless(*to));
+                }
                 self.machine.stack.jump(*to);
                 Ok(())
             }
@@ -155,6 +160,13 @@ impl Interpreter<'_> {
     fn loop_back(&mut self, to: usize) -> Result<(), Fault> {
         let inside = self.machine.stack.frames.iter().any(inside_loop);
         let allowed = self.machine.limits.passes;
+        if inside {
+            match self.waiting(to) {
+                Waiting::No => {}
+                Waiting::Long { moves: true } => return Err(Fault::Ended(Outcome::Passes)),
+                Waiting::Still | Waiting::Long { moves: false } => return Err(self.endless(to)),
+            }
+        }
         let Some(frame) = self.machine.stack.frames.last_mut() else { return Ok(()) };
         let at = frame.current;
         let passes = frame.passes.entry(at).or_insert(0);
@@ -187,6 +199,7 @@ impl Interpreter<'_> {
             trap,
             effort: self.machine.meter.total,
             passes: BTreeMap::new(),
+            polls: BTreeMap::new(),
         });
         self.machine.stack.scope = (module, base);
         for decl in &code.decls {

@@ -26,11 +26,13 @@ pub(crate) struct RunLimits {
     pub passes: u64,
     /// Stop after so many more moves.
     pub moves_left: Option<u64>,
+    /// Moves that were made so far.
+    pub moves_made: u64,
 }
 
 impl Default for RunLimits {
     fn default() -> Self {
-        Self { steps: StepLimit::default(), passes: 1, moves_left: None }
+        Self { steps: StepLimit::default(), passes: 1, moves_left: None, moves_made: 0 }
     }
 }
 
@@ -53,6 +55,7 @@ impl RunLimits {
 
     /// A move was made.
     pub fn count_move(&mut self) {
+        self.moves_made += 1;
         if let Some(moves) = &mut self.moves_left {
             *moves = moves.saturating_sub(1);
         }

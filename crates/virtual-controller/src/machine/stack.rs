@@ -50,6 +50,23 @@ pub(crate) struct Frame {
     pub effort: Effort,
     /// Passes of each endless loop, by the instruction that jumps back.
     pub passes: BTreeMap<usize, u64>,
+    /// What is known of each loop that may wait in vain, by the instruction that jumps back.
+    pub polls: BTreeMap<usize, Poll>,
+}
+
+/// A loop that may wait for what never comes.
+#[derive(Debug, Default)]
+pub(crate) struct Poll {
+    pub passes: u64,
+    /// What its conditions asked for when it was last looked at.
+    pub values: Vec<Option<Value>>,
+    /// Passes and moves when that changed last.
+    pub since: [u64; 2],
+    /// Changes of data and signals, and the arm's joints, when it was last looked at.
+    pub changes: Option<u64>,
+    pub q_rad: Option<[f64; 6]>,
+    /// Looks since when nothing at all has changed.
+    pub still: u64,
 }
 
 /// Routines in execution, the innermost last.

@@ -1,0 +1,139 @@
+//! Loops that wait for what nothing here brings about: found, and named, instead of being run for ever.
+
+use super::Interpreter;
+use crate::code::{Arg, Expr, ExprKind, Instruction, Op};
+use crate::machine::{Access, DataRef};
+use crate::outcome::{Fault, Outcome};
+use crate::predefined;
+use crate::value::Value;
+use rapid_syntax::diagnostic::TextRange;
+
+/// A loop is looked at each time that it was passed so often.
+const LOOKED_AT: u64 = 8;
+/// Looks between which nothing at all changes, after which nothing ever will.
+const STILL_LOOKS: u64 = 3;
+/// Passes, or moves, in which nothing changes that the loop's conditions ask for: too many for any work.
+const PATIENCE: u64 = 10_000;
+/// Names that a message lists at most.
+const LISTED: usize = 4;
+
+/// What is known of a loop at its back jump.
+pub(super) enum Waiting {
+    /// It may end.
+    No,
+    /// Nothing at all changes in it.
+    Still,
+    /// Nothing changes that its conditions ask for, for long; whether it moves the arm.
+    Long { moves: bool },
+}
+
+impl Interpreter<'_> {
+    /// Whether the loop from `to` to the operation in work waits in vain; counts this pass.
+    pub(super) fn waiting(&mut self, to: usize) -> Waiting {
+        let Some(frame) = self.machine.stack.frames.last_mut() else { return Waiting::No };
+        let (code, at) = (frame.code.clone(), frame.current);
+        let poll = frame.polls.entry(at).or_default();
+        poll.passes += 1;
+        if poll.passes % LOOKED_AT != 0 {
+            return Waiting::No;
+        }
+        let mut asked = Vec::new();
+        conditions(code.instructions.get(to..=at).unwrap_or_default(), &mut asked);
+        let values: Vec<Option<Value>> = asked.into_iter().map(|leaf| self.present(leaf)).collect();
+        let (changes, moves) = (self.machine.changes, self.machine.limits.moves_made);
+        let q_rad = self.arm.as_ref().and_then(|arm| arm.q_rad());
+        let timer = self.machine.interrupts.list.iter().any(|interrupt| interrupt.timer.is_some());
+        let frame = self.machine.stack.frames.last_mut();
+        let Some(poll) = frame.and_then(|frame| frame.polls.get_mut(&at)) else { return Waiting::No };
+        let is_still = !timer && (poll.changes, poll.q_rad) == (Some(changes), q_rad);
+        poll.still = if is_still { poll.still + 1 } else { 0 };
+        (poll.changes, poll.q_rad) = (Some(changes), q_rad);
+        if poll.values != values {
+            (poll.values, poll.since) = (values, [poll.passes, moves]);
+        }
+        if poll.still >= STILL_LOOKS {
+            Waiting::Still
+        } else if poll.passes - poll.since[0] >= PATIENCE || moves - poll.since[1] >= PATIENCE {
+            Waiting::Long { moves: moves > poll.since[1] }
+        } else {
+            Waiting::No
+        }
+    }
+
+    /// The end of a run in a loop that waits in vain: the loop from `to` to the operation in work.
+    pub(super) fn endless(&self, to: usize) -> Fault {
+        let Some(frame) = self.machine.stack.frames.last() else {
+            return Fault::Ended(Outcome::OutOfSteps);
+        };
+        let body = frame.code.instructions.get(to..=frame.current).unwrap_or_default();
+        let mut asked = Vec::new();
+        conditions(body, &mut asked);
+        let mut names: Vec<String> = Vec::new();
+        for leaf in asked {
+            if let ExprKind::Name(name, spelt) = &leaf.kind
+                && !self.is_constant(name)
+                && !names.iter().any(|known| known.eq_ignore_ascii_case(spelt))
+            {
+                names.push(spelt.to_string());
+            }
+        }
+        names.truncate(LISTED);
+        let first = body.first().map_or(TextRange::empty(0), |instruction| instruction.range);
+        Fault::Ended(Outcome::Endless { at: self.program.source_line(frame.module, first), names })
+    }
+
+    fn is_constant(&self, name: &str) -> bool {
+        let datum = self.program.datum(self.machine.stack.scope.0, name);
+        let is_predefined = predefined::constant(&self.program.types, name).is_some();
+        datum.map_or(is_predefined, |datum| self.access(&DataRef::data(datum)) == Access::Constant)
+    }
+
+    /// What a name or a local is worth now; `None` where that takes work to find out.
+    fn present(&mut self, leaf: &Expr) -> Option<Value> {
+        if let ExprKind::Name(name, _) = &leaf.kind
+            && let Some(level) = self.machine.signals.levels.get(name)
+        {
+            return Some(Value::Num(*level));
+        }
+        let (place, _) = self.data_ref(leaf).ok()??;
+        self.read(&place).ok()
+    }
+}
+
+/// What the conditions of some operations ask for.
+fn conditions<'c>(body: &'c [Instruction], asked: &mut Vec<&'c Expr>) {
+    for instruction in body {
+        match &instruction.op {
+            Op::JumpUnless(condition, _) => leaves(condition, asked),
+            Op::Store(_, value) => leaves(value, asked),
+            _ => {}
+        }
+    }
+}
+
+/// The names, locals, components and elements that an expression asks for.
+fn leaves<'e>(expr: &'e Expr, found: &mut Vec<&'e Expr>) {
+    match &expr.kind {
+        ExprKind::Local(_) | ExprKind::Name(..) => found.push(expr),
+        ExprKind::Field(base, _) => leaves(base, found),
+        ExprKind::Index(base, indices) => {
+            leaves(base, found);
+            indices.iter().for_each(|index| leaves(index, found));
+        }
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|part| leaves(part, found)),
+        ExprKind::Unary(_, inner) => leaves(inner, found),
+        ExprKind::Binary(_, a, b) => {
+            leaves(a, found);
+            leaves(b, found);
+        }
+        ExprKind::Call(call) => {
+            for argument in &call.args {
+                match argument {
+                    Arg::Positional(e) | Arg::Named(_, e) | Arg::Conditional(_, e) => leaves(e, found),
+                    Arg::Switch(_) => {}
+                }
+            }
+        }
+        ExprKind::Number(_) | ExprKind::Str(_) | ExprKind::Bool(_) | ExprKind::Opaque => {}
+    }
+}
