@@ -342,13 +342,21 @@ pub(super) fn arguments<'a>(i: Text<'a>) -> Read<'a, Box<[Arg]>> {
     }
 }
 
-/// `argument = option | expression ;`
+/// `argument = option | [ name becomes ] expression ;`
+///
+/// A required argument may bear its parameter's name; its place in the order counts all the same.
 pub(super) fn argument<'a>(i: Text<'a>) -> Read<'a, Arg> {
     let i = blank(i);
     if i.peek() == Some(b'\\') {
         return option(i);
     }
     let (rest, expr) = expression(i)?;
+    if matches!(expr.kind, ExprKind::Name)
+        && let Ok((value_at, ())) = becomes(blank(rest))
+    {
+        let (rest, value) = expression(value_at)?;
+        return Ok((rest, Arg { range: i.until(rest), kind: ArgKind::Positional(value) }));
+    }
     Ok((rest, Arg { range: expr.range, kind: ArgKind::Positional(expr) }))
 }
 

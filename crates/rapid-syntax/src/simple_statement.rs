@@ -157,7 +157,7 @@ fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<
     let end = ending.after(rest);
     let range = start.until(end);
     if call.parenthesised {
-        let message = "a procedure's arguments stand without parentheses; no controller loads this";
+        let message = "the arguments of this procedure stand with parentheses; no controller loads this";
         start.state.warn(range, "syntax::parentheses", message);
     }
     warn_unless_terminated(start, range, &ending);

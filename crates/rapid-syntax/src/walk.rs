@@ -196,6 +196,10 @@ impl NodeCollector {
 
     fn arg(&mut self, a: &Arg) {
         match &a.kind {
+            ArgKind::Positional(e) if a.range.start < e.range.start => self.node(a.range, "argument", |w| {
+                w.leaf(TextRange::new(a.range.start, e.range.start), "parameter");
+                w.expr(e);
+            }),
             ArgKind::Positional(e) => self.expr(e),
             ArgKind::Named { name, value } => self.node(a.range, "option", |w| {
                 w.leaf(*name, "name");

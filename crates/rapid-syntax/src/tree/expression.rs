@@ -92,7 +92,7 @@ pub struct BinaryExpr {
 /// One argument of a call of a procedure or function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arg {
-    /// The argument alone, without commas.
+    /// The argument alone, without commas; the name of a required one (`Tool:=tGrip`) is part of it.
     pub range: TextRange,
     /// What kind of expression or argument it is.
     pub kind: ArgKind,
