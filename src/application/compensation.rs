@@ -13,7 +13,7 @@ use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
-use robot_model::units::{m_from_mm, rad_from_deg};
+use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 use std::sync::Arc;
 
 /// A compensation that waits for its program.
@@ -41,7 +41,9 @@ pub struct Compensation {
     pub overrides: Overrides,
     /// A program that was exported with calibrated kinematics is taken as it is.
     pub allow_non_nominal: bool,
-    /// The deformation was named by nobody: a warning says so where the robot is not the paper's.
+    /// A model, table or program of another robot is taken all the same, with a warning.
+    pub allow_other_robot: bool,
+    /// The deformation was named by nobody: it is that of the paper's robot alone.
     pub default_table: bool,
 }
 
@@ -74,6 +76,7 @@ impl Compensation {
             emit,
             overrides: Overrides::default(),
             allow_non_nominal: false,
+            allow_other_robot: false,
             default_table: false,
         }
     }
@@ -158,7 +161,7 @@ impl Compensation {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
         let (mut text_bytes, mut embedded) = (0, true);
-        let options = EmitOptions { settings: self.settings(), ..self.emit.clone() };
+        let options = EmitOptions { settings: self.settings(program.home_rad), ..self.emit.clone() };
         let emitted = emit_each(&program, &plan, &options, &mut |file| {
             embedded &= file.source.is_some();
             text_bytes += file.bytes.len();
@@ -217,8 +220,20 @@ impl Compensation {
         found
     }
 
-    /// Warnings where the program or the deformation belongs to another robot.
+    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed.
     fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
+        let mut messages = self.of_another_robot(program);
+        if !self.allow_other_robot {
+            for message in &mut messages {
+                message.severity = Severity::Error;
+                let help = message.help.take().unwrap_or_default();
+                message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
+            }
+        }
+        messages
+    }
+
+    fn of_another_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let robot = &self.robot.model.name;
         let other = self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model));
         let mut messages: Vec<Diagnostic> = other.into_iter().collect();
@@ -227,7 +242,8 @@ impl Compensation {
             let help = "name the robot that runs it with --robot";
             messages.push(Diagnostic::warning("robot::other", text).at(remark.span).help(help));
         }
-        if self.default_table && self.robot.source.name != PAPER_ROBOT {
+        let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(&self.robot.model));
+        if self.default_table && !is_papers {
             let text = format!("the built-in deformation table is an IRB 140's, the robot is {robot}");
             let help = "give a table of this robot with --deformation";
             messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
@@ -236,7 +252,9 @@ impl Compensation {
     }
 
     /// What the comment block of an emitted module says for those who compare or execute it later, by the names of options.
-    fn settings(&self) -> Vec<(String, String)> {
+    ///
+    /// `home_rad`: the joints of the jointtarget that `--home` names, radians.
+    fn settings(&self, home_rad: Option<[f64; 6]>) -> Vec<(String, String)> {
         let list = |values: &[f64]| values.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
         let growth = self.deformation.model.growth().filter(|_| self.emit.deformation.is_some());
         let Options { payload_kg, joint_temperature_c, .. } = &self.options;
@@ -249,6 +267,16 @@ impl Compensation {
         add("temperature-c", joint_temperature_c.map(|celsius| list(&celsius)));
         for (option, data) in [("tool", &self.overrides.tools), ("wobj", &self.overrides.wobjs)] {
             data.iter().for_each(|(name, value)| add(option, Some(format!("{name}={value}"))));
+        }
+        let start_rad = self.options.start_rad.or(home_rad);
+        add("start-joints", start_rad.map(|q_rad| list(&q_rad.map(as_controller_deg))));
+        let letters: String =
+            ('a'..='f').zip(self.overrides.base_fixed).filter(|a| a.1).map(|a| a.0).collect();
+        add("base-fixed", (!letters.is_empty()).then_some(letters));
+        for (option, names) in
+            [("keep", &self.options.selection.keep), ("only", &self.options.selection.only)]
+        {
+            names.iter().for_each(|name| add(option, Some(name.clone())));
         }
         settings.extend(self.emit.settings.iter().cloned());
         settings
@@ -265,6 +293,12 @@ impl Compensation {
             ("deformation", format!("{}{deformation}", growth.unwrap_or_default())),
         ]
     }
+}
+
+/// Degrees in the controller's single precision: 30 and not 29.999999999999996.
+fn as_controller_deg(q_rad: f64) -> f64 {
+    let degrees = deg_from_rad(q_rad) as f32;
+    degrees.to_string().parse().unwrap_or_else(|_| f64::from(degrees))
 }
 
 fn is_error(message: &LocatedDiagnostic) -> bool {

@@ -5,7 +5,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::Robot;
+use robot_model::robot::{Robot, same_type};
 use sha2::{Digest, Sha256};
 
 /// The reference paper's Table 2 as a file: what the built-in deformation's SHA-256 is that of.
@@ -99,7 +99,10 @@ pub fn sha256(bytes: &[u8]) -> String {
 /// A warning where a model was found on another robot.
 #[must_use]
 pub fn model_of_another_robot(model: &Identified, robot: &Robot) -> Option<Diagnostic> {
-    (!model.robot.is_empty() && model.robot != robot.name).then(|| {
+    let same = model.robot.is_empty()
+        || model.robot == robot.name
+        || same_type(&model.robot, &robot.name) == Some(true);
+    (!same).then(|| {
         Diagnostic::warning(
             "model::robot",
             format!("the model is of {}, the robot is {}", model.robot, robot.name),

@@ -118,7 +118,13 @@ impl MadeWith {
             }
             all
         };
-        Overrides { tools: with("tool", tools), wobjs: with("wobj", wobjs) }
+        let mut base_fixed = [false; 6];
+        for (_, axes, _) in self.settings.iter().filter(|(name, ..)| name == "base-fixed") {
+            for (fixed, letter) in base_fixed.iter_mut().zip('a'..='f') {
+                *fixed |= axes.contains(letter);
+            }
+        }
+        Overrides { tools: with("tool", tools), wobjs: with("wobj", wobjs), home: None, base_fixed }
     }
 
     /// Joints with which the arm stands when the entry is called, radians: those of the option, else the modules'.

@@ -34,6 +34,7 @@ mod paper;
 mod plan;
 mod program;
 mod real;
+mod real_cell;
 mod shop;
 mod simulate;
 mod tabulate;

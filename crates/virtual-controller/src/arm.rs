@@ -327,6 +327,9 @@ impl Arm {
         let by_conf = self.conf_j || self.q_rad.is_none();
         if by_conf && solutions.iter().any(|s| self.closed.agrees(conf, &s.q_rad)) {
             solutions.retain(|s| self.closed.agrees(conf, &s.q_rad));
+        } else if by_conf && solutions.iter().any(|s| s.configuration.cfx == conf.cfx) {
+            // The branches differ in cfx; the quadrants only count turns.
+            solutions.retain(|s| s.configuration.cfx == conf.cfx);
         }
         let here = self.q_rad.unwrap_or_default();
         let far = |q: &[f64; 6]| -> f64 { q.iter().zip(&here).map(|(a, b)| (a - b).powi(2)).sum() };

@@ -7,11 +7,11 @@
 
 use crate::cli::model;
 use crate::cli::number::positive;
-use crate::cli::shared::{RobotName, name_and_value};
+use crate::cli::shared::{JointAngles, RobotName, joint_angles, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
 use driftpost::application::{Compensation, Named};
-use rapid_program::compensate::{FormChoice, Options};
+use rapid_program::compensate::{FormChoice, Options, Selection};
 use rapid_program::emit::{Clock, Core, EmitOptions, Sensor};
 use rapid_program::program::Overrides;
 use rapid_program::schedule::{Until, Width};
@@ -106,6 +106,26 @@ pub struct Args {
     #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
     pub wobj: Vec<(String, String)>,
 
+    /// Joints with which the arm stands when the entry is called, degrees: makes branches certain that the text leaves open.
+    #[arg(long, value_name = "Q1,..,Q6", value_parser = joint_angles, allow_hyphen_values = true, conflicts_with = "home")]
+    pub start_joints: Option<JointAngles>,
+
+    /// The same as a jointtarget of the program.
+    #[arg(long, value_name = "NAME")]
+    pub home: Option<String>,
+
+    /// Leave the motions of this target, routine or module alone; * and ? stand for any letters. Repeatable.
+    #[arg(long, value_name = "GLOB")]
+    pub keep: Vec<String>,
+
+    /// Correct the motions of this target, routine or module alone. Repeatable.
+    #[arg(long, value_name = "GLOB")]
+    pub only: Vec<String>,
+
+    /// External axes (a to f) that move neither the robot's base nor a work object.
+    #[arg(long, value_name = "AXIS,..", value_delimiter = ',', value_parser = external_axis)]
+    pub base_fixed: Vec<ExternalAxis>,
+
     /// A larger correction than this is refused [default: 0.5; with --model 3].
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub max_correction_mm: Option<f64>,
@@ -125,6 +145,10 @@ pub struct Args {
     /// Accept a program that RoboDK says was not made with nominal kinematics.
     #[arg(long)]
     pub allow_non_nominal: bool,
+
+    /// Accept a program, a model or a table that is another robot's.
+    #[arg(long)]
+    pub allow_other_robot: bool,
 
     /// The controller's own Absolute Accuracy is on: MoveAbsJ is kept.
     #[arg(long)]
@@ -178,6 +202,10 @@ pub struct Models {
 /// Temperatures of the joints, degrees Celsius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperatures(pub [f64; 6]);
+
+/// An external axis by its number from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExternalAxis(pub usize);
 
 /// What a motion asks instead of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -242,6 +270,8 @@ impl Args {
             keep_moveabsj: self.keep_moveabsj,
             absolute_accuracy: self.absolute_accuracy,
             strict: self.strict,
+            start_rad: self.start_joints.map(|joints| joints.0),
+            selection: Selection { keep: self.keep.clone(), only: self.only.clone() },
             gap_min: matches!(self.clock, ClockName::Warmth).then_some(self.gap_min),
         }
     }
@@ -272,6 +302,7 @@ impl Args {
             emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
             overrides: self.overrides(),
             allow_non_nominal: self.allow_non_nominal,
+            allow_other_robot: self.allow_other_robot,
             default_table: self.deformation.is_none() && self.model.is_none(),
             robot,
             deformation,
@@ -325,7 +356,11 @@ impl Args {
     /// Tools and work objects given as options.
     #[must_use]
     pub fn overrides(&self) -> Overrides {
-        Overrides { tools: self.tool.clone(), wobjs: self.wobj.clone() }
+        let mut base_fixed = [false; 6];
+        for axis in &self.base_fixed {
+            base_fixed[axis.0] = true;
+        }
+        Overrides { tools: self.tool.clone(), wobjs: self.wobj.clone(), home: self.home.clone(), base_fixed }
     }
 
     /// Refuses numbers that make no sense before any work is done.
@@ -380,6 +415,12 @@ pub(in crate::cli) fn temperatures(text: &str) -> Result<Temperatures, String> {
         [a, b, c, d, e, f] => Ok(Temperatures([a, b, c, d, e, f])),
         _ => Err(format!("one temperature or six are needed, there are {}", all.len())),
     }
+}
+
+fn external_axis(text: &str) -> Result<ExternalAxis, String> {
+    let letters = ["a", "b", "c", "d", "e", "f"];
+    let found = letters.iter().position(|letter| text.trim().eq_ignore_ascii_case(letter));
+    found.map(ExternalAxis).ok_or_else(|| "external axes are called a, b, c, d, e and f".to_owned())
 }
 
 #[cfg(test)]

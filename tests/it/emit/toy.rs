@@ -132,6 +132,7 @@ impl Reader<'_> {
             setup: Arc::new(setup),
             targets,
             previous: None,
+            from_start: false,
             skip_reason: None,
             run_time: false,
             from_search: false,

@@ -1,6 +1,6 @@
 //! Errors that handlers of callers go on from, functions that are not given, and what a loop's variable hides.
 
-use super::{at, codes, main_of, module, tool, tools_mm, warnings};
+use super::{at, codes, main_of, module, tool, tools_mm};
 
 fn data() -> String {
     format!("PERS tooldata t:={};\nCONST robtarget p:={};", tool(1), at(5, 5, 5))
@@ -71,10 +71,10 @@ fn a_loops_variable_hides_others_of_its_name_inside_the_loop_alone() {
 }
 
 #[test]
-fn external_axes_of_targets_are_named_once_a_routine() {
+fn an_external_axis_away_from_0_may_carry_the_robot() {
     let ext = at(5, 5, 5).replacen("9E9", "250", 1);
     let zero = at(5, 5, 5).replacen("9E9", "0", 1);
     let lines = |target: &str| format!("MoveL {target},v100,fine,t;\nMoveL {target},v100,fine,t;");
-    assert_eq!(warnings(&main_of(&data(), &lines(&ext))), ["motion::external-axes"]);
-    assert!(warnings(&main_of(&data(), &lines(&zero))).is_empty());
+    assert_eq!(codes(&main_of(&data(), &lines(&ext))), ["keep::external-base"; 2]);
+    assert_eq!(codes(&main_of(&data(), &lines(&zero))), ["-"; 2]);
 }

@@ -98,7 +98,7 @@ fn tools_and_work_objects_from_outside() {
     let read = |tools: &[(&str, &str)], wobjs: &[(&str, &str)]| {
         let own = |list: &[(&str, &str)]| list.iter().map(|(n, t)| ((*n).into(), (*t).into())).collect();
         let file = SourceFile::read(FileId(0), "M.mod", text.clone().into_bytes());
-        Program::read(vec![file], &Overrides { tools: own(tools), wobjs: own(wobjs) })
+        Program::read(vec![file], &Overrides { tools: own(tools), wobjs: own(wobjs), ..Overrides::default() })
     };
     let table = "[FALSE,TRUE,\"\",[[100,0,0],[1,0,0,0]],[[0,20,0],[1,0,0,0]]]";
     let both = read(&[("gun", &tool(50))], &[("TABLE", table)]);

@@ -4,7 +4,6 @@
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
 use super::error::CompensateError;
-use super::messages::Messages;
 use super::model::Model;
 use super::nominal::resolve;
 use super::options::Options;
@@ -93,10 +92,9 @@ pub fn compare(
     pairs: &FilePairs,
     (robot, start_rad): (&Robot, Option<[f64; 6]>),
 ) -> Result<Comparison, CompensateError> {
-    let _ = start_rad;
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
-    let resolved = resolve(before, &model, &mut Messages::default());
+    let (resolved, _) = resolve(before, &model, start_rad);
     let mut out = Comparison::default();
     let place = |is_before: bool, motion: &Motion| pairs.of(is_before, motion.file);
     let mut others = by_routine(after, &|motion| place(false, motion));

@@ -6,6 +6,7 @@ use super::nominal::{Point, Resolved};
 use super::options::Options;
 use super::placement::keep;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
+use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
 use super::warm_joints::warm_joints;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
@@ -26,6 +27,8 @@ pub(super) struct MotionCorrection {
     pub(super) switch_jump_m: f64,
     /// The bucket with the largest correction.
     pub(super) worst_bucket: usize,
+    /// A joint that leaves the quadrant that confdata names.
+    pub(super) crossing: Option<Crossing>,
 }
 
 /// The plan of a motion that stays as it is.
@@ -47,6 +50,7 @@ pub(super) fn correct(
         error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
+        crossing: None,
     };
     let mut refusal = None;
     let mut targets = Vec::with_capacity(count);
@@ -60,6 +64,7 @@ pub(super) fn correct(
                 continue;
             }
         };
+        made.crossing = made.crossing.or_else(|| Crossing::of(motion, &value, &point.q_rad, &joints));
         let meant = point.object_from_tcp();
         let commanded: Vec<Isometry3<f64>> =
             joints.iter().map(|q| point.placement.object_from_tcp(&model.nominal.forward(q))).collect();
@@ -168,7 +173,7 @@ fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Resul
     let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
     let mut refusal = None;
     for bucket in warm {
-        let q_rad = warm_joints(point, &bucket.at).map_err(NoJoints::Skip)?;
+        let q_rad = warm_joints(point, &bucket.at, model).map_err(NoJoints::Skip)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -210,7 +215,7 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {
 impl MotionCorrection {
     /// Of a motion of which nothing more is known.
     pub(super) fn without_figures(planned: PlannedMotion) -> Self {
-        Self { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0 }
+        Self { planned, error_m: Vec::new(), switch_jump_m: 0.0, worst_bucket: 0, crossing: None }
     }
 
     /// How far the nominal controller is told to go from the original target.

@@ -23,6 +23,31 @@ pub enum CompensateError {
     /// There is no schedule that meets the request.
     #[error("no schedule: {0}")]
     Schedule(#[from] ScheduleError),
+    /// A pattern of `--keep` or `--only` fits no target, routine or module.
+    #[error("{option} {pattern} names no target, routine or module of a motion")]
+    Selection {
+        /// The option.
+        option: &'static str,
+        /// The pattern as written.
+        pattern: String,
+    },
+    /// Nothing deforms.
+    #[error("there is nothing to correct: {what}")]
+    NoDeformation {
+        /// What is empty.
+        what: &'static str,
+    },
+    /// The targets do not drift.
+    #[error(
+        "there is nothing to correct: the program's targets drift by at most {drift_mm:.4} mm, within the tolerance of \
+         {tolerance_mm} mm"
+    )]
+    NoDrift {
+        /// The largest drift, mm.
+        drift_mm: f64,
+        /// The tolerance, mm.
+        tolerance_mm: f64,
+    },
     /// There is no motion.
     #[error("the program holds no motion")]
     NoMotion,
@@ -54,6 +79,9 @@ impl CompensateError {
             Self::Temperature => "schedule::temperature",
             Self::ModelTemperature => "model::temperature",
             Self::Schedule(error) => error.code(),
+            Self::Selection { .. } => "option::names-nothing",
+            Self::NoDeformation { .. } => "deform::nothing",
+            Self::NoDrift { .. } => "compensate::no-drift",
             Self::NoMotion => "compensate::no-motion",
             Self::NothingToCompensate { .. } => "compensate::nothing",
         }

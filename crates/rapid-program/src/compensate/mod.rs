@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+mod branch;
 mod clock_gaps;
 pub mod compare;
 mod conditions;
@@ -20,10 +21,14 @@ mod path;
 mod placement;
 pub mod plan;
 mod planner;
+mod plausible;
+mod quadrant_border;
 mod ramp;
+mod selection;
 pub mod tabulate;
 pub mod targets;
 mod track;
+mod unknown_branch;
 mod warm_joints;
 mod wobj_shift_baseline;
 
@@ -32,6 +37,7 @@ pub use live_basis::LiveBasis;
 pub use minutes::{MinuteJoints, joints_every_minute};
 pub use options::{FormChoice, Options};
 pub use planner::plan;
+pub use selection::Selection;
 
 #[cfg(test)]
 mod tests;

@@ -1,24 +1,18 @@
-//! Where each motion is meant to go, and with which joints: the branch by confdata and by where the arm
-//! comes from.
+//! Where each motion is meant to go, and with which joints.
 
-use super::messages::{Messages, span_of};
+use super::branch::{Branch, ComesFrom, WRIST_DEG, branch_of};
+use super::messages::Messages;
 use super::model::Model;
 use super::placement::{Placement, keep};
 use crate::program::Program;
-use crate::program::data::{ConfData, JointTarget};
+use crate::program::data::JointTarget;
 use crate::program::few::Few;
-use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target, TargetValue};
+use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
-use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::deform::{Conditions, Payload};
-use robot_model::kinematics::{Configuration, Solution};
 use robot_model::units::rad_from_deg;
+use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// Nearer to the wrist singularity than this a motion is kept, degrees.
-const WRIST_DEG: f64 = 2.0;
-/// Joints closer than this are the same solution, radians.
-const SAME_RAD: f64 = 1e-6;
 
 /// One target of a motion, placed.
 #[derive(Clone, Debug)]
@@ -77,7 +71,12 @@ pub(super) struct Resolved {
     indexed: bool,
     /// It ends where its target says: not so after program displacements, searches and the like.
     ends_at_target: bool,
+    /// Where the text does not tell the branch: for each value the joints of all branches that the arm may take.
+    may_be: Option<Box<[Branches]>>,
 }
+
+/// The joints of all branches that the arm may take to a value, radians.
+pub(super) type Branches = Box<[[f64; 6]]>;
 
 impl Resolved {
     /// Why the motion stays as it is; `None` where it can be corrected.
@@ -108,7 +107,21 @@ impl Resolved {
 
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.
     pub(super) fn exit_q_rad(&self) -> Option<[f64; 6]> {
-        self.joints.last().filter(|_| !self.indexed).copied()
+        self.joints.last().filter(|_| !self.indexed && self.may_be.is_none()).copied()
+    }
+
+    /// Where it leaves the arm.
+    fn exit(&self) -> ComesFrom {
+        match self.exit_q_rad() {
+            Some(q_rad) => ComesFrom::Joints(q_rad),
+            None if self.may_be.is_some() => ComesFrom::UnknownBranch,
+            None => ComesFrom::Anywhere,
+        }
+    }
+
+    /// For each value the joints of all branches that the arm may take, radians, where the text does not tell which.
+    pub(super) fn may_be(&self) -> Option<&[Branches]> {
+        self.may_be.as_deref()
     }
 
     /// Where it ends, where that is known exactly.
@@ -145,64 +158,130 @@ impl Resolved {
     }
 }
 
-/// What is to be said about a choice of branch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Note {
-    /// Confdata means another solution than the one the arm comes along.
-    Disagrees,
-    /// No solution of the branch the arm comes along: a straight line cannot get there.
-    BranchChange,
-    /// `[0,0,0,0]` and nothing to check it against.
-    Unset,
-}
-
-/// All motions of a program, in their order; load and direction are still to be filled in.
-pub(super) fn resolve(program: &Program, model: &Model, messages: &mut Messages) -> Vec<Resolved> {
-    let motions = &program.motions;
-    let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
-    let mut waiting = vec![false; motions.len()];
-    // The last placement seen: most motions share it.
-    let mut last = None;
-    let mut stack = Vec::new();
-    for first in 0..motions.len() {
-        stack.push(first);
-        while let Some(&i) = stack.last() {
-            if done[i].is_some() {
-                stack.pop();
-                continue;
-            }
-            let previous = motions[i].previous.map(MotionId::index).filter(|&p| p < motions.len());
-            if let Some(p) = previous
-                && done[p].is_none()
-                && !waiting[p]
-            {
-                waiting[i] = true;
-                stack.push(p);
-                continue;
-            }
-            let history = previous.and_then(|p| done[p].as_ref()).and_then(Resolved::exit_q_rad);
-            done[i] = Some(resolve_motion(&motions[i], history, model, &mut last, messages));
-            stack.pop();
+/// All motions of a program, in their order, and what is to be said about them; load and direction are still to be filled in.
+///
+/// `start_rad`: the joints with which the arm stands when the program's entry is called, where they are known.
+pub(super) fn resolve(
+    program: &Program,
+    model: &Model,
+    start_rad: Option<[f64; 6]>,
+) -> (Vec<Resolved>, Messages) {
+    let mut resolver = Resolver { program, model, start_rad, apart: BTreeSet::new() };
+    loop {
+        let (resolved, messages) = resolver.pass();
+        // A loop was entered on what its first way in said; the way back must say the same.
+        let before = resolver.apart.len();
+        resolver.apart = resolver.junctions_apart(&resolved);
+        if resolver.apart.len() == before {
+            return (resolved, messages);
         }
     }
-    // Collected in place: a second list would be as much again.
-    done.into_iter().flatten().collect()
+}
+
+/// Resolves motions one after the other, each after those that run before it.
+struct Resolver<'r> {
+    program: &'r Program,
+    model: &'r Model<'r>,
+    start_rad: Option<[f64; 6]>,
+    /// Junctions whose ways bring the arm along on different branches.
+    apart: BTreeSet<usize>,
+}
+
+impl Resolver<'_> {
+    /// The motions that may run just before one.
+    fn before(&self, i: usize) -> impl Iterator<Item = usize> {
+        let motions = &self.program.motions;
+        let junction = self.program.junctions.get(&MotionId::new(i)).map_or(&[][..], Vec::as_slice);
+        let all = motions[i].previous.iter().chain(junction).map(|before| before.index());
+        all.filter(|&before| before < motions.len())
+    }
+
+    /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
+    fn comes_from<'d>(&self, i: usize, done: impl Fn(usize) -> Option<&'d Resolved>) -> Vec<ComesFrom> {
+        if self.apart.contains(&i) {
+            return vec![ComesFrom::UnknownBranch];
+        }
+        let mut from: Vec<ComesFrom> = self.before(i).filter_map(|p| done(p).map(Resolved::exit)).collect();
+        if self.program.motions[i].from_start {
+            from.push(self.start_rad.map_or(ComesFrom::Anywhere, ComesFrom::Joints));
+        }
+        if from.is_empty() {
+            from.push(ComesFrom::Anywhere);
+        }
+        from
+    }
+
+    fn pass(&self) -> (Vec<Resolved>, Messages) {
+        let motions = &self.program.motions;
+        let mut messages = Messages::default();
+        let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
+        let mut waiting = vec![false; motions.len()];
+        // The last placement seen: most motions share it.
+        let mut last = None;
+        let mut stack = Vec::new();
+        for first in 0..motions.len() {
+            stack.push(first);
+            while let Some(&i) = stack.last() {
+                if done[i].is_some() {
+                    stack.pop();
+                    continue;
+                }
+                if !waiting[i] {
+                    waiting[i] = true;
+                    let pending = stack.len();
+                    stack.extend(self.before(i).filter(|&p| done[p].is_none() && !waiting[p]));
+                    if stack.len() > pending {
+                        continue;
+                    }
+                }
+                let from = self.comes_from(i, |p| done[p].as_ref());
+                done[i] = Some(resolve_motion(&motions[i], &from, self.model, &mut last, &mut messages));
+                stack.pop();
+            }
+        }
+        // Collected in place: a second list would be as much again.
+        (done.into_iter().flatten().collect(), messages)
+    }
+
+    /// The junctions at which not all ways lead to what was resolved.
+    fn junctions_apart(&self, resolved: &[Resolved]) -> BTreeSet<usize> {
+        let mut apart = self.apart.clone();
+        for i in self.program.junctions.keys().map(|junction| junction.index()) {
+            let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&i)) else { continue };
+            let from = self.comes_from(i, |p| resolved.get(p));
+            let again = resolve_motion(motion, &from, self.model, &mut None, &mut Messages::default());
+            let branch = |q_rad: &[f64; 6]| self.model.closed.configuration(q_rad).cfx;
+            let branches = |resolved: &Resolved| resolved.joints.iter().map(branch).collect::<Vec<_>>();
+            let known = resolved[i].may_be.is_none();
+            if known && (again.may_be.is_some() || branches(&again) != branches(&resolved[i])) {
+                apart.insert(i);
+            }
+        }
+        apart
+    }
 }
 
 fn resolve_motion(
     motion: &Motion,
-    history: Option<[f64; 6]>,
+    from: &[ComesFrom],
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Resolved {
     let indexed =
         motion.targets.iter().any(|target| target.value().is_none() && !target.elements().is_empty());
-    let placed = place_targets(motion, history.filter(|_| !indexed), model, last, messages);
-    let (placement, q_rad, failed) = match placed {
-        Ok((placement, q_rad)) => (Some(placement), q_rad, None),
+    let from = from.iter().map(|&from| if indexed { from.anywhere() } else { from }).collect();
+    let placed = place_targets(motion, from, model, last, messages);
+    let (placement, branches, failed) = match placed {
+        Ok((placement, branches)) => (Some(placement), branches, None),
         Err(why) => (None, Vec::new(), Some(why)),
     };
+    let q_rad: Vec<[f64; 6]> = branches.iter().map(|branch| branch.q_rad).collect();
+    let unknown = branches.iter().any(|branch| !branch.others.is_empty());
+    let may_be = unknown.then(|| {
+        let all = |branch: Branch| std::iter::once(branch.q_rad).chain(branch.others).collect();
+        branches.into_iter().map(all).collect()
+    });
     let kept = match (&motion.skip_reason, failed) {
         (Some(why), _) => Some(Arc::clone(why)),
         (None, Some(why)) => Some(Arc::new(why)),
@@ -216,6 +295,7 @@ fn resolve_motion(
         conditions: None,
         indexed,
         ends_at_target,
+        may_be,
     }
 }
 
@@ -239,41 +319,44 @@ fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Skip
 
 fn place_targets(
     motion: &Motion,
-    history: Option<[f64; 6]>,
+    mut from: Vec<ComesFrom>,
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
-) -> Result<(Arc<Placement>, Vec<[f64; 6]>), SkipReason> {
+) -> Result<(Arc<Placement>, Vec<Branch>), SkipReason> {
     let placement = Placement::of(motion)?;
     let placement = match last.take() {
         Some(same) if *same == placement => same,
         _ => Arc::new(placement),
     };
     let placement = &*last.insert(placement);
-    let mut from = history;
-    let mut joints = Vec::with_capacity(motion.targets.len());
+    let mut branches = Vec::with_capacity(motion.targets.len());
     if motion.targets.iter().any(|target| target.values().next().is_none()) {
         return Err(keep("keep::runtime-target", "its target is only known at run time"));
     }
     for target in motion.targets.iter() {
         for value in target.values() {
-            let q_rad = match value {
-                TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => all_axes(&joints)?,
+            let branch = match value {
+                TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
+                    Branch::known(all_axes(&joints)?)
+                }
                 TargetValue::Rob(pose) => {
                     let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
-                    let (q_rad, note) = branch(motion, &base_from_flange, &pose.conf, from, model)?;
-                    if let Some(note) = note {
-                        report_branch(motion, &pose.conf, note, messages);
+                    let branch = branch_of(motion, &base_from_flange, &pose.conf, &from, model)?;
+                    if let Some(note) = branch.note {
+                        messages.add(Some(motion.setup.routine), note.message(motion, &pose.conf));
                     }
-                    q_rad
+                    branch
                 }
             };
             // Of an array's elements none comes from the one before.
-            from = target.value().map(|_| q_rad);
-            joints.push(q_rad);
+            if target.value().is_some() {
+                from = vec![branch.exit()];
+            }
+            branches.push(branch);
         }
     }
-    Ok((Arc::clone(placement), joints))
+    Ok((Arc::clone(placement), branches))
 }
 
 fn all_axes(joints: &JointTarget) -> Result<[f64; 6], SkipReason> {
@@ -284,111 +367,4 @@ fn all_axes(joints: &JointTarget) -> Result<[f64; 6], SkipReason> {
         })?;
     }
     Ok(q_rad)
-}
-
-/// The joints that are meant.
-///
-/// A linear or circular move cannot change branch, so where the arm comes from decides and confdata is
-/// checked against it; a joint move goes where confdata says, or to the nearest joints under `ConfJ \Off`.
-fn branch(
-    motion: &Motion,
-    base_from_flange: &Isometry3<f64>,
-    conf: &ConfData,
-    from: Option<[f64; 6]>,
-    model: &Model,
-) -> Result<([f64; 6], Option<Note>), SkipReason> {
-    let solutions = model.closed.solutions(base_from_flange);
-    if solutions.is_empty() {
-        let anywhere = model.closed.branches(base_from_flange).iter().any(Option::is_some);
-        return Err(if anywhere {
-            keep("reach::range", "its target is reached only outside the joints' ranges")
-        } else {
-            keep("reach::none", "its target is out of the arm's reach")
-        });
-    }
-    let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
-    let by_conf = solutions.iter().find(|s| model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad);
-    let unset = *conf == ConfData::default();
-    let no_such = || {
-        let ConfData { cf1, cf4, cf6, cfx } = *conf;
-        keep(
-            "keep::configuration",
-            format!(
-                "no solution has its configuration [{cf1},{cf4},{cf6},{cfx}], and nothing says which is meant"
-            ),
-        )
-    };
-    if matches!(motion.setup.path, Path::Joint | Path::AbsJoint) {
-        if motion.setup.conf_monitored == Some(false) {
-            let near = from.and_then(|from| nearest(solutions.iter(), &from));
-            return near.or(by_conf).map(|q_rad| (q_rad, None)).ok_or_else(no_such);
-        }
-        let q_rad = by_conf.ok_or_else(no_such)?;
-        let elsewhere = from.is_some_and(|from| model.closed.configuration(&from).cfx != written.cfx);
-        return Ok((q_rad, (unset && elsewhere).then_some(Note::Unset)));
-    }
-    let along = from.and_then(|from| {
-        let near_wrist = model.closed.posture(&from).wrist_rad.abs() < rad_from_deg(WRIST_DEG);
-        let drop = u32::from(near_wrist);
-        let here = model.closed.configuration(&from).cfx >> drop;
-        nearest(solutions.iter().filter(|s| s.configuration.cfx >> drop == here), &from)
-    });
-    match (by_conf, along, from) {
-        (Some(written), Some(along), _) if same(&written, &along) => Ok((along, None)),
-        (_, Some(along), _) => Ok((along, Some(Note::Disagrees))),
-        (Some(written), None, Some(_)) => Ok((written, Some(Note::BranchChange))),
-        (Some(written), None, None) => Ok((written, unset.then_some(Note::Unset))),
-        (None, None, _) => Err(no_such()),
-    }
-}
-
-fn nearest<'a>(solutions: impl Iterator<Item = &'a Solution>, from: &[f64; 6]) -> Option<[f64; 6]> {
-    let far = |q: &[f64; 6]| q.iter().zip(from).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
-    solutions.map(|s| s.q_rad).min_by(|a, b| far(a).total_cmp(&far(b)))
-}
-
-fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_RAD)
-}
-
-fn report_branch(motion: &Motion, conf: &ConfData, note: Note, messages: &mut Messages) {
-    let ConfData { cf1, cf4, cf6, cfx } = conf;
-    let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
-    let held = motion.setup.conf_monitored != Some(false);
-    let span: Span = span_of(motion);
-    let message = match note {
-        Note::Disagrees if held => Diagnostic::warning(
-            "conf::disagrees",
-            format!(
-                "line {}: the configuration {written} is not the one a straight line ends in, and the controller is told \
-                 to check it",
-                motion.line
-            ),
-        )
-        .help("the arm was taken to stay on its branch; on the controller this move stops unless ConfL\\Off is in force"),
-        Note::Disagrees => Diagnostic::warning(
-            "conf::disagrees",
-            format!(
-                "line {}: the configuration {written} is not the one a straight line ends in; under ConfL\\Off the arm \
-                 stays on its branch",
-                motion.line
-            ),
-        )
-        .help("the branch the arm comes along was used; the source's numbers stay as they are"),
-        Note::BranchChange => Diagnostic::warning(
-            "conf::branch-change",
-            format!(
-                "line {}: the target cannot be reached on the branch the arm comes along; the configuration {written} \
-                 was used",
-                motion.line
-            ),
-        )
-        .help("a straight line cannot change branch: check that the move runs at all"),
-        Note::Unset => Diagnostic::warning(
-            "conf::unset",
-            format!("line {}: the configuration {written} looks like one that was never set", motion.line),
-        )
-        .help("it was believed, as nothing else says where the arm comes from; export with configurations, or with a joint move first"),
-    };
-    messages.add(Some(motion.setup.routine), message.at(span));
 }

@@ -1,6 +1,7 @@
 //! What is asked of a compensation.
 
 use super::plan::Form;
+use super::selection::Selection;
 use crate::schedule::{Request, Until, Width};
 use robot_model::deform::identified::Identified;
 use robot_model::units::{m_from_mm, rad_from_deg};
@@ -73,6 +74,10 @@ pub struct Options {
     /// The clock takes a longer gap between two of its readings for a pause, minutes; `None` where it does
     /// not tell running from standing.
     pub gap_min: Option<f64>,
+    /// Motions to leave alone, or the only ones to correct.
+    pub selection: Selection,
+    /// Joints with which the arm stands when the program's entry is called, radians; `None` where that is not known.
+    pub start_rad: Option<[f64; 6]>,
     /// An identified model, on top of the deformation.
     pub model: Option<Arc<Identified>>,
     /// Load on the flange where the tools' load data do not say it, kg; `None` = as they say.
@@ -95,6 +100,8 @@ impl Default for Options {
             absolute_accuracy: false,
             strict: false,
             gap_min: Some(5.0),
+            selection: Selection::default(),
+            start_rad: None,
             model: None,
             payload_kg: None,
             joint_temperature_c: None,

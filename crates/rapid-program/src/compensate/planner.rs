@@ -12,9 +12,11 @@ use super::model::Model;
 use super::nominal::{Resolved, resolve};
 use super::options::{FormChoice, Options};
 use super::plan::{Form, Plan, PlannedMotion, Status};
+use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
+use super::unknown_branch::keep_unknown_branches;
 use super::warm_joints::warm_joints;
-use super::{clock_gaps, conditions, placement};
+use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason};
 use crate::schedule::{Chosen, Moment, choose};
@@ -46,10 +48,19 @@ pub fn plan(
         None => (None, Cow::Borrowed(deformation)),
     };
     let model = Model::new(robot, deformation, options, temperature_c.map(|range_c| range_c[0]))?;
-    let mut messages = Messages::default();
-    let mut resolved = resolve(program, &model, &mut messages);
+    let mut of_plan = Messages::default();
+    plausible::check_deformation(&model, &mut of_plan)?;
+    let left_alone = options.selection.of(program)?;
+    let start_rad = options.start_rad.or(program.home_rad);
+    let (mut resolved, mut messages) = resolve(program, &model, start_rad);
     conditions::fill(program, &model, &mut resolved);
+    keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
     keep_as_asked(program, options, &mut resolved);
+    for (resolved, why) in resolved.iter_mut().zip(left_alone) {
+        if let Some(why) = why {
+            resolved.keep(Arc::new(why));
+        }
+    }
     keep_what_cannot_be_followed(program, &model, &mut resolved);
     conditions::check(program, &model, &resolved, &mut messages);
     let points = ProgramPoints::of(program, &resolved, &model, |_| true);
@@ -63,7 +74,7 @@ pub fn plan(
     drop(points);
     let live = at.ramp().map(|ramp| Arc::new(live::basis(&model, &ramp.functions, options)));
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref() };
-    let (mut motions, tally) = corrector.correct_all(&resolved, &chosen);
+    let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
     let corrected = |planned: &PlannedMotion| !matches!(planned.status, Status::Kept(_));
     if !motions.iter().any(corrected) {
         let reason = |i: usize| match &motions.get(i)?.status {
@@ -76,10 +87,18 @@ pub fn plan(
     let compensated = ProgramPoints::of(program, &resolved, &model, compensated);
     let summary = tally.summary((program, &resolved), &compensated, &chosen.schedule);
     drop(compensated);
+    for (i, crossing) in crossings {
+        if motions[i].status == Status::Compensated {
+            let motion = &program.motions[i];
+            messages.add(Some(motion.setup.routine), crossing.message(motion));
+        }
+    }
     if options.strict {
         motions.iter_mut().for_each(refuse_kept);
     }
-    let mut of_plan = Messages::default();
+    if !motions.iter().any(|motion| matches!(motion.status, Status::Refused(_))) {
+        plausible::check_drift(&summary, options.tolerance_m, &mut of_plan)?;
+    }
     of_plan.add_schedule(&chosen, &summary, options);
     conditions::check_model(&model, Some(&chosen.schedule), &mut of_plan);
     let long_gaps = clock_gaps::long_gaps(program, &resolved, &motions, (&model, options.gap_min));
@@ -126,24 +145,31 @@ struct Corrector<'a> {
 }
 
 impl Corrector<'_> {
-    /// The plans of all motions, with the figures of each, and the program's worst cases.
-    fn correct_all(&self, resolved: &[Resolved], chosen: &Chosen) -> (Vec<PlannedMotion>, Tally) {
+    /// The plans of all motions, with the figures of each, the program's worst cases, and the motions whose joints leave the
+    /// quadrants that confdata name.
+    fn correct_all(
+        &self,
+        resolved: &[Resolved],
+        chosen: &Chosen,
+    ) -> (Vec<PlannedMotion>, Tally, Vec<(usize, Crossing)>) {
         let program = self.program;
         let mut tally = Tally::new(chosen);
         let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
         let mut worst_bucket = Vec::with_capacity(resolved.len());
+        let mut crossings = Vec::new();
         for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
             let one = |(motion, resolved): (&Motion, &Resolved)| self.correct(motion, resolved);
             let made: Vec<MotionCorrection> = some.par_iter().zip(resolved).map(one).collect();
             for made in made {
                 tally.add(MotionId::new(motions.len()), &made);
                 worst_bucket.push(made.worst_bucket as u32);
+                crossings.extend(made.crossing.map(|crossing| (motions.len(), crossing)));
                 // Copied: what stays lies together, not among what the threads worked with.
                 motions.push(made.planned.clone());
             }
         }
         figures::follow_paths((program, resolved), self.at.warm(), self.model, &worst_bucket, &mut motions);
-        (motions, tally)
+        (motions, tally, crossings)
     }
 
     fn correct(&self, motion: &Motion, resolved: &Resolved) -> MotionCorrection {
@@ -246,7 +272,7 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
 fn keep_what_cannot_be_followed(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let settled = model.arm(Moment::Settled);
     program.motions.par_iter().zip(resolved).for_each(|(motion, resolved)| {
-        let why = resolved.points(motion, model).find_map(|point| warm_joints(&point, &settled).err());
+        let why = resolved.points(motion, model).find_map(|point| warm_joints(&point, &settled, model).err());
         if let Some(why) = why {
             resolved.keep(Arc::new(why));
         }

@@ -174,7 +174,7 @@ impl Ramp {
     fn worst_m(&self, model: &Model, points: &[Sample<'_>]) -> f64 {
         let one = |Sample { point, by_joints }: &Sample<'_>| {
             let joints: Option<Vec<[f64; 6]>> =
-                self.nodes.iter().map(|node| warm_joints(point, &node.at).ok()).collect();
+                self.nodes.iter().map(|node| warm_joints(point, &node.at, model).ok()).collect();
             let joints = joints?;
             let corrections = self.corrections(point, *by_joints, &joints, model);
             let misses = self.checks.iter().map(|check| {
@@ -257,7 +257,7 @@ fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance
     let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
     let rows_of = |Sample { point, .. }: &Sample<'_>| -> Option<Vec<[f64; 6]>> {
         let course = |arm: &DeformedArm| {
-            let q_rad = warm_joints(point, arm).ok()?;
+            let q_rad = warm_joints(point, arm, model).ok()?;
             let commanded = model.nominal.forward(&q_rad);
             let turn =
                 (commanded.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;

@@ -1,5 +1,6 @@
 //! The joints with which the warm arm stands where a point is meant to be.
 
+use super::model::Model;
 use super::nominal::Point;
 use super::placement::keep;
 use crate::program::motion::SkipReason;
@@ -9,9 +10,17 @@ use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// A joint that would change by more is near a singularity, degrees.
 pub(super) const JOINT_CHANGE_DEG: f64 = 1.0;
+/// Nearer than this to where two branches meet joints change much faster than the tool: degrees of wrist and elbow, metres of
+/// the wrist centre from axis 1.
+const NEAR_DEG: f64 = 10.0;
+const NEAR_M: f64 = 0.05;
 
 /// The joints with which `arm` stands where the point is meant to be, or why the point is kept.
-pub(super) fn warm_joints(point: &Point, arm: &DeformedArm) -> Result<[f64; 6], SkipReason> {
+pub(super) fn warm_joints(
+    point: &Point,
+    arm: &DeformedArm,
+    model: &Model<'_>,
+) -> Result<[f64; 6], SkipReason> {
     let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
         .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
         .q_rad;
@@ -22,14 +31,24 @@ pub(super) fn warm_joints(point: &Point, arm: &DeformedArm) -> Result<[f64; 6], 
         .enumerate()
         .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
     if change_rad > rad_from_deg(JOINT_CHANGE_DEG) {
-        return Err(keep(
-            "singular::joint-change",
-            format!(
-                "axis {} would change by {:.3} deg: too near a singularity",
-                joint + 1,
-                deg_from_rad(change_rad)
-            ),
-        ));
+        let (axis, change_deg) = (joint + 1, deg_from_rad(change_rad));
+        return Err(if is_near_singularity(model, &point.q_rad) {
+            let text = format!("axis {axis} would change by {change_deg:.3} deg: too near a singularity");
+            keep("singular::joint-change", text)
+        } else {
+            let text = format!(
+                "axis {axis} would change by {change_deg:.3} deg, more than the {JOINT_CHANGE_DEG} deg that a correction may"
+            );
+            keep("keep::joint-change", text)
+        });
     }
     Ok(q_rad)
+}
+
+/// Whether joints change much there for a small shift: close to one of the arm's three singularities.
+fn is_near_singularity(model: &Model<'_>, q_rad: &[f64; 6]) -> bool {
+    let posture = model.closed.posture(q_rad);
+    posture.wrist_rad.abs() < rad_from_deg(NEAR_DEG)
+        || posture.elbow_rad.abs() < rad_from_deg(NEAR_DEG)
+        || posture.shoulder_m.abs() < NEAR_M
 }

@@ -33,6 +33,7 @@ impl<'a> ControlFlow<'a> {
         evaluator: &mut ConstEvaluator<'a>,
         sites: &MotionSites<'a>,
         tracked: &TrackedData,
+        base_fixed: [bool; 6],
     ) -> Self {
         let mut out = Self::default();
         let index = evaluator.index;
@@ -41,7 +42,7 @@ impl<'a> ControlFlow<'a> {
             let (ctx, evaluator) = (routine.ctx, &mut *evaluator);
             let recovery = Recovery::of(index, ctx, routine.tree);
             let mut builder =
-                CfgBuilder { evaluator, sites, tracked, ctx, fallible, recovery, out: &mut out };
+                CfgBuilder { evaluator, sites, tracked, base_fixed, ctx, fallible, recovery, out: &mut out };
             let body = builder.body(&routine.tree.body);
             builder.recovery = Recovery::default(); // an error in a handler goes to the caller
             let handlers = routine.tree.handlers.iter().map(|h| builder.body(&h.body)).collect();
@@ -76,6 +77,8 @@ struct CfgBuilder<'l, 'a> {
     evaluator: &'l mut ConstEvaluator<'a>,
     sites: &'l MotionSites<'a>,
     tracked: &'l TrackedData,
+    /// External axes that move neither the robot's base nor a work object.
+    base_fixed: [bool; 6],
     ctx: Ctx,
     /// Some routine handles errors: they are to be followed.
     fallible: bool,
@@ -163,7 +166,12 @@ impl<'a> CfgBuilder<'_, 'a> {
             StmtKind::Return(_) => out.push(Node::Return),
             StmtKind::Raise(_) if self.recovery.next => {}
             StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
-            StmtKind::Opaque => self.opaque(stmt.range, out),
+            StmtKind::Opaque => {
+                if let Some(first) = self.sites.motion_at(at.file, stmt) {
+                    out.push(Node::Step(FlowStep::Motions { first, count: 1 }));
+                }
+                self.opaque(stmt.range, out);
+            }
             StmtKind::Connect(_) | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
         }
     }

@@ -9,6 +9,7 @@ use super::functions;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved};
 use super::motion::SkipReason;
 use super::names::{Sym, as_text};
+use super::other_tasks;
 use super::predefined::predefined;
 use super::value::{self, DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
 use super::writes::{How, Writes};
@@ -263,8 +264,14 @@ impl<'a> ConstEvaluator<'a> {
             How::AnyTime => format!("{name} is changed at any time by {place}"),
             How::Aliased => format!("{name} is changed in part or through a parameter: {place}"),
             How::Perhaps => format!("{name} may be changed at run time: {place}"),
+            How::OtherTask => {
+                let path = &self.index.file(at.file).path;
+                let task = super::task_of(path).unwrap_or("another task");
+                format!("{name} is shared with {task}, which changes it at any time: {place}")
+            }
         };
-        Rc::new(SkipReason { code: "keep::runtime-target", reason, because: Some(at) })
+        let code = if how == How::OtherTask { other_tasks::CODE } else { "keep::runtime-target" };
+        Rc::new(SkipReason { code, reason, because: Some(at) })
     }
 
     fn about(&self, datum: DatumId, code: &'static str, what: &str) -> Why {
@@ -303,8 +310,7 @@ impl<'a> ConstEvaluator<'a> {
         state: &dyn TrackedValues,
     ) -> Result<Value, Why> {
         let written = as_text(self.index.text(ctx.file, name));
-        let own = self.index.name_at(ctx.file, name).map(|n| self.index.routine(n, ctx));
-        if own.is_some_and(|r| r != Resolved::Nowhere) {
+        if self.index.declares_routine(name, ctx) {
             return Err(function_result(&written));
         }
         let lower = super::names::lower_case(written.as_bytes());

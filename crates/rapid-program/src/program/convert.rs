@@ -149,7 +149,8 @@ fn confdata(value: &Value) -> Result<ConfData, NotThat> {
     Ok(ConfData { cf1, cf4, cf6, cfx })
 }
 
-fn extjoint(value: &Value) -> Result<ExtJoint, NotThat> {
+/// A value as `extjoint`: `None` for an axis that is not used.
+pub(super) fn extjoint(value: &Value) -> Result<ExtJoint, NotThat> {
     Ok(numbers::<6>(value, "extjoint")?.map(used))
 }
 

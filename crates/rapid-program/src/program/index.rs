@@ -40,6 +40,8 @@ pub(super) struct Datum<'a> {
     pub(super) type_name: Sym,
     pub(super) array: bool,
     pub(super) local: bool,
+    /// Neither LOCAL nor TASK: as PERS it is one datum for all tasks.
+    pub(super) shared: bool,
     pub(super) init: Option<&'a Expr>,
     pub(super) range: TextRange,
     pub(super) name_range: TextRange,
@@ -175,6 +177,11 @@ impl<'a> Index<'a> {
         self.look_up(&self.routines_at, name, Ctx { routine: None, ..ctx })
     }
 
+    /// Whether the program declares a routine of the name in a range: then that is meant, not the controller's own.
+    pub(super) fn declares_routine(&self, name: TextRange, ctx: Ctx) -> bool {
+        self.name_at(ctx.file, name).is_some_and(|name| self.routine(name, ctx) != Resolved::Nowhere)
+    }
+
     /// The span of a datum's declaration.
     pub(super) fn declaration(&self, datum: DatumId) -> Span {
         let d = &self.data[datum];
@@ -275,6 +282,7 @@ impl<'a> Index<'a> {
             type_name: self.names.intern(file.text(decl.type_name)),
             array: !decl.dims.is_empty(),
             local,
+            shared: decl.scope == Scope::Global,
             init: decl.init.as_ref(),
             range: decl.range,
             name_range: decl.name,
@@ -313,6 +321,7 @@ impl<'a> Index<'a> {
                 type_name: self.names.intern(file.text(param.type_name)),
                 array: param.dims > 0,
                 local: true,
+                shared: false,
                 init: None,
                 range: param.range,
                 name_range: param.name,
@@ -341,9 +350,18 @@ impl<'a> Index<'a> {
         for (var, seen_in) in loop_variables {
             let name = self.names.intern(file.text(var));
             let kind = DatumKind::LoopVariable;
-            let (array, local, init) = (false, true, None);
-            let datum =
-                Datum { ctx, kind, name, type_name: num, array, local, init, range: var, name_range: var };
+            let datum = Datum {
+                ctx,
+                kind,
+                name,
+                type_name: num,
+                array: false,
+                local: true,
+                shared: false,
+                init: None,
+                range: var,
+                name_range: var,
+            };
             self.loop_variables.entry((id, name)).or_default().push((seen_in, self.data.len()));
             self.data.push(datum);
         }

@@ -26,10 +26,12 @@ mod mod_ref;
 mod motion_site;
 mod names;
 mod order;
+mod other_tasks;
 mod overrides;
 mod own_position;
 mod predefined;
 mod read;
+mod read_as_data;
 mod record;
 mod state;
 mod target;
@@ -41,18 +43,25 @@ pub use file_pairs::FilePairs;
 pub use pgf::{modules_of_pgf, pgf_with_module};
 
 use module_facts::Facts;
-use motion::{Loop, Motion, RoutineInfo};
+use motion::{Loop, Motion, MotionId, RoutineInfo};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use std::collections::BTreeMap;
 
-/// Tools and work objects given from outside, for names that no given module declares: name, and value
-/// as RAPID writes it, `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
+/// What is said from outside about a program, beside its text.
+///
+/// Tools and work objects are for names that no given module declares: name, and value as RAPID writes it,
+/// `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Overrides {
     /// Tools, as the option `--tool` gives them.
     pub tools: Vec<(String, String)>,
     /// Work objects, as the option `--wobj` gives them.
     pub wobjs: Vec<(String, String)>,
+    /// The jointtarget at which the arm stands when the program's entry is called.
+    pub home: Option<String>,
+    /// External axes a to f that move neither the robot's base nor a work object.
+    pub base_fixed: [bool; 6],
 }
 
 /// A program: all given files, read and understood together.
@@ -67,8 +76,12 @@ pub struct Program {
     pub loops: Vec<Loop>,
     /// Every motion instruction, in file order.
     pub motions: Vec<Motion>,
+    /// The motions that run just before those with several such; [`Motion::from_start`] says whether these may be the first.
+    pub junctions: BTreeMap<MotionId, Vec<MotionId>>,
     /// Modules, remarks, routines that a program can begin with.
     pub facts: Facts,
+    /// The joints of [`Overrides::home`], radians.
+    pub home_rad: Option<[f64; 6]>,
     /// What a reader of the program should know.
     pub diagnostics: Vec<Diagnostic>,
 }

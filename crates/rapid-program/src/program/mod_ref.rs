@@ -3,7 +3,8 @@
 use super::cfg::ControlFlow;
 use super::flow::{Blocker, FlowStep, every_step};
 use super::index::RoutineIndex;
-use std::collections::BTreeSet;
+use super::value::Why;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a routine and those it calls may change.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,7 +13,8 @@ pub(super) struct RoutineEffects {
     pub(super) conf_l: bool,
     pub(super) conf_j: bool,
     pub(super) grip: bool,
-    pub(super) blockers: BTreeSet<Blocker>,
+    /// What is put in force, and by which statement.
+    pub(super) blockers: BTreeMap<Blocker, Why>,
     pub(super) calls: BTreeSet<RoutineIndex>,
 }
 
@@ -26,8 +28,8 @@ impl RoutineEffects {
             FlowStep::ConfL(_) => self.conf_l = true,
             FlowStep::ConfJ(_) => self.conf_j = true,
             FlowStep::Grip(_) => self.grip = true,
-            FlowStep::Blocker(hold, Some(_)) => {
-                self.blockers.insert(*hold);
+            FlowStep::Blocker(hold, Some(why)) => {
+                self.blockers.entry(*hold).or_insert_with(|| why.clone());
             }
             FlowStep::Call { routines, bindings, .. } => {
                 self.calls.extend(routines);
@@ -46,7 +48,9 @@ impl RoutineEffects {
         self.conf_l |= other.conf_l;
         self.conf_j |= other.conf_j;
         self.grip |= other.grip;
-        self.blockers.extend(&other.blockers);
+        for (hold, why) in &other.blockers {
+            self.blockers.entry(*hold).or_insert_with(|| why.clone());
+        }
     }
 }
 

@@ -57,6 +57,9 @@ pub struct Motion {
     pub targets: Few<Target>,
     /// The motion that runs just before this one, where the program's text alone says so.
     pub previous: Option<MotionId>,
+    /// It is, or may be, the first: the arm comes from where it stands when the program's entry is called, which is `main`, or without
+    /// one each routine that nothing calls.
+    pub from_start: bool,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
     pub skip_reason: Option<Arc<SkipReason>>,
     /// The only reason in `skip_reason` is that a target, the tool or the work object is known at run time alone: a function

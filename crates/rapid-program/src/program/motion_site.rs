@@ -1,7 +1,8 @@
 //! Where motions, loops and routines stand in the text, before anything is known of their values.
 
 use super::const_eval::{ConstEvaluator, Constant};
-use super::index::{Ctx, Index, Resolved, RoutineIndex, every_statement, inner_bodies};
+use super::expressions::words;
+use super::index::{Ctx, Index, RoutineIndex, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
 use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
@@ -21,6 +22,8 @@ pub(super) struct MotionSite<'a> {
     pub(super) info: motion::RoutineId,
     /// The loops round it: position in [`MotionSites::nests`].
     pub(super) nest: u32,
+    /// Text that was not understood: the statement itself, or one right before or behind it.
+    pub(super) not_read: Option<TextRange>,
 }
 
 impl<'a> MotionSite<'a> {
@@ -124,9 +127,10 @@ impl<'a> Walk<'_, 'a> {
             match &stmt.kind {
                 StmtKind::Call(call) => {
                     if let Callee::Name(name) = &call.callee {
-                        self.call(stmt, *name);
+                        self.call(stmt, *name, not_read_beside(body, position));
                     }
                 }
+                StmtKind::Opaque => self.not_read(stmt),
                 StmtKind::While(looped) => {
                     let ctx = self.ctx();
                     let cond = self.evaluator.fold(&looped.cond, ctx, &Constant).map(|t| t.value);
@@ -191,13 +195,22 @@ impl<'a> Walk<'_, 'a> {
         (step != 0.0 && passes < 1e15).then_some(passes.max(0.0) as u64)
     }
 
-    fn call(&mut self, stmt: &'a Stmt, name: TextRange) {
+    /// Text that was not understood but names a move: a motion that must be accounted for.
+    fn not_read(&mut self, stmt: &'a Stmt) {
+        let (index, file) = (self.evaluator.index, self.ctx().file);
+        let text = index.text(file, stmt.range);
+        let is_move = |word: &TextRange| move_form(&lower_case(index.text(file, *word))).is_some();
+        if let Some(name) = words(text, stmt.range.start).into_iter().find(is_move) {
+            self.call(stmt, name, Some(stmt.range));
+        }
+    }
+
+    fn call(&mut self, stmt: &'a Stmt, name: TextRange, not_read: Option<TextRange>) {
         let ctx = self.ctx();
         let index = self.evaluator.index;
         let written = index.text(ctx.file, name);
         let Some(form) = move_form(&lower_case(written)) else { return };
-        let own = index.names.find(written).map(|name| index.routine(name, ctx));
-        if own.is_some_and(|r| r != Resolved::Nowhere) {
+        if index.declares_routine(name, ctx) {
             return; // a routine of the program bears the instruction's name
         }
         let info = self.routine();
@@ -213,7 +226,7 @@ impl<'a> Walk<'_, 'a> {
             self.sites.nests.push(loops);
         }
         let nest = self.sites.nests.len() as u32 - 1;
-        self.sites.motions.push(MotionSite { stmt, form, routine: self.id as u32, info, nest });
+        self.sites.motions.push(MotionSite { stmt, form, routine: self.id as u32, info, nest, not_read });
     }
 
     /// The routine's entry among those with motion, made with its first motion.
@@ -234,6 +247,14 @@ impl<'a> Walk<'_, 'a> {
         self.info = Some(info);
         info
     }
+}
+
+/// The statement that was not understood right before or behind the one at `position`, comments aside.
+fn not_read_beside(body: &[Stmt], position: usize) -> Option<TextRange> {
+    let told = |stmt: &&Stmt| !matches!(stmt.kind, StmtKind::Comment | StmtKind::Empty);
+    let before = body.get(..position)?.iter().rev().find(told);
+    let behind = body.get(position + 1..)?.iter().find(told);
+    before.into_iter().chain(behind).find(|stmt| matches!(stmt.kind, StmtKind::Opaque)).map(|stmt| stmt.range)
 }
 
 fn gotos(tree: &Routine) -> Vec<(TextRange, u32)> {

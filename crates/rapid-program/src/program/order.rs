@@ -2,29 +2,64 @@
 
 use super::cfg::ControlFlow;
 use super::flow::{FlowStep, ForwardAnalysis, Node, every_step, walk};
-use super::index::{Index, RoutineIndex};
+use super::index::{Index, RoutineEntry, RoutineIndex};
 use super::instructions::Special;
 use super::motion::MotionId;
 use super::motion_site::MotionSites;
 use rapid_syntax::tree::RoutineKind;
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// Where a junction may lead from so many motions; more are as good as any.
+const MOST_MOTIONS: usize = 8;
 
 /// Where the arm comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 enum ComesFrom {
     /// From where the routine's caller left it.
     Entry,
     /// From where a motion ends.
     Motion(MotionId),
-    /// It may come from several places, or from one that is not known.
+    /// From where it stands when the program's entry is called.
+    Start,
+    /// From one of several such places.
+    OneOf(Rc<Places>),
+    /// From a place that is not known.
     Anywhere,
 }
 
-/// For each motion the one before it.
+/// Several places, of which the arm comes from one.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Places {
+    entry: bool,
+    start: bool,
+    motions: BTreeSet<MotionId>,
+}
+
+/// What runs before a motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Before {
+    /// This motion.
+    Motion(MotionId),
+    /// Nothing: the arm stands where it stands when the program's entry is called.
+    Start,
+    /// One of these motions, or also nothing where `start` says so.
+    OneOf {
+        /// It may be the first.
+        start: bool,
+        /// In file order.
+        motions: Vec<MotionId>,
+    },
+    /// The text does not say it.
+    Unknown,
+}
+
+/// For each motion what runs just before it.
 pub(super) fn order(
     index: &Index<'_>,
     sites: &MotionSites<'_>,
     control_flow: &ControlFlow<'_>,
-) -> Vec<Option<MotionId>> {
+) -> Vec<Before> {
     let routines = control_flow.routines.len();
     let mut walker = Walker {
         sites,
@@ -44,11 +79,14 @@ pub(super) fn order(
     }
     let entries = walker.entries(index);
     let previous = |(at, site): (&Option<ComesFrom>, &super::motion_site::MotionSite<'_>)| {
-        let from = at.unwrap_or(ComesFrom::Anywhere);
-        let entry = site.ctx(index).routine.and_then(|r| entries.get(r).copied().flatten());
-        match resolve(from, entry.unwrap_or(ComesFrom::Anywhere)) {
-            ComesFrom::Motion(previous) => Some(previous),
-            ComesFrom::Entry | ComesFrom::Anywhere => None,
+        let entry = site.ctx(index).routine.and_then(|r| entries.get(r)?.as_ref());
+        match resolve(at.as_ref().unwrap_or(&ComesFrom::Anywhere), entry.unwrap_or(&ComesFrom::Anywhere)) {
+            ComesFrom::Motion(previous) => Before::Motion(previous),
+            ComesFrom::Start => Before::Start,
+            ComesFrom::OneOf(places) if !places.entry => {
+                Before::OneOf { start: places.start, motions: places.motions.iter().copied().collect() }
+            }
+            ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere => Before::Unknown,
         }
     };
     walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
@@ -69,7 +107,7 @@ struct Walker<'w, 'a> {
 impl Walker<'_, '_> {
     /// Where the arm comes from after a routine, in terms of its entry; `None`: it never comes back.
     fn exit(&mut self, routine: RoutineIndex) -> Option<ComesFrom> {
-        if let Some(known) = self.exits.get(routine).copied().flatten() {
+        if let Some(known) = self.exits.get(routine).cloned().flatten() {
             return known;
         }
         if self.busy.contains(&routine) || self.busy.len() > 100 {
@@ -88,7 +126,7 @@ impl Walker<'_, '_> {
         }
         self.busy.pop();
         if let Some(known) = self.exits.get_mut(routine) {
-            *known = Some(exit);
+            *known = Some(exit.clone());
         }
         exit
     }
@@ -96,26 +134,29 @@ impl Walker<'_, '_> {
     /// Where the arm comes from when each routine is entered: what all its calls have in common.
     fn entries(&mut self, index: &Index<'_>) -> Vec<Option<ComesFrom>> {
         let calls = std::mem::take(&mut self.calls);
-        let called: std::collections::BTreeSet<RoutineIndex> = calls.iter().map(|c| c.1).collect();
-        let mut entries: Vec<Option<ComesFrom>> = index
-            .routines
-            .iter()
-            .enumerate()
-            .map(|(id, r)| {
-                (r.tree.kind == RoutineKind::Trap || !called.contains(&id)).then_some(ComesFrom::Anywhere)
-            })
-            .collect();
+        let called: BTreeSet<RoutineIndex> = calls.iter().map(|c| c.1).collect();
+        let is_main =
+            |r: &RoutineEntry<'_>| r.tree.kind == RoutineKind::Proc && index.names.text(r.name) == "main";
+        let has_main = index.routines.iter().any(is_main);
+        let first = |(id, r): (RoutineIndex, &RoutineEntry<'_>)| match r.tree.kind {
+            RoutineKind::Trap => Some(ComesFrom::Anywhere),
+            _ if is_main(r) => Some(ComesFrom::Start),
+            _ if called.contains(&id) => None,
+            RoutineKind::Proc if !has_main => Some(ComesFrom::Start),
+            RoutineKind::Proc | RoutineKind::Func { .. } => Some(ComesFrom::Anywhere),
+        };
+        let mut entries: Vec<Option<ComesFrom>> = index.routines.iter().enumerate().map(first).collect();
         loop {
             let mut changed = false;
-            for &(caller, callee, came) in &calls {
-                let Some(Some(before)) = entries.get(caller).copied() else { continue };
+            for (caller, callee, came) in &calls {
+                let Some(Some(before)) = entries.get(*caller) else { continue };
                 let came = resolve(came, before);
-                let Some(entry) = entries.get_mut(callee) else { continue };
-                let joined = match entry {
+                let Some(entry) = entries.get_mut(*callee) else { continue };
+                let joined = match &*entry {
                     None => came,
-                    Some(known) => either(*known, came),
+                    Some(known) => either(known, &came),
                 };
-                changed |= *entry != Some(joined);
+                changed |= entry.as_ref() != Some(&joined);
                 *entry = Some(joined);
             }
             if !changed {
@@ -129,7 +170,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
     type State = ComesFrom;
 
     fn join(&mut self, into: &mut ComesFrom, other: &ComesFrom) -> bool {
-        let joined = either(*into, *other);
+        let joined = either(into, other);
         let changed = joined != *into;
         *into = joined;
         changed
@@ -141,7 +182,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 let mut from = state;
                 for motion in (first.index()..first.index() + *count as usize).map(MotionId::new) {
                     if let Some(at) = self.at_motions.get_mut(motion.index()) {
-                        *at = Some(at.map_or(from, |seen| either(seen, from)));
+                        *at = Some(at.as_ref().map_or_else(|| from.clone(), |seen| either(seen, &from)));
                     }
                     from = match self.sites.motions.get(motion.index()).map(|site| site.form.special) {
                         Some(Special::Plain | Special::Unsupported) => ComesFrom::Motion(motion),
@@ -153,18 +194,21 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             }
             FlowStep::Call { routines, maybe, recovery, .. } => {
                 let caller = self.busy.last().copied();
-                let mut out = maybe.then_some(state);
+                let mut out = maybe.then(|| state.clone());
                 if recovery.next {
                     out = Some(ComesFrom::Anywhere); // the call may end anywhere
                 }
                 let state = if recovery.again { ComesFrom::Anywhere } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
-                        self.calls.push((caller, callee, state));
+                        self.calls.push((caller, callee, state.clone()));
                     }
                     if let Some(exit) = self.exit(callee) {
-                        let after = resolve(exit, state);
-                        out = Some(out.map_or(after, |out| either(out, after)));
+                        let after = resolve(&exit, &state);
+                        out = Some(match out {
+                            Some(out) => either(&out, &after),
+                            None => after,
+                        });
                     }
                 }
                 out
@@ -194,11 +238,37 @@ fn moves(nodes: &[Node<'_>]) -> bool {
 }
 
 /// What is said in terms of a routine's entry, with the entry known.
-fn resolve(from: ComesFrom, entry: ComesFrom) -> ComesFrom {
-    if from == ComesFrom::Entry { entry } else { from }
+fn resolve(from: &ComesFrom, entry: &ComesFrom) -> ComesFrom {
+    match from {
+        ComesFrom::Entry => entry.clone(),
+        ComesFrom::OneOf(places) if places.entry => {
+            let own = Places { entry: false, ..(**places).clone() };
+            either(&ComesFrom::OneOf(Rc::new(own)), entry)
+        }
+        other => other.clone(),
+    }
 }
 
-/// What two ways have in common: the same motion, or none.
-fn either(a: ComesFrom, b: ComesFrom) -> ComesFrom {
-    if a == b { a } else { ComesFrom::Anywhere }
+/// Where the arm may come from by two ways.
+fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
+    if a == b {
+        return a.clone();
+    }
+    let mut all = Places::default();
+    for from in [a, b] {
+        match from {
+            ComesFrom::Anywhere => return ComesFrom::Anywhere,
+            ComesFrom::Entry => all.entry = true,
+            ComesFrom::Start => all.start = true,
+            ComesFrom::Motion(motion) => {
+                all.motions.insert(*motion);
+            }
+            ComesFrom::OneOf(places) => {
+                all.entry |= places.entry;
+                all.start |= places.start;
+                all.motions.extend(&places.motions);
+            }
+        }
+    }
+    if all.motions.len() > MOST_MOTIONS { ComesFrom::Anywhere } else { ComesFrom::OneOf(Rc::new(all)) }
 }

@@ -1,9 +1,10 @@
-//! Tools and work objects given from outside for names that no given module declares.
+//! What is said from outside about a program: tools and work objects that no given module declares, and where the arm stands
+//! at the entry.
 
 use super::Overrides;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::convert;
-use super::index::Index;
+use super::index::{Datum, Index};
 use super::names::lower_case;
 use super::value::Value;
 use super::writes::Writes;
@@ -56,6 +57,41 @@ pub(super) fn unused(
             );
         }
     }
+}
+
+/// The joints of the jointtarget that `--home` names, radians; what is wrong with it becomes an error.
+pub(super) fn home(
+    evaluator: &mut ConstEvaluator<'_>,
+    overrides: &Overrides,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<[f64; 6]> {
+    let name = overrides.home.as_deref()?;
+    let index = evaluator.index;
+    let sym = index.names.find(name.as_bytes());
+    let declared = |d: &Datum<'_>| Some(d.name) == sym && d.ctx.routine.is_none();
+    let joints = match index.data.iter().position(declared) {
+        None => Err("is not declared in the given files".to_owned()),
+        Some(datum) if index.type_text(index.data[datum].type_name) != "jointtarget" => {
+            Err("is no jointtarget, and a pose alone does not tell the joints".to_owned())
+        }
+        Some(datum) => {
+            evaluator.datum(datum, &Constant).map_err(|why| format!("is not known: {}", why.reason))
+        }
+    };
+    let joints = joints.and_then(|value| {
+        let joints =
+            convert::jointtarget(&value).map_err(|(_, reason)| format!("cannot be read: {reason}"))?;
+        let all: Option<Vec<f64>> = joints.q_rad.into_iter().collect();
+        let all: Option<[f64; 6]> = all.and_then(|all| all.try_into().ok());
+        all.ok_or_else(|| "leaves an axis of the arm where it is (9E9)".to_owned())
+    });
+    joints
+        .map_err(|reason| {
+            let text = format!("--home {name} {reason}");
+            let help = "name a jointtarget of the program, or give the six angles with --start-joints";
+            diagnostics.push(Diagnostic::error("override::home", text).help(help));
+        })
+        .ok()
 }
 
 fn value(type_name: &str, name: &str, text: &str) -> Result<Value, String> {

@@ -8,12 +8,14 @@ use super::flow::BLOCKERS;
 use super::index::{Ctx, Index};
 use super::instructions::Special;
 use super::module_facts::facts;
-use super::motion::{Motion, MotionSetup, Origin, Path, RoutineInfo, SkipReason, Target, TargetValue};
+use super::motion::{Motion, MotionId, MotionSetup, Origin, Path, SkipReason, Target, TargetValue};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{as_text, lower_case};
-use super::order::order;
+use super::order::{Before, order};
+use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::predefined::guessed;
+use super::read_as_data::ReadAsData;
 use super::state::{State, View, states_at_motions};
 use super::tracked::TrackedData;
 use super::value::{DataName, Value, Why, why};
@@ -41,9 +43,10 @@ impl Program {
         let mut evaluator = ConstEvaluator::new(&index, &writes);
         evaluator.given = given;
         super::overrides::unused(&evaluator, overrides, &mut diagnostics);
+        let home_rad = super::overrides::home(&mut evaluator, overrides, &mut diagnostics);
         let sites = MotionSites::new(&mut evaluator);
         let tracked = TrackedData::new(&index, &writes, &sites);
-        let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked);
+        let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
         let states = states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
         let order = order(&index, &sites, &control_flow);
         let facts = facts(&index, &control_flow.called());
@@ -55,20 +58,34 @@ impl Program {
             tracked: &tracked,
             own_positions: OwnPositions::new(&index),
             found_positions: OwnPositions::of_searches(&index),
+            read_as_data: ReadAsData::new(&index),
+            base_fixed: overrides.base_fixed,
             nests,
             recent_setups: VecDeque::new(),
             last_skip: None,
             kept_over: BTreeMap::new(),
             guesses: BTreeMap::new(),
+            read_elsewhere: BTreeMap::new(),
         };
         let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
-        for ((site, state), previous) in sites.into_iter().zip(states).zip(order) {
-            motions.push(Motion { previous, ..finish.motion(&site, state.as_deref()) });
+        let mut junctions = BTreeMap::new();
+        for ((site, state), before) in sites.into_iter().zip(states).zip(order) {
+            let (previous, from_start) = match before {
+                Before::Motion(previous) => (Some(previous), false),
+                Before::Start => (None, true),
+                Before::OneOf { start, motions: before } => {
+                    junctions.insert(MotionId::new(motions.len()), before);
+                    (None, start)
+                }
+                Before::Unknown => (None, false),
+            };
+            motions.push(Motion { previous, from_start, ..finish.motion(&site, state.as_deref()) });
         }
-        diagnostics.extend(external_axes(&motions, &routines));
         diagnostics.extend(finish.evaluator.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
+        diagnostics.extend(finish.read_elsewhere.into_values());
+        diagnostics.extend(other_tasks::not_given(&index));
         for (name, at) in &not_given {
             let text = format!("{name} is not among the given files");
             diagnostics.push(
@@ -79,7 +96,7 @@ impl Program {
         }
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::forget_bodies);
-        Self { files, routines, loops, motions, facts, diagnostics }
+        Self { files, routines, loops, motions, junctions, facts, home_rad, diagnostics }
     }
 }
 
@@ -96,6 +113,11 @@ struct MotionReader<'f, 'a> {
     last_skip: Option<Arc<SkipReason>>,
     /// PERS that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
+    read_as_data: ReadAsData,
+    /// External axes that move neither the robot's base nor a work object.
+    base_fixed: [bool; 6],
+    /// Targets that are read as data elsewhere, once each.
+    read_elsewhere: BTreeMap<usize, Diagnostic>,
     /// Speeds and zones that are not predefined, once each.
     guesses: BTreeMap<String, Diagnostic>,
 }
@@ -130,7 +152,15 @@ impl<'a> MotionReader<'_, 'a> {
         if let Some(keep) = special(form.special, form.name) {
             fail(keep);
         }
-        if args.targets.len() < form.targets.len() {
+        if let Some(not_read) = site.not_read {
+            let reason = if not_read == range {
+                "it was not understood"
+            } else {
+                "text that was not understood stands right beside it"
+            };
+            let because = Some(Span { file: ctx.file, range: not_read });
+            fail(SkipReason { code: "keep::not-read", reason: reason.into(), because });
+        } else if args.targets.len() < form.targets.len() {
             fail(keep("keep::not-read", format!("{} has too few arguments", form.name)));
         }
         match state {
@@ -161,11 +191,27 @@ impl<'a> MotionReader<'_, 'a> {
         };
         let joints_wanted = form.path == Path::AbsJoint;
         let mut reached = Vec::new();
+        let mut read_elsewhere = Vec::new();
         let from_search = args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr));
         let mut targets = Vec::with_capacity(args.targets.len());
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
             let own_position = self.own_positions.is_read(index, ctx, expr);
+            if let Some((datum, reading)) = self.read_as_data.of_target(index, ctx, expr) {
+                match reading.why_kept(index) {
+                    Some(why) => fail(why),
+                    None => read_elsewhere.push((datum, reading.warning(index, datum))),
+                }
+            }
+            if !joints_wanted && let Some(axis) = moving_axis(&target, self.base_fixed) {
+                fail(keep(
+                    "keep::external-base",
+                    format!(
+                        "it places external axis {axis}, which may carry the robot's base or the work object (--base-fixed {axis} \
+                         says that it does not)"
+                    ),
+                ));
+            }
             // One of an array's elements is known well enough where all of them are.
             let indexed = args.targets.len() == 1 && !target.elements().is_empty();
             targets.push(target);
@@ -235,6 +281,11 @@ impl<'a> MotionReader<'_, 'a> {
         if let Some(state) = state {
             self.note_kept_over(state, &args, ctx, at);
         }
+        if first.is_none() {
+            for (datum, warning) in read_elsewhere {
+                self.read_elsewhere.entry(datum).or_insert(warning);
+            }
+        }
         let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
         let frame_arguments = [text(args.tool), text(args.wobj)];
         let [tool_name, wobj_name] = frame_arguments.map(|text| text.map(as_text));
@@ -260,6 +311,7 @@ impl<'a> MotionReader<'_, 'a> {
             setup: self.shared_setup(setup),
             targets: targets.into_iter().collect(),
             previous: None,
+            from_start: false,
             run_time: first.is_some() && run_time && args.tool.is_some() && args.conditional.is_empty(),
             skip_reason: first.map(|keep| self.shared_skip(keep)),
             from_search,
@@ -517,34 +569,17 @@ impl<'a> MotionReader<'_, 'a> {
     }
 }
 
-/// One warning for each routine whose motions place external axes: a track carries the robot's base along.
-fn external_axes(motions: &[Motion], routines: &[RoutineInfo]) -> Vec<Diagnostic> {
-    let places_axes = |motion: &&Motion| {
-        motion.skip_reason.is_none()
-            && motion.targets.iter().filter_map(Target::value).any(|value| {
-                let ext = match value {
-                    TargetValue::Rob(target) => target.ext,
-                    TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
-                };
-                ext.iter().flatten().any(|&place| place != 0.0)
-            })
-    };
-    let mut by_routine: BTreeMap<_, (&Motion, usize)> = BTreeMap::new();
-    for motion in motions.iter().filter(places_axes) {
-        by_routine.entry(motion.setup.routine).or_insert((motion, 0)).1 += 1;
-    }
-    let warning = |(routine, (first, count)): (super::motion::RoutineId, (&Motion, usize))| {
-        let name = &routines.get(routine.index())?.name;
-        let text = match count {
-            1 => format!("a target of {name} places external axes"),
-            n => format!("targets of {n} motions of {name} place external axes"),
+/// The letter of an external axis that a target places away from 0 and that may move the base.
+fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
+    target.values().find_map(|value| {
+        let ext = match value {
+            TargetValue::Rob(target) => target.ext,
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
         };
-        let at = Span { file: first.file, range: first.range };
-        Some(Diagnostic::warning("motion::external-axes", text).at(at).help(
-            "the correction takes the robot's base as standing still: where one of them moves the base, as a track does, it is wrong",
-        ))
-    };
-    by_routine.into_iter().filter_map(warning).collect()
+        let moves = |(place, fixed): (Option<f64>, bool)| place.is_some_and(|place| place != 0.0) && !fixed;
+        let axis = ext.into_iter().zip(base_fixed).position(moves)?;
+        Some(char::from(b"abcdef"[axis]))
+    })
 }
 
 fn special(special: Special, name: &str) -> Option<SkipReason> {
@@ -575,6 +610,7 @@ fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -
 }
 
 fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> SkipReason {
+    let code = if why.code == other_tasks::CODE { why.code } else { code };
     let reason = format!("the {what} {name} is not known: {}", why.reason);
     SkipReason { code, reason, because: why.because }
 }

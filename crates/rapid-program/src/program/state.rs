@@ -176,8 +176,10 @@ impl Walker<'_, '_> {
             state.conf_j = state.conf_j.filter(|_| !any.conf_j);
             state.grip = state.grip.filter(|_| !any.grip);
             for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
-                if any.blockers.contains(hold) && held.is_none() {
-                    *held = Some(unknown("a trap or an error handler may put it in force"));
+                if let Some(by) = any.blockers.get(hold)
+                    && held.is_none()
+                {
+                    *held = Some(at_any_time(by));
                 }
             }
         }
@@ -381,10 +383,16 @@ fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
     state.conf_j = state.conf_j.filter(|_| !effects.conf_j);
     state.grip = state.grip.filter(|_| !effects.grip);
     for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
-        if effects.blockers.contains(hold) {
-            *held = Some(why.clone());
+        if let Some(by) = effects.blockers.get(hold) {
+            *held = Some(by.clone());
         }
     }
+}
+
+/// What a trap or an error handler puts in force.
+fn at_any_time(by: &Why) -> Why {
+    let reason = format!("a trap or an error handler may put it in force: {}", by.reason);
+    Rc::new(SkipReason { reason, ..(**by).clone() })
 }
 
 fn unknown(reason: &str) -> Why {

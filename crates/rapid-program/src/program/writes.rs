@@ -6,6 +6,7 @@ use super::expressions::{every_call, expressions_of, root_of, value_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
 use super::instructions::{is_written_option, move_form, written_arguments};
 use super::names::Sym;
+use super::other_tasks;
 use super::value;
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{
@@ -27,6 +28,8 @@ pub(super) enum How {
     /// Through a routine's parameter, or an element of an array, or by text that was not understood
     /// outside of routines.
     Aliased,
+    /// By another task, at any time.
+    OtherTask,
 }
 
 /// One place where a datum is changed.
@@ -82,6 +85,17 @@ impl Writes {
                 }
             }
         }
+        for shared in other_tasks::shared(index) {
+            let task = |id: &DatumId| index.modules.get(index.data[*id].ctx.module).map(|module| module.task);
+            let written: Vec<(DatumId, Write)> =
+                shared.iter().filter_map(|&id| Some((id, writes.first(id)?))).collect();
+            for (by, write) in written {
+                for &other in shared.iter().filter(|other| task(other) != task(&by)) {
+                    let how = How::OtherTask;
+                    writes.add(other, Write { how, ..write }, index.data[other].kind);
+                }
+            }
+        }
         writes
     }
 
@@ -102,6 +116,10 @@ impl Writes {
         let Some(slot) = self.by_datum.get_mut(datum) else { return };
         *slot = Some(match *slot {
             None => (write, write.how),
+            // What another task does is the better reason.
+            Some((first, worst)) if write.how == How::OtherTask && first.how != How::OtherTask => {
+                (write, worst.max(write.how))
+            }
             Some((first, worst)) => (first, worst.max(write.how)),
         });
     }

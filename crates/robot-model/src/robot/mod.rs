@@ -5,9 +5,11 @@
 mod built_in;
 mod error;
 mod file;
+mod kind;
 mod range;
 
 pub use error::RobotError;
+pub use kind::same_type;
 pub use range::OutOfRange;
 
 use nalgebra::{Isometry3, Unit, Vector3};

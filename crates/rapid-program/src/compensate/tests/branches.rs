@@ -45,7 +45,11 @@ fn without_history_confdata_decides() {
         motion.previous = i.checked_sub(1).map(MotionId::new);
     }
     let plan = planned(&program);
-    assert_eq!(plan.diagnostics, []);
+    assert_eq!(
+        codes(&plan),
+        [("conf::unchecked", Severity::Warning)],
+        "the first move alone comes from nowhere"
+    );
     assert!(plan.motions.iter().all(|m| m.targets[0].nominal_q_rad[4] < 0.0));
 
     // [0,0,0,0] without anything before it. The cube's first target has q4 = -136.5 deg with joint 5 positive,
@@ -93,8 +97,11 @@ fn a_joint_move_follows_confdata_or_the_nearest_joints() {
     let near = planned(&program(vec![approach(), joint(Some(false), other)]));
     assert!((deg_from_rad(near.motions[1].targets[0].nominal_q_rad[4]) + 75.605_869).abs() < 1e-6);
 
-    let nowhere = planned(&program(vec![approach(), joint(Some(true), value([1, 1, 1, 7]))]));
-    assert_eq!(kept_code(&nowhere.motions[1].status), "keep::configuration");
+    // cfx names the branch, whatever the quadrants say.
+    let amiss = planned(&program(vec![approach(), joint(Some(true), value([1, 1, 1, 0]))]));
+    let q_deg = amiss.motions[1].targets[0].nominal_q_rad.map(deg_from_rad);
+    assert!((q_deg[3] + 136.469_524).abs() < 1e-6 && (q_deg[4] - 75.605_869).abs() < 1e-6);
+    assert_eq!(codes(&amiss), [("conf::disagrees", Severity::Warning)]);
 }
 
 #[test]
@@ -212,7 +219,8 @@ fn a_pose_given_by_joints_becomes_a_robtarget() {
 fn an_arc_is_one_motion_with_two_corrected_points() {
     let wxyz = [0.0, 0.0, 1.0, 0.0];
     let at = |x, y| pose([x, y, 300.0], wxyz, [0; 4]);
-    let start = motion(Path::Joint, &[at(450.0, 100.0)]);
+    let mut start = motion(Path::Joint, &[at(450.0, 100.0)]);
+    Arc::make_mut(&mut start.setup).conf_monitored = Some(true);
     let arc = motion(Path::Circular, &[at(500.0, 150.0), at(550.0, 100.0)]);
     let over = motion(Path::Circular, &[at(2500.0, 150.0), at(550.0, 100.0)]);
     let plan = planned(&program(vec![start, arc, over]));

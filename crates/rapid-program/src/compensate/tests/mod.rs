@@ -73,6 +73,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         setup: Arc::new(setup),
         targets: values.iter().map(target).collect(),
         previous: None,
+        from_start: false,
         skip_reason: None,
         run_time: false,
         from_search: false,
@@ -92,6 +93,7 @@ fn program(motions: Vec<Motion>) -> Program {
         motion.line = i as u32 + 1;
         motion.range = TextRange::new(10 * i as u32, 10 * i as u32 + 9);
         motion.previous = i.checked_sub(1).map(MotionId::new);
+        motion.from_start = i == 0;
     }
     program
 }

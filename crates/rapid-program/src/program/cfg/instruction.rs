@@ -58,6 +58,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
         let on = if conditional { None } else { Some(!has("off")) };
         let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
+        let offsets_nothing = lower == "eoffsset" && self.offsets_nothing(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
         let step = match lower.as_str() {
             "confl" => FlowStep::ConfL(on),
@@ -68,6 +69,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 FlowStep::Blocker(Blocker::Displacement, active("a program displacement is in force"))
             }
             "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
+            "eoffsset" if offsets_nothing => FlowStep::Blocker(Blocker::ExternalOffset, None),
             "eoffson" | "eoffsset" => {
                 FlowStep::Blocker(Blocker::ExternalOffset, active("an offset of external axes is in force"))
             }
@@ -104,6 +106,15 @@ impl<'a> CfgBuilder<'_, 'a> {
         let ctx = self.ctx;
         let pose = self.evaluator.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
         matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
+    }
+
+    /// Whether the offsets given to EOffsSet are constant and of axes alone that move no robot.
+    fn offsets_nothing(&mut self, call: &CallStmt) -> bool {
+        let Some(ArgKind::Positional(offsets)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        let ctx = self.ctx;
+        let Ok(offsets) = self.evaluator.fold(offsets, ctx, &Constant) else { return false };
+        let Ok(offsets) = convert::extjoint(&offsets.value) else { return false };
+        offsets.iter().zip(self.base_fixed).all(|(by, fixed)| fixed || by.is_none_or(|by| by == 0.0))
     }
 
     /// The load of a GripLoad, where it is constant.

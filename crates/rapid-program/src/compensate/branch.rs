@@ -1,0 +1,307 @@
+//! Which of the arm's eight branches a robtarget is reached on: by confdata where the controller checks it, by where the arm
+//! comes from where it does not.
+
+use super::messages::span_of;
+use super::model::Model;
+use super::placement::keep;
+use crate::program::data::ConfData;
+use crate::program::motion::{Motion, Path, SkipReason};
+use nalgebra::Isometry3;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::kinematics::{Configuration, Solution};
+use robot_model::units::rad_from_deg;
+
+/// Nearer to the wrist singularity than this a motion is kept, degrees.
+pub(super) const WRIST_DEG: f64 = 2.0;
+/// Joints closer than this are the same solution, radians.
+const SAME_RAD: f64 = 1e-6;
+
+/// Where the arm stands before a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum ComesFrom {
+    /// With these joints, radians.
+    Joints([f64; 6]),
+    /// At a target that the text does not tell the branch of.
+    UnknownBranch,
+    /// The text does not tell where.
+    Anywhere,
+}
+
+impl ComesFrom {
+    fn joints(&self) -> Option<&[f64; 6]> {
+        match self {
+            Self::Joints(q_rad) => Some(q_rad),
+            Self::UnknownBranch | Self::Anywhere => None,
+        }
+    }
+
+    /// The same with the place forgotten.
+    pub(super) fn anywhere(self) -> Self {
+        if self == Self::UnknownBranch { self } else { Self::Anywhere }
+    }
+}
+
+/// The joints a target is reached with.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    /// Those that are meant, as far as can be told, radians.
+    pub(super) q_rad: [f64; 6],
+    /// Those of every other branch that the arm may take as well, radians; none where the branch is known.
+    pub(super) others: Vec<[f64; 6]>,
+    /// What is to be said about the choice.
+    pub(super) note: Option<Note>,
+}
+
+impl Branch {
+    /// The only one there is.
+    pub(super) fn known(q_rad: [f64; 6]) -> Self {
+        Self { q_rad, others: Vec::new(), note: None }
+    }
+
+    /// Where it leaves the arm.
+    pub(super) fn exit(&self) -> ComesFrom {
+        if self.others.is_empty() { ComesFrom::Joints(self.q_rad) } else { ComesFrom::UnknownBranch }
+    }
+}
+
+/// What is to be said about a choice of branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Note {
+    /// Confdata means another solution than the one the arm comes along.
+    Disagrees,
+    /// cfx names a branch on which a quadrant of axis 1, 4 or 6 is another one than confdata says.
+    Quadrant,
+    /// No solution of the branch the arm comes along: a straight line cannot get there.
+    BranchChange,
+    /// `[0,0,0,0]` and nothing to check it against.
+    Unset,
+    /// Nobody checks confdata, and the text does not tell where the arm comes from.
+    Unchecked,
+}
+
+/// The joints that are meant.
+///
+/// A linear or circular move cannot change branch, so where the arm comes from decides and confdata is checked against it.
+/// A joint move goes to the branch that cfx names, or under `ConfJ \Off` to the solution nearest to where the arm stands.
+///
+/// The branch is known where all places that the arm may come `from` lead to the same.
+///
+/// # Errors
+/// Why there is none.
+pub(super) fn branch_of(
+    motion: &Motion,
+    base_from_flange: &Isometry3<f64>,
+    conf: &ConfData,
+    from: &[ComesFrom],
+    model: &Model,
+) -> Result<Branch, SkipReason> {
+    let solutions = model.closed.solutions(base_from_flange);
+    if solutions.is_empty() {
+        let anywhere = model.closed.branches(base_from_flange).iter().any(Option::is_some);
+        return Err(if anywhere {
+            keep("reach::range", "its target is reached only outside the joints' ranges")
+        } else {
+            keep("reach::none", "its target is out of the arm's reach")
+        });
+    }
+    let target = Target { solutions: &solutions, conf, model };
+    let checked = motion.setup.conf_monitored;
+    let one = |from: &ComesFrom| match motion.setup.path {
+        Path::Joint | Path::AbsJoint => target.of_joint_move(checked, from.joints()),
+        Path::Linear | Path::Circular => target.of_line(checked, from),
+    };
+    let mut all = from.iter().map(one);
+    let mut branch = all.next().unwrap_or_else(|| one(&ComesFrom::Anywhere))?;
+    for other in all {
+        let other = other?;
+        let same_branch = target.cfx(&other.q_rad) == target.cfx(&branch.q_rad);
+        if !(same_branch && other.others.is_empty() && branch.others.is_empty()) {
+            return Ok(target.any());
+        }
+        branch.note = branch.note.or(other.note);
+    }
+    Ok(branch)
+}
+
+/// A robtarget with its solutions within the joints' ranges, of which there is one at least.
+struct Target<'t> {
+    solutions: &'t [Solution],
+    conf: &'t ConfData,
+    model: &'t Model<'t>,
+}
+
+impl Target<'_> {
+    fn of_joint_move(
+        &self,
+        conf_monitored: Option<bool>,
+        from: Option<&[f64; 6]>,
+    ) -> Result<Branch, SkipReason> {
+        let nearest = from.and_then(|from| nearest(self.solutions.iter(), from));
+        match (conf_monitored, nearest) {
+            (Some(true), _) => {
+                let mut branch = self.by_cfx(from).ok_or_else(|| self.no_such())?;
+                let elsewhere = from.is_some_and(|from| self.cfx(from) != self.conf.cfx);
+                if self.is_unset() && elsewhere {
+                    branch.note = Some(Note::Unset);
+                }
+                Ok(branch)
+            }
+            (Some(false), Some(nearest)) => Ok(Branch::known(nearest)),
+            (Some(false), None) => Ok(self.any()),
+            (None, _) => {
+                // Confdata are checked, or they are not: known where both come to the same.
+                let same_branch = |q_rad: &[f64; 6]| self.cfx(q_rad) == self.conf.cfx;
+                Ok(nearest.filter(same_branch).map_or_else(|| self.any(), Branch::known))
+            }
+        }
+    }
+
+    fn of_line(&self, conf_monitored: Option<bool>, from: &ComesFrom) -> Result<Branch, SkipReason> {
+        let along = from.joints().and_then(|from| self.along(from));
+        let exact = self.as_written();
+        let checked = conf_monitored == Some(true);
+        let with = |q_rad, note| Ok(Branch { q_rad, others: Vec::new(), note: Some(note) });
+        match (exact, along, from) {
+            (Some(written), Some(along), _) if same(&written, &along) => Ok(Branch::known(along)),
+            (_, Some(along), _) => with(along, Note::Disagrees),
+            (Some(written), None, ComesFrom::Joints(_)) => with(written, Note::BranchChange),
+            (_, None, ComesFrom::UnknownBranch) if !checked => Ok(self.any()),
+            (Some(written), None, _) if self.is_unset() => with(written, Note::Unset),
+            (Some(written), None, _) if checked => Ok(Branch::known(written)),
+            (Some(written), None, _) => with(written, Note::Unchecked),
+            (None, None, _) if checked => self.by_cfx(from.joints()).ok_or_else(|| self.no_such()),
+            (None, None, _) => Err(self.no_such()),
+        }
+    }
+
+    /// The solution nearest to where the arm comes from on its branch. Close to the wrist singularity the sign of joint 5
+    /// is none of the branch.
+    fn along(&self, from: &[f64; 6]) -> Option<[f64; 6]> {
+        let near_wrist = self.model.closed.posture(from).wrist_rad.abs() < rad_from_deg(WRIST_DEG);
+        let drop = u32::from(near_wrist);
+        let here = self.cfx(from) >> drop;
+        nearest(self.solutions.iter().filter(|s| s.configuration.cfx >> drop == here), from)
+    }
+
+    /// The solution with all four numbers of confdata.
+    fn as_written(&self) -> Option<[f64; 6]> {
+        let ConfData { cf1, cf4, cf6, cfx } = *self.conf;
+        let written = Configuration { cf1, cf4, cf6, cfx };
+        self.solutions.iter().find(|s| self.model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
+    }
+
+    /// The solution on the branch that cfx names: with all numbers of confdata, else the one with fewest quarter turns
+    /// amiss, and of those the nearest. Whole turns of axes 4 and 6 change no correction.
+    fn by_cfx(&self, from: Option<&[f64; 6]>) -> Option<Branch> {
+        if let Some(written) = self.as_written() {
+            return Some(Branch::known(written));
+        }
+        let amiss = |s: &Solution| {
+            let c = s.configuration;
+            let quarters = [(c.cf1, self.conf.cf1), (c.cf4, self.conf.cf4), (c.cf6, self.conf.cf6)];
+            quarters.iter().map(|(own, written)| (i64::from(*own) - i64::from(*written)).abs()).sum::<i64>()
+        };
+        let far = |s: &Solution| from.map_or(0.0, |from| s.squared_distance(from));
+        let on_branch = self.solutions.iter().filter(|s| s.configuration.cfx == self.conf.cfx);
+        let least =
+            on_branch.min_by(|a, b| amiss(a).cmp(&amiss(b)).then_with(|| far(a).total_cmp(&far(b))))?;
+        Some(Branch { q_rad: least.q_rad, others: Vec::new(), note: Some(Note::Quadrant) })
+    }
+
+    /// Every branch within range, the one of confdata first where it is among them.
+    fn any(&self) -> Branch {
+        let first = self.as_written().or_else(|| self.by_cfx(None).map(|branch| branch.q_rad));
+        let q_rad = first.unwrap_or(self.solutions[0].q_rad);
+        let mut seen = vec![self.cfx(&q_rad)];
+        let mut others = Vec::new();
+        for solution in self.solutions {
+            if !seen.contains(&solution.configuration.cfx) {
+                seen.push(solution.configuration.cfx);
+                others.push(solution.q_rad);
+            }
+        }
+        Branch { q_rad, others, note: None }
+    }
+
+    fn cfx(&self, q_rad: &[f64; 6]) -> i32 {
+        self.model.closed.configuration(q_rad).cfx
+    }
+
+    fn is_unset(&self) -> bool {
+        *self.conf == ConfData::default()
+    }
+
+    fn no_such(&self) -> SkipReason {
+        let ConfData { cf1, cf4, cf6, cfx } = *self.conf;
+        keep(
+            "keep::configuration",
+            format!(
+                "no solution has its configuration [{cf1},{cf4},{cf6},{cfx}], and nothing says which is meant"
+            ),
+        )
+    }
+}
+
+fn nearest<'a>(solutions: impl Iterator<Item = &'a Solution>, from: &[f64; 6]) -> Option<[f64; 6]> {
+    let far = |s: &&Solution| s.squared_distance(from);
+    solutions.min_by(|a, b| far(a).total_cmp(&far(b))).map(|s| s.q_rad)
+}
+
+fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_RAD)
+}
+
+impl Note {
+    /// The warning of a motion whose target has these confdata.
+    pub(super) fn message(self, motion: &Motion, conf: &ConfData) -> Diagnostic {
+        let ConfData { cf1, cf4, cf6, cfx } = conf;
+        let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
+        let (line, held) = (motion.line, motion.setup.conf_monitored != Some(false));
+        let (code, text, help) = match self {
+            Self::Disagrees if held => (
+                "conf::disagrees",
+                format!(
+                    "the configuration {written} is not the one a straight line ends in, and the controller is told to check it"
+                ),
+                "the arm was taken to stay on its branch; on the controller this move stops unless ConfL\\Off is in force",
+            ),
+            Self::Disagrees => (
+                "conf::disagrees",
+                format!(
+                    "the configuration {written} is not the one a straight line ends in; under ConfL\\Off the arm stays on its \
+                     branch"
+                ),
+                "the branch the arm comes along was used; the source's numbers stay as they are",
+            ),
+            Self::Quadrant => (
+                "conf::disagrees",
+                format!(
+                    "no solution has the quadrants of the configuration {written}; the branch that its cfx names was used"
+                ),
+                "the source's numbers stay as they are; a controller that checks them goes to the same branch, or stops there",
+            ),
+            Self::BranchChange => (
+                "conf::branch-change",
+                format!(
+                    "the target cannot be reached on the branch the arm comes along; the configuration {written} was used"
+                ),
+                "a straight line cannot change branch: check that the move runs at all",
+            ),
+            Self::Unset => (
+                "conf::unset",
+                format!("the configuration {written} looks like one that was never set"),
+                "it was believed, as nothing else says where the arm comes from; export with configurations, or with a joint move \
+                 first",
+            ),
+            Self::Unchecked => (
+                "conf::unchecked",
+                format!(
+                    "where the arm comes from is not known, and under ConfL\\Off it stays on its branch whatever the \
+                     configuration {written} says"
+                ),
+                "the configuration was believed; --start-joints or --home says where the arm stands at the entry",
+            ),
+        };
+        Diagnostic::warning(code, format!("line {line}: {text}")).help(help).at(span_of(motion))
+    }
+}

@@ -1,0 +1,79 @@
+//! Corrections that take axis 1, 4 or 6 over the border of the quadrant that confdata names.
+//!
+//! The source's confdata stay as they are, and the corrected joint stands a hundredth of a degree beyond: a controller that is
+//! told to check configurations may stop there.
+
+use super::messages::span_of;
+use crate::program::motion::{Motion, TargetValue};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::deg_from_rad;
+use std::f64::consts::FRAC_PI_2;
+
+/// A joint this little beyond a border is on it, radians.
+const ON_BORDER_RAD: f64 = 1e-9;
+
+/// A joint that a correction takes over its quadrant's border.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Crossing {
+    /// 1, 4 or 6.
+    axis: usize,
+    /// The quadrant that confdata names.
+    quadrant: i32,
+    /// The joint as corrected, radians.
+    q_rad: f64,
+}
+
+impl Crossing {
+    /// The one of a target that the controller checks, where there is one.
+    pub(super) fn of(
+        motion: &Motion,
+        value: &TargetValue,
+        nominal_rad: &[f64; 6],
+        corrected_rad: &[[f64; 6]],
+    ) -> Option<Self> {
+        let TargetValue::Rob(target) = value else { return None };
+        if motion.setup.conf_monitored == Some(false) {
+            return None;
+        }
+        let conf = target.conf;
+        [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
+            let joint = axis - 1;
+            let inside = within(nominal_rad[joint], quadrant);
+            let out = corrected_rad.iter().map(|q_rad| q_rad[joint]).find(|&q_rad| !within(q_rad, quadrant));
+            out.filter(|_| inside).map(|q_rad| Self { axis, quadrant, q_rad })
+        })
+    }
+
+    /// The warning of its motion.
+    pub(super) fn message(&self, motion: &Motion) -> Diagnostic {
+        let Self { axis, quadrant, q_rad } = self;
+        let text = format!(
+            "line {}: the correction takes axis {axis} to {:.4} deg, over the border of the quadrant that cf{axis} = {quadrant} names; \
+             {} is checked there",
+            motion.line,
+            deg_from_rad(*q_rad),
+            motion.setup.kind
+        );
+        Diagnostic::warning("conf::border", text).at(span_of(motion)).help(
+            "the target's numbers stay; a controller that takes quadrants to the letter stops at such a target: try it in manual \
+             mode, or program ConfL\\Off or ConfJ\\Off there",
+        )
+    }
+}
+
+/// Whether a joint stands in a quadrant or on its border.
+fn within(q_rad: f64, quadrant: i32) -> bool {
+    let from_rad = f64::from(quadrant) * FRAC_PI_2;
+    q_rad >= from_rad - ON_BORDER_RAD && q_rad <= from_rad + FRAC_PI_2 + ON_BORDER_RAD
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_of_a_quadrant_belong_to_it() {
+        assert!(within(0.0, 0) && within(0.0, -1) && within(FRAC_PI_2, 0));
+        assert!(!within(-1e-6, 0) && !within(FRAC_PI_2 + 1e-6, 0) && within(-1e-6, -1));
+    }
+}

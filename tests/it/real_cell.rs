@@ -1,0 +1,333 @@
+//! What a robot's surroundings do to its program: each fixture of `fixtures/cell` holds one thing about which a corrected
+//! program was, or would be, wrong without a word.
+
+use driftpost::application::{Compensated, Refusal};
+use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+use rapid_program::compensate::plan::Status;
+use rapid_program::compensate::{FormChoice, Selection};
+use robot_model::deform::GrowthLaw;
+use robot_model::units::rad_from_deg;
+use std::path::Path;
+
+fn bytes(name: &str) -> Vec<u8> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/cell").join(name);
+    std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn program(names: &[&str]) -> ProgramFiles {
+    ProgramFiles::new(names.iter().map(|name| (name.to_string(), bytes(name))))
+}
+
+fn compensation() -> Compensation {
+    Compensation::new(Robot::built_in("irb140").unwrap(), Deformation::paper())
+}
+
+/// Lines and what becomes of their motions: `compensated`, or the code of the reason.
+fn statuses(made: &Compensated<'_>) -> Vec<(u32, &'static str)> {
+    let status = |status: &Status| match status {
+        Status::Compensated => "compensated",
+        Status::Kept(why) | Status::Refused(why) => why.code,
+    };
+    let motions = made.program.motions.iter().zip(&made.plan.motions);
+    motions.map(|(motion, planned)| (motion.line, status(&planned.status))).collect()
+}
+
+fn reason(made: &Compensated<'_>, line: u32) -> String {
+    let at = made.program.motions.iter().position(|m| m.line == line).expect("a motion stands there");
+    match &made.plan.motions[at].status {
+        Status::Kept(why) | Status::Refused(why) => why.reason.clone(),
+        Status::Compensated => String::new(),
+    }
+}
+
+/// The messages with a code.
+fn messages(made: &Compensated<'_>, code: &str) -> Vec<String> {
+    let all = made.messages.iter().filter(|m| m.diagnostic.code == code);
+    all.map(|m| m.diagnostic.message.clone()).collect()
+}
+
+fn refusal(compensation: &Compensation, program: &ProgramFiles) -> Box<Refusal> {
+    compensation.run(program).err().expect("it is refused")
+}
+
+fn error_codes(refusal: &Refusal) -> Vec<&'static str> {
+    use rapid_syntax::diagnostic::Severity;
+    let errors = refusal.messages.iter().filter(|m| m.diagnostic.severity == Severity::Error);
+    errors.map(|m| m.diagnostic.code).collect()
+}
+
+/// Under ConfJ\Off the controller takes the solution nearest to where the arm stands.
+#[test]
+fn without_known_joints_a_joint_move_that_nobody_checks_has_no_branch() {
+    let files = program(&["conf_off.mod"]);
+    let unknown = compensation();
+    let made = unknown.run(&files).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [
+            (10, "keep::branch-unknown"),
+            (11, "keep::branch-unknown"),
+            (12, "keep::no-value"),
+            (13, "keep::branch-unknown"),
+            (14, "keep::branch-unknown"),
+            (15, "compensated"),
+            (16, "compensated"),
+            (17, "compensated"),
+        ]
+    );
+    assert!(reason(&made, 10).contains("--start-joints"), "{}", reason(&made, 10));
+
+    // Where the arm stands at the entry is said: the first two are known, those after `MoveAbsJ jr` are not.
+    let mut told = compensation();
+    told.options.start_rad = Some([0.0, 0.0, 0.0, 0.0, 30.0, 0.0].map(rad_from_deg));
+    let with_joints = told.run(&files).unwrap();
+    assert_eq!(
+        statuses(&with_joints)[..3].iter().map(|s| s.1).collect::<Vec<_>>(),
+        ["compensated", "compensated", "keep::no-value"]
+    );
+    assert_eq!(statuses(&with_joints)[3].1, "keep::branch-unknown");
+    let mut home = compensation();
+    home.overrides.home = Some("jHome".to_owned());
+    assert_eq!(statuses(&home.run(&files).unwrap()), statuses(&with_joints));
+
+    // From the other side of the wrist the same numbers are reached with axis 5 negative.
+    let mut turned = compensation();
+    turned.options.start_rad = Some([0.0, 0.0, 0.0, 180.0, -30.0, -180.0].map(rad_from_deg));
+    let made = turned.run(&files).unwrap();
+    assert!(made.plan.motions[0].targets[0].nominal_q_rad[4] < 0.0);
+    assert!(with_joints.plan.motions[0].targets[0].nominal_q_rad[4] > 0.0);
+}
+
+/// What a reviewer's tools must know stands in the emitted module.
+#[test]
+fn what_was_said_from_outside_stands_in_the_header() {
+    let mut told = compensation();
+    told.overrides.home = Some("jHome".to_owned());
+    told.overrides.base_fixed[1] = true;
+    told.options.selection.keep.push("pB*".to_owned());
+    let made = told.run(&program(&["conf_off.mod"])).unwrap();
+    let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
+    for line in ["with: start-joints 0,0,0,0,30,0", "with: base-fixed b", "with: keep pB*"] {
+        assert!(text.lines().any(|l| l.trim().ends_with(line)), "{line}");
+    }
+}
+
+#[test]
+fn a_home_that_is_no_jointtarget_is_refused() {
+    for (name, said) in [("jHme", "not declared"), ("pA", "no jointtarget"), ("jr", "not known")] {
+        let mut home = compensation();
+        home.overrides.home = Some(name.to_owned());
+        let refused = refusal(&home, &program(&["conf_off.mod"]));
+        assert_eq!(error_codes(&refused), ["override::home"], "{name}");
+        assert!(refused.messages.iter().any(|m| m.diagnostic.message.contains(said)), "{name}");
+    }
+}
+
+#[test]
+fn what_another_task_changes_is_not_constant() {
+    let [robot, vision] =
+        ["two_tasks/RAPID/TASK1/PROGMOD/Robot.mod", "two_tasks/RAPID/TASK2/PROGMOD/Vision.mod"];
+    let compensation = compensation();
+    let made = compensation.run(&program(&[robot, vision])).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [
+            (10, "keep::other-task"),
+            (11, "compensated"), // TASK PERS: the task's own
+            (12, "compensated"), // the other task only reads it
+            (13, "keep::other-task"),
+            (14, "keep::no-value"),
+        ]
+    );
+    // pShared is changed in line 10 of the other task, wTable in line 12.
+    assert!(
+        reason(&made, 10).contains("TASK2") && reason(&made, 10).contains("line 10 of"),
+        "{}",
+        reason(&made, 10)
+    );
+    assert!(reason(&made, 13).contains("line 12 of"), "{}", reason(&made, 13));
+    assert_eq!(messages(&made, "task::not-given").len(), 1);
+
+    let alone = compensation.run(&program(&[robot])).unwrap();
+    assert_eq!(messages(&alone, "task::not-given").len(), 1, "pFromElsewhere");
+}
+
+#[test]
+fn a_target_that_is_read_as_data_is_kept_or_named() {
+    let compensation = compensation();
+    let made = compensation.run(&program(&["read_as_data.mod"])).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [
+            (20, "keep::calibration"), // MToolTCPCalib
+            (21, "keep::calibration"),
+            (22, "keep::calibration"), // DefFrame
+            (23, "keep::calibration"), // WZSphDef, by way of `corner`
+            (24, "compensated"),
+            (25, "compensated"),
+            (26, "compensated"),
+        ]
+    );
+    assert!(reason(&made, 20).contains("MToolTCPCalib") && reason(&made, 20).contains("line 27 of"));
+    let said = messages(&made, "target::read-as-data");
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said.iter().any(|m| m.starts_with("pHome ") && m.contains("IF in line 31")), "{said:?}");
+    assert!(said.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 33")), "{said:?}");
+}
+
+#[test]
+fn motions_are_left_alone_or_chosen_by_name() {
+    let files = program(&["quadrants.mod"]);
+    let selected = |keep: &[&str], only: &[&str]| {
+        let own = |names: &[&str]| names.iter().map(|name| name.to_string()).collect();
+        let mut compensation = compensation();
+        compensation.options.selection = Selection { keep: own(keep), only: own(only) };
+        compensation
+    };
+    let codes = |compensation: &Compensation| {
+        let made = compensation.run(&files).unwrap();
+        statuses(&made).into_iter().map(|(_, code)| code).take(4).collect::<Vec<_>>()
+    };
+    let (kept, done) = ("keep::as-asked", "compensated");
+    assert_eq!(codes(&selected(&["PRIGHT"], &[])), [done, kept, done, done]);
+    assert_eq!(codes(&selected(&["pB*"], &[])), [done, done, kept, kept]);
+    assert_eq!(codes(&selected(&[], &["p?ff"])), [done, kept, kept, kept]);
+    assert_eq!(codes(&selected(&["pOff"], &["main"])), [kept, done, done, done]);
+    // A name that stands for nothing is a typing error, and that would move the arm.
+    let refused = refusal(&selected(&["pBroder"], &[]), &files);
+    assert_eq!(error_codes(&refused), ["option::names-nothing"]);
+    assert_eq!(error_codes(&refusal(&selected(&["Quadrants"], &[]), &files)), ["compensate::nothing"]);
+}
+
+#[test]
+fn required_arguments_may_be_given_by_name() {
+    for form in [FormChoice::Schedule, FormChoice::Ramp] {
+        let compensation = compensation().in_form(form);
+        let made = compensation.run(&program(&["named_arguments.mod"])).unwrap();
+        let expected = [(8, "compensated"), (9, "compensated"), (10, "compensated"), (15, "keep::parameter")];
+        assert_eq!(statuses(&made), expected);
+        assert!(made.messages.iter().all(|m| !m.diagnostic.code.starts_with("syntax::")));
+        let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
+        let line = text.lines().find(|line| line.contains("Speed:=v200")).unwrap();
+        assert!(
+            line.contains("ToPoint:=tc") && line.contains(",Zone:=fine,Tool:=tGrip\\WObj:=wTable;"),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn nothing_is_edited_beside_what_was_not_understood() {
+    let compensation = compensation();
+    let made = compensation.run(&program(&["not_understood.mod"])).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [(6, "compensated"), (9, "keep::not-read"), (11, "keep::not-read"), (13, "compensated")]
+    );
+    let mut strict = compensation.clone();
+    strict.options.strict = true;
+    assert!(error_codes(&refusal(&strict, &program(&["not_understood.mod"]))).contains(&"keep::not-read"));
+}
+
+#[test]
+fn an_axis_that_may_carry_the_robot_keeps_its_targets() {
+    let files = program(&["track.mod"]);
+    let unknown = compensation();
+    let made = unknown.run(&files).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [
+            (10, "compensated"), // the track stands at 0
+            (11, "keep::external-base"),
+            (12, "keep::external-base"),
+            (13, "compensated"), // joints are corrected wherever the base stands
+            (15, "compensated"), // offsets of nothing
+            (17, "keep::external-offset"),
+        ]
+    );
+    assert!(reason(&made, 11).contains("axis a") && reason(&made, 12).contains("axis b"));
+    let mut fixed = compensation();
+    fixed.overrides.base_fixed[1] = true;
+    let made = fixed.run(&files).unwrap();
+    let codes: Vec<_> = statuses(&made).into_iter().map(|(_, code)| code).collect();
+    assert_eq!(codes[1..3], ["keep::external-base", "compensated"]);
+    assert_eq!(codes[5], "compensated", "EOffsSet of a positioner is no reason");
+}
+
+/// The eight branches differ in cfx; whole quadrants amiss change no correction.
+#[test]
+fn the_branch_is_the_one_that_cfx_names() {
+    let compensation = compensation();
+    let made = compensation.run(&program(&["quadrants.mod"])).unwrap();
+    let codes: Vec<_> = statuses(&made).into_iter().map(|(_, code)| code).collect();
+    assert_eq!(codes, ["compensated", "compensated", "compensated", "compensated", "keep::configuration"]);
+    let disagrees = messages(&made, "conf::disagrees");
+    assert!(disagrees.len() == 1 && disagrees[0].starts_with("line 8:"), "{disagrees:?}");
+    // The source's numbers stay, corrected or not.
+    let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
+    let off: Vec<&str> = text.lines().filter(|line| line.contains("[1,-1,0,0]")).collect();
+    assert!(off.len() > 10, "each element has them: {}", off.len());
+    // With the tool straight down axis 4 stands on the border of quadrant 0, and the paper's table turns it: said of the two
+    // moves that are checked (lines 9 and 10), not under ConfL\Off (line 12).
+    let border = messages(&made, "conf::border");
+    assert!(border.len() == 1 && border[0].starts_with("line 9:"), "{border:?}");
+    assert!(
+        border[0].contains("axis 4") && border[0].ends_with("(1 more like this in the same routine)"),
+        "{border:?}"
+    );
+}
+
+#[test]
+fn what_a_handler_puts_in_force_is_named_with_its_line() {
+    let compensation = compensation();
+    let refused = refusal(&compensation, &program(&["displaced.mod"]));
+    assert_eq!(error_codes(&refused), ["compensate::nothing"]);
+    let why = &refused.kept[0];
+    assert_eq!(why.code, "keep::displacement");
+    assert!(why.reason.contains("PDispOn") && why.reason.contains("line 9 of"), "{}", why.reason);
+}
+
+#[test]
+fn a_table_that_cannot_be_a_robots_is_named_or_refused() {
+    let with = |name: &str| {
+        let table = Deformation::from_csv(&bytes(name), Some(GrowthLaw::TwoStage { tau_min: 46.0 })).unwrap();
+        Compensation::new(Robot::built_in("irb140").unwrap(), table)
+    };
+    let cube =
+        ProgramFiles::one("Cube45.mod", include_bytes!("../../fixtures/robodk/irc5/Cube45.mod").to_vec());
+    assert_eq!(error_codes(&refusal(&with("metres.csv"), &cube)), ["compensate::no-drift"]);
+    assert_eq!(error_codes(&refusal(&with("zero.csv"), &cube)), ["deform::nothing"]);
+    let large = refusal(&with("large.csv"), &cube);
+    assert!(error_codes(&large).contains(&"refuse::correction"));
+    assert!(large.messages.iter().any(|m| m.diagnostic.code == "deform::large"));
+    // The paper's drift is 0.193 mm on this program: more than half of it is left by 0.1 mm.
+    let mut loose = compensation();
+    loose.options.tolerance_m = 1e-4;
+    let made = loose.run(&cube).unwrap();
+    assert_eq!(messages(&made, "schedule::loose-tolerance").len(), 1);
+    assert_eq!(messages(&compensation().run(&cube).unwrap(), "schedule::loose-tolerance").len(), 0);
+}
+
+#[test]
+fn what_belongs_to_another_robot_is_refused_unless_allowed() {
+    let cube =
+        ProgramFiles::one("Cube45.mod", include_bytes!("../../fixtures/robodk/irc5/Cube45.mod").to_vec());
+    // The program says it was made for an IRB 140, and the table is one's.
+    let mut other = Compensation::new(Robot::built_in("irb1200").unwrap(), Deformation::paper());
+    other.default_table = true;
+    let refused = refusal(&other, &cube);
+    assert_eq!(error_codes(&refused), ["robot::other", "deform::other-robot"]);
+    assert!(refused.messages[0].diagnostic.help.as_ref().is_some_and(|h| h.contains("--allow-other-robot")));
+    // By another name it is the same arm.
+    let mut renamed = Robot::built_in("irb140").unwrap();
+    renamed.name = "cell 7".to_owned();
+    let mut same = Compensation::new(renamed, Deformation::paper());
+    same.default_table = true;
+    assert!(same.run(&cube).is_ok());
+    other.allow_other_robot = true;
+    let warned = other.run(&cube).map(|made| messages(&made, "deform::other-robot").len());
+    assert!(
+        warned.is_ok_and(|n| n == 1)
+            || other.run(&cube).is_err_and(|r| !error_codes(&r).contains(&"robot::other"))
+    );
+}
