@@ -236,6 +236,9 @@ impl Writing {
             if is_pgf(from) {
                 let listed = files::read(from, "list of modules")?;
                 let now = to.list_with(from, place, &listed, given, &self.emitted);
+                if now != listed {
+                    self.written.push((place.clone(), now.len()));
+                }
                 if from != place || now != listed {
                     self.put(place, &mut now.as_slice())?;
                 }

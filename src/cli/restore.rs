@@ -1,9 +1,11 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
 use super::files::{self, Output, Pending};
+use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use driftpost::report::LocatedDiagnostic;
 use rapid_program::emit::{Altered, ModifiedIn, RestoreError, Restored, altered_core, restore};
+use rapid_program::program::pgf_without_module;
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
 use std::fs;
@@ -12,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Options of `restore`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Modules that `compensate` wrote.
+    /// Modules that `compensate` wrote; a folder or a .pgf for a whole program.
     #[arg(required = true, value_name = "EMITTED")]
     pub emitted: Vec<PathBuf>,
 
@@ -33,6 +35,11 @@ pub struct Args {
 /// written then.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
+    if let [program] = args.emitted.as_slice()
+        && (program.is_dir() || is_pgf(program))
+    {
+        return restore_program(program, args, json, console);
+    }
     let mut results: Vec<(&Path, Restored, Pending)> = Vec::new();
     for path in &args.emitted {
         let bytes = files::read(path, "emitted module")?;
@@ -49,6 +56,72 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         results.push((path, restored, pending));
     }
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
+    put_in_place(results, console)
+}
+
+/// A whole program, folder by folder: emitted modules become their originals, the common module goes, a `.pgf` loses it, and
+/// everything else is copied.
+fn restore_program(
+    program: &Path,
+    args: &Args,
+    json: Output,
+    console: &mut Console,
+) -> anyhow::Result<Outcome> {
+    let Some(folder) = args.output.as_deref() else {
+        let text = format!("where the program {} goes must be said", program.display());
+        return Err(Diagnostic::error("output::needed", text).help("name a folder with -o").into());
+    };
+    let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
+    let (mut results, mut copies): (Vec<(&Path, Restored, Pending)>, Vec<Pending>) = Default::default();
+    let mut cores: Vec<&Path> = Vec::new();
+    for ((path, place), bytes) in given.paths.iter().zip(&given.places).zip(&given.bytes) {
+        let pending = || Pending::new(&apart(path, folder.join(place))?);
+        match restore(bytes) {
+            Ok(restored) => {
+                let mut pending = pending()?;
+                pending.fill(&mut restored.bytes.as_slice())?;
+                results.push((path, restored, pending));
+            }
+            Err(RestoreError::IsCore) => {
+                console.say(format_args!("{}: the common module, it has no original", path.display()));
+                warn(path, &altered_core(bytes), console);
+                cores.push(path);
+            }
+            Err(RestoreError::NotEmitted) => {
+                let mut pending = pending()?;
+                pending.fill(&mut &**bytes)?;
+                copies.push(pending);
+            }
+            Err(error) => return Err(said(path, &error).into()),
+        }
+    }
+    for (path, place) in &given.others {
+        let mut bytes = files::read(path, "file")?;
+        if is_pgf(path) {
+            let beside = path.parent().unwrap_or(Path::new(""));
+            for core in cores.iter().filter_map(|core| core.strip_prefix(beside).ok()) {
+                bytes = pgf_without_module(&bytes, &core.to_string_lossy().replace('\\', "/"));
+            }
+        }
+        let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
+        pending.fill(&mut bytes.as_slice())?;
+        copies.push(pending);
+    }
+    if results.is_empty() {
+        let text = format!("no module of {} is a compensated one", program.display());
+        return Err(Diagnostic::error("restore::not-emitted", text).into());
+    }
+    json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
+    copies.into_iter().try_for_each(Pending::place)?;
+    put_in_place(results, console)
+}
+
+fn is_pgf(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgf"))
+}
+
+/// Puts originals in their places, and says what was changed since they were compensated.
+fn put_in_place(results: Vec<(&Path, Restored, Pending)>, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut outcome = Outcome::Done;
     for (path, restored, pending) in results {
         if !restored.touched.is_empty() || !restored.altered.is_empty() {
@@ -102,6 +175,11 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         let text = format!("{} exists", to.display());
         return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
     }
+    apart(path, to)
+}
+
+/// A place that is not the input's.
+fn apart(path: &Path, to: PathBuf) -> Result<PathBuf, Diagnostic> {
     let same =
         fs::canonicalize(&to).ok().is_some_and(|to| fs::canonicalize(path).is_ok_and(|path| path == to));
     if same {

@@ -13,6 +13,7 @@ mod clock;
 mod compensate_robodk;
 mod controller;
 mod corpus;
+mod corpus_table;
 mod deformed_inverse;
 mod diagnose;
 mod emit;

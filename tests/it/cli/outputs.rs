@@ -83,3 +83,32 @@ fn help_and_version_are_results() {
     }
     assert_eq!(driftpost(&[]).status.code(), Some(2));
 }
+
+/// What `compensate` makes of a `.pgf` comes back as it was: the list of modules, too.
+#[test]
+fn a_whole_program_is_restored_by_its_folder() {
+    let bench = Bench::default();
+    let module = |name: &str| {
+        format!(
+            "MODULE {name}\n  PROC p{name}()\n    MoveAbsJ [[0,10,0,0,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n  \
+             ENDPROC\nENDMODULE\n"
+        )
+    };
+    let list = "<Program>\r\n\t<Module>a.mod</Module>\r\n\t<Module>b.mod</Module>\r\n</Program>\r\n";
+    bench.file("cell/a.mod", module("A"));
+    bench.file("cell/b.mod", module("B"));
+    let pgf = bench.file("cell/cell.pgf", list);
+    let [to, back] = ["out", "back"].map(|name| bench.path(name).display().to_string());
+    let made = driftpost(&["compensate", &pgf, "-o", &to, "--diff", "none"]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    assert!(bench.text("out/cell.pgf").contains("tcCore.mod"));
+    assert!(err(&made).contains("cell.pgf"), "what is edited is said: {}", err(&made));
+    let restored = driftpost(&["restore", &to]);
+    assert_eq!(restored.status.code(), Some(2), "a place must be said");
+    let restored = driftpost(&["restore", &to, "-o", &back]);
+    assert_eq!(restored.status.code(), Some(0), "{}", err(&restored));
+    for name in ["a.mod", "b.mod", "cell.pgf"] {
+        assert_eq!(bench.text(&format!("back/{name}")), bench.text(&format!("cell/{name}")));
+    }
+    assert!(!bench.path("back/tcCore.mod").exists());
+}

@@ -23,7 +23,8 @@ fn robot_tools_and_frames_are_read_from_the_emitted_module() {
     let source = bench.file("m.mod", ELSEWHERE);
     let emitted = bench.path("m_tc.mod").display().to_string();
     let wobj = "wTable=[FALSE,TRUE,\"\",[[150,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]";
-    let options = ["--robot", "irb1200", "--tool", TOOL, "--wobj", wobj, "--diff", "none"];
+    let options =
+        ["--robot", "irb1200", "--allow-other-robot", "--tool", TOOL, "--wobj", wobj, "--diff", "none"];
     let made = driftpost(&[&["compensate", &source, "-o", &emitted][..], &options].concat());
     assert_eq!(made.status.code(), Some(0), "{}", err(&made));
     let text = bench.text("m_tc.mod");

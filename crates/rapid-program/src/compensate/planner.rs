@@ -96,7 +96,9 @@ pub fn plan(
     if options.strict {
         motions.iter_mut().for_each(refuse_kept);
     }
-    if !motions.iter().any(|motion| matches!(motion.status, Status::Refused(_))) {
+    // Of targets that only run time tells nothing is known of their drift.
+    let known = motions.iter().any(|motion| motion.error_m.is_some());
+    if known && !motions.iter().any(|motion| matches!(motion.status, Status::Refused(_))) {
         plausible::check_drift(&summary, options.tolerance_m, &mut of_plan)?;
     }
     of_plan.add_schedule(&chosen, &summary, options);

@@ -40,7 +40,7 @@ mod value;
 mod writes;
 
 pub use file_pairs::FilePairs;
-pub use pgf::{modules_of_pgf, pgf_with_module};
+pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 
 use module_facts::Facts;
 use motion::{Loop, Motion, MotionId, RoutineInfo};

@@ -42,6 +42,15 @@ pub fn pgf_with_module(bytes: &[u8], module: &str) -> Vec<u8> {
     [&bytes[..end], before, element.as_bytes(), &bytes[end..]].concat()
 }
 
+/// A `.pgf` without a module that [`pgf_with_module`] has added: as it was before, byte for byte.
+#[must_use]
+pub fn pgf_without_module(bytes: &[u8], module: &str) -> Vec<u8> {
+    let element = format!("<Module>{}</Module>", escape(module));
+    let Some(begin) = memchr::memmem::rfind(bytes, element.as_bytes()) else { return bytes.to_vec() };
+    let before = bytes[..begin].trim_ascii_end();
+    [before, &bytes[begin + element.len()..]].concat()
+}
+
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -56,7 +65,7 @@ fn unescape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{modules_of_pgf, pgf_with_module};
+    use super::{modules_of_pgf, pgf_with_module, pgf_without_module};
 
     #[test]
     fn module_paths_in_order() {
@@ -80,5 +89,9 @@ mod tests {
         let one_line = b"<Program><module>A.mod</module></Program>";
         assert_eq!(modules_of_pgf(&pgf_with_module(one_line, "B & C.mod")), ["A.mod", "B & C.mod"]);
         assert_eq!(pgf_with_module(b"<Program/>", "A.mod"), b"<Program/>");
+        for before in [&pgf[..], &one_line[..]] {
+            assert_eq!(pgf_without_module(&pgf_with_module(before, "B & C.mod"), "B & C.mod"), before);
+            assert_eq!(pgf_without_module(before, "B & C.mod"), before);
+        }
     }
 }
