@@ -167,29 +167,42 @@ impl Compensated<'_> {
         })
     }
 
-    /// What must be known before the module is loaded beside others, where there is something.
-    pub fn embedded_clock_note(&self) -> Option<&'static str> {
-        (self.embedded && self.totals.compensated > 0).then_some(
-            "the clock is in the module itself, under global names: no other module with a clock of its own loads beside \
-             it; compensate the modules of one task in one run",
-        )
+    /// What must be known before the module is loaded beside `other`, which has a clock of its own.
+    pub fn embedded_clock_note(&self, other: &str) -> Option<String> {
+        (self.embedded && self.totals.compensated > 0).then(|| {
+            format!(
+                "the clock is in the module itself, under global names, and so is that of {other}: a controller does not load \
+                 both in one task; compensate the modules of one task in one run"
+            )
+        })
     }
 
-    /// The summary and the table of motions; `all`, or those that are corrected most.
-    ///
-    /// # Errors
-    /// Those of writing to `out`.
-    pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
-        let review = Review {
+    fn review<'r>(&'r self, rows: &'r MotionRows) -> Review<'r> {
+        Review {
             schedule: &self.plan.schedule,
             functions: self.plan.functions.as_ref(),
             temperature_c: self.plan.temperature_c,
             summary: &self.plan.summary,
             totals: &self.totals,
-            rows: &MotionRows::new(&self.program, &self.plan, all),
+            rows,
             provenance: &self.provenance,
-        };
-        report::write_review(out, &review)
+        }
+    }
+
+    /// The table of motions, all or those that are corrected most, and what they come to; the last two lines are the verdict.
+    ///
+    /// # Errors
+    /// Those of writing to `out`.
+    pub fn write_review(&self, out: &mut dyn Write, all: bool) -> io::Result<()> {
+        let rows = MotionRows::new(&self.program, &self.plan, all);
+        report::write_review(out, &self.review(&rows))?;
+        report::write_verdict(out, &self.review(&rows))
+    }
+
+    /// How many warnings there are.
+    #[must_use]
+    pub fn warnings(&self) -> usize {
+        self.messages.iter().filter(|m| m.diagnostic.severity == Severity::Warning).count()
     }
 
     /// The refusal of what is made but cannot be written.

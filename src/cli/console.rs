@@ -14,6 +14,8 @@ pub struct Console {
     err: Sink<io::Stderr>,
     /// Whether a person sees standard error.
     err_is_terminal: bool,
+    /// Whether a person sees standard output, in colours.
+    is_coloured: bool,
 }
 
 impl Console {
@@ -24,12 +26,19 @@ impl Console {
             out: Sink::new(io::BufWriter::with_capacity(1 << 16, io::stdout())),
             err: Sink::new(io::stderr()),
             err_is_terminal: io::stderr().is_terminal(),
+            is_coloured: io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
         }
     }
 
     /// Where results go.
     pub fn out(&mut self) -> &mut dyn Write {
         &mut self.out
+    }
+
+    /// Whether results may be coloured.
+    #[must_use]
+    pub fn is_coloured(&self) -> bool {
+        self.is_coloured
     }
 
     /// Where messages go.
@@ -80,8 +89,13 @@ impl Console {
 
     /// Shows help, the version, or what is wrong with the arguments.
     pub(super) fn usage(&mut self, error: &clap::Error) -> Outcome {
-        let _ = error.print(); // a closed pipe is not an error
-        if error.use_stderr() { Outcome::Refused } else { Outcome::Done }
+        match error.print() {
+            Err(cause) if cause.kind() != io::ErrorKind::BrokenPipe => {
+                self.fail(&anyhow::Error::new(cause).context("standard output cannot be written"))
+            }
+            _ if error.use_stderr() => Outcome::Refused,
+            _ => Outcome::Done,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::files::{self, PENDING, Pending};
 use super::program_input::{ProgramInput, Shape};
-use rapid_program::emit::EmittedFile;
+use rapid_program::emit::{EmittedFile, is_as_written};
 use rapid_program::program::module_facts::EMITTED_MARK;
 use rapid_program::program::{modules_of_pgf, pgf_with_module};
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
@@ -17,28 +17,50 @@ pub struct Destination {
     others: Vec<(PathBuf, PathBuf)>,
     /// All modules are written, also unchanged ones; otherwise only what is changed.
     whole: bool,
+    /// Results that were changed since they were written are overwritten, too.
+    force: bool,
 }
 
+/// Standard output.
+const STANDARD: &str = "-";
+
 impl Destination {
-    /// Without `output`: beside the input, with `_tc` in the name.
+    /// Without `output`: beside the input, with `_tc` in the name; of standard input to standard output.
     ///
     /// # Errors
-    /// `output::is-input` where an input would be overwritten and `in_place` does not say so.
-    pub fn new(given: &ProgramInput, output: Option<&Path>, in_place: bool) -> Result<Self, Diagnostic> {
+    /// `output::is-input` where an input would be overwritten and `in_place` does not say so, `output::changed` where a
+    /// result would be that was changed since it was written, and `force` does not say so.
+    pub fn new(
+        given: &ProgramInput,
+        output: Option<&Path>,
+        in_place: bool,
+        force: bool,
+    ) -> Result<Self, Diagnostic> {
         if in_place {
+            if given.is_standard {
+                let text = "--in-place: standard input is no file";
+                return Err(
+                    Diagnostic::error("output::unwritable", text).help("say with -o where the result goes")
+                );
+            }
             let lists = given.others.iter().map(|(path, _)| path).filter(|path| is_pgf(path));
             let others = lists.map(|path| (path.clone(), path.clone())).collect();
-            return Ok(Self { modules: given.paths.clone(), others, whole: false });
+            return Ok(Self { modules: given.paths.clone(), others, whole: false, force });
         }
         let destination = match given.shape {
             Shape::One => {
                 let own = with_tc(&given.name, true);
                 let path = match output {
-                    Some(folder) if folder.is_dir() => folder.join(own.file_name().unwrap_or_default()),
+                    Some(folder) if is_folder(folder) => folder.join(own.file_name().unwrap_or_default()),
                     Some(path) => path.to_path_buf(),
+                    None if given.is_standard => PathBuf::from(STANDARD),
                     None => own,
                 };
-                Self { modules: vec![path], others: Vec::new(), whole: true }
+                Self { modules: vec![path], others: Vec::new(), whole: true, force }
+            }
+            Shape::Several if output == Some(Path::new(STANDARD)) => {
+                let text = "several modules do not go to standard output";
+                return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"));
             }
             Shape::Several => {
                 let folder = output.map_or_else(|| with_tc(&given.name, false), Path::to_path_buf);
@@ -50,6 +72,7 @@ impl Destination {
                         .map(|(path, place)| (path.clone(), folder.join(place)))
                         .collect(),
                     whole: true,
+                    force,
                 }
             }
         };
@@ -67,7 +90,49 @@ impl Destination {
                     .help("name another place with -o, or say --in-place"));
             }
         }
+        self.modules.iter().try_for_each(|path| self.check_unchanged(path))
+    }
+
+    /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
+    fn check_unchanged(&self, path: &Path) -> Result<(), Diagnostic> {
+        let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+        let Some(bytes) = is_file.then(|| fs::read(path).ok()).flatten().filter(|_| !self.force) else {
+            return Ok(());
+        };
+        if is_ours(&bytes) && is_as_written(&bytes) != Some(true) {
+            let text = format!("{} was changed since it was written", path.display());
+            return Err(Diagnostic::error("output::changed", text).help(
+                "get what was touched up with `driftpost restore`, name another place with -o, or say --force",
+            ));
+        }
         Ok(())
+    }
+
+    /// Whether the program goes to standard output.
+    #[must_use]
+    pub fn is_standard(&self) -> bool {
+        self.modules.iter().any(|path| path == Path::new(STANDARD))
+    }
+
+    /// Another module beside the result that has a clock of its own in it.
+    #[must_use]
+    pub fn other_clock(&self) -> Option<PathBuf> {
+        let folder = self.modules.first()?.parent()?;
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let written: Vec<PathBuf> = self.modules.iter().map(|path| files::identity(path)).collect();
+        let entries = fs::read_dir(folder).ok()?;
+        let mut others: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        others.sort();
+        let has_clock = |path: &PathBuf| {
+            let is_module = path.is_file() && !written.contains(&files::identity(path));
+            is_module
+                && fs::read(path).is_ok_and(|bytes| {
+                    is_ours(&bytes) && memchr::memmem::find(&bytes, b"PROC tcUpdate").is_some()
+                })
+        };
+        let other =
+            others.into_iter().filter(|path| super::program_input::is_module(path)).find(has_clock)?;
+        Some(other.strip_prefix(".").map(Path::to_path_buf).unwrap_or(other))
     }
 
     /// Refuses other results in the place of the modules'.
@@ -76,7 +141,8 @@ impl Destination {
     /// `output::twice`, naming the path.
     pub fn keep_apart(&self, others: &[Option<&Path>]) -> Result<(), Diagnostic> {
         let modules = self.modules.iter().map(PathBuf::as_path);
-        let others = others.iter().flatten().filter(|path| **path != Path::new("none"));
+        let others =
+            others.iter().flatten().filter(|path| !["none", "short"].contains(&&*path.to_string_lossy()));
         files::keep_apart(&[], &modules.chain(others.copied()).collect::<Vec<_>>())
     }
 
@@ -86,7 +152,8 @@ impl Destination {
     /// `output::unwritable`, naming the path.
     pub fn open(&self) -> Result<(), Diagnostic> {
         let others = self.others.iter().map(|(_, to)| to);
-        self.modules.iter().chain(others).try_for_each(|path| Pending::new(path).map(drop))
+        let all = self.modules.iter().chain(others).filter(|path| *path != Path::new(STANDARD));
+        all.into_iter().try_for_each(|path| Pending::new(path).map(drop))
     }
 
     /// Where an emitted file goes; a new one goes beside the modules it belongs to.
@@ -114,7 +181,13 @@ impl Destination {
         let unchanged = self.modules.iter().filter(|path| !paths.contains(path) && self.whole);
         let outputs: Vec<&Path> = paths.iter().chain(unchanged).map(PathBuf::as_path).collect();
         for (file, path) in new {
+            if self.is_standard() {
+                let text = "the common module does not go to standard output beside the program's own";
+                return Err(Diagnostic::error("output::one-file", text)
+                    .help("name a place with -o, or leave --core at embedded"));
+            }
             files::keep_apart(&inputs, &[path])?;
+            self.check_unchanged(path)?;
             if let Some(other) = of_another_program(path, &file.bytes, &outputs) {
                 let text = format!("{} is there already, and {other}", path.display());
                 return Err(Diagnostic::error("output::other-core", text).help(
@@ -153,11 +226,10 @@ impl Destination {
 /// Why a common module that is there already must stay; `None` where it may be written.
 fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<String> {
     let there = fs::read(core).ok()?;
-    let ours = |bytes: &[u8]| memchr::memmem::find(bytes, EMITTED_MARK.as_bytes()).is_some();
     if there == bytes {
         return None;
     }
-    if !ours(&there) {
+    if !is_ours(&there) {
         return Some("it is no module of this program's making".to_owned());
     }
     // Of this program alone where all compensated modules beside it are written anew.
@@ -169,7 +241,7 @@ fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<St
         path.is_file()
             && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))
             && !written.contains(&files::identity(path))
-            && fs::read(path).is_ok_and(|bytes| ours(&bytes))
+            && fs::read(path).is_ok_and(|bytes| is_ours(&bytes))
     })?;
     Some(format!("{} was made with it", other.display()))
 }
@@ -184,6 +256,18 @@ pub struct Writing {
     written: Vec<(PathBuf, usize)>,
     /// The emitted files; of the common module alone with what stands in it.
     emitted: Vec<EmittedFile>,
+    /// The module that goes to standard output.
+    standard: Option<Vec<u8>>,
+}
+
+/// Files that are whole, beside their places.
+pub struct Written {
+    /// To be put in their places.
+    pub pending: Vec<Pending>,
+    /// Paths and sizes of the emitted files, changed and new.
+    pub emitted: Vec<(PathBuf, usize)>,
+    /// What goes to standard output.
+    pub standard: Option<Vec<u8>>,
 }
 
 impl Writing {
@@ -198,10 +282,12 @@ impl Writing {
         file: EmittedFile,
     ) -> Result<(), Diagnostic> {
         let path = to.path_of(&file, given);
-        let mut pending = Pending::new(&path)?;
-        pending.fill(&mut file.bytes.as_slice())?;
-        self.pending.push(pending);
-        self.written.push((path, file.bytes.len()));
+        self.written.push((path.clone(), file.bytes.len()));
+        if path == Path::new(STANDARD) {
+            self.standard = Some(file.bytes.clone());
+        } else {
+            self.put(&path, &mut file.bytes.as_slice())?;
+        }
         let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
         self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
         Ok(())
@@ -214,21 +300,19 @@ impl Writing {
         Ok(())
     }
 
-    /// Writes what stays as it is and puts everything in its place. Gives the paths of the emitted files with
-    /// their sizes.
+    /// Writes what stays as it is.
     ///
     /// # Errors
     /// `output::unwritable` or `input::unreadable`.
-    pub fn finish(
-        mut self,
-        to: &Destination,
-        given: &ProgramInput,
-    ) -> Result<Vec<(PathBuf, usize)>, Diagnostic> {
+    pub fn finish(mut self, to: &Destination, given: &ProgramInput) -> Result<Written, Diagnostic> {
         to.check_new(given, &self.emitted)?;
         if to.whole {
             for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {
                 if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
-                    self.put(path, &mut &**bytes)?;
+                    match path == Path::new(STANDARD) {
+                        true => self.standard = Some(bytes.to_vec()),
+                        false => self.put(path, &mut &**bytes)?,
+                    }
                 }
             }
         }
@@ -247,9 +331,18 @@ impl Writing {
             let mut file = fs::File::open(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
             self.put(place, &mut file)?;
         }
-        self.pending.into_iter().try_for_each(Pending::place)?;
-        Ok(self.written)
+        Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
     }
+}
+
+/// Whether a file holds a module that this program has emitted.
+fn is_ours(bytes: &[u8]) -> bool {
+    memchr::memmem::find(bytes, EMITTED_MARK.as_bytes()).is_some()
+}
+
+/// Whether a path names a folder, be it there or not.
+fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
 }
 
 fn is_pgf(path: &Path) -> bool {

@@ -1,26 +1,98 @@
 //! Files: read with a message that says what to do, written whole or not at all.
 
 use super::Console;
+pub use super::pending::{PENDING, Pending, place_all};
+use super::pending::{folder_of, unwritable};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::time::Duration;
 
-/// What the names of files begin with that wait beside their places.
-pub const PENDING: &str = ".driftpost-";
+/// More does not come out of a pipe, and a larger file is no input of ours: the largest real program has 170 MB.
+const MOST_BYTES: u64 = 1 << 30;
+/// So long is waited for the other end of a pipe.
+const PIPE: Duration = Duration::from_secs(5);
 
-/// The bytes of `path`; `what` names the file's part in the work ("program", "deformation table").
+/// The bytes of `path`, `-` being standard input; `what` names the file's part in the work ("program", "deformation table").
 ///
 /// # Errors
-/// `input::missing` or `input::unreadable`, naming the file.
+/// `input::missing`, `input::unreadable` or `input::too-large`, naming the file.
 pub fn read(path: &Path, what: &str) -> Result<Vec<u8>, Diagnostic> {
-    fs::read(path).map_err(|cause| cannot_read(path, what, &cause))
+    if is_standard(path) {
+        return limited(&mut io::stdin().lock(), path, what);
+    }
+    let kind = fs::metadata(path).map_err(|cause| cannot_read(path, what, &cause))?.file_type();
+    if is_device(kind) {
+        let text = format!("{} is a device, not a {what}", path.display());
+        return Err(Diagnostic::error("input::unreadable", text).help("name a file"));
+    }
+    if is_pipe(kind) {
+        return read_pipe(path, what);
+    }
+    let mut file = fs::File::open(path).map_err(|cause| cannot_read(path, what, &cause))?;
+    limited(&mut file, path, what)
+}
+
+/// Whether a path stands for standard input or output.
+pub fn is_standard(path: &Path) -> bool {
+    ["-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"].iter().any(|name| path == Path::new(name))
+}
+
+fn limited(from: &mut dyn Read, path: &Path, what: &str) -> Result<Vec<u8>, Diagnostic> {
+    let mut bytes = Vec::new();
+    from.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|cause| cannot_read(path, what, &cause))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        let text = format!("{} is larger than 1 GB", path.display());
+        return Err(Diagnostic::error("input::too-large", text).help("split the program"));
+    }
+    Ok(bytes)
+}
+
+/// Reads a named pipe, which is opened only when somebody writes to it.
+fn read_pipe(path: &Path, what: &str) -> Result<Vec<u8>, Diagnostic> {
+    let (opened, open) = mpsc::channel();
+    let own = path.to_path_buf();
+    std::thread::spawn(move || opened.send(fs::File::open(own)));
+    match open.recv_timeout(PIPE) {
+        Ok(file) => limited(&mut file.map_err(|cause| cannot_read(path, what, &cause))?, path, what),
+        Err(_) => {
+            let text = format!("nothing is written to the pipe {}", path.display());
+            Err(Diagnostic::error("input::unreadable", text).help("name a file, or write to the pipe"))
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_device(kind: fs::FileType) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    kind.is_char_device() || kind.is_block_device() || kind.is_socket()
+}
+
+#[cfg(unix)]
+fn is_pipe(kind: fs::FileType) -> bool {
+    std::os::unix::fs::FileTypeExt::is_fifo(&kind)
+}
+
+#[cfg(not(unix))]
+fn is_device(_: fs::FileType) -> bool {
+    false
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: fs::FileType) -> bool {
+    false
 }
 
 /// The message for a file that cannot be read.
 pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
     let shown = path.display();
     if cause.kind() == io::ErrorKind::NotFound {
+        if let Ok(to) = fs::read_link(path) {
+            let text = format!("the {what} {shown} is a link to {}, which does not exist", to.display());
+            return Diagnostic::error("input::missing", text).help("name the file itself");
+        }
         let mut said = Diagnostic::error("input::missing", format!("the {what} {shown} does not exist"));
         said.help = Some(match similar_neighbour(path) {
             Some(near) => format!("did you mean {}?", near.display()),
@@ -47,92 +119,6 @@ fn similar_neighbour(path: &Path) -> Option<PathBuf> {
     names.sort();
     let near = super::suggest::nearest(&wanted, names.iter().map(String::as_str))?;
     Some(path.with_file_name(near))
-}
-
-/// A file that will be written: opened beside its place before the long work begins, so that a folder
-/// that cannot be written to is found at once, and renamed into its place when it is whole.
-///
-/// What is no regular file (a device, a pipe) is written to, not replaced; a symbolic link stays one.
-pub struct Pending {
-    path: PathBuf,
-    file: tempfile::NamedTempFile,
-    /// The path is no regular file.
-    through: bool,
-}
-
-impl Pending {
-    /// Makes sure that `path` can be written.
-    ///
-    /// # Errors
-    /// `output::unwritable`, naming the path.
-    pub fn new(path: &Path) -> Result<Self, Diagnostic> {
-        if path.is_dir() {
-            return Err(unwritable(path, "it is a folder"));
-        }
-        if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
-            return Err(unwritable(path, "it is write-protected"));
-        }
-        let path = &followed(path);
-        let through = fs::metadata(path).is_ok_and(|m| !m.is_file());
-        if through {
-            let file = builder().tempfile().map_err(|cause| unwritable(path, cause))?;
-            return Ok(Self { path: path.clone(), file, through });
-        }
-        let folder = folder_of(path);
-        let there = folder.ancestors().find(|f| f.exists() || f.as_os_str().is_empty()).unwrap_or(folder);
-        let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
-        let file = builder().tempfile_in(there).map_err(|cause| unwritable(path, cause))?;
-        Ok(Self { path: path.clone(), file, through })
-    }
-
-    /// Its path.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    /// Writes the whole file, or its next piece, still beside its place.
-    ///
-    /// # Errors
-    /// `output::unwritable`; the file at the path is then as it was.
-    pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
-        let failed = |cause| unwritable(&self.path, cause);
-        io::copy(from, &mut self.file).map_err(failed)?;
-        if self.through {
-            return Ok(());
-        }
-        fs::create_dir_all(folder_of(&self.path)).map_err(failed)
-    }
-
-    /// The file, still beside its place, to be written to.
-    pub fn out(&mut self) -> &mut dyn io::Write {
-        &mut self.file
-    }
-
-    /// Puts the file in its place.
-    ///
-    /// # Errors
-    /// `output::unwritable`; the file at the path is then as it was.
-    pub fn place(self) -> Result<(), Diagnostic> {
-        let path = self.path;
-        if self.through {
-            let failed = |cause| unwritable(&path, cause);
-            let mut whole = self.file.reopen().map_err(failed)?;
-            let mut to = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
-            return io::copy(&mut whole, &mut to).map(drop).map_err(failed);
-        }
-        self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
-        Ok(())
-    }
-
-    /// Writes the whole file and puts it in its place.
-    ///
-    /// # Errors
-    /// `output::unwritable`; the file at the path is then as it was.
-    pub fn write(mut self, mut bytes: &[u8]) -> Result<(), Diagnostic> {
-        self.fill(&mut bytes)?;
-        self.place()
-    }
 }
 
 /// Where a result goes: nowhere, to standard output, or to a file.
@@ -180,25 +166,49 @@ impl Output {
         }
     }
 
+    /// Has a file written bit by bit (it may be large) beside its place; what goes to standard output, or nowhere, is left.
+    ///
+    /// # Errors
+    /// Those of `write`, and whatever keeps the result from being written.
+    pub fn fill(
+        &mut self,
+        write: impl FnOnce(&mut dyn io::Write) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
+        let Self::File(pending) = self else { return Ok(()) };
+        let path = pending.path().to_path_buf();
+        let mut out = io::BufWriter::with_capacity(1 << 16, pending.out());
+        write(&mut out)?;
+        let flushed = io::Write::flush(&mut out);
+        drop(out);
+        flushed.map_err(|cause| unwritable(&path, cause))?;
+        pending.fill(&mut io::empty())?;
+        Ok(())
+    }
+
+    /// The file that is to be put in its place.
+    #[must_use]
+    pub fn into_pending(self) -> Option<Pending> {
+        match self {
+            Self::File(pending) => Some(pending),
+            Self::Nowhere | Self::Standard => None,
+        }
+    }
+
     /// Has the result written bit by bit: it may be large.
     ///
     /// # Errors
     /// Those of `write`, and whatever keeps the result from being written.
     pub fn stream(
-        self,
+        mut self,
         console: &mut Console,
         write: impl FnOnce(&mut dyn io::Write) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
         match self {
             Self::Nowhere => Ok(()),
             Self::Standard => write(console.out()),
-            Self::File(mut pending) => {
-                let mut out = io::BufWriter::with_capacity(1 << 16, pending.out());
-                write(&mut out)?;
-                let flushed = io::Write::flush(&mut out);
-                drop(out);
-                flushed.map_err(|cause| unwritable(&pending.path, cause))?;
-                Ok(pending.write(&[])?)
+            Self::File(_) => {
+                self.fill(write)?;
+                Ok(self.into_pending().map_or(Ok(()), Pending::place)?)
             }
         }
     }
@@ -246,37 +256,4 @@ pub fn identity(path: &Path) -> PathBuf {
         (Some(parent), None) => identity(parent).parent().map(Path::to_path_buf).unwrap_or_default(),
         (None, None) => path.to_path_buf(),
     }
-}
-
-/// Where a symbolic link leads, also where nothing is there yet.
-fn followed(path: &Path) -> PathBuf {
-    if fs::read_link(path).is_err() {
-        return path.to_path_buf();
-    }
-    if let Ok(to) = fs::canonicalize(path) {
-        return to;
-    }
-    match fs::read_link(path) {
-        Ok(to) => folder_of(path).join(to),
-        Err(_) => path.to_path_buf(),
-    }
-}
-
-/// The folder a path stands in.
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// Temporary files get the permissions that any new file of the user's has.
-fn builder() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(PENDING);
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder
-}
-
-fn unwritable(path: &Path, cause: impl std::fmt::Display) -> Diagnostic {
-    Diagnostic::error("output::unwritable", format!("{} cannot be written: {cause}", path.display()))
-        .help("name another place for it, or give write permission; nothing was written")
 }

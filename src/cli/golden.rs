@@ -100,7 +100,7 @@ fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
 fn result_of(case: &Path) -> anyhow::Result<Files> {
     let args = options(case)?;
     let mut given = ProgramInput::read(&args.program)?;
-    let destination = Destination::new(&given, Some(Path::new("expected")), false)?;
+    let destination = Destination::new(&given, Some(Path::new("expected")), false, true)?;
     // what comes out must not depend on where the folder of cases stands
     for (path, place) in given.paths.iter_mut().zip(&given.places) {
         *path = Path::new("source").join(place);

@@ -8,12 +8,14 @@
 mod console;
 mod destination;
 pub mod files;
+mod interrupt;
 pub mod made_with;
 pub mod measured;
 pub mod minutes;
 pub mod model;
 pub mod number;
 mod outcome;
+mod pending;
 pub mod program_input;
 pub mod shared;
 pub mod suggest;
@@ -38,6 +40,7 @@ pub mod validate;
 pub use console::Console;
 pub use outcome::Outcome;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -124,6 +127,10 @@ fn keep_apart(matches: &ArgMatches) -> Result<(), Diagnostic> {
         let name = id.as_str();
         let paths = given.try_get_many::<PathBuf>(name).ok().flatten().into_iter().flatten().cloned();
         let is_output = name.ends_with("_out") || OUTPUTS.contains(&name);
+        // What --diff says in words is no path.
+        let is_word =
+            |path: &PathBuf| name == "diff" && ["short", "none"].iter().any(|word| path == Path::new(word));
+        let paths = paths.filter(|path| !is_word(path));
         if is_output { outputs.extend(paths) } else { inputs.extend(paths) }
     }
     inputs.extend(given.try_get_one::<String>("robot").ok().flatten().map(PathBuf::from));
@@ -137,17 +144,35 @@ fn keep_apart(matches: &ArgMatches) -> Result<(), Diagnostic> {
     files::keep_apart(&inputs, &outputs)
 }
 
+/// The command that is nearest to one that is not there, where clap itself (`help compensat`) says nothing of it.
+fn near_command(error: &clap::Error) -> Option<String> {
+    if error.kind() != ErrorKind::InvalidSubcommand || error.get(ContextKind::SuggestedSubcommand).is_some() {
+        return None;
+    }
+    let Some(ContextValue::String(wanted)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    let command = Cli::command();
+    suggest::nearest(wanted, command.get_subcommands().map(clap::Command::get_name)).map(str::to_owned)
+}
+
 /// Runs the program on the process's own arguments.
 #[must_use]
 pub fn run() -> ExitCode {
+    interrupt::install();
     let mut console = Console::of_process();
-    let parsed = Cli::command().try_get_matches().and_then(|matches| {
+    let command = Cli::command().mut_subcommands(|command| command.allow_negative_numbers(true));
+    let parsed = command.try_get_matches().and_then(|matches| {
         let cli = Cli::from_arg_matches(&matches)?;
         Ok((matches, cli))
     });
     let (matches, cli) = match parsed {
         Ok(parsed) => parsed,
-        Err(error) => return console.usage(&error).into(),
+        Err(error) => {
+            let ended = console.usage(&error);
+            if let Some(near) = near_command(&error) {
+                console.say(format_args!("did you mean '{near}'?"));
+            }
+            return ended.into();
+        }
     };
     let outcome = keep_apart(&matches)
         .map_err(anyhow::Error::from)

@@ -27,3 +27,19 @@ pub fn at_least_one(name: &str, count: u64) -> Result<(), Diagnostic> {
     }
     Ok(())
 }
+
+/// Refuses times that are not more than 0 and at most a year, minutes.
+///
+/// # Errors
+/// `option::number`, naming the first such option.
+pub fn minutes(options: &[(&str, Option<f64>)]) -> Result<(), Diagnostic> {
+    const YEAR_MIN: f64 = 525_600.0;
+    positive(options)?;
+    match options.iter().find(|(_, value)| value.is_some_and(|minutes| minutes > YEAR_MIN)) {
+        None => Ok(()),
+        Some((name, _)) => {
+            let text = format!("{name} must be at most a year, {YEAR_MIN} minutes");
+            Err(Diagnostic::error("option::number", text).help("leave it out for the default"))
+        }
+    }
+}

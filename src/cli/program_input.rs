@@ -39,7 +39,12 @@ pub struct ProgramInput {
     pub bytes: Vec<Arc<[u8]>>,
     /// Files that are no modules: path and place. They are copied as they are.
     pub others: Vec<(PathBuf, PathBuf)>,
+    /// It is one module that came from standard input.
+    pub is_standard: bool,
 }
+
+/// What the module of standard input is called.
+const FROM_STANDARD: &str = "stdin.mod";
 
 impl ProgramInput {
     /// Finds and reads what `arguments` name.
@@ -57,6 +62,17 @@ impl ProgramInput {
             let bytes = files::read(path, "program")?;
             check_text(&path.display().to_string(), &bytes)?;
             given.bytes.push(bytes.into());
+        }
+        if let ([path], Shape::One) = (given.paths.as_mut_slice(), given.shape)
+            && files::is_standard(path)
+        {
+            *path = FROM_STANDARD.into();
+            given = Self {
+                name: FROM_STANDARD.into(),
+                places: vec![FROM_STANDARD.into()],
+                is_standard: true,
+                ..given
+            };
         }
         Ok(given)
     }
@@ -104,6 +120,7 @@ impl ProgramInput {
             paths: paths.to_vec(),
             bytes: Vec::new(),
             others: Vec::new(),
+            is_standard: false,
         }
     }
 
@@ -144,6 +161,7 @@ impl ProgramInput {
             others: others.iter().map(|path| (path.clone(), place(path))).collect(),
             paths: modules,
             bytes: Vec::new(),
+            is_standard: false,
         })
     }
 
@@ -170,6 +188,11 @@ fn has_extension(path: &Path, known: &[&str]) -> bool {
     path.extension().is_some_and(|e| known.contains(&e.to_string_lossy().to_ascii_lowercase().as_str()))
 }
 
+/// Whether a path is called as a RAPID module is.
+pub fn is_module(path: &Path) -> bool {
+    has_extension(path, &MODULES)
+}
+
 /// All files under a folder in order of name; what ends in `_tc` is left out: it is a result.
 fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
     let entries = fs::read_dir(folder).map_err(|cause| files::cannot_read(folder, "folder", &cause))?;
@@ -188,6 +211,11 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
             walk(&path, found)?;
         } else if path.is_file() {
             found.push(path);
+        } else if is_module(&path) {
+            // A link that leads nowhere, a pipe, a device: not to be left out without a word.
+            fs::metadata(&path).map_err(|cause| files::cannot_read(&path, "module", &cause))?;
+            let text = format!("{} is no file", path.display());
+            return Err(Diagnostic::error("input::unreadable", text).help("take it out of the folder"));
         }
     }
     Ok(())

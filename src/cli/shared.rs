@@ -12,7 +12,13 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 #[derive(Debug, clap::Args)]
 pub struct RobotName {
     /// A built-in robot's name, or a robot file (TOML).
-    #[arg(id = "robot", long = "robot", value_name = "NAME|FILE", default_value = "irb140")]
+    #[arg(
+        id = "robot",
+        long = "robot",
+        value_name = "NAME|FILE",
+        default_value = "irb140",
+        help_heading = "Robot and deformation"
+    )]
     pub name: String,
 }
 

@@ -27,43 +27,55 @@ pub struct Args {
     pub program: Vec<PathBuf>,
 
     /// What was meant: the program before it was compensated [default: what the program itself does with tcMode -2].
-    #[arg(long, value_name = "ORIGINAL", num_args = 1..)]
+    #[arg(long, value_name = "ORIGINAL", num_args = 1.., help_heading = "What is executed")]
     pub original: Vec<PathBuf>,
 
     /// The routine to start at [default: main, else the only routine that nothing calls].
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help_heading = "What is executed")]
     pub entry: Option<String>,
 
     /// The task of a controller's backup (a folder TASKn) [default: the first].
-    #[arg(long, value_name = "TASK")]
+    #[arg(long, value_name = "TASK", help_heading = "What is executed")]
     pub task: Option<String>,
 
     /// The robot at these warm-up minutes, cold start called and running since: a list such as 0,5,37.5 or FROM:TO:STEP.
-    #[arg(long, value_name = "MINUTES", allow_hyphen_values = true, conflicts_with = "scenario")]
+    #[arg(
+        long,
+        value_name = "MINUTES",
+        allow_hyphen_values = true,
+        conflicts_with = "scenario",
+        help_heading = "What is executed"
+    )]
     pub minutes: Option<Minutes>,
 
     /// What happens to the cell over hours (TOML): steps = ["call tcColdStart", "run 60", "stand 45", ...].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "What is executed")]
     pub scenario: Option<PathBuf>,
 
     /// What warms the true robot in a scenario: its motions, or the program that runs [default: as the scenario says, else moving].
-    #[arg(long, value_enum, value_name = "WHAT", requires = "scenario")]
+    #[arg(long, value_enum, value_name = "WHAT", requires = "scenario", help_heading = "The true robot")]
     pub warming: Option<WarmingArg>,
 
     /// The longest pause between two motions that still counts as work, minutes [default: as the scenario says, else 5].
-    #[arg(long, value_name = "MIN", requires = "scenario", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "MIN",
+        requires = "scenario",
+        allow_hyphen_values = true,
+        help_heading = "The true robot"
+    )]
     pub gap_min: Option<f64>,
 
     /// Passes of the outermost endless loop.
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, help_heading = "What is executed")]
     pub passes: u64,
 
     /// The analog input or persistent that shows the true robot's temperature, for a deformation by temperature.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help_heading = "The true robot")]
     pub thermometer: Option<String>,
 
     /// Data of the program, or a signal, with the value that it has from the beginning; repeatable.
-    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "What is executed")]
     pub set: Vec<(String, String)>,
 
     /// Robot, tools, work objects and start.
@@ -72,31 +84,37 @@ pub struct Args {
 
     /// The true robot's deformation table (CSV), static or scheduled [default: as the emitted module says, else the
     /// reference paper's Table 2, built in].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "The true robot")]
     pub deformation: Option<PathBuf>,
 
     /// The true robot's identified model (TOML), instead of a deformation table or on top of one.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "The true robot")]
     pub model: Option<PathBuf>,
 
     /// With --model: temperature of the joints, one value or six, where the model has terms in temperature.
-    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true)]
+    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true, help_heading = "The true robot")]
     pub temperature_c: Option<Temperatures>,
 
     /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU.
-    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true, help_heading = "The true robot")]
     pub growth: Option<String>,
 
     /// Exit 1 where the TCP is further off than this.
-    #[arg(long, value_name = "MM", default_value_t = 0.006, allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.006,
+        allow_hyphen_values = true,
+        help_heading = "Results"
+    )]
     pub tolerance_mm: f64,
 
     /// Pass by pass, as CSV; - is standard output.
-    #[arg(long, value_name = "FILE|-")]
+    #[arg(long, value_name = "FILE|-", help_heading = "Results")]
     pub csv: Option<PathBuf>,
 
     /// What was found, as JSON; - is standard output.
-    #[arg(long, value_name = "FILE|-")]
+    #[arg(long, value_name = "FILE|-", help_heading = "Results")]
     pub json: Option<PathBuf>,
 }
 

@@ -1,7 +1,7 @@
 //! Two programs compared: for people, as JSON and as CSV.
 
 use super::motion_rows::target_name;
-use super::{Align, Table, counted, rounded};
+use super::{Align, Table, counted, plural, rounded};
 use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
 use rapid_program::emit::Difference;
 use rapid_program::program::motion::Motion;
@@ -153,7 +153,11 @@ impl Compared<'_> {
         }
         table.write(out, "")?;
         if cut > 0 {
-            writeln!(out, "... and {} more; --all shows every one and every bucket", counted(cut, "motion"))?;
+            writeln!(
+                out,
+                "... and {cut} more {}; --all shows every one and every bucket",
+                plural(cut, "motion")
+            )?;
         }
         writeln!(out)
     }

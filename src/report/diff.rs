@@ -138,15 +138,16 @@ impl std::fmt::Display for Side {
 }
 
 /// Lines `from..to` of the source (from 0) become `new`.
-struct Change {
-    from: usize,
-    to: usize,
-    new: Vec<Vec<u8>>,
+#[derive(Debug)]
+pub(super) struct Change {
+    pub from: usize,
+    pub to: usize,
+    pub new: Vec<Vec<u8>>,
 }
 
 /// The edits by lines, in order: neighbouring changes stay apart, so that each changed line stands beside
 /// what it becomes.
-fn changes(source: &[u8], lines: &Lines, edits: &[Edit]) -> Vec<Change> {
+pub(super) fn changes(source: &[u8], lines: &Lines, edits: &[Edit]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
     let mut rest = edits;
     while let Some(first) = rest.first() {
@@ -191,13 +192,13 @@ fn change(source: &[u8], lines: &Lines, mut from: usize, mut to: usize, edits: &
 }
 
 /// Where lines begin, by LF alone as in every tool that reads diffs.
-struct Lines {
+pub(super) struct Lines {
     starts: Vec<usize>,
     end: usize,
 }
 
 impl Lines {
-    fn new(text: &[u8]) -> Self {
+    pub fn new(text: &[u8]) -> Self {
         let mut starts = vec![0];
         starts.extend(memchr::memchr_iter(b'\n', text).map(|at| at + 1));
         if starts.last() == Some(&text.len()) {
@@ -218,7 +219,7 @@ impl Lines {
         self.starts.get(line).copied().unwrap_or(self.end)
     }
 
-    fn of<'t>(&self, text: &'t [u8], line: usize) -> &'t [u8] {
+    pub fn of<'t>(&self, text: &'t [u8], line: usize) -> &'t [u8] {
         text.get(self.start(line)..self.start(line + 1)).unwrap_or_default()
     }
 

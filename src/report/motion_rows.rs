@@ -1,6 +1,6 @@
 //! The rows of a review's table of motions: all of a short program, the worst of a long one.
 
-use super::{Align, Table};
+use super::{Align, Table, plural};
 use rapid_program::compensate::plan::{Form, Plan, PlannedMotion, Status};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Motion, Origin};
@@ -60,7 +60,8 @@ impl MotionRows {
         }
         table.write(out, "")?;
         if let Some(left_out) = self.left_out {
-            writeln!(out, "... and {left_out} more motions; --all shows every one")?;
+            let motions = plural(left_out, "motion");
+            writeln!(out, "... and {left_out} more {motions}; --all shows every one")?;
         }
         writeln!(out)
     }

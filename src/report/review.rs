@@ -1,7 +1,7 @@
 //! The review: what an integrator checks before a corrected program runs.
 
 use super::motion_rows::{MotionRows, mm};
-use super::{Align, Table, rounded};
+use super::{Align, Table, counted, rounded};
 use rapid_program::compensate::plan::{Summary, Totals};
 use rapid_program::schedule::{Course, Schedule, TimeFunctions};
 use robot_model::units::mm_from_m;
@@ -26,15 +26,48 @@ pub struct Review<'a> {
     pub provenance: &'a [(&'static str, String)],
 }
 
-/// Writes the summary, the buckets and the motions.
+/// Writes what it was made with, the buckets, the motions and what they come to; the verdict follows.
 ///
 /// # Errors
 /// Those of writing to `out`.
 pub fn write_review(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
     write_provenance(out, review)?;
-    write_summary(out, review)?;
     write_buckets(out, review)?;
-    review.rows.write(out)
+    review.rows.write(out)?;
+    write_figures(out, review)
+}
+
+/// Writes what a reviewer reads first: how many motions, and how far they are off before and after. Two lines.
+///
+/// # Errors
+/// Those of writing to `out`.
+pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
+    let (s, totals) = (review.summary, review.totals);
+    let held = match review.functions {
+        None => counted(review.schedule.buckets.len(), "bucket"),
+        Some(_) => {
+            let [_, ramp, live] = totals.by_form;
+            format!("{ramp} by their scaled correction, {live} by the model at run time")
+        }
+    };
+    writeln!(
+        out,
+        "{}: {} compensated, {} kept, {} refused; {held}",
+        counted(totals.motions, "motion"),
+        totals.compensated,
+        totals.kept,
+        totals.refused,
+    )?;
+    let known = if totals.by_form[2] > 0 { " whose targets are known" } else { "" };
+    let after = match review.functions {
+        None => format!("{} mm", mm(s.worst_after_m)),
+        Some(_) => format!("{:.6} mm without the controller's rounding", mm_from_m(s.worst_after_m)),
+    };
+    writeln!(
+        out,
+        "worst TCP error of the compensated motions{known} over all minutes: {} mm before, {after} after",
+        mm(s.worst_before_m)
+    )
 }
 
 fn write_provenance(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
@@ -45,41 +78,17 @@ fn write_provenance(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> 
     writeln!(out)
 }
 
-fn write_summary(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
-    let (s, totals) = (review.summary, review.totals);
-    let held = match review.functions {
-        None => format!("{} buckets", review.schedule.buckets.len()),
-        Some(_) => {
-            let [_, ramp, live] = totals.by_form;
-            format!("{ramp} by their scaled correction, {live} by the model at run time")
-        }
-    };
-    writeln!(
-        out,
-        "{} motions: {} compensated, {} kept, {} refused; {held}",
-        totals.motions, totals.compensated, totals.kept, totals.refused,
-    )?;
-    let known = if totals.by_form[2] > 0 { " whose targets are known" } else { "" };
-    writeln!(out, "worst TCP error of the compensated motions{known} over all minutes:")?;
-    writeln!(out, "  {:>9} mm before", mm(s.worst_before_m))?;
+fn write_figures(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
+    let s = review.summary;
+    let rigid = mm(s.rigid_shift_worst_m);
     match review.functions {
         None => {
-            writeln!(out, "  {:>9} mm after", mm(s.worst_after_m))?;
-            writeln!(
-                out,
-                "  {:>9} mm with one work-object shift per bucket instead",
-                mm(s.rigid_shift_worst_m)
-            )?;
-            writeln!(
-                out,
-                "largest step of the TCP from one bucket to the next: {} mm",
-                mm(s.worst_switch_jump_m)
-            )?;
+            writeln!(out, "one work-object shift per bucket instead would leave {rigid} mm")?;
+            let jump = mm(s.worst_switch_jump_m);
+            writeln!(out, "largest step of the TCP from one bucket to the next: {jump} mm")?;
         }
         Some(functions) => {
-            let after_mm = mm_from_m(s.worst_after_m);
-            writeln!(out, "  {after_mm:>9.6} mm after, without the controller's rounding")?;
-            writeln!(out, "  {:>9} mm with one scaled work-object shift instead", mm(s.rigid_shift_worst_m))?;
+            writeln!(out, "one scaled work-object shift instead would leave {rigid} mm")?;
             writeln!(out, "corrections are scaled by {}", scale(functions))?;
         }
     }

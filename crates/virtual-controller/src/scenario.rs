@@ -179,19 +179,31 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
     })
 }
 
+/// Days of a month of the Gregorian calendar.
+fn days_of_month(year: u32, month: u32) -> u32 {
+    let is_leap = year.is_multiple_of(4) && !year.is_multiple_of(100) || year.is_multiple_of(400);
+    match month {
+        2 if is_leap => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    }
+}
+
 /// Year, month, day; hour, minute, second.
 type DateTime = ((i64, u32, u32), (u32, u32, f64));
 
 /// `YYYY-MM-DD HH:MM:SS`
 pub(super) fn date_time(text: &str) -> Result<DateTime, SimulateError> {
-    let bad = || SimulateError::Scenario(format!("`{text}` is no date and time, YYYY-MM-DD HH:MM:SS"));
+    let bad =
+        || SimulateError::Scenario(format!("`{text}` is no date and time that exists, YYYY-MM-DD HH:MM:SS"));
     let (date, time) = text.trim().split_once([' ', 'T']).ok_or_else(bad)?;
     let date: Vec<u32> = date.split('-').map(str::parse).collect::<Result<_, _>>().map_err(|_| bad())?;
     let time: Vec<f64> = time.split(':').map(str::parse).collect::<Result<_, _>>().map_err(|_| bad())?;
     match (date.as_slice(), time.as_slice()) {
         (&[y, m, d], &[h, min, s])
             if (1..=12).contains(&m)
-                && (1..=31).contains(&d)
+                && (1..=days_of_month(y, m)).contains(&d)
                 && (0.0..24.0).contains(&h)
                 && (0.0..60.0).contains(&min)
                 && (0.0..60.0).contains(&s) =>
@@ -221,6 +233,15 @@ mod tests {
         );
         for wrong in ["run", "run -1", "run nan", "jump 3", "set_date 2026-13-01 00:00:00", "set x", ""] {
             assert!(parse_step(wrong).is_err(), "{wrong}");
+        }
+        for (date, exists) in [
+            ("2026-02-29", false),
+            ("2028-02-29", true),
+            ("2100-02-29", false),
+            ("2000-02-29", true),
+            ("2026-04-31", false),
+        ] {
+            assert_eq!(parse_step(&format!("set_date {date} 00:00:00")).is_ok(), exists, "{date}");
         }
         assert!(Scenario::from_toml("walk = []").is_err());
     }

@@ -6,7 +6,7 @@
 )]
 
 use crate::cli::model;
-use crate::cli::number::positive;
+use crate::cli::number::{minutes, positive};
 use crate::cli::shared::{JointAngles, RobotName, joint_angles, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// Options of `compensate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// RAPID modules, a folder of them, or a .pgf; names are resolved across all of them.
+    /// RAPID modules, a folder of them, a .pgf, or - for standard input; names are resolved across all of them.
     #[arg(required = true, value_name = "PROGRAM")]
     pub program: Vec<PathBuf>,
 
@@ -35,156 +35,197 @@ pub struct Args {
     pub robot: RobotName,
 
     /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Robot and deformation")]
     pub deformation: Option<PathBuf>,
 
     /// An identified model (TOML) of diagnose --model-out, instead of a deformation table or on top of one.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Robot and deformation")]
     pub model: Option<PathBuf>,
 
     /// With --model: the whole load on the flange, kg [default: what the tools' load data say].
-    #[arg(long, value_name = "KG", requires = "model")]
+    #[arg(long, value_name = "KG", requires = "model", help_heading = "Robot and deformation")]
     pub payload_kg: Option<f64>,
 
     /// With --model: temperature of the joints, one value or six, where the model has terms in temperature.
-    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true)]
+    #[arg(long, value_name = "C|C1,..,C6", requires = "model", value_parser = temperatures, allow_hyphen_values = true, help_heading = "Robot and deformation")]
     pub temperature_c: Option<Temperatures>,
 
     /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU
     /// [default: two-stage:46 for the built-in table; required with a static table of yours].
-    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true, help_heading = "Robot and deformation")]
     pub growth: Option<String>,
 
     /// End of the schedule in minutes, or auto: where what is still to come is under the tolerance.
-    #[arg(long, value_name = "MIN|auto", default_value = "auto", value_parser = until, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MIN|auto", default_value = "auto", value_parser = until, allow_negative_numbers = true, help_heading = "Corrections")]
     pub until: Until,
 
     /// No target is further off than this anywhere in its bucket.
-    #[arg(long, value_name = "MM", default_value_t = 0.005, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.005,
+        allow_negative_numbers = true,
+        help_heading = "Corrections"
+    )]
     pub tolerance_mm: f64,
 
     /// Buckets of this fixed width instead of a tolerance.
-    #[arg(long, value_name = "MIN", conflicts_with = "tolerance_mm", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MIN",
+        conflicts_with = "tolerance_mm",
+        allow_negative_numbers = true,
+        help_heading = "Corrections"
+    )]
     pub bucket_min: Option<f64>,
 
     /// What a motion asks instead of its target.
-    #[arg(long, value_enum, default_value_t = FormName::Schedule)]
+    #[arg(long, value_enum, default_value_t = FormName::Schedule, help_heading = "Corrections")]
     pub form: FormName,
 
     /// What the bucket follows: the robot's warm-up minute (warmth), minutes since tcColdStart (elapsed), or a
     /// temperature that the cell measures (signal:NAME, an analog input; pers:NAME, written from outside) for a
     /// deformation table with temp_c.
-    #[arg(long, value_name = "warmth|elapsed|signal:NAME|pers:NAME", default_value = "warmth", value_parser = clock)]
+    #[arg(long, value_name = "warmth|elapsed|signal:NAME|pers:NAME", default_value = "warmth", value_parser = clock, help_heading = "Clock in the program")]
     pub clock: ClockName,
 
     /// Without a good reading of the temperature the last one is used for so long, minutes; then the originals.
-    #[arg(long, value_name = "MIN", default_value_t = 10.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MIN",
+        default_value_t = 10.0,
+        allow_negative_numbers = true,
+        help_heading = "Clock in the program"
+    )]
     pub hold_min: f64,
 
     /// A temperature that has not changed for so long is no good reading any more, minutes.
-    #[arg(long, value_name = "MIN", default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MIN",
+        default_value_t = 60.0,
+        allow_negative_numbers = true,
+        help_heading = "Clock in the program"
+    )]
     pub stale_min: f64,
 
     /// Time constant of cooling while the program stands, minutes [default: the growth law's].
-    #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MIN", allow_negative_numbers = true, help_heading = "Clock in the program")]
     pub tau_cool: Option<f64>,
 
     /// A pause longer than this counts as standing, minutes.
-    #[arg(long, value_name = "MIN", default_value_t = 5.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MIN",
+        default_value_t = 5.0,
+        allow_negative_numbers = true,
+        help_heading = "Clock in the program"
+    )]
     pub gap_min: f64,
 
     /// Where clock and index live: in the module, or once in tcCore.mod
     /// [default: embedded for one module, separate for more].
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, help_heading = "Clock in the program")]
     pub core: Option<CoreName>,
 
     /// Value of a tool that no given module declares, e.g. 'tGrip=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]'.
-    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "What is accepted")]
     pub tool: Vec<(String, String)>,
 
     /// Value of a work object that no given module declares.
-    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "What is accepted")]
     pub wobj: Vec<(String, String)>,
 
     /// Joints with which the arm stands when the entry is called, degrees: makes branches certain that the text leaves open.
-    #[arg(long, value_name = "Q1,..,Q6", value_parser = joint_angles, allow_hyphen_values = true, conflicts_with = "home")]
+    #[arg(long, value_name = "Q1,..,Q6", value_parser = joint_angles, allow_hyphen_values = true, conflicts_with = "home", help_heading = "What is accepted")]
     pub start_joints: Option<JointAngles>,
 
     /// The same as a jointtarget of the program.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help_heading = "What is accepted")]
     pub home: Option<String>,
 
     /// Leave the motions of this target, routine or module alone; * and ? stand for any letters. Repeatable.
-    #[arg(long, value_name = "GLOB")]
+    #[arg(long, value_name = "GLOB", help_heading = "What is accepted")]
     pub keep: Vec<String>,
 
     /// Correct the motions of this target, routine or module alone. Repeatable.
-    #[arg(long, value_name = "GLOB")]
+    #[arg(long, value_name = "GLOB", help_heading = "What is accepted")]
     pub only: Vec<String>,
 
     /// External axes (a to f) that move neither the robot's base nor a work object.
-    #[arg(long, value_name = "AXIS,..", value_delimiter = ',', value_parser = external_axis)]
+    #[arg(long, value_name = "AXIS,..", value_delimiter = ',', value_parser = external_axis, help_heading = "What is accepted")]
     pub base_fixed: Vec<ExternalAxis>,
 
     /// A larger correction than this is refused [default: 0.5; with --model 3].
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, help_heading = "Corrections")]
     pub max_correction_mm: Option<f64>,
 
     /// A larger correction than this is refused [default: 0.1; with --model 0.5].
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, help_heading = "Corrections")]
     pub max_correction_deg: Option<f64>,
 
     /// A linear move that leaves its line by more than this at mid-path is warned about.
-    #[arg(long, value_name = "MM", default_value_t = 0.01, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.01,
+        allow_negative_numbers = true,
+        help_heading = "Corrections"
+    )]
     pub path_tolerance_mm: f64,
 
     /// Leave MoveAbsJ as it is (RoboDK writes MoveJ so; it is corrected otherwise).
-    #[arg(long)]
+    #[arg(long, help_heading = "Corrections")]
     pub keep_moveabsj: bool,
 
     /// Accept a program that RoboDK says was not made with nominal kinematics.
-    #[arg(long)]
+    #[arg(long, help_heading = "What is accepted")]
     pub allow_non_nominal: bool,
 
     /// Accept a program, a model or a table that is another robot's.
-    #[arg(long)]
+    #[arg(long, help_heading = "What is accepted")]
     pub allow_other_robot: bool,
 
     /// The controller's own Absolute Accuracy is on: MoveAbsJ is kept.
-    #[arg(long)]
+    #[arg(long, help_heading = "Corrections")]
     pub absolute_accuracy: bool,
 
     /// With --form live or auto: add tcSelfTest, which compares the controller's kinematics with those that the corrections
     /// were made for and times the calls, before anything moves.
-    #[arg(long)]
+    #[arg(long, help_heading = "Clock in the program")]
     pub self_test: bool,
 
     /// Refuse the program where a motion would be kept.
-    #[arg(long)]
+    #[arg(long, help_heading = "What is accepted")]
     pub strict: bool,
 
-    /// Where the result goes [default: STEM_tc.EXT beside one file, folder NAME_tc/ for more].
-    #[arg(short, long, value_name = "PATH")]
+    /// Where the result goes, - being standard output [default: STEM_tc.EXT beside one file, folder NAME_tc/ for more].
+    #[arg(short, long, value_name = "PATH", help_heading = "Results")]
     pub output: Option<PathBuf>,
 
     /// Overwrite the input.
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with = "output", help_heading = "Results")]
     pub in_place: bool,
 
-    /// Unified diff to this file, or none [default: standard output, cut after 2,000 lines].
-    #[arg(long, value_name = "FILE|none")]
-    pub diff: Option<PathBuf>,
+    /// Overwrite a result of ours that was changed since it was written (touched up, saved back by a controller).
+    #[arg(long, help_heading = "Results")]
+    pub force: bool,
+
+    /// What is shown of the difference: short (changed motions and the first targets, at most 60 lines), none, - (the whole
+    /// on standard output), or a file for the whole as a unified diff.
+    #[arg(long, value_name = "short|none|-|FILE", default_value = "short", help_heading = "Results")]
+    pub diff: PathBuf,
 
     /// Joints solved at every minute, as CSV.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Results")]
     pub joints_csv: Option<PathBuf>,
 
     /// Show every motion and every message, however many there are.
-    #[arg(long)]
+    #[arg(long, help_heading = "Results")]
     pub all: bool,
 
     /// Everything a script needs, as JSON; - is standard output.
-    #[arg(long, value_name = "FILE|-")]
+    #[arg(long, value_name = "FILE|-", help_heading = "Results")]
     pub json: Option<PathBuf>,
 }
 
@@ -373,10 +414,17 @@ impl Args {
             ("--max-correction-deg", self.max_correction_deg),
             ("--payload-kg", self.payload_kg.filter(|kg| *kg != 0.0)),
             ("--path-tolerance-mm", Some(self.path_tolerance_mm)),
+        ])?;
+        let until = match self.until {
+            Until::Minutes(minutes) if minutes > 0.0 => Some(minutes),
+            _ => None,
+        };
+        minutes(&[
             ("--gap-min", Some(self.gap_min)),
             ("--hold-min", Some(self.hold_min)),
             ("--stale-min", Some(self.stale_min)),
             ("--tau-cool", self.tau_cool),
+            ("--until", until),
         ])
     }
 }

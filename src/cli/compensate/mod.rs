@@ -6,24 +6,86 @@ pub(in crate::cli) use args::temperatures;
 pub use args::{Args, Temperatures};
 use driftpost::application::{Compensated, Refusal, write_file_diff};
 
-use super::destination::{Destination, Writing};
-use super::files::{Output, Pending};
+use super::destination::{Destination, Writing, Written};
+use super::files::{Output, Pending, place_all};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
-use driftpost::report;
+use driftpost::report::{self, ShortDiff};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Read, Seek, Write};
 use std::path::Path;
 
-/// A diff on standard output is cut after so many lines.
-const DIFF_LINES: usize = 2000;
+/// What is shown or written of the difference.
+enum DiffTo {
+    Nowhere,
+    /// The first changes, on standard output.
+    Short(ShortDiff),
+    /// All of it on standard output; until all is well in a file without a name.
+    Standard(std::fs::File),
+    File(Pending),
+}
+
+impl DiffTo {
+    fn new(asked: &Path, is_quiet: bool) -> Result<Self, Diagnostic> {
+        let unnamed = || tempfile::tempfile().map_err(|cause| no_output(&cause));
+        match asked.to_str() {
+            Some("none") => Ok(Self::Nowhere),
+            Some("short") if is_quiet => Ok(Self::Nowhere),
+            Some("short") => Ok(Self::Short(ShortDiff::default())),
+            Some("-") => unnamed().map(Self::Standard),
+            _ => Pending::new(asked).map(Self::File),
+        }
+    }
+
+    fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> std::io::Result<()> {
+        let buffered = |out: &mut dyn Write| {
+            let mut out = BufWriter::with_capacity(1 << 16, out);
+            write_file_diff(&mut out, program, file, path)?;
+            out.flush()
+        };
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Short(short) => {
+                if let Some(id) = file.source {
+                    let source = program.file(id);
+                    short.add(&source.path, path, &source.bytes, &file.edits);
+                }
+                Ok(())
+            }
+            Self::Standard(all) => buffered(all),
+            Self::File(pending) => buffered(pending.out()),
+        }
+    }
+
+    /// Writes what goes to standard output.
+    fn show(&mut self, console: &mut Console) -> std::io::Result<()> {
+        let mut text = Vec::new();
+        match self {
+            Self::Short(short) => short.write(&mut text)?,
+            Self::Standard(all) => {
+                all.rewind()?;
+                if !console.is_coloured() {
+                    std::io::copy(all, console.out())?;
+                    return writeln!(console.out());
+                }
+                all.read_to_end(&mut text)?;
+                text.push(b'\n');
+            }
+            Self::Nowhere | Self::File(_) => return Ok(()),
+        }
+        match console.is_coloured() {
+            true => report::write_coloured(console.out(), &text),
+            false => console.out().write_all(&text),
+        }
+    }
+}
 
 /// Runs `compensate`.
 ///
 /// # Errors
-/// A JSON file or standard output that cannot be written; everything else is a refusal, which says why.
+/// What keeps a result from being written, with what was written until then; everything else is a refusal, which says why.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut json = Some(Output::new(args.json.as_deref())?);
     match write_result(args, console, &mut json) {
@@ -37,7 +99,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
 }
 
-/// Gives what came of writing the JSON, for which `json` is taken.
+/// Gives what came of putting the results in their places, for which `json` is taken.
 fn write_result(
     args: &Args,
     console: &mut Console,
@@ -46,85 +108,136 @@ fn write_result(
     args.check()?;
     let given = ProgramInput::read(&args.program)?;
     let program = given.program();
-    let destination = Destination::new(&given, args.output.as_deref(), args.in_place)?;
+    let destination = Destination::new(&given, args.output.as_deref(), args.in_place, args.force)?;
     let job = args.compensation()?;
-    destination.keep_apart(&[args.json.as_deref(), args.diff.as_deref(), args.joints_csv.as_deref()])?;
+    destination.keep_apart(&[args.json.as_deref(), Some(&args.diff), args.joints_csv.as_deref()])?;
     destination.open()?;
-    let mut diff_file = diff_file(args)?;
-    let joints_file = Output::new(args.joints_csv.as_deref())?;
-    let quiet = json.as_ref().is_some_and(Output::is_standard) || joints_file.is_standard();
-    let shown = !quiet && args.diff.is_none();
+    let mut joints_file = Output::new(args.joints_csv.as_deref())?;
+    let is_quiet = json.as_ref().is_some_and(Output::is_standard)
+        || joints_file.is_standard()
+        || destination.is_standard();
+    let mut diff = DiffTo::new(&args.diff, is_quiet)?;
 
     // File by file: the result of a large program is larger than what is needed to make it.
     let mut writing = Writing::default();
-    let mut head = Vec::new();
-    let mut cut = report::Cut::new(&mut head, if quiet || args.diff.is_some() { 0 } else { DIFF_LINES });
-    let diff: Option<&mut dyn Write> = match &mut diff_file {
-        Some(pending) => Some(pending.out()),
-        None if shown => Some(&mut cut),
-        None => None,
-    };
-    let mut diff = diff.map(|out| BufWriter::with_capacity(1 << 16, out));
     let mut accept = |program: &Program, file: EmittedFile| {
-        if let Some(diff) = &mut diff {
-            let path = destination.path_of(&file, &given).display().to_string();
-            write_file_diff(diff, program, &file, &path).map_err(|cause| no_output(&cause))?;
-        }
+        let path = destination.path_of(&file, &given).display().to_string();
+        diff.add(program, &file, &path).map_err(|cause| no_output(&cause))?;
         writing.add(&destination, &given, file)
     };
     let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
-    let flushed = diff.map_or(Ok(()), |mut diff| diff.flush().map_err(|cause| no_output(&cause)));
-    let dropped = cut.dropped;
-    let finished = flushed.and_then(|()| {
+    console.explain(&made.messages, args.all);
+    // All is written whole beside its place before anything is put there.
+    let prepared = || -> Result<_, Diagnostic> {
         if args.joints_csv.is_some() {
             made.check_joints()?;
         }
-        console.explain(&made.messages, args.all);
-        let written = writing.finish(&destination, &given)?;
-        if let Some(diff) = diff_file {
-            diff.write(&[])?;
+        let filled = |error: anyhow::Error| {
+            error.downcast().unwrap_or_else(|error| no_output(&std::io::Error::other(error)))
+        };
+        joints_file.fill(|out| Ok(made.write_joints(out)?)).map_err(filled)?;
+        if let Some(json) = json.as_mut() {
+            json.fill(|out| Ok(made.write_json(out)?)).map_err(filled)?;
         }
-        let streamed = joints_file.stream(console, |out| Ok(made.write_joints(out)?));
-        streamed.map_err(|error| no_output(&std::io::Error::other(error)))?;
-        if !quiet {
-            show(console, (&made, args.all), &head, dropped).map_err(|cause| no_output(&cause))?;
-        }
-        Ok(written)
-    });
-    let written = match finished {
+        writing.finish(&destination, &given)
+    };
+    let mut written = match prepared() {
         Ok(written) => written,
         Err(message) => return Err(made.refuse(message)),
     };
+    let mut json = json.take().unwrap_or(Output::Nowhere);
+    for output in [&mut joints_file, &mut json] {
+        if matches!(output, Output::File(_)) {
+            written.pending.extend(std::mem::replace(output, Output::Nowhere).into_pending());
+        }
+    }
+    let mut diff = diff;
+    if matches!(diff, DiffTo::File(_))
+        && let DiffTo::File(pending) = std::mem::replace(&mut diff, DiffTo::Nowhere)
+    {
+        written.pending.push(pending);
+    }
+    if let Err(message) = place_all(std::mem::take(&mut written.pending)) {
+        return Ok(Err(message.into()));
+    }
     if let Some(text) = made.size_note() {
         console.say(text);
     }
-    if let Some(text) = made.embedded_clock_note() {
+    let other = destination.other_clock().map(|path| path.display().to_string());
+    if let Some(text) = other.and_then(|other| made.embedded_clock_note(&other)) {
         console.say(text);
     }
-    for (path, size) in written {
-        console.say(format_args!("wrote {} ({size} bytes)", path.display()));
-    }
-    let json = json.take().unwrap_or(Output::Nowhere);
-    Ok(json.stream(console, |out| Ok(made.write_json(out)?)))
+    Ok(show(console, &made, args, &mut diff, &written, is_quiet, [joints_file, json]))
 }
 
-/// The review and the diff, on standard output.
+/// What goes to standard output: the difference, the tables, the verdict; or a result.
 fn show(
     console: &mut Console,
-    (made, all): (&Compensated<'_>, bool),
-    diff: &[u8],
-    dropped: usize,
-) -> std::io::Result<()> {
-    made.write_review(console.out(), all)?;
-    console.out().write_all(diff)?;
-    if dropped > 0 {
-        writeln!(console.out(), "... and {dropped} more lines; --diff FILE writes all of them")?;
+    made: &Compensated<'_>,
+    args: &Args,
+    diff: &mut DiffTo,
+    written: &Written,
+    is_quiet: bool,
+    [joints, json]: [Output; 2],
+) -> anyhow::Result<()> {
+    let files = written_line(written, made.warnings());
+    let shown = (|| -> anyhow::Result<()> {
+        diff.show(console)?;
+        if let Some(module) = &written.standard {
+            console.out().write_all(module)?;
+        }
+        joints.stream(console, |out| Ok(made.write_joints(out)?))?;
+        json.stream(console, |out| Ok(made.write_json(out)?))?;
+        if is_quiet {
+            return Ok(console.out().flush()?);
+        }
+        made.write_review(console.out(), args.all)?;
+        writeln!(console.out(), "{files}")?;
+        Ok(console.out().flush()?)
+    })();
+    match shown {
+        Ok(()) if is_quiet => {
+            console.say(files);
+            Ok(())
+        }
+        Ok(()) => Ok(()),
+        Err(error) => {
+            let cause = error.downcast::<std::io::Error>().unwrap_or_else(std::io::Error::other);
+            let said = match written.standard {
+                Some(_) => no_output(&cause).help("the program was not written whole"),
+                None => no_output(&cause).help(format!("what it would have shown is lost; {files}")),
+            };
+            Err(said.into())
+        }
     }
-    console.out().flush()
 }
 
-fn diff_file(args: &Args) -> Result<Option<Pending>, Diagnostic> {
-    args.diff.as_deref().filter(|path| *path != Path::new("none")).map(Pending::new).transpose()
+/// The last line of the verdict: what was written, and how many warnings there are.
+fn written_line(written: &Written, warnings: usize) -> String {
+    let warnings = match warnings {
+        0 => String::new(),
+        n => format!("; {}, see above", report::counted(n, "warning")),
+    };
+    match written.emitted.as_slice() {
+        [] => format!("nothing is corrected, the program is written as it was{warnings}"),
+        [(path, size)] if written.standard.is_some() => {
+            format!("wrote {} ({size} bytes){warnings}", shown_path(path))
+        }
+        [(path, size)] => format!("wrote {} ({size} bytes){warnings}", path.display()),
+        [(first, _), ..] => {
+            let bytes: usize = written.emitted.iter().map(|(_, size)| size).sum();
+            let count = written.emitted.len();
+            format!(
+                "wrote {} and {} more, {bytes} bytes in all{warnings}",
+                first.display(),
+                report::counted(count - 1, "file")
+            )
+        }
+    }
+}
+
+fn shown_path(path: &Path) -> String {
+    if path == Path::new("-") { "standard output".to_owned() } else { path.display().to_string() }
 }
 
 fn no_output(cause: &std::io::Error) -> Diagnostic {

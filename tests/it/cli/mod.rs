@@ -1,11 +1,13 @@
 //! The command line as scripts rely on it: exit codes, what is written where, and every refusal.
 
+mod bad_input;
 mod compensate;
 mod diff;
 mod outputs;
 mod refusals;
 mod reviewing;
 mod typos;
+mod written;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -28,6 +28,8 @@ fn a_misspelt_command_or_value_is_answered_with_the_right_one() {
     let output = driftpost(&["compensat", CUBE]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("'compensate'"), "{}", err(&output));
+    let output = driftpost(&["help", "compensat"]);
+    assert!(output.status.code() == Some(2) && err(&output).contains("'compensate'"), "{}", err(&output));
     let output = driftpost(&["compensate", CUBE, "--clock", "elapse"]);
     assert!(output.status.code() == Some(2) && err(&output).contains("elapsed, "), "{}", err(&output));
 }

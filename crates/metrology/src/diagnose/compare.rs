@@ -18,6 +18,8 @@ const SAME_RAD: f64 = 3.5e-4;
 const FEWEST: usize = 12;
 /// A shift of the tool beyond this many sigmas is one.
 const SURE: f64 = 4.0;
+/// Points that differ by less are the same but for the arithmetic, metres: a nanometre.
+const SAME_M: f64 = 1e-9;
 /// Pairs with the largest change that are listed.
 const LISTED: usize = 10;
 
@@ -130,6 +132,8 @@ pub fn compare_measurements(
     let diagnosis = diagnose(&differences, robot, &told);
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
+    // The same readings twice have no noise against which anything could be told.
+    let is_same = moved.iter().all(|by| by.norm() < SAME_M);
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
     let line =
@@ -151,7 +155,7 @@ pub fn compare_measurements(
         base_moved: was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base,
         worst,
         diagnosis,
-        is_changed: tool_is_changed || arm_is_changed,
+        is_changed: (tool_is_changed || arm_is_changed) && !is_same,
     })
 }
 

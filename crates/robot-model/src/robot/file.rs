@@ -110,12 +110,22 @@ impl JointTable {
                         remedy: "write the smaller angle first",
                     });
                 }
+                if low < -MOST_TURNS_DEG || high > MOST_TURNS_DEG {
+                    return Err(RobotError::Value {
+                        place: format!("{place}, range_deg"),
+                        problem: format!("{low} to {high} is more than {MOST_TURNS_DEG} degrees from zero"),
+                        remedy: "leave range_deg out for a joint without end",
+                    });
+                }
                 Some([rad_from_deg(low), rad_from_deg(high)])
             }
         };
         Ok(Joint { previous_from_joint, axis, range_rad })
     }
 }
+
+/// No axis turns further from its zero: thirty turns.
+const MOST_TURNS_DEG: f64 = 10_800.0;
 
 impl LinkTable {
     fn checked(&self, number: usize) -> Result<Link, RobotError> {

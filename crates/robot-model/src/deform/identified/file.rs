@@ -138,6 +138,9 @@ fn write_mounting(out: &mut String, mounting: &Mounting) {
     );
 }
 
+/// More teeth than this has no gear.
+const MOST_PERIODS: u32 = 1000;
+
 fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
     let name = keys.text("effect")?.ok_or_else(|| keys.wrong("effect", "missing".to_owned()))?;
     let kind = name.parse().ok().filter(|kind: &EffectKind| kind.is_model_term());
@@ -157,11 +160,18 @@ fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
         (EffectKind::GearMesh, None) => {
             return Err(keys.wrong("n", "gear_mesh needs periods per turn".to_owned()));
         }
+        (EffectKind::GearMesh, Some(n)) if !(1..=MOST_PERIODS).contains(&n) => {
+            return Err(keys.wrong("n", format!("{n} periods per turn are no gear: 1 to {MOST_PERIODS}")));
+        }
         (_, n) => n,
     };
     let mut values = Vec::new();
     for (key, unit) in kind.parameters() {
-        let value = unit.si(keys.number(key)?.unwrap_or(0.0));
+        let number = keys.number(key)?.unwrap_or(0.0);
+        if kind == EffectKind::Backlash && number < 0.0 {
+            return Err(keys.wrong(key, format!("{number} is no play: 0 or more is asked for")));
+        }
+        let value = unit.si(number);
         let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
         values.push(Value { value, sigma });
     }

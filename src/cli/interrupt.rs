@@ -1,0 +1,67 @@
+//! Ctrl-C and termination: what waits beside its place is taken away; what is just being put in its place is finished.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// What a shell reports of a program that was interrupted.
+const INTERRUPTED: i32 = 130;
+
+/// Files that wait beside their places, and folders that were made for them.
+static WAITING: Mutex<(Vec<PathBuf>, Vec<PathBuf>)> = Mutex::new((Vec::new(), Vec::new()));
+/// Held while results are put in their places.
+static PLACING: Mutex<()> = Mutex::new(());
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From here on an interrupted run leaves nothing behind.
+pub fn install() {
+    // Where there are no signals there is nothing to do.
+    let _ = ctrlc::set_handler(|| {
+        let _placing = lock(&PLACING);
+        let (files, folders) = std::mem::take(&mut *lock(&WAITING));
+        files.iter().for_each(|file| drop(fs::remove_file(file)));
+        // The inner ones first; one that holds something stays.
+        folders.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
+        std::process::exit(INTERRUPTED);
+    });
+}
+
+/// Nothing is interrupted until this is dropped.
+pub fn placing() -> MutexGuard<'static, ()> {
+    lock(&PLACING)
+}
+
+/// A file that is taken away if the program is interrupted before this is dropped.
+pub struct WaitingFile(PathBuf);
+
+impl WaitingFile {
+    /// For a file that is there.
+    #[must_use]
+    pub fn new(path: &Path) -> Self {
+        lock(&WAITING).0.push(path.to_path_buf());
+        Self(path.to_path_buf())
+    }
+}
+
+impl Drop for WaitingFile {
+    fn drop(&mut self) {
+        lock(&WAITING).0.retain(|path| *path != self.0);
+    }
+}
+
+/// Makes a folder with those above it; those that are new are taken away if the program is interrupted while they are empty.
+///
+/// # Errors
+/// Those of the file system.
+pub fn create_folder(folder: &Path) -> std::io::Result<()> {
+    let new: Vec<PathBuf> = folder
+        .ancestors()
+        .take_while(|f| !f.as_os_str().is_empty() && !f.exists())
+        .map(Path::to_path_buf)
+        .collect();
+    lock(&WAITING).1.extend(new.into_iter().rev());
+    fs::create_dir_all(folder)
+}

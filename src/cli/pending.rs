@@ -1,0 +1,195 @@
+//! Files that are written beside their places and put there when they are whole.
+
+use super::interrupt::{WaitingFile, create_folder, placing};
+use rapid_syntax::diagnostic::Diagnostic;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::time::Duration;
+
+/// What the names of files begin with that wait beside their places.
+pub const PENDING: &str = ".driftpost-";
+/// An abandoned file that says nothing of its run is taken for one after so long.
+const ABANDONED: Duration = Duration::from_secs(60);
+
+/// A file that will be written: opened beside its place before the long work begins, so that a folder
+/// that cannot be written to is found at once, and renamed into its place when it is whole.
+///
+/// What is no regular file (a device, a pipe) is written to, not replaced; a symbolic link stays one.
+pub struct Pending {
+    path: PathBuf,
+    file: tempfile::NamedTempFile,
+    /// Taken away if the program is interrupted.
+    _waiting: WaitingFile,
+    /// The path is no regular file.
+    through: bool,
+}
+
+impl Pending {
+    /// Makes sure that `path` can be written.
+    ///
+    /// # Errors
+    /// `output::unwritable`, naming the path.
+    pub fn new(path: &Path) -> Result<Self, Diagnostic> {
+        if path.is_dir() {
+            return Err(unwritable(path, "it is a folder"));
+        }
+        if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
+            return Err(unwritable(path, "it is write-protected"));
+        }
+        let path = &followed(path);
+        let through = fs::metadata(path).is_ok_and(|m| !m.is_file());
+        if through {
+            let file = builder().tempfile().map_err(|cause| unwritable(path, cause))?;
+            return Ok(Self::waiting(path, file, through));
+        }
+        let folder = folder_of(path);
+        let there = folder.ancestors().find(|f| f.exists() || f.as_os_str().is_empty()).unwrap_or(folder);
+        let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
+        remove_stale(there);
+        let file = builder().tempfile_in(there).map_err(|cause| unwritable(path, cause))?;
+        Ok(Self::waiting(path, file, through))
+    }
+
+    fn waiting(path: &Path, file: tempfile::NamedTempFile, through: bool) -> Self {
+        // Whoever can lock it knows that nobody writes to it any more.
+        let _ = file.as_file().try_lock();
+        let _waiting = WaitingFile::new(file.path());
+        Self { path: path.to_path_buf(), file, _waiting, through }
+    }
+
+    /// Whether it is written to a device or a pipe.
+    #[must_use]
+    pub fn is_through(&self) -> bool {
+        self.through
+    }
+
+    /// Its path.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the whole file, or its next piece, still beside its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
+        let failed = |cause| unwritable(&self.path, cause);
+        io::copy(from, &mut self.file).map_err(failed)?;
+        if self.through {
+            return Ok(());
+        }
+        create_folder(folder_of(&self.path)).map_err(failed)
+    }
+
+    /// The file, still beside its place, to be written to.
+    pub fn out(&mut self) -> &mut dyn io::Write {
+        &mut self.file
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn place(self) -> Result<(), Diagnostic> {
+        let path = self.path;
+        if self.through {
+            let failed = |cause| unwritable(&path, cause);
+            let mut whole = self.file.reopen().map_err(failed)?;
+            let mut to = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
+            io::copy(&mut whole, &mut to).map_err(failed)?;
+            return io::Write::flush(&mut to).map_err(failed);
+        }
+        self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
+        Ok(())
+    }
+
+    /// Writes the whole file and puts it in its place.
+    ///
+    /// # Errors
+    /// `output::unwritable`; the file at the path is then as it was.
+    pub fn write(mut self, mut bytes: &[u8]) -> Result<(), Diagnostic> {
+        self.fill(&mut bytes)?;
+        self.place()
+    }
+}
+
+/// Puts files in their places: what goes through a device or a pipe first, as that is what fails.
+///
+/// # Errors
+/// `output::unwritable`, which says what was written until then.
+pub fn place_all(mut files: Vec<Pending>) -> Result<(), Diagnostic> {
+    files.sort_by_key(|file| !file.is_through());
+    let _uninterrupted = placing();
+    let mut written: Vec<String> = Vec::new();
+    for file in files {
+        let path = file.path().display().to_string();
+        if let Err(mut said) = file.place() {
+            said.help = Some(match written.as_slice() {
+                [] => "name another place for it, or give write permission; nothing was written".to_owned(),
+                list => format!("written are {}, and nothing else", list.join(", ")),
+            });
+            return Err(said);
+        }
+        written.push(path);
+    }
+    Ok(())
+}
+
+/// The folder a path stands in.
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Takes away what a run left that was killed.
+fn remove_stale(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let Some(rest) = name.strip_prefix(PENDING) else { continue };
+        let run = rest.split('-').next().and_then(|id| id.parse::<u32>().ok());
+        let is_gone = run.is_some_and(|id| {
+            Path::new("/proc/self").exists() && !Path::new(&format!("/proc/{id}")).exists()
+        });
+        let is_old = || {
+            let modified = entry.metadata().and_then(|metadata| metadata.modified()).ok();
+            modified.and_then(|at| at.elapsed().ok()).is_some_and(|age| age > ABANDONED)
+        };
+        let is_free = || fs::File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
+        if (is_gone || is_old()) && is_free() {
+            let _ = fs::remove_file(entry.path()); // another run may have been faster
+        }
+    }
+}
+
+/// Where a symbolic link leads, also where nothing is there yet.
+fn followed(path: &Path) -> PathBuf {
+    if fs::read_link(path).is_err() {
+        return path.to_path_buf();
+    }
+    if let Ok(to) = fs::canonicalize(path) {
+        return to;
+    }
+    match fs::read_link(path) {
+        Ok(to) => folder_of(path).join(to),
+        Err(_) => path.to_path_buf(),
+    }
+}
+
+/// Temporary files get the permissions that any new file of the user's has.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    static PREFIX: LazyLock<String> = LazyLock::new(|| format!("{PENDING}{}-", std::process::id()));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX.as_str());
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder
+}
+
+/// The message for a file that cannot be written.
+pub fn unwritable(path: &Path, cause: impl std::fmt::Display) -> Diagnostic {
+    Diagnostic::error("output::unwritable", format!("{} cannot be written: {cause}", path.display()))
+        .help("name another place for it, or give write permission")
+}

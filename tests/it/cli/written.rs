@@ -1,0 +1,150 @@
+//! What is written and what is not: full disks, interruption, results that somebody has changed.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use std::process::{Command, Stdio};
+
+/// A program of tens of thousands of moves is large enough to be interrupted in the middle.
+fn large(moves: usize) -> String {
+    let target = |i: usize| {
+        format!(
+            "[[{},{},{}],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            350 + i % 100,
+            1 + i % 77,
+            300 + i % 53
+        )
+    };
+    let lines: String = (0..moves).map(|i| format!("    MoveL {},v100,fine,tool0;\n", target(i))).collect();
+    format!("MODULE Large\n  PROC main()\n{lines}  ENDPROC\nENDMODULE\n")
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told_with_what_was_written() {
+    let bench = Bench::default();
+    let made = bench.path("o.mod").display().to_string();
+    let json = driftpost(&["compensate", CUBE, "-o", &made, "--json", "/dev/full"]);
+    assert_eq!(json.status.code(), Some(2));
+    assert!(
+        err(&json).contains("/dev/full cannot be written") && err(&json).contains("nothing was written"),
+        "{}",
+        err(&json)
+    );
+    assert!(bench.files().is_empty() && out(&json).is_empty(), "{:?}", bench.files());
+    let full = || Stdio::from(std::fs::File::create("/dev/full").unwrap());
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_driftpost"));
+        command.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments).stdout(full()).output().unwrap()
+    };
+    let shown = run(&["compensate", CUBE, "-o", &made]);
+    assert_eq!(shown.status.code(), Some(2));
+    let said = err(&shown);
+    assert!(
+        said.contains("standard output cannot be written") && said.contains(&format!("wrote {made}")),
+        "{said}"
+    );
+    assert!(!said.contains("nothing was written") && bench.files() == ["o.mod"], "{said}");
+    let program = run(&["compensate", CUBE, "-o", "-"]);
+    assert_eq!(program.status.code(), Some(2));
+    assert!(err(&program).contains("the program was not written whole"), "{}", err(&program));
+    for arguments in [&["inspect", CUBE][..], &["simulate", CUBE], &["diff", CUBE, CUBE], &["--help"]] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?} {}", err(&output));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_run_leaves_nothing_and_a_killed_one_what_the_next_takes_away() {
+    let bench = Bench::default();
+    let source = bench.file("in/Large.mod", large(30_000));
+    let result = bench.path("out/deep/Large.mod").display().to_string();
+    let start = || {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+            .args(["compensate", &source, "-o", &result, "--diff", "none"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        // Until something waits beside its place.
+        let begun = std::time::Instant::now();
+        while bench.files() == ["in/Large.mod"] && begun.elapsed().as_secs() < 60 {
+            assert!(child.try_wait().unwrap().is_none(), "it was done before it could be interrupted");
+        }
+        child
+    };
+    for signal in ["-INT", "-TERM"] {
+        let mut child = start();
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{signal}");
+        assert_eq!(bench.files(), ["in/Large.mod"], "{signal}");
+        assert!(!bench.path("out/deep").exists(), "{signal}");
+    }
+    let mut child = start();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(bench.files().len() <= 2, "{:?}", bench.files());
+    let small = driftpost(&["compensate", CUBE, "-o", &result, "--diff", "none"]);
+    assert_eq!(small.status.code(), Some(0), "{}", err(&small));
+    assert_eq!(bench.files(), ["in/Large.mod", "out/deep/Large.mod"]);
+}
+
+#[test]
+fn a_result_that_was_changed_is_overwritten_only_by_force() {
+    let bench = Bench::default();
+    let made = bench.path("o.mod").display().to_string();
+    let run =
+        |more: &[&str]| driftpost(&[&["compensate", CUBE, "-o", &made, "--diff", "none"][..], more].concat());
+    assert_eq!(run(&[]).status.code(), Some(0));
+    let text = bench.text("o.mod");
+    // As it was written it may be written again, with other options too.
+    assert_eq!(run(&["--form", "ramp"]).status.code(), Some(0));
+    assert_eq!(run(&[]).status.code(), Some(0));
+    assert!(bench.text("o.mod") == text);
+    for (what, from, by) in [
+        ("touched up", "[[400.000,", "[[400.5,"),
+        ("saved back by a controller", "tcMinute:=0;", "tcMinute:=61.5;"),
+        ("laid out anew", "\n", "\r\n"),
+        ("edited elsewhere", "rdkSpeed,z1", "rdkSpeed,z5"),
+    ] {
+        let changed = text.replacen(from, by, if from == "\n" { usize::MAX } else { 1 });
+        assert!(changed != text, "{what}");
+        bench.file("o.mod", &changed);
+        let output = run(&[]);
+        assert_eq!(output.status.code(), Some(2), "{what}");
+        assert!(
+            err(&output).contains("error[output::changed]") && err(&output).contains("--force"),
+            "{}",
+            err(&output)
+        );
+        assert!(bench.text("o.mod") == changed, "{what}");
+    }
+    assert_eq!(run(&["--force"]).status.code(), Some(0));
+    assert!(bench.text("o.mod") == text);
+    // The common module as much as the others.
+    let parts = bench.path("parts").display().to_string();
+    let run = |more: &[&str]| {
+        driftpost(&[&["compensate", "fixtures/parts", "-o", &parts, "--diff", "none"][..], more].concat())
+    };
+    assert_eq!(run(&[]).status.code(), Some(0), "{}", err(&run(&[])));
+    let core = bench.text("parts/tcCore.mod");
+    bench.file("parts/tcCore.mod", core.replacen("tcMode:=-1", "tcMode:=-2", 1));
+    assert!(
+        run(&[]).status.code() == Some(2) && err(&run(&[])).contains("tcCore.mod was changed"),
+        "{}",
+        err(&run(&[]))
+    );
+    assert_eq!(run(&["--force"]).status.code(), Some(0));
+    assert!(bench.text("parts/tcCore.mod") == core);
+}
+
+#[test]
+fn global_names_are_spoken_of_only_where_they_meet_others() {
+    let bench = Bench::default();
+    let run = |name: &str| {
+        driftpost(&["compensate", CUBE, "-o", &bench.path(name).display().to_string(), "--diff", "none"])
+    };
+    assert!(!err(&run("a.mod")).contains("global names"));
+    assert!(!err(&run("a.mod")).contains("global names"), "its own result is no other clock");
+    let second = run("b.mod");
+    assert!(err(&second).contains("global names") && err(&second).contains("a.mod"), "{}", err(&second));
+}
