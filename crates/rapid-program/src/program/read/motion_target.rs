@@ -1,0 +1,229 @@
+//! The targets of a motion: what they are worth, and where that is written.
+
+use super::MotionReader;
+use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
+use crate::program::const_eval::{Constant, Found};
+use crate::program::convert;
+use crate::program::index::{Ctx, DatumId};
+use crate::program::motion::{Origin, Path, SkipReason, Target, TargetValue};
+use crate::program::motion_site::MoveArgs;
+use crate::program::names::{as_text, lower_case};
+use crate::program::value::{DataName, Reached, Value};
+use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
+use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
+use std::rc::Rc;
+
+/// A motion's targets, and what is to be looked at once its frames are known.
+pub(super) struct MotionTargets {
+    pub(super) targets: Vec<Target>,
+    /// The `CalcRobT` among them.
+    pub(super) reached: Vec<Rc<Reached>>,
+    /// Warnings of those that are read elsewhere too, should the motion be corrected.
+    pub(super) read_elsewhere: Vec<(DatumId, Diagnostic)>,
+}
+
+impl<'a> MotionReader<'_, 'a> {
+    /// The targets of a motion.
+    pub(super) fn targets(
+        &mut self,
+        args: &MoveArgs<'a>,
+        (ctx, path): (Ctx, Path),
+        reasons: &mut SkipReasons,
+    ) -> MotionTargets {
+        let index = self.evaluator.index;
+        let joints_wanted = path == Path::AbsJoint;
+        let (mut targets, mut reached, mut read_elsewhere) = (Vec::new(), Vec::new(), Vec::new());
+        for expr in &args.targets {
+            let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            if let Some((datum, reading)) = self.read_as_data.of_target(index, ctx, expr) {
+                match reading.why_kept(index) {
+                    Some(why) => reasons.add(why),
+                    None => read_elsewhere.push((datum, reading.warning(index, datum))),
+                }
+            }
+            if !joints_wanted && let Some(axis) = moving_axis(&target, self.base_fixed) {
+                let reason = format!(
+                    "it places external axis {axis}, which may carry the robot's base or the work object (--base-fixed {axis} says \
+                     that it does not)"
+                );
+                reasons.add(keep("keep::external-base", reason));
+            }
+            // One of an array's elements is known well enough where all of them are.
+            let indexed = args.targets.len() == 1 && !target.elements().is_empty();
+            targets.push(target);
+            reached.extend(calc);
+            match failed {
+                _ if self.own_positions.is_read(index, ctx, expr) => {
+                    let reason =
+                        "its target is read from where the robot stands, so that it holds the drift already";
+                    let because = failed.and_then(|keep| keep.because);
+                    reasons.add(SkipReason { code: "keep::own-position", reason: reason.into(), because });
+                }
+                Some(keep) if indexed && is_known_at_run_time(&keep) => {}
+                failed => reasons.extend(failed),
+            }
+        }
+        MotionTargets { targets, reached, read_elsewhere }
+    }
+
+    /// Whether all `CalcRobT` of a motion's targets name its own tool and work object.
+    pub(super) fn same_frames(&mut self, args: &MoveArgs<'a>, ctx: Ctx, reached: &[Rc<Reached>]) -> bool {
+        if reached.is_empty() {
+            return true;
+        }
+        let own_tool = args.tool.and_then(|tool| self.evaluator.data_name(tool, ctx));
+        let own_wobj = match args.wobj {
+            Some(wobj) => self.evaluator.data_name(wobj, ctx),
+            None => Some(DataName::Predefined("wobj0".into())),
+        };
+        let own = |r: &Rc<Reached>| Some(&r.tool) == own_tool.as_ref() && Some(&r.wobj) == own_wobj.as_ref();
+        reached.iter().all(own)
+    }
+
+    fn target(
+        &mut self,
+        expr: &'a Expr,
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> (Target, Option<SkipReason>, Option<Rc<Reached>>) {
+        let (origin, literal) = self.origin(expr, ctx);
+        let mut calc = None;
+        let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
+            let value = typed.value;
+            let converted = match (&value, joints_wanted) {
+                (Value::Reached(reached), false) => {
+                    calc = Some(reached.clone());
+                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+                }
+                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
+                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
+            };
+            converted.map_err(|(code, reason)| {
+                let because = match &origin {
+                    Origin::Named { declaration, .. } => Some(*declaration),
+                    Origin::Inline | Origin::Expression => None,
+                };
+                Rc::new(SkipReason { code, reason, because })
+            })
+        });
+        let unused_axis = |v: &TargetValue| match v {
+            TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
+            TargetValue::Rob(_) => false,
+        };
+        let target = Target::new(expr.range, origin);
+        let value = match folded {
+            Ok(value) => value,
+            Err(why) => {
+                let elements = self.elements(expr, ctx, joints_wanted);
+                return (target.with_elements(elements), Some((*why).clone()), calc);
+            }
+        };
+        let failed = unused_axis(&value).then(|| {
+            keep("keep::axis-unused", "an axis of the arm is written 9E9: it stays where it is".into())
+        });
+        let target = target.with_value(&value);
+        match literal {
+            Some(literal) => (target.with_literal(literal), failed, calc),
+            None => (target, failed, calc),
+        }
+    }
+
+    /// All elements of the constant array that `NAME{index}` names; of a target that is handed to a function that scales its
+    /// correction (`tcAt`, as this program emits it) the original and what it is when all has settled; none where it is
+    /// something else.
+    fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
+        if let ExprKind::Call(call) = &expr.kind {
+            return self.scaled(call.name, &call.args, ctx, joints_wanted).unwrap_or_default();
+        }
+        let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
+        let base = &element_of.base;
+        let ([_], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
+        let Ok(Value::Parts(parts)) = self.evaluator.fold(base, ctx, &Constant).map(|typed| typed.value)
+        else {
+            return Vec::new();
+        };
+        let element = |part: &Value| match joints_wanted {
+            true => convert::jointtarget(part).map(TargetValue::Joint).ok(),
+            false => convert::robtarget(part).map(TargetValue::Rob).ok(),
+        };
+        parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// The original of a target with a correction, and the settled target: the sum of all corrections where there are several
+    /// is none that the arm needs, so that only the original is told.
+    fn scaled(
+        &mut self,
+        name: TextRange,
+        args: &'a [Arg],
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> Option<Vec<TargetValue>> {
+        let name = lower_case(self.evaluator.index.text(ctx.file, name));
+        if !name.starts_with("tcat") {
+            return None;
+        }
+        let mut positional = args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Positional(expr) => Some(expr),
+            _ => None,
+        });
+        let original = self.evaluator.fold(positional.next()?, ctx, &Constant).ok()?.value;
+        let original = match (&original, joints_wanted) {
+            (Value::Reached(reached), false) => {
+                convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+            }
+            (_, true) => convert::jointtarget(&original).map(TargetValue::Joint),
+            (_, false) => convert::robtarget(&original).map(TargetValue::Rob),
+        };
+        let original = original.ok()?;
+        let (correction, more) = (positional.next()?, positional.next());
+        let correction = self.evaluator.fold(correction, ctx, &Constant).ok()?.value;
+        let settled = convert::corrected(&original, &correction).filter(|_| more.is_none());
+        Some(std::iter::once(original).chain(settled).collect())
+    }
+
+    fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {
+        let literal =
+            |expr: &Expr, ctx: Ctx| is_literal(expr).then_some(Span { file: ctx.file, range: expr.range });
+        match &expr.kind {
+            ExprKind::Aggregate(_) | ExprKind::Numbers => (Origin::Inline, literal(expr, ctx)),
+            ExprKind::Name => {
+                let name = as_text(self.evaluator.index.text(ctx.file, expr.range));
+                let here = Span { file: ctx.file, range: expr.range };
+                match self.evaluator.resolve(expr.range, ctx) {
+                    Ok(Found::Datum(datum)) => {
+                        let entry = &self.evaluator.index.data[datum];
+                        let literal = entry.init.and_then(|init| literal(init, entry.ctx));
+                        let declaration = self.evaluator.index.declaration(datum);
+                        (Origin::Named { name, declaration }, literal)
+                    }
+                    Ok(Found::Predefined(_)) | Err(_) => (Origin::Named { name, declaration: here }, None),
+                }
+            }
+            _ => (Origin::Expression, None),
+        }
+    }
+}
+
+/// The letter of an external axis that a target places away from 0 and that may move the base.
+fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
+    target.values().find_map(|value| {
+        let ext = match value {
+            TargetValue::Rob(target) => target.ext,
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+        };
+        let moves = |(place, fixed): (Option<f64>, bool)| place.is_some_and(|place| place != 0.0) && !fixed;
+        let axis = ext.into_iter().zip(base_fixed).position(moves)?;
+        Some(char::from(b"abcdef"[axis]))
+    })
+}
+/// Whether an expression is made of literals alone.
+fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::Numbers | ExprKind::String | ExprKind::Bool(_) => true,
+        ExprKind::Aggregate(parts) => parts.iter().all(is_literal),
+        ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => {
+            matches!(operand.kind, ExprKind::Number)
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,138 @@
+//! Why a motion must stay as it is, as far as its statement and what is in force there tell.
+
+use crate::program::data::{ToolData, WobjData};
+use crate::program::flow::{BLOCKERS, Blocker};
+use crate::program::index::Ctx;
+use crate::program::instructions::Special;
+use crate::program::motion::SkipReason;
+use crate::program::motion_site::{MotionSite, MoveArgs};
+use crate::program::state::State;
+use rapid_syntax::diagnostic::Span;
+
+/// Reasons that a function asked at run time has not: it sees the values.
+const KNOWN_AT_RUN_TIME: [&str; 8] = [
+    "keep::runtime-target",
+    "keep::parameter",
+    "keep::loop-variable",
+    "keep::function-result",
+    "keep::no-value",
+    "keep::not-declared",
+    "keep::tool-unknown",
+    "keep::wobj-unknown",
+];
+
+/// The reasons of one motion; the first is told.
+pub(super) struct SkipReasons {
+    first: Option<SkipReason>,
+    /// A function that is asked at run time has none of them.
+    known_at_run_time: bool,
+}
+
+impl SkipReasons {
+    /// Those of the statement itself.
+    pub(super) fn of_statement(site: &MotionSite<'_>, ctx: Ctx, args: &MoveArgs<'_>) -> Self {
+        let mut reasons = Self { first: None, known_at_run_time: true };
+        let form = site.form;
+        reasons.extend(special(form.special, form.name));
+        if let Some(not_read) = site.not_read {
+            let reason = if not_read == site.stmt.range {
+                "it was not understood"
+            } else {
+                "text that was not understood stands right beside it"
+            };
+            let because = Some(Span { file: ctx.file, range: not_read });
+            reasons.add(SkipReason { code: "keep::not-read", reason: reason.into(), because });
+        } else if args.targets.len() < form.targets.len() {
+            reasons.add(keep("keep::not-read", format!("{} has too few arguments", form.name)));
+        }
+        if args.has("corr") {
+            reasons.add(keep("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
+        }
+        reasons
+    }
+
+    /// Those of what is in force there; `None`: no way leads there.
+    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>) {
+        let Some(state) = state else {
+            return self.add(keep("keep::unreachable", "no way through the program leads here".into()));
+        };
+        if args.has("id") {
+            self.add(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
+        }
+        for (hold, held) in BLOCKERS.iter().zip(&state.blockers) {
+            if let Some(why) = held {
+                let code = match hold {
+                    Blocker::Displacement => "keep::displacement",
+                    Blocker::ExternalOffset => "keep::external-offset",
+                    Blocker::SoftServo => "keep::soft-servo",
+                    Blocker::MultiMove => "keep::multimove",
+                };
+                self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });
+            }
+        }
+    }
+
+    /// Those of a tool and a work object that do not go together, or that stand nowhere certain.
+    pub(super) fn add_frames(&mut self, tool: &ToolData, wobj: &WobjData) {
+        if tool.robhold == wobj.robhold {
+            let text = if tool.robhold {
+                "the robot is said to hold both the tool and the work object"
+            } else {
+                "the robot is said to hold neither the tool nor the work object"
+            };
+            self.add(keep("keep::robhold", text.into()));
+        }
+        if !wobj.ufprog || !wobj.ufmec.is_empty() {
+            let unit = if wobj.ufmec.is_empty() { "another unit" } else { &wobj.ufmec };
+            self.add(keep("keep::wobj-moved", format!("{unit} moves the work object")));
+        }
+    }
+
+    /// That of a `CalcRobT` that is made for other frames.
+    pub(super) fn add_other_frames(&mut self) {
+        let text = "CalcRobT names another tool or work object than its motion";
+        self.add(keep("keep::calc-frame", text.into()));
+    }
+
+    /// One more.
+    pub(super) fn add(&mut self, reason: SkipReason) {
+        self.known_at_run_time &= is_known_at_run_time(&reason);
+        self.first.get_or_insert(reason);
+    }
+
+    /// The first, and whether a function that is asked at run time has none of them; `(None, false)` where there are none.
+    pub(super) fn first(self) -> (Option<SkipReason>, bool) {
+        let known_at_run_time = self.first.is_some() && self.known_at_run_time;
+        (self.first, known_at_run_time)
+    }
+}
+
+impl Extend<SkipReason> for SkipReasons {
+    fn extend<T: IntoIterator<Item = SkipReason>>(&mut self, reasons: T) {
+        reasons.into_iter().for_each(|reason| self.add(reason));
+    }
+}
+
+/// Whether a function that is asked at run time sees what the text does not tell.
+pub(super) fn is_known_at_run_time(reason: &SkipReason) -> bool {
+    KNOWN_AT_RUN_TIME.contains(&reason.code)
+}
+
+fn special(special: Special, name: &str) -> Option<SkipReason> {
+    match special {
+        Special::Plain => None,
+        Special::Search => Some(keep(
+            "keep::search",
+            format!("{name} searches: where it stops is what the program wants to know"),
+        )),
+        Special::External => Some(keep("keep::external-axes", format!("{name} moves external axes only"))),
+        Special::Unsupported => Some(keep(
+            "keep::instruction",
+            format!("{name} is not among the instructions that are understood"),
+        )),
+    }
+}
+/// A reason without a place of its own.
+pub(super) fn keep(code: &'static str, reason: String) -> SkipReason {
+    SkipReason { code, reason, because: None }
+}
