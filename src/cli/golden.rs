@@ -60,7 +60,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         cases.push((case, same));
     }
     let different = cases.iter().filter(|(_, same)| !same).count();
-    console.say(format_args!("{} cases, {different} different", cases.len()));
+    console.say(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
     json.write(console, || {
         let list: Vec<_> = cases
             .iter()

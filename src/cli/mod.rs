@@ -21,7 +21,8 @@ pub mod shared;
 pub mod suggest;
 
 pub mod accuracy;
-pub mod changed;
+pub mod closed_loop;
+pub mod compare_measurements;
 pub mod compensate;
 pub mod diagnose;
 pub mod diff;
@@ -30,7 +31,6 @@ pub mod fit;
 pub mod golden;
 pub mod inspect;
 pub mod plan;
-pub mod rehearse;
 pub mod restore;
 pub mod simulate;
 pub mod synth;
@@ -86,11 +86,13 @@ enum Command {
     /// Pose accuracy, repeatability and drift after ISO 9283; go or no go against limits.
     Accuracy(accuracy::Args),
     /// What has changed between two measurements of one robot, after a crash, say.
-    Changed(changed::Args),
+    #[command(alias = "changed")]
+    CompareMeasurements(compare_measurements::Args),
     /// Choose poses to measure, so that effects can be told apart; a sheet to fill in and RAPID to run.
     Plan(plan::Args),
-    /// Rehearse the whole loop on a virtual robot: withhold an effect, measure, diagnose, compensate, measure again.
-    Rehearse(rehearse::Args),
+    /// The whole loop closed on a virtual robot: inject an effect, measure, diagnose, compensate, measure again.
+    #[command(alias = "rehearse")]
+    ClosedLoop(closed_loop::Args),
     /// Apply an identified model to measurements that it has not seen.
     Validate(validate::Args),
 }
@@ -101,7 +103,8 @@ const OUTPUTS: [&str; 5] = ["json", "csv", "diff", "joints_csv", "output"];
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
         Command::Accuracy(args) => accuracy::run(args, console),
-        Command::Changed(args) => changed::run(args, console),
+        Command::ClosedLoop(args) => closed_loop::run(args, console),
+        Command::CompareMeasurements(args) => compare_measurements::run(args, console),
         Command::Compensate(args) => compensate::run(args, console),
         Command::Diff(args) => diff::run(args, console),
         Command::Golden(args) => golden::run(args, console),
@@ -114,7 +117,6 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Diagnose(args) => diagnose::run(args, console),
         Command::Fit(args) => fit::run(args, console),
         Command::Plan(args) => plan::run(args, console),
-        Command::Rehearse(args) => rehearse::run(args, console),
         Command::Validate(args) => validate::run(args, console),
     }
 }

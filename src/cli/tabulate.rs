@@ -10,7 +10,7 @@ use super::minutes::Minutes;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use anyhow::Context;
-use driftpost::report::{JointRow, JointTable};
+use driftpost::report::{JointRow, JointTable, counted};
 use nalgebra::UnitQuaternion;
 use rapid_program::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
 use rapid_program::compensate::targets::{self, Target};
@@ -142,7 +142,10 @@ fn summarise(
     table: &Table,
     misses: &[MinuteMiss],
 ) -> std::io::Result<()> {
-    writeln!(to, "{} targets x {} minutes = {} rows", targets.len(), misses.len(), table.rows.len())?;
+    let [targets, minutes, rows] =
+        [(targets.len(), "target"), (misses.len(), "minute"), (table.rows.len(), "row")]
+            .map(|(n, noun)| counted(n, noun));
+    writeln!(to, "{targets} x {minutes} = {rows}")?;
     let worst =
         |of: fn(&MinuteMiss) -> &Miss| misses.iter().max_by(|a, b| of(a).max_m.total_cmp(&of(b).max_m));
     if let Some(worst) = worst(|minute| &minute.before) {

@@ -1,5 +1,6 @@
 //! Performance after ISO 9283 for people and as JSON.
 
+use super::counted;
 use super::table::{Align, Table};
 use metrology::measure::{Performance, PosePerformance, Repeatability};
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -80,7 +81,8 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     }
     let few = found.poses.iter().filter(|p| p.repeatability.is_none_or(|r| r.n < 30)).count();
     if few > 0 {
-        writeln!(out, "{few} poses have fewer than the 30 cycles that the standard asks for")?;
+        let verb = if few == 1 { "has" } else { "have" };
+        writeln!(out, "{} {verb} fewer than the 30 cycles that the standard asks for", counted(few, "pose"))?;
     }
     Ok(())
 }

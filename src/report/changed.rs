@@ -1,5 +1,6 @@
 //! What has changed between two measurements, for people and as JSON.
 
+use super::counted;
 use metrology::diagnose::{MeasurementComparison, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
@@ -12,7 +13,8 @@ use std::io::{self, Write};
 pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
     writeln!(out, "{}", if is_changed { "CHANGED" } else { "not changed" })?;
     let [before, after] = found.alone;
-    writeln!(out, "{} poses measured both times; {before} only before, {after} only after", found.pairs)?;
+    let poses = counted(found.pairs, "pose");
+    writeln!(out, "{poses} measured both times; {before} only before, {after} only after")?;
     let noise =
         found.noise_rms_m.map_or_else(String::new, |m| format!("; noise alone would be {:.4}", mm_from_m(m)));
     writeln!(

@@ -2,7 +2,7 @@
 
 use super::json::messages;
 use super::message::LocatedDiagnostic;
-use super::{Align, Table, rounded};
+use super::{Align, Table, counted, rounded};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Motion, Origin, Target, TargetValue};
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -34,8 +34,8 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
     let kept = program.motions.iter().filter(|m| m.skip_reason.is_some()).count();
     writeln!(
         out,
-        "{} motions, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
-        program.motions.len(),
+        "{}, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
+        counted(program.motions.len(), "motion"),
         program.motions.len() - kept,
         form(program).0,
         form(program).1

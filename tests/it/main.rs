@@ -16,6 +16,7 @@ mod corpus;
 mod corpus_table;
 mod deformed_inverse;
 mod diagnose;
+mod docs_commands;
 mod emit;
 mod exam_page;
 mod executed;

@@ -253,7 +253,7 @@ fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
         [("joint_compliance:2,gear_mesh:3:20", "3"), ("joint_offset:3,joint_compliance:3", "2")]
     {
         let output =
-            driftpost(&["rehearse", CUBE, "--withhold", effects, "--seed", seed, "--json", &at("r.json")]);
+            driftpost(&["closed-loop", CUBE, "--inject", effects, "--seed", seed, "--json", &at("r.json")]);
         let said = String::from_utf8_lossy(&output.stdout).into_owned();
         assert_eq!(
             output.status.code(),

@@ -160,9 +160,11 @@ fn a_crash_shows_beside_errors_that_were_there_before() {
     let sound = write(folder.path(), "sound.csv", &file(&robot_under_test(&[sag]), &moved, tip, 3));
 
     let json = folder.path().join("c.json").to_string_lossy().into_owned();
-    let (code, out, answer) = run(&["changed", &before, &sound, "--sigma-mm", "0.02", "--json", &json]);
+    let (code, out, answer) =
+        run(&["compare-measurements", &before, &sound, "--sigma-mm", "0.02", "--json", &json]);
     assert_eq!(code, 0, "{out}{answer}");
-    let (code, out, answer) = run(&["changed", &before, &after, "--sigma-mm", "0.02", "--json", &json]);
+    let (code, out, answer) =
+        run(&["compare-measurements", &before, &after, "--sigma-mm", "0.02", "--json", &json]);
     assert_eq!(code, 1, "{out}{answer}");
     assert!(out.starts_with("CHANGED"), "{out}");
     let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
@@ -176,13 +178,13 @@ fn a_crash_shows_beside_errors_that_were_there_before() {
     assert!((size / 3e-4 - 1.0).abs() < 0.15, "{size}");
     let tool = read["tools"][0]["by_mm"][0].as_f64().unwrap();
     assert!((0.1..0.35).contains(&tool), "{out}");
-    assert_eq!(run(&["changed", &before, &after, "--sigma-mm", "0.02", "--limit-mm", "5"]).0, 0);
+    assert_eq!(run(&["compare-measurements", &before, &after, "--sigma-mm", "0.02", "--limit-mm", "5"]).0, 0);
     let few = write(
         folder.path(),
         "few.csv",
         &fs::read_to_string(&after).unwrap().lines().take(8).collect::<Vec<_>>().join("\n"),
     );
-    let (code, _, answer) = run(&["changed", &before, &few]);
+    let (code, _, answer) = run(&["compare-measurements", &before, &few]);
     assert!(code == 2 && answer.contains("changed::too-few"), "{answer}");
 }
 

@@ -1,4 +1,4 @@
-//! `driftpost changed`: what has changed between two measurements of one robot.
+//! `driftpost compare-measurements`: what has changed between two measurements of one robot.
 
 use super::number::positive;
 use super::shared::{PriorKnowledgeArgs, RobotName};
@@ -10,7 +10,7 @@ use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `changed`.
+/// Options of `compare-measurements`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Measurements before.
@@ -42,7 +42,7 @@ pub struct Args {
     pub json: Option<PathBuf>,
 }
 
-/// Runs `changed`.
+/// Runs `compare-measurements`.
 ///
 /// # Errors
 /// A file that cannot be read or written, too few poses in both.

@@ -1,4 +1,4 @@
-//! `driftpost rehearse`: the whole loop on a virtual robot. An effect is withheld, the robot measured, the measurements
+//! `driftpost closed-loop`: the whole loop on a virtual robot. An effect is injected, the robot measured, the measurements
 //! diagnosed, a program compensated for what was found, and its targets measured again on the same robot.
 
 use super::program_input::ProgramInput;
@@ -11,7 +11,7 @@ use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `rehearse`.
+/// Options of `closed-loop`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The program: a module, several, a folder, or a .pgf.
@@ -19,8 +19,8 @@ pub struct Args {
     pub program: Vec<PathBuf>,
 
     /// Effects of the virtual robot, which the diagnosis is not told, e.g. joint_compliance:2,gear_mesh:3:20.
-    #[arg(long, value_name = "LIST")]
-    pub withhold: String,
+    #[arg(long, value_name = "LIST", alias = "withhold")]
+    pub inject: String,
 
     /// The robot.
     #[command(flatten)]
@@ -55,7 +55,7 @@ pub struct Args {
     pub json: Option<PathBuf>,
 }
 
-/// Runs `rehearse`.
+/// Runs `closed-loop`.
 ///
 /// # Errors
 /// A file that cannot be read, an effect that a program cannot meet, a program that cannot be compensated.
@@ -67,7 +67,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut rng = Rng::new(args.seed, 0);
     let recipe = synth::recipe(
         &synth::Ask {
-            effects: &args.withhold,
+            effects: &args.inject,
             name: "rehearsal".to_owned(),
             n: args.n as usize,
             sigma_mm: args.sigma_mm,
@@ -76,7 +76,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         },
         &mut rng,
     )?;
-    let rehearsal = Rehearsal { robot: robot.into(), recipe, withheld: args.withhold.clone() };
+    let rehearsal = Rehearsal { robot: robot.into(), recipe, withheld: args.inject.clone() };
     let identification = rehearsal.identify(&mut rng)?;
     if let Some(file) = model_out {
         file.write(identification.model.to_toml().as_bytes())?;
@@ -86,7 +86,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let floor_mm = args.sigma_mm * 3.0_f64.sqrt();
     let good = after.measured_mm <= args.limit * floor_mm;
     let answer = json!({
-        "withheld": args.withhold, "verdict": diagnosis.verdict,
+        "withheld": args.inject, "verdict": diagnosis.verdict,
         "causes": diagnosis.causes.iter().map(describe).collect::<Vec<_>>(),
         "targets": before.n, "floor_rms_mm": floor_mm,
         "before": { "measured_rms_mm": before.measured_mm, "true_rms_mm": before.true_mm, "true_max_mm": before.max_mm },
@@ -95,7 +95,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    writeln!(to, "withheld: {}", args.withhold)?;
+    writeln!(to, "withheld: {}", args.inject)?;
     writeln!(to, "found in {} poses: {}", args.n, diagnosis.reason)?;
     writeln!(to, "noise floor {floor_mm:.4} mm, rms in space")?;
     for (when, j) in [("before", &before), ("after", &after)] {
