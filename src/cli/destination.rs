@@ -345,7 +345,8 @@ fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
 }
 
-fn is_pgf(path: &Path) -> bool {
+/// Whether a file is a list of modules.
+pub fn is_pgf(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgf"))
 }
 

@@ -124,7 +124,13 @@ impl MadeWith {
                 *fixed |= axes.contains(letter);
             }
         }
-        Overrides { tools: with("tool", tools), wobjs: with("wobj", wobjs), home: None, base_fixed }
+        Overrides {
+            tools: with("tool", tools),
+            wobjs: with("wobj", wobjs),
+            home: None,
+            base_fixed,
+            other_tasks: Vec::new(),
+        }
     }
 
     /// Joints with which the arm stands when the entry is called, radians: those of the option, else the modules'.

@@ -14,6 +14,7 @@ pub mod measured;
 pub mod minutes;
 pub mod model;
 pub mod number;
+mod other_tasks;
 mod outcome;
 mod pending;
 pub mod program_input;

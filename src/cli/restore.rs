@@ -1,5 +1,6 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
+use super::destination::is_pgf;
 use super::files::{self, Output, Pending};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
@@ -114,10 +115,6 @@ fn restore_program(
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
     copies.into_iter().try_for_each(Pending::place)?;
     put_in_place(results, console)
-}
-
-fn is_pgf(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgf"))
 }
 
 /// Puts originals in their places, and says what was changed since they were compensated.

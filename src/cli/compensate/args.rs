@@ -401,7 +401,13 @@ impl Args {
         for axis in &self.base_fixed {
             base_fixed[axis.0] = true;
         }
-        Overrides { tools: self.tool.clone(), wobjs: self.wobj.clone(), home: self.home.clone(), base_fixed }
+        Overrides {
+            tools: self.tool.clone(),
+            wobjs: self.wobj.clone(),
+            home: self.home.clone(),
+            base_fixed,
+            other_tasks: Vec::new(),
+        }
     }
 
     /// Refuses numbers that make no sense before any work is done.

@@ -6,8 +6,9 @@ pub(in crate::cli) use args::temperatures;
 pub use args::{Args, Temperatures};
 use driftpost::application::{Compensated, Refusal, write_file_diff};
 
-use super::destination::{Destination, Writing, Written};
+use super::destination::{Destination, Writing, Written, is_pgf};
 use super::files::{Output, Pending, place_all};
+use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use driftpost::report::{self, ShortDiff};
@@ -109,7 +110,8 @@ fn write_result(
     let given = ProgramInput::read(&args.program)?;
     let program = given.program();
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place, args.force)?;
-    let job = args.compensation()?;
+    let mut job = args.compensation()?;
+    job.overrides.other_tasks = other_tasks::beside(&given.paths);
     destination.keep_apart(&[args.json.as_deref(), Some(&args.diff), args.joints_csv.as_deref()])?;
     destination.open()?;
     let mut joints_file = Output::new(args.joints_csv.as_deref())?;
@@ -227,8 +229,11 @@ fn written_line(written: &Written, warnings: usize) -> String {
         [(first, _), ..] => {
             let bytes: usize = written.emitted.iter().map(|(_, size)| size).sum();
             let count = written.emitted.len();
+            let lists = written.emitted.iter().filter(|(path, _)| is_pgf(path));
+            let lists: String =
+                lists.map(|(path, _)| format!("; {} lists the new module, too", path.display())).collect();
             format!(
-                "wrote {} and {} more, {bytes} bytes in all{warnings}",
+                "wrote {} and {} more, {bytes} bytes in all{lists}{warnings}",
                 first.display(),
                 report::counted(count - 1, "file")
             )

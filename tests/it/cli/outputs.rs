@@ -90,7 +90,11 @@ fn a_whole_program_is_restored_by_its_folder() {
     let made = driftpost(&["compensate", &pgf, "-o", &to, "--diff", "none"]);
     assert_eq!(made.status.code(), Some(0), "{}", err(&made));
     assert!(bench.text("out/cell.pgf").contains("tcCore.mod"));
-    assert!(err(&made).contains("cell.pgf"), "what is edited is said: {}", err(&made));
+    assert!(
+        out(&made).contains("cell.pgf lists the new module, too"),
+        "what is edited is said: {}",
+        out(&made)
+    );
     let restored = driftpost(&["restore", &to]);
     assert_eq!(restored.status.code(), Some(2), "a place must be said");
     let restored = driftpost(&["restore", &to, "-o", &back]);

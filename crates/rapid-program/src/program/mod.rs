@@ -62,6 +62,8 @@ pub struct Overrides {
     pub home: Option<String>,
     /// External axes a to f that move neither the robot's base nor a work object.
     pub base_fixed: [bool; 6],
+    /// Tasks of the same controller whose modules are not given.
+    pub other_tasks: Vec<String>,
 }
 
 /// A program: all given files, read and understood together.

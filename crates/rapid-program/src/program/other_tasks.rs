@@ -34,13 +34,27 @@ pub(super) fn shared(index: &Index<'_>) -> Vec<Vec<DatumId>> {
     by_name.into_values().filter(several).collect()
 }
 
-/// Warnings about data whose value another task holds that is not among the given files: a PERS without an initial value.
-pub(super) fn not_given(index: &Index<'_>) -> Vec<Diagnostic> {
+/// Warnings about data that tasks share which are not among the given files: a PERS without an initial value, whose value such a
+/// task holds, and any PERS where `tasks` are known and not given.
+pub(super) fn not_given(index: &Index<'_>, tasks: &[String]) -> Vec<Diagnostic> {
     let shared: Vec<DatumId> = shared(index).into_iter().flatten().collect();
-    let lacks = |(id, datum): &(DatumId, &Datum<'_>)| {
-        let of_motion = OF_MOTION.contains(&index.type_text(datum.type_name));
-        is_shared(datum) && of_motion && datum.init.is_none() && !shared.contains(id)
+    let of_motion = |(_, datum): &(DatumId, &Datum<'_>)| {
+        is_shared(datum) && OF_MOTION.contains(&index.type_text(datum.type_name))
     };
+    let lacks =
+        |data: &(DatumId, &Datum<'_>)| of_motion(data) && data.1.init.is_none() && !shared.contains(&data.0);
+    let first = index.data.iter().enumerate().find(of_motion).filter(|_| !tasks.is_empty());
+    let of_tasks = first.map(|(id, datum)| {
+        let name = as_text(index.text(datum.ctx.file, datum.name_range));
+        let verb = if tasks.len() == 1 { "is" } else { "are" };
+        let text = format!(
+            "{} {verb} of the same controller and {verb} not given: a PERS such as {name} is one datum for all tasks, and may change \
+             at any time",
+            tasks.join(", ")
+        );
+        let help = "give the whole RAPID folder of the backup, or declare as TASK PERS what is the task's own";
+        Diagnostic::warning("task::not-given", text).at(index.declaration(id)).help(help)
+    });
     let warning = |(id, datum): (DatumId, &Datum<'_>)| {
         let name = as_text(index.text(datum.ctx.file, datum.name_range));
         let text =
@@ -48,5 +62,5 @@ pub(super) fn not_given(index: &Index<'_>) -> Vec<Diagnostic> {
         let help = "give the modules of all tasks, as a backup's RAPID folder has them: that task may change it at any time";
         Diagnostic::warning("task::not-given", text).at(index.declaration(id)).help(help)
     };
-    index.data.iter().enumerate().filter(lacks).map(warning).collect()
+    index.data.iter().enumerate().filter(lacks).map(warning).chain(of_tasks).collect()
 }

@@ -84,7 +84,7 @@ impl Program {
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
         diagnostics.extend(finish.read_elsewhere.into_values());
-        diagnostics.extend(other_tasks::not_given(&index));
+        diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
         for (name, at) in &not_given {
             let text = format!("{name} is not among the given files");
             diagnostics.push(

@@ -1,0 +1,82 @@
+//! Tasks of a controller's backup that are not among the files of a program.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The tasks that stand beside those of the given files: folders `TASKn` that hold files, and where the files stand in no such
+/// folder those that the backup's SYS.cfg lists beyond the one.
+#[must_use]
+pub fn beside(given: &[PathBuf]) -> Vec<String> {
+    let real: Vec<PathBuf> = given.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
+    let own: BTreeSet<&Path> =
+        real.iter().filter_map(|path| path.ancestors().find(|at| is_task(at))).collect();
+    let mut found = BTreeSet::new();
+    for folder in own.iter().filter_map(|task| task.parent()) {
+        let entries =
+            fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
+        found.extend(
+            entries.filter(|path| is_task(path) && !own.contains(path.as_path()) && holds_files(path)),
+        );
+    }
+    if own.is_empty() {
+        let listed = real.first().and_then(|path| path.ancestors().take(5).find_map(configured));
+        let listed = listed.filter(|tasks| tasks.len() > 1);
+        return listed
+            .map_or_else(Vec::new, |tasks| vec![format!("all but one of the tasks {}", tasks.join(", "))]);
+    }
+    found.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect()
+}
+
+fn is_task(folder: &Path) -> bool {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    name.strip_prefix("task").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+        && folder.is_dir()
+}
+
+fn holds_files(folder: &Path) -> bool {
+    let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
+    entries.into_iter().any(|path| path.is_file() || path.is_dir() && holds_files(&path))
+}
+
+/// The tasks of the section `CAB_TASKS` of `SYSPAR/SYS.cfg` in a backup's folder.
+fn configured(backup: &Path) -> Option<Vec<String>> {
+    let text = ["SYS.cfg", "SYS.CFG", "sys.cfg"]
+        .iter()
+        .find_map(|name| fs::read(backup.join("SYSPAR").join(name)).ok())?;
+    let text = String::from_utf8_lossy(&text);
+    let section = text.split_once("CAB_TASKS:")?.1;
+    let section = section.split_once('#').map_or(section, |(section, _)| section);
+    let names = section
+        .match_indices("-Name \"")
+        .filter_map(|(at, start)| Some(section.get(at + start.len()..)?.split_once('"')?.0.to_owned()));
+    Some(names.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tasks_beside_the_given_one_are_known_by_folder_or_by_configuration() {
+        let backup = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = backup.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(&path, text).unwrap();
+            path
+        };
+        let robot = file("RAPID/TASK1/PROGMOD/a.mod", "");
+        let vision = file("RAPID/TASK2/PROGMOD/b.mod", "");
+        fs::create_dir_all(backup.path().join("RAPID/TASK3/PROGMOD")).unwrap();
+        assert_eq!(beside(std::slice::from_ref(&robot)), ["TASK2"]);
+        assert!(beside(&[robot, vision]).is_empty());
+        let loose = file("PROGMOD/c.mod", "");
+        assert!(beside(std::slice::from_ref(&loose)).is_empty());
+        file(
+            "SYSPAR/SYS.cfg",
+            "SYS:CFG_1.0::\n#\nCAB_TASKS:\n\n      -Name \"T_ROB1\" -Type \"NORMAL\"\n\n      -Name \"T_BCK\"\n#\nOTHER:\n      -Name \"x\"\n",
+        );
+        assert_eq!(beside(&[loose]), ["all but one of the tasks T_ROB1, T_BCK"]);
+    }
+}
