@@ -136,6 +136,7 @@ fn refused(error: &FitError) -> Diagnostic {
         FitError::TooFew { .. } => "fit::too-few",
         FitError::OtherPose { .. } => "fit::other-pose",
         FitError::NoTime { .. } => "fit::no-time",
+        FitError::NoDrift { .. } => "fit::no-drift",
         FitError::Register(_) => "measure::registration",
     };
     Diagnostic::error(code, error.to_string())

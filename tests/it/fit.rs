@@ -3,7 +3,7 @@
 use assert_cmd::Command;
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
-use metrology::diagnose::warmup::{FitOptions, WorkTarget, fit, forecast_at_targets};
+use metrology::diagnose::warmup::{FitError, FitOptions, WorkTarget, fit, forecast_at_targets};
 use metrology::measure::Touches;
 use nalgebra::Vector3;
 use rapid_program::compensate::tabulate::tabulate;
@@ -207,4 +207,38 @@ fn touches_become_a_table_that_compensates_the_cube() {
     .unwrap();
     let (code, answer) = run(&["fit", &at("few.csv")]);
     assert!(code == Some(2) && answer.contains("fit::too-few"), "{answer}");
+}
+
+/// The touches of a real warm-up with their times dealt out anew: the points have moved, but not with time.
+#[test]
+fn touches_whose_times_are_shuffled_tell_no_drift() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let recipe = TouchRecipe {
+        points: 5,
+        times: 37,
+        every_min: 5.0,
+        stop_min: [120.0, 165.0],
+        sigma_mm: 0.01,
+        tau_min: [46.0, 60.0],
+        two_stage: true,
+        table: Deformation::paper().settled().0,
+        within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
+        tool_m: [0.0, 0.0, 0.1],
+    };
+    let csv = touches(&robot, &recipe, &mut Rng::new(11, 0)).unwrap();
+    let mut read = Touches::from_csv(csv.as_bytes()).unwrap();
+    let options = FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: None };
+    assert!(fit(&read, &robot, &options).is_ok());
+    let times: Vec<f64> = read.touches.iter().map(|touch| touch.t_min).collect();
+    let mut random = Rng::new(12, 0);
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    for k in (1..order.len()).rev() {
+        order.swap(k, random.below(k + 1));
+    }
+    for (touch, from) in read.touches.iter_mut().zip(order) {
+        touch.t_min = times[from];
+    }
+    read.touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min));
+    let refused = fit(&read, &robot, &options).unwrap_err();
+    assert!(matches!(refused, FitError::NoDrift { .. }), "{refused}");
 }

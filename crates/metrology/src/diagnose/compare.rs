@@ -126,7 +126,7 @@ pub fn compare_measurements(
     let left: Vec<Vector3<f64>> =
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
 
-    let sigma_m = noise_m(&old, &new, options);
+    let sigma_m = noise_m(&old, &new, options, &pairs);
     let differences = as_measurements(&pairs, &shown, before);
     let told = Options { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
     let diagnosis = diagnose(&differences, robot, &told);
@@ -187,10 +187,17 @@ fn paired<'a>(
     pairs
 }
 
-/// Noise of a difference of two single readings: stated, or seen in both files' repeats.
-fn noise_m(old: &Stations, new: &Stations, options: &Options) -> Option<f64> {
-    let seen = old.repeats.zip(new.repeats).map(|(a, b)| a.sigma_m.hypot(b.sigma_m));
-    options.sigma_m.map(|sigma_m| sigma_m * 2.0_f64.sqrt()).or(seen)
+/// Noise of the difference of a pair, on average: of one reading as stated, or as seen in both files' repeats, over the
+/// readings in each mean.
+fn noise_m(old: &Stations, new: &Stations, options: &Options, pairs: &[Pair<'_>]) -> Option<f64> {
+    let stated = options.sigma_m.map(|sigma_m| (sigma_m, sigma_m));
+    let (before_m, after_m) =
+        stated.or_else(|| old.repeats.zip(new.repeats).map(|(a, b)| (a.sigma_m, b.sigma_m)))?;
+    let of_pair = |pair: &Pair<'_>| {
+        before_m.powi(2) / pair.before.rows.len().max(1) as f64
+            + after_m.powi(2) / pair.after.rows.len().max(1) as f64
+    };
+    Some((pairs.iter().map(of_pair).sum::<f64>() / pairs.len().max(1) as f64).sqrt())
 }
 
 /// The differences as a measurement file of their own: the nominal arm, and what has changed.
@@ -204,6 +211,7 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
             id: None,
             pose: pair.before.pose,
             target: pair.before.target,
+            stand: 0,
             t_min: None,
             q_rad: pair.before.q_rad,
             reading: shown.reading.clone(),

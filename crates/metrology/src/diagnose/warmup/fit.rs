@@ -3,7 +3,9 @@
 use super::fitted::{TouchedPoint, WarmUp};
 use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min, warmth};
 use super::parameters::{PARAMETERS, signature};
-use super::posterior::{Posterior, Sums, log_evidence, posterior};
+use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
+use crate::diagnose::marginal::log_sum;
+use crate::diagnose::search::ALARM_NATS;
 use crate::measure::{self, RegisterError, Station, Touches, register};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 use rayon::prelude::*;
@@ -45,6 +47,14 @@ pub enum FitError {
     NoTime {
         /// Minutes from the first to the last touch.
         span_min: f64,
+    },
+    /// No history of warmth says more than that nothing moved.
+    #[error(
+        "no drift that these touches can tell: with a drift they are {gain_nats:+.1} nats likelier than without, {ALARM_NATS} are needed"
+    )]
+    NoDrift {
+        /// ln evidence of a drift over none.
+        gain_nats: f64,
     },
     /// The instrument cannot be registered.
     #[error(transparent)]
@@ -106,6 +116,12 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     let Some(likeliest) = coarse.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)) else {
         return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
     };
+    let drift =
+        log_sum(coarse.iter().map(|w| w.log_evidence)) - (coarse.len() as f64).ln() - log_weight_of_sizes();
+    let gain_nats = drift - log_evidence_of_none(&sums(&likeliest.history));
+    if gain_nats < ALARM_NATS {
+        return Err(FitError::NoDrift { gain_nats });
+    }
     let other_law = share_of_other_law(&coarse, likeliest);
     // Round the likeliest, as wide as the evidence is and fine enough for it.
     let weighed = weigh(history::finer_grid(&coarse, likeliest));
@@ -198,6 +214,7 @@ fn observed_m(
         .map(|(i, t)| Station {
             pose: t.point,
             target: 0,
+            stand: 0,
             t_min: Some(t.t_min),
             q_rad: t.q_rad,
             reading: t.measured_m.map_or(measure::Reading::Touch { fixed_point: t.point }, |position_m| {
@@ -208,6 +225,7 @@ fn observed_m(
             payload_kg: None,
             joint_temperature_c: None,
             air_temperature_c: None,
+            line: 0,
             rows: vec![i],
         })
         .collect();

@@ -88,6 +88,22 @@ pub(super) fn log_evidence(points: &[Sums]) -> Option<f64> {
     Some(most + total.ln()).filter(|e| e.is_finite())
 }
 
+/// The same of no drift at all: every point stands still, and all that its touches scatter is noise.
+pub(super) fn log_evidence_of_none(points: &[Sums]) -> f64 {
+    let freedom: f64 = points.iter().map(|p| 3.0 * (p.touches as f64 - 1.0)).sum();
+    let square_m2: f64 = points.iter().map(|p| p.square_m2).sum();
+    let variance_m2 = (square_m2 / freedom).max(1e-14);
+    -0.5 * freedom * (variance_m2.ln() + 1.0)
+}
+
+/// ln of the sum of the weights that [`log_evidence`] gives the sizes of the prior.
+pub(super) fn log_weight_of_sizes() -> f64 {
+    let far = |size: f64, usual: f64| -0.5 * ((size / usual).ln() / USUAL_SPREAD).powi(2);
+    let shifts: f64 = SHIFTS_M.iter().map(|size| far(*size, USUAL[0]).exp()).sum();
+    let turns: f64 = TURNS_RAD.iter().map(|size| far(*size, USUAL[1]).exp()).sum();
+    shifts.ln() + turns.ln()
+}
+
 /// `None` where the warmth did not change.
 fn weigh(points: &[Sums]) -> Option<(Vec<Weighed>, DMatrix<f64>, f64)> {
     let rows = 3 * points.len();
