@@ -124,7 +124,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 fn none(findings: &Findings, path: &Path) -> Diagnostic {
-    let message = format!("no model can be made of these data: {}", findings.reason);
+    let why = findings.no_model.as_ref().unwrap_or(&findings.reason);
+    let message = format!("no model can be made of these data: {why}");
     Diagnostic::error("model::none", message).help(format!("{} was not written", path.display()))
 }
 

@@ -83,7 +83,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let (false, Some(limit_mm)) = (within, args.limit_mm) {
         writeln!(to, "NOT within {limit_mm} mm")?;
     }
-    Ok(if within { Outcome::Done } else { Outcome::Difference })
+    let better = found.all.model.rms_mm <= found.all.nominal.rms_mm;
+    if !better {
+        writeln!(to, "WORSE than the nominal robot: the model does not hold for these measurements")?;
+    }
+    Ok(if within && better { Outcome::Done } else { Outcome::Difference })
 }
 
 fn refused(error: ValidateError) -> Diagnostic {

@@ -7,6 +7,8 @@ use std::fmt::Write;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.
 const MOST_LISTED: usize = 12;
+/// A difference under this is not worth a line.
+const WORTH_A_LINE_MM: f64 = 5e-4;
 /// More false rows than this are counted.
 const MOST_FALSE: usize = 12;
 
@@ -194,6 +196,7 @@ fn plainly(effect: EffectKind) -> &'static str {
         EffectKind::Backlash => "play in its gear",
         EffectKind::ThermalLinkGrowth => "links grow as they warm up",
         EffectKind::ThermalJointDrift => "its zero drifts as it warms up",
+        EffectKind::JointStep => "its zero jumped at one moment",
         EffectKind::BaseDrift => "base and instrument creep apart",
         EffectKind::BaseStep => "base or instrument was moved",
         EffectKind::InstrumentScale => "the instrument's lengths are scaled",
@@ -291,15 +294,9 @@ fn gain(page: &mut String, d: &Diagnosis) {
     };
     line(page, "");
     line(page, "How much better the robot gets, on poses held out");
-    let named = matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
-    let taken = if named { "the causes" } else { "the nearest candidates" };
-    let both = s.with_geometry_rms_mm == Some(after);
-    let taken = if both { format!("{taken} and all joints' geometry") } else { taken.to_owned() };
     line(
         page,
-        &format!(
-            "  {before:.3} mm before, {after:.3} mm with {taken} in the model, {floor:.3} mm is noise (rms, 3-D)"
-        ),
+        &format!("  {before:.3} mm before, {after:.3} mm with the model, {floor:.3} mm is noise (rms, 3-D)"),
     );
     if let (Some(ratio), Some([low, high])) = (s.ratio, s.ci90) {
         line(
@@ -313,8 +310,14 @@ fn gain(page: &mut String, d: &Diagnosis) {
             ),
         );
     }
-    if let Some(geometry) = s.with_geometry_rms_mm.filter(|_| !both) {
-        line(page, &format!("  {geometry:.3} mm with all joints' geometry fitted as well"));
+    let named = matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    if let Some(causes) =
+        s.causes_only_rms_mm.filter(|causes| named && (causes - after).abs() > WORTH_A_LINE_MM)
+    {
+        line(
+            page,
+            &format!("  {causes:.3} mm with the causes alone, without small geometry errors of all joints"),
+        );
     }
     for (name, block) in
         [("last part of the time", &s.time_block), ("region of the workspace", &s.region_block)]
@@ -322,17 +325,10 @@ fn gain(page: &mut String, d: &Diagnosis) {
         if let Some(b) = block {
             line(
                 page,
-                &if both {
-                    format!(
-                        "  a {name} held out whole: {:.3} mm before, {:.3} mm after",
-                        b.before_rms_mm, b.after_rms_mm
-                    )
-                } else {
-                    format!(
-                        "  a {name} held out whole: {:.3} mm before, {:.3} mm after, {:.3} mm with geometry",
-                        b.before_rms_mm, b.after_rms_mm, b.with_geometry_rms_mm
-                    )
-                },
+                &format!(
+                    "  a {name} held out whole: {:.3} mm before, {:.3} mm after",
+                    b.before_rms_mm, b.after_rms_mm
+                ),
             );
         }
     }

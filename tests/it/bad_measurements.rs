@@ -134,14 +134,146 @@ fn rows_that_tell_nothing_are_insufficient() {
     let one = format!("{}\n{}\n", lines[0], lines[1]);
     let again = lines[0].to_owned() + "\n" + &(lines[1].to_owned() + "\n").repeat(60);
     let few = lines[..9].join("\n");
-    let nowhere = rewritten(|name| name.ends_with("_mm"), |_| "500".into());
-    for (what, text) in
-        [("one pose", one), ("one row copied", again), ("eight rows", few), ("one point", nowhere)]
-    {
+    for (what, text) in [("one pose", one), ("one row copied", again), ("eight rows", few)] {
         let said = diagnose(text.as_bytes(), &[]);
         assert_eq!((said.code, said.verdict()), (0, "insufficient_data"), "{what}: {}", said.text);
         assert!(said.causes().is_empty(), "{what}");
     }
+}
+
+/// A file in which something is wrong: what the fault names.
+fn fault(text: &str) -> (String, String, Vec<u64>) {
+    let said = diagnose(text.as_bytes(), &[]);
+    assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{}", said.text);
+    let fault = &said.json.as_ref().unwrap()["fault"];
+    let lines = fault["lines"].as_array().unwrap().iter().map(|line| line.as_u64().unwrap()).collect();
+    let text = |key: &str| fault[key].as_str().unwrap_or_default().to_owned();
+    (text("kind"), text("column"), lines)
+}
+
+/// The cells of some rows (from 0) and columns, changed.
+fn changed(
+    rows: std::ops::Range<usize>,
+    column: impl Fn(&str) -> bool,
+    change: impl Fn(usize, &str) -> String,
+) -> String {
+    let mut lines = SOUND.lines();
+    let header = lines.next().unwrap();
+    let names: Vec<&str> = header.split(',').collect();
+    let mut text = format!("{header}\n");
+    for (k, line) in lines.enumerate() {
+        let cells: Vec<String> = line
+            .split(',')
+            .zip(&names)
+            .map(
+                |(cell, name)| {
+                    if rows.contains(&k) && column(name) { change(k, cell) } else { cell.to_owned() }
+                },
+            )
+            .collect();
+        text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
+#[test]
+fn faults_of_some_rows_or_of_one_column_are_named_with_both() {
+    let rows: Vec<Vec<&str>> = SOUND.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let names: Vec<&str> = SOUND.lines().next().unwrap().split(',').collect();
+    let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
+    let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
+    let times =
+        |factor: f64| move |_: usize, cell: &str| format!("{:.6}", cell.parse::<f64>().unwrap() * factor);
+    let n = rows.len();
+    let all = |from: usize| (from as u64 + 2..n as u64 + 2).collect::<Vec<u64>>();
+    let some = |kind: &str, column: &str| (kind.to_owned(), column.to_owned());
+
+    let (kind, column, lines) = fault(&changed(n / 2..n, point, times(1e-3)));
+    assert_eq!((some(&kind, &column), lines), (some("position_units", "x_mm, y_mm, z_mm"), all(n / 2)));
+
+    let (kind, column, _) =
+        fault(&changed(0..n, |name| name == "q3_deg", times(std::f64::consts::PI / 180.0)));
+    assert_eq!(some(&kind, &column), some("column_units", "q3_deg"));
+
+    let (kind, column, _) = fault(&changed(0..n, |name| name == "x_mm", times(1.0 / 25.4)));
+    assert_eq!(some(&kind, &column), some("column_units", "x_mm"));
+
+    // The point of the row before, from a row on.
+    let from = n / 2;
+    let late = |name: &str| {
+        let column = at(name);
+        let rows = &rows;
+        move |k: usize| rows[k - 1][column].to_owned()
+    };
+    let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
+    let shifted = ["x_mm", "y_mm", "z_mm"].map(|name| (at(name), late(name)));
+    for (k, row) in rows.iter().enumerate() {
+        let mut cells: Vec<String> = row.iter().map(|cell| (*cell).to_owned()).collect();
+        if k >= from {
+            for (column, late) in &shifted {
+                cells[*column] = late(k);
+            }
+        }
+        text += &(cells.join(",") + "\n");
+    }
+    let (kind, column, lines) = fault(&text);
+    assert_eq!(some(&kind, &column), some("rows_shifted", "x_mm, y_mm, z_mm"));
+    assert!(lines.iter().all(|line| *line >= from as u64 + 2), "{lines:?}");
+
+    // Five rows with one point.
+    let still: Vec<String> =
+        ["x_mm", "y_mm", "z_mm"].iter().map(|name| rows[9][at(name)].to_owned()).collect();
+    let text = changed(10..14, point, |_, _| String::new());
+    let mut lines_of: Vec<Vec<String>> =
+        text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    for row in lines_of.iter_mut().skip(11).take(4) {
+        for (name, value) in ["x_mm", "y_mm", "z_mm"].iter().zip(&still) {
+            row[at(name)].clone_from(value);
+        }
+    }
+    let text: String = lines_of.iter().map(|row| row.join(",") + "\n").collect();
+    let (kind, column, lines) = fault(&text);
+    assert_eq!(some(&kind, &column), some("frozen_point", "x_mm, y_mm, z_mm"));
+    assert_eq!(lines, [11, 12, 13, 14, 15]);
+}
+
+#[test]
+fn an_instrument_that_was_moved_is_registered_in_both_places() {
+    let rows = SOUND.lines().count() - 1;
+    let plain = diagnose(SOUND.as_bytes(), &[]);
+    // Turned by a right angle about z, and 400 mm along it: x takes -y, y takes x.
+    let mut lines = SOUND.lines();
+    let header = lines.next().unwrap();
+    let at = |name: &str| header.split(',').position(|n| n == name).unwrap();
+    let [x, y, z] = ["x_mm", "y_mm", "z_mm"].map(at);
+    let mut text = format!("{header}\n");
+    for (k, line) in lines.enumerate() {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k >= rows / 2 {
+            let [was_x, was_y, was_z] = [x, y, z].map(|c| cells[c].parse::<f64>().unwrap());
+            cells[x] = format!("{:.4}", -was_y);
+            cells[y] = format!("{was_x:.4}");
+            cells[z] = format!("{:.4}", was_z + 400.0);
+        }
+        text += &(cells.join(",") + "\n");
+    }
+    let moved = diagnose(text.as_bytes(), &[]);
+    let warning = moved.json.as_ref().unwrap()["warnings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|w| w["code"] == "measure::instrument-moved");
+    let message = warning.unwrap()["message"].as_str().unwrap();
+    assert!(message.contains(&format!("from line {} on", rows / 2 + 2)), "{message}");
+    let cause = |said: &Said| {
+        let json = said.json.as_ref().unwrap();
+        let first = &json["causes"][0];
+        (first["effect"].clone(), first["joint"].clone(), json["noise"]["model_sigma_mm"].as_f64().unwrap())
+    };
+    let [(effect, joint, sigma_mm), (effect_now, joint_now, sigma_now_mm)] = [&plain, &moved].map(cause);
+    assert_eq!((effect_now, joint_now), (effect, joint), "{}", moved.text);
+    // Six more parameters of the second stand, and coordinates of four decimals.
+    assert!((sigma_now_mm / sigma_mm - 1.0).abs() < 0.05, "{sigma_mm} {sigma_now_mm}");
 }
 
 #[test]

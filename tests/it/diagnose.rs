@@ -118,7 +118,7 @@ fn garbage_gets_no_confident_answer() {
 }
 
 #[test]
-fn time_that_steps_back_once_is_a_warning_and_shuffled_time_is_not_used() {
+fn time_that_steps_back_once_is_a_warning_and_shuffled_rows_are_sorted() {
     let folder = tempfile::tempdir().unwrap();
     let csv = synth(folder.path(), &["--effects", "joint_compliance:2", "--n", "60", "--seed", "5"]);
     let retimed = |at: &dyn Fn(usize, f64) -> f64| {
@@ -138,8 +138,57 @@ fn time_that_steps_back_once_is_a_warning_and_shuffled_time_is_not_used() {
     let (code, answer, json) = diagnose(retimed(&|k, _| ((37 * k) % 60) as f64).as_bytes(), &[]);
     assert_eq!(code, 0);
     assert!(answer.contains("warning[measure::time-order]"), "{answer}");
-    let untestable = json.unwrap()["untestable"].to_string();
-    assert!(untestable.contains("base_drift") && untestable.contains("tool_step"), "{untestable}");
+    assert_eq!(json.unwrap()["causes"][0]["effect"], "joint_compliance");
+}
+
+/// The points of a set as they stand, the joint angles of one joint changed from a row on: the joint's zero has jumped.
+fn with_a_jump(csv: &str, joint: usize, from: usize, by_deg: f64) -> Vec<Vec<String>> {
+    let mut rows: Vec<Vec<String>> =
+        csv.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    let column = rows[0].iter().position(|name| *name == format!("q{joint}_deg")).unwrap();
+    for row in rows.iter_mut().skip(1 + from) {
+        row[column] = format!("{:.5}", row[column].parse::<f64>().unwrap() + by_deg);
+    }
+    rows
+}
+
+fn as_csv(rows: &[Vec<String>]) -> String {
+    rows.iter().map(|row| row.join(",") + "\n").collect()
+}
+
+#[test]
+fn a_joint_whose_zero_jumps_is_told_with_the_row_sorted_or_not_and_without_times() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = synth(folder.path(), &["--effects", "none", "--n", "60", "--sigma-mm", "0.02", "--seed", "5"]);
+    let rows = with_a_jump(&csv, 4, 25, 0.03);
+    let time = rows[0].iter().position(|name| name == "t_min").unwrap();
+    let minute = |row: &Vec<String>| row[time].parse::<f64>().unwrap();
+    let told = |rows: &[Vec<String>]| {
+        let (code, answer, json) = diagnose(as_csv(rows).as_bytes(), &[]);
+        assert_eq!(code, 0, "{answer}");
+        let cause = json.as_ref().unwrap()["causes"][0].clone();
+        assert_eq!(verdict(&json), "explained", "{cause}");
+        assert_eq!((cause["effect"].as_str(), cause["joint"].as_u64()), (Some("joint_step"), Some(4)));
+        // Turned back by as much as the file says too much: 0.03 deg.
+        let size_deg = cause["size"].as_f64().unwrap().to_degrees();
+        assert!((size_deg - 0.03).abs() < 0.003, "{size_deg}");
+        cause
+    };
+    let cause = told(&rows);
+    let [before, after] = [&rows[25], &rows[26]].map(minute);
+    let t0_min = cause["t0_min"].as_f64().unwrap();
+    assert!(before < t0_min && t0_min < after, "{before} {t0_min} {after}");
+    assert_eq!(cause["from_line"], 27);
+    // 37 and 60 have no common divisor: every row once.
+    let shuffled: Vec<Vec<String>> =
+        std::iter::once(0).chain((0..60).map(|k| 1 + 37 * k % 60)).map(|k| rows[k].clone()).collect();
+    assert_eq!(told(&shuffled)["t0_min"].as_f64(), Some(t0_min));
+    let untimed: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| row.iter().enumerate().filter(|(c, _)| *c != time).map(|(_, cell)| cell.clone()).collect())
+        .collect();
+    let cause = told(&untimed);
+    assert_eq!((cause["t0_min"].as_f64(), cause["from_line"].as_u64()), (None, Some(27)));
 }
 
 #[test]

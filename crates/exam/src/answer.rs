@@ -20,6 +20,8 @@ pub struct ErrorReduction {
     pub before_rms_mm: Option<f64>,
     /// rms with the named causes, mm.
     pub after_rms_mm: Option<f64>,
+    /// With the named causes alone.
+    pub causes_only_rms_mm: Option<f64>,
     /// 90 % interval of after / before.
     pub ci90: Option<[f64; 2]>,
 }

@@ -44,7 +44,7 @@ fn gives_a_set(truth: &Truth, answer: &Answer) -> bool {
 fn shrink_share(truth: &Truth, answer: &Answer) -> Option<f64> {
     let shrink = answer.shrink?;
     let possible = truth.before_rms_mm - truth.oracle_rms_mm;
-    let taken_off = shrink.before_rms_mm? - shrink.after_rms_mm?;
+    let taken_off = shrink.before_rms_mm? - shrink.causes_only_rms_mm?;
     (possible > 0.1 * truth.before_rms_mm).then(|| taken_off / possible)
 }
 
@@ -216,7 +216,8 @@ pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
             [0.80, 0.95],
             false,
             |(t, _)| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel),
-            |(_, a)| says_outside(a),
+            // Without times the order of the rows tells what steps and drifts: the right name is as good an answer.
+            |(t, a)| says_outside(a) || t.kind == QuestionKind::MissingChannel && first_right(t, a),
         ),
         grader.rate(
             "outside the library: precision",
@@ -248,9 +249,8 @@ pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
         ),
         grader.quantile("shrink against the oracle: median", [0.90, 0.98], 0.5),
         grader.quantile("shrink against the oracle: worst tenth", [0.60, 0.85], 0.1),
-        grader.interval("90 % interval of the shrink holds the oracle's", |_| true),
-        // Geometry in the background is the oracle's loss: what takes part of it along does better than he.
-        grader.interval("the same, no geometry in the background", |t| t.geometry == 0.0),
+        // Geometry in the background is in the model that the interval is of, and not in what the oracle knows.
+        grader.interval("90 % interval of the shrink holds the oracle's", |t| t.geometry == 0.0),
         grader.calibration(),
         grader.rate(
             "right joint",
@@ -303,7 +303,8 @@ mod tests {
                 .collect(),
             shrink: Some(ErrorReduction {
                 before_rms_mm: Some(0.10),
-                after_rms_mm: Some(0.07),
+                after_rms_mm: Some(0.06),
+                causes_only_rms_mm: Some(0.07),
                 ci90: Some([0.3, 0.5]),
             }),
         }

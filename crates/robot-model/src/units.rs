@@ -31,6 +31,27 @@ pub fn deg_from_rad(rad: f64) -> f64 {
     rad.to_degrees()
 }
 
+/// Kilograms from grams.
+#[inline]
+#[must_use]
+pub fn kg_from_g(g: f64) -> f64 {
+    g / 1000.0
+}
+
+/// Degrees Celsius from degrees Fahrenheit.
+#[inline]
+#[must_use]
+pub fn celsius_from_fahrenheit(fahrenheit: f64) -> f64 {
+    (fahrenheit - 32.0) / 1.8
+}
+
+/// Degrees Celsius from kelvin.
+#[inline]
+#[must_use]
+pub fn celsius_from_kelvin(kelvin: f64) -> f64 {
+    kelvin - 273.15
+}
+
 /// Seconds from minutes.
 #[inline]
 #[must_use]

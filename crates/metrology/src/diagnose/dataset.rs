@@ -56,10 +56,16 @@ pub struct Observation {
     pub pose: usize,
     /// Index of the reflector or stylus.
     pub target: usize,
+    /// Which stand of the instrument saw it, from 0.
+    pub stand: usize,
     /// Rows in the mean.
     pub repeats: usize,
+    /// Line in the file of its first row.
+    pub line: u64,
     /// Middle of its rows' places in the file: stands in for the time where that is not recorded.
     pub row: f64,
+    /// From the first to the last of those places.
+    pub row_span: f64,
 }
 
 impl Observation {
@@ -110,15 +116,30 @@ impl Observation {
             joint_temperature_c: station.joint_temperature_c,
             pose: station.pose,
             target: station.target,
+            stand: station.stand,
             repeats: station.rows.len(),
-            row: station.rows.iter().map(|&r| r as f64).sum::<f64>() / station.rows.len().max(1) as f64,
+            line: station.line,
+            row: station.row(),
+            row_span: station
+                .rows
+                .iter()
+                .max()
+                .zip(station.rows.iter().min())
+                .map_or(0.0, |(b, a)| (b - a) as f64),
         }
     }
 
-    /// Time and temperatures, as growth laws take them; minute 0 where no time was recorded.
+    /// Time and temperatures, as growth laws take them; where no time was recorded its place in the file stands for the
+    /// minute.
     #[must_use]
     pub fn thermal_state(&self) -> ThermalState {
-        ThermalState { t_min: self.t_min.unwrap_or(0.0), joint_temperature_c: self.joint_temperature_c }
+        ThermalState { t_min: self.clock(), joint_temperature_c: self.joint_temperature_c }
+    }
+
+    /// When it was measured: minutes or, without a time column, its place in the file.
+    #[must_use]
+    pub fn clock(&self) -> f64 {
+        self.t_min.unwrap_or(self.row)
     }
 
     /// What is seen of a motion of the point.
@@ -185,6 +206,8 @@ pub struct Dataset {
     pub channels: Channels,
     /// First and last minute.
     pub time_min: Option<[f64; 2]>,
+    /// First and last reading of the clock: minutes, or places in the file where those tell the order; `None` where neither does.
+    pub clock: Option<[f64; 2]>,
     /// Lowest and highest temperature of each joint.
     pub joint_temperature_c: Option<[[f64; 2]; 6]>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
@@ -199,6 +222,8 @@ pub struct Dataset {
     pub rows_per_observation: usize,
     /// Number of fixed points.
     pub fixed_points: usize,
+    /// Stands of the instrument.
+    pub stands: usize,
 }
 
 impl Dataset {
@@ -214,6 +239,7 @@ impl Dataset {
                 [low, high]
             })
             .filter(|[low, high]| high > low);
+        let clock = time_min.or_else(|| row_clock(&observations));
         let joint_temperature_c = channels.joint_temperature.then(|| {
             std::array::from_fn(|j| {
                 let values = observations.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
@@ -224,24 +250,50 @@ impl Dataset {
             largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
             last_row: observations.iter().map(|s| s.row).fold(0.0, f64::max),
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
+            stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
             torque_limit_n_m: torque_limits_n_m(&observations),
             observations,
             channels,
             time_min,
+            clock,
             joint_temperature_c,
             masses_known: robot.links.is_some(),
             rows_per_observation: if channels.orientation { 6 } else { 3 },
         }
     }
 
+    /// A large torque about joint `j`, which an eighth of the observations exceed, N.m; 1e-9 where there is none.
+    #[must_use]
+    pub fn large_torque_n_m(&self, j: usize) -> f64 {
+        self.torque_limit_n_m[j.min(5)][0].max(1e-9)
+    }
+
+    /// Line of the first row that was measured at `t0` of the clock or later.
+    #[must_use]
+    pub fn line_from(&self, t0: f64) -> Option<u64> {
+        let later = self.observations.iter().filter(|s| s.clock() >= t0);
+        later.min_by(|a, b| a.clock().total_cmp(&b.clock()).then(a.line.cmp(&b.line))).map(|s| s.line)
+    }
+
     /// How far the measurement has gone at `observation`, 0 to 1: by time or, where that is missing, by row.
     #[must_use]
     pub fn progress(&self, observation: &Observation) -> f64 {
-        match (self.time_min, observation.t_min) {
-            (Some([low, high]), Some(t_min)) => (t_min - low) / (high - low),
-            _ => observation.row / self.last_row.max(1.0),
+        match self.clock {
+            Some([low, high]) => (observation.clock() - low) / (high - low),
+            None => observation.row / self.last_row.max(1.0),
         }
     }
+}
+
+/// Repeats of one pose spread over more than this share of the file are means over time.
+const ROW_SPAN: f64 = 0.1;
+
+/// The first and the last place in the file, where repeats do not stand all over it.
+fn row_clock(observations: &[Observation]) -> Option<[f64; 2]> {
+    let low = observations.iter().map(|s| s.row).fold(f64::INFINITY, f64::min);
+    let high = observations.iter().map(|s| s.row).fold(f64::NEG_INFINITY, f64::max);
+    let spread = observations.iter().filter(|s| s.row_span > ROW_SPAN * (high - low)).count();
+    (high > low && 10 * spread < observations.len()).then_some([low, high])
 }
 
 /// Shares of the observations whose torque about a joint is taken as large enough to hold its teeth on one side.

@@ -13,13 +13,17 @@ use super::{
     dataset, design, effects, false_row, heldout, identify, model, next_measurements, rounding, search,
     verdict, zeros,
 };
-use crate::measure::{Fault, FaultKind, Measurements, Stations, check_rows, find_fault, gather, register};
-use nalgebra::Isometry3;
+use crate::measure::{
+    Fault, FaultKind, Measurements, PartFault, Row, Stations, alone, check_rows, describe_move, find_fault,
+    find_in_cells, find_in_rows, gather, register,
+};
+use nalgebra::{Isometry3, Point3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m};
+use std::borrow::Cow;
 
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
@@ -59,14 +63,36 @@ fn examine(
     let checked = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
         measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
+    let rows = measurements.rows.len();
     let finish = |mut d: Diagnosis, warnings: Vec<Warning>| {
-        d.rows = measurements.rows.len();
+        d.rows = rows;
         d.warnings = warnings;
         d
     };
-    if let Some(fault) = &checked.fault {
+    let fault = checked.fault.clone().or_else(|| find_in_cells(measurements, &checked.used, robot));
+    if let Some(fault) = &fault {
         return finish(faulty(fault), warnings);
     }
+    let mut measurements = Cow::Borrowed(measurements);
+    match find_in_rows(
+        robot,
+        &each_row(&measurements, &checked.used, robot),
+        measurements.targets.len().max(1),
+        options.tool_m,
+    ) {
+        Some(PartFault::Fault(fault)) => return finish(faulty(&fault), warnings),
+        Some(PartFault::Moved { from, first_from_second }) => {
+            let second = checked.used.get(from..).unwrap_or_default();
+            let line = second.first().and_then(|&row| measurements.rows.get(row)).map_or(0, |row| row.line);
+            warnings.push(Warning {
+                code: "measure::instrument-moved",
+                message: describe_move(&first_from_second, line),
+            });
+            seen_from_first_stand(measurements.to_mut(), second, &first_from_second);
+        }
+        None => {}
+    }
+    let measurements = measurements.as_ref();
     let mut stations = gather(measurements, &checked.used);
     stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
@@ -119,6 +145,29 @@ fn examine(
     finish(diagnosis, warnings)
 }
 
+/// Each row on its own, with the nominal arm's flange pose.
+fn each_row(measurements: &Measurements, used: &[usize], robot: &Robot) -> Vec<Row> {
+    let chain = Chain::nominal(robot);
+    alone(measurements, used).into_iter().map(|station| Row { pose: station.pose(&chain), station }).collect()
+}
+
+/// Takes the readings of `rows` into the frame of the instrument's first stand; what that leaves is registered with them.
+fn seen_from_first_stand(
+    measurements: &mut Measurements,
+    rows: &[usize],
+    first_from_second: &Isometry3<f64>,
+) {
+    for &index in rows {
+        let Some(row) = measurements.rows.get_mut(index) else { continue };
+        if let Some(position_m) = row.reading.position_m() {
+            row.reading =
+                row.reading.with_coordinates_m((first_from_second * Point3::from(position_m)).coords);
+            row.orientation = row.orientation.map(|turn| first_from_second.rotation * turn);
+            row.stand = 1;
+        }
+    }
+}
+
 fn faulty(fault: &Fault) -> Diagnosis {
     let mut diagnosis = Diagnosis::without_causes(Verdict::DataFault, fault.reason.clone());
     let kind = match fault.kind {
@@ -127,6 +176,7 @@ fn faulty(fault: &Fault) -> Diagnosis {
         _ => None,
     };
     diagnosis.causes.extend(kind.map(|kind| Cause::of(kind, 1.0)));
+    diagnosis.fault = Some(fault.clone());
     diagnosis
 }
 
@@ -143,19 +193,25 @@ fn evaluate(
     let folds = heldout::folds(&linear.dataset);
     let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
     let (model, mut workspace) = model::build(linear, &candidates, noise, stations.targets, &folds.group_of);
-    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace) {
+    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace)
+        .or_else(|| too_many_false(measurements, stations, &model))
+    {
         return faulty(&fault);
     }
     let judgement = verdict::judge(&model, &mut workspace, linear);
+    let mut no_model = None;
     if let Some(to) = identified {
-        *to = identify::identify(measurements, robot, stations, linear, &model, &workspace, options.tool_m);
+        match identify::identify(measurements, robot, stations, linear, &model, &workspace, options.tool_m) {
+            Ok(identified) => *to = Some(identified),
+            Err(why) => no_model = Some(why.to_string()),
+        }
     }
     workspace.library.gp_alternatives.clear();
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let far_off = model.peak.geometry_ratio * model.peak.sigma_m > BEYOND;
-    let geometry = judgement.verdict == Verdict::Geometry || far_off;
     let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
-    diagnosis.shrink = heldout::shrink(&model, &mut workspace, linear, &folds, geometry);
+    diagnosis.no_model = no_model;
+    diagnosis.shrink = heldout::shrink(&model, &mut workspace, linear, &folds);
     detail.extend(untestable.drain(..).map(|hidden| Untestable {
         effect: hidden.kind,
         joints: Vec::new(),
@@ -170,7 +226,7 @@ fn evaluate(
     diagnosis.noise = NoiseEstimate {
         repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
         repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
-        model_sigma_mm: Some(mm_from_m(model.peak.sigma_m)),
+        model_sigma_mm: Some(mm_from_m(model.noise_m())),
         reduced_chi_square: judgement.reduced_chi_square,
         geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
     };
@@ -190,6 +246,23 @@ fn evaluate(
     diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
     diagnosis.residuals = residuals(measurements, linear, stations, &model, &workspace);
     diagnosis
+}
+
+/// More than this share of the rows is not false by chance.
+const FALSE_SHARE: f64 = 0.2;
+
+/// A file of which more than a fifth would have to be set aside.
+fn too_many_false(measurements: &Measurements, stations: &Stations, model: &Model) -> Option<Fault> {
+    let far = stations.stations.iter().zip(&model.outliers).filter(|(_, out)| **out);
+    let rows = far.flat_map(|(station, _)| &station.rows).chain(&stations.false_rows);
+    let lines: Vec<u64> = rows.filter_map(|&row| measurements.rows.get(row)).map(|row| row.line).collect();
+    let used =
+        stations.stations.iter().map(|station| station.rows.len()).sum::<usize>() + stations.false_rows.len();
+    (lines.len() as f64 > FALSE_SHARE * used as f64).then(|| {
+        Fault::in_rows(FaultKind::TooManyFalse, "x_mm, y_mm, z_mm", lines, |count, which| {
+            format!("{count} of {used} rows ({which}) do not go with the others, each in its own way: look at them before anything else")
+        })
+    })
 }
 
 /// Candidates that leave a signal beside the registration, and those that do not.
@@ -263,8 +336,9 @@ fn residuals(
     workspace: &Workspace<'_>,
 ) -> Vec<RowResidual> {
     let groups: Vec<usize> = (0..workspace.design.groups()).collect();
-    let before =
-        workspace.design.residuals(&model::solve(&workspace.design, &groups, &[], None).coefficients);
+    let before = workspace.design.residuals(
+        &model::solve(&workspace.design, &groups, &[], None).without_slow(&workspace.design).coefficients,
+    );
     let mm = |m: &dataset::Twist| [m[0], m[1], m[2]].map(mm_from_m);
     let mut all = Vec::new();
     for (i, station) in stations.stations.iter().enumerate() {

@@ -87,15 +87,17 @@ pub fn folds(dataset: &Dataset) -> Folds {
 
 /// Squared distances of the held-out stations, metres: registration only, causes, causes and geometry.
 type Squares = [f64; 3];
+/// Places in it.
+const CAUSES: usize = 1;
+const ALL: usize = 2;
 
-/// Holds out every fold, the last of the time and a region; `geometry` says that geometry is the named cause.
+/// Holds out every fold, the last of the time and a region.
 #[must_use]
 pub fn shrink(
     model: &Model,
     workspace: &mut Workspace<'_>,
     linear: &Linearised,
     folds: &Folds,
-    geometry: bool,
 ) -> ErrorReduction {
     let n = linear.dataset.observations.len();
     let mut squares: Vec<Option<Squares>> = vec![None; n];
@@ -106,9 +108,8 @@ pub fn shrink(
         .filter(|&i| !model.outliers[i])
         .filter_map(|i| squares[i].map(|s| (linear.dataset.observations[i].pose, s)))
         .collect();
-    let after = if geometry { 2 } else { 1 };
     let Some(rms) = rms_mm(&n_reported) else { return ErrorReduction::default() };
-    let ratio = if rms[0] > 0.0 { rms[after] / rms[0] } else { 1.0 };
+    let ratio = if rms[0] > 0.0 { rms[ALL] / rms[0] } else { 1.0 };
     let mut block = |groups: &[usize]| {
         let mut squares: Vec<Option<Squares>> = vec![None; n];
         held_out(model, workspace, folds, groups, &mut squares);
@@ -117,31 +118,32 @@ pub fn shrink(
         rms_mm(&n_reported).map(|rms| HeldOutBlock {
             n: n_reported.len(),
             before_rms_mm: rms[0],
-            after_rms_mm: rms[after],
-            with_geometry_rms_mm: rms[2],
+            after_rms_mm: rms[ALL],
+            causes_only_rms_mm: rms[CAUSES],
         })
     };
     let time_block = folds.time.as_ref().and_then(|groups| block(groups));
     let region_block = block(&folds.region);
     ErrorReduction {
         before_rms_mm: Some(rms[0]),
-        after_rms_mm: Some(rms[after]),
+        after_rms_mm: Some(rms[ALL]),
+        causes_only_rms_mm: Some(rms[CAUSES]),
         floor_rms_mm: Some(mm_from_m(floor_m(model, linear))),
         ratio: Some(ratio),
-        ci90: Some(interval(&n_reported, after, ratio)),
-        with_geometry_rms_mm: Some(rms[2]),
+        ci90: Some(interval(&n_reported, ratio)),
         time_block,
         region_block,
     }
 }
 
 /// What noise alone leaves on a station, 3-D.
-fn floor_m(model: &Model, linear: &Linearised) -> f64 {
+#[must_use]
+pub(super) fn floor_m(model: &Model, linear: &Linearised) -> f64 {
     let n = linear.dataset.observations.len() as f64;
     let observations = linear.dataset.observations.iter();
     let mean =
         model.base_weights.iter().zip(observations).map(|(w, s)| s.rows(3) as f64 / w).sum::<f64>() / n;
-    model.peak.sigma_m * mean.sqrt()
+    model.noise_m() * mean.sqrt()
 }
 
 fn held_out(
@@ -168,7 +170,7 @@ fn held_out(
         solve(&workspace.design, &train, &chosen, None),
         solve(&workspace.design, &train, &chosen, ratio),
     ];
-    let left = fits.map(|fit| workspace.design.residuals(&fit.coefficients));
+    let left = fits.map(|fit| workspace.design.residuals(&fit.without_slow(&workspace.design).coefficients));
     for (i, square) in squares.iter_mut().enumerate() {
         if groups.contains(&folds.group_of[i]) {
             *square = Some([0, 1, 2].map(|k| shift_m(&left[k][i]).powi(2)));
@@ -185,12 +187,12 @@ fn rms_mm(n_reported: &[(usize, Squares)]) -> Option<Squares> {
 }
 
 /// 90 % interval of after/before by resampling whole poses (Efron and Tibshirani 1993, ch. 13), widened.
-fn interval(n_reported: &[(usize, Squares)], after: usize, ratio: f64) -> [f64; 2] {
+fn interval(n_reported: &[(usize, Squares)], ratio: f64) -> [f64; 2] {
     let mut poses: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
     for (pose, s) in n_reported {
         let sum = poses.entry(*pose).or_default();
         sum[0] += s[0];
-        sum[1] += s[after];
+        sum[1] += s[ALL];
     }
     let sums: Vec<[f64; 2]> = poses.into_values().collect();
     let mut random = SplitMix64::new(0xd1b5_4a32_d192_ed03);

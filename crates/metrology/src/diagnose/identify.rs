@@ -3,8 +3,9 @@
 //! The search works on first-order signatures; here the same parameters, with the same size priors, are fitted again to the
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
-use super::dataset::Twist;
-use super::linearise::Linearised;
+use super::dataset::{Dataset, Twist};
+use super::heldout::floor_m;
+use super::linearise::{Linearised, shift_m};
 use super::model::{Model, Workspace};
 use super::normal_equations::ModelColumns;
 use super::search::ChosenCause;
@@ -14,16 +15,21 @@ use crate::measure::{Measurements, RegisterError, Registration, Station, Station
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{Identified, MeasuredRange, Mounting, Term, ThermalState};
+use robot_model::deform::identified::{
+    Growth, Identified, MeasuredRange, Mounting, Term, ThermalState, Value,
+};
 use robot_model::deform::{Conditions, DeformedArm, Payload};
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
+use robot_model::units::mm_from_m;
 use std::sync::Arc;
 
 const ROUNDS: usize = 3;
 
 /// The model of what `model` found.
-#[must_use]
+///
+/// # Errors
+/// [`NoModel`]: what was found makes no model.
 pub(super) fn identify(
     measurements: &Measurements,
     robot: &Robot,
@@ -32,8 +38,10 @@ pub(super) fn identify(
     model: &Model,
     workspace: &Workspace<'_>,
     tool_m: Option<Vector3<f64>>,
-) -> Option<Identified> {
+) -> Result<Identified, NoModel> {
     let dataset = &linear.dataset;
+    let measured_range = measured_range(measurements.rows.len(), stations);
+    let stations = &by_the_clock(stations, dataset);
     let candidates = workspace.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {
@@ -61,12 +69,12 @@ pub(super) fn identify(
     let precisions = precisions_at(size_rad);
     let all: Vec<usize> = (0..dataset.observations.len()).collect();
     let mut normal = columns.sum(&all, &linear.residuals);
-    let (mut solved, _) = normal.solve(&precisions, false)?;
+    let (mut solved, _) = normal.solve(&precisions, false).ok_or(NoModel::NotSolved)?;
     let robot = Arc::new(robot.clone());
     let mut identified = Identified {
         robot: robot.name.clone(),
         sigma_m: Some(sigma_m),
-        measured_range: measured_range(measurements.rows.len(), stations),
+        measured_range,
         ..Identified::default()
     };
     let mut centre_m = agree_on_centre(&columns, &mut solved);
@@ -74,22 +82,143 @@ pub(super) fn identify(
     for round in 1..=ROUNDS {
         identified.terms = terms(&columns, &named, candidates, &solved, None);
         let so_far = Arc::new(identified.clone());
-        let (residuals, _) = residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m).ok()?;
+        let (residuals, _) = residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m)?;
         // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
         solved.rows_mut(0, columns.registration().end).fill(0.0);
         normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solved;
-        (solved, sigmas) = normal.solve(&precisions, round == ROUNDS)?;
+        (solved, sigmas) = normal.solve(&precisions, round == ROUNDS).ok_or(NoModel::NotSolved)?;
         centre_m = agree_on_centre(&columns, &mut solved);
     }
     let sigmas = sigmas.map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
     identified.terms = terms(&columns, &named, candidates, &solved, sigmas.as_deref());
     let whole = Arc::new(identified.clone());
-    let (_, registration) = residuals_of(&robot, stations, &whole, linear, tool_m, centre_m).ok()?;
+    let (left, registration) = residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
+    plausible(&identified, &left, linear, model)?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
     });
-    identified.as_written().ok()
+    if dataset.time_min.is_none() {
+        end_of_file(&mut identified);
+    }
+    identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
+}
+
+/// Why no model is made of what was found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoModel {
+    /// The normal equations have no solution.
+    #[error("its parameters cannot be solved for")]
+    NotSolved,
+    /// The exact arm under the model does not stand where it was measured.
+    #[error(
+        "it leaves {left_mm:.3} mm of its own rows, rms, where noise leaves {floor_mm:.3} mm and base and tool alone {before_mm:.3} mm"
+    )]
+    Misses {
+        /// What the exact arm under the model leaves, 3-D rms.
+        left_mm: f64,
+        /// What noise leaves.
+        floor_mm: f64,
+        /// What registration alone leaves.
+        before_mm: f64,
+    },
+    /// A term far beyond its usual size.
+    #[error("{term} came out at {times:.0} times its usual size: these poses do not tell it")]
+    Beyond {
+        /// The term in words.
+        term: String,
+        /// How many times.
+        times: f64,
+    },
+    /// Two terms that these poses cannot tell from each other.
+    #[error("{term}: its size is known to the last digit, which no measurement does")]
+    NoSigma {
+        /// The term in words.
+        term: String,
+    },
+    /// The arm under the model cannot be registered.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+    /// The file would not be read back.
+    #[error("it cannot be written: {problem}")]
+    Unwritable {
+        /// What reading it back says.
+        problem: String,
+    },
+}
+
+/// What a model may leave of its own rows, over what noise leaves.
+const OWN_ROWS: f64 = 1.5;
+/// An error of a joint's transmission beyond this is none, radians: 50 times what is usual.
+const FURTHEST_TURN_RAD: f64 = 0.015;
+const USUAL_TURN_RAD: f64 = 3e-4;
+
+/// Whether a model is one: exact on its own rows, of sizes that can be.
+fn plausible(
+    identified: &Identified,
+    left: &[Twist],
+    linear: &Linearised,
+    model: &Model,
+) -> Result<(), NoModel> {
+    let name = |term: &Term| {
+        let joint = term.joint.map_or_else(String::new, |joint| format!(" of joint {}", joint + 1));
+        format!("{}{joint}", term.kind)
+    };
+    for term in identified.terms.iter().filter(|term| term.cause) {
+        let gear = matches!(
+            term.kind,
+            EffectKind::GearEccentricity
+                | EffectKind::GearSecondHarmonic
+                | EffectKind::GearMesh
+                | EffectKind::Backlash
+        );
+        if gear && term.size() > FURTHEST_TURN_RAD {
+            return Err(NoModel::Beyond { term: name(term), times: term.size() / USUAL_TURN_RAD });
+        }
+        let known = |value: &Value| value.value != 0.0 && value.sigma == Some(0.0);
+        if term.values.first().is_some_and(known) {
+            return Err(NoModel::NoSigma { term: name(term) });
+        }
+    }
+    let kept = |twists: &[Twist]| {
+        let squares: Vec<f64> = twists
+            .iter()
+            .zip(&model.outliers)
+            .filter(|(_, out)| !**out)
+            .map(|(twist, _)| shift_m(twist).powi(2))
+            .collect();
+        (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+    };
+    let (left_m, before_m) = (kept(left), kept(&linear.nominal));
+    let floor_m = floor_m(model, linear);
+    if left_m > OWN_ROWS * floor_m || left_m > before_m {
+        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
+        return Err(NoModel::Misses { left_mm, floor_mm, before_mm });
+    }
+    Ok(())
+}
+
+/// The stations, their places in the file as minutes where they have none: as the signatures take them.
+fn by_the_clock(stations: &Stations, dataset: &Dataset) -> Stations {
+    let mut stations = stations.clone();
+    if dataset.time_min.is_none() {
+        for (station, observation) in stations.stations.iter_mut().zip(&dataset.observations) {
+            station.t_min = Some(observation.clock());
+        }
+    }
+    stations
+}
+
+/// A model by the order of rows means nothing to another file: it is left as the arm stood at the end. Base and target
+/// are registered again wherever it is used.
+fn end_of_file(model: &mut Identified) {
+    let mounted = [EffectKind::BaseDrift, EffectKind::BaseStep, EffectKind::ToolDrift, EffectKind::ToolStep];
+    model.terms.retain(|term| !mounted.contains(&term.kind));
+    for term in &mut model.terms {
+        if !matches!(term.growth, Growth::Temperature { .. }) {
+            term.growth = Growth::Always;
+        }
+    }
 }
 
 /// Precision of what is not to be moved, over the noise's.

@@ -17,6 +17,8 @@ pub struct Linearised {
     pub dataset: Dataset,
     /// Measured minus nominal, to first order, metres and radians in base axes.
     pub residuals: Vec<Twist>,
+    /// What registration alone leaves, exactly.
+    pub nominal: Vec<Twist>,
     /// Base and target at the nominal arm.
     pub registration: Registration,
 }
@@ -32,6 +34,9 @@ pub fn linearise(
     tool_m: Option<Vector3<f64>>,
     channels: crate::measure::Channels,
 ) -> Result<Linearised, RegisterError> {
+    let chain = Chain::nominal(robot);
+    let nominal_left: Vec<Twist> =
+        stations.stations.iter().map(|s| nominal.residual(s, &s.pose(&chain))).collect();
     let mut offsets = FrameOffsets::default();
     let mut registration = nominal.clone();
     let mut round = 0;
@@ -48,7 +53,12 @@ pub fn linearise(
             stations.stations.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
         let residuals = restored(&dataset, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
-            return Ok(Linearised { dataset, residuals, registration: nominal.clone() });
+            return Ok(Linearised {
+                dataset,
+                residuals,
+                nominal: nominal_left,
+                registration: nominal.clone(),
+            });
         }
         let step = fit_geometry(&dataset, &residuals, stations.targets, registration.median_m);
         for (i, row) in offsets.0.iter_mut().enumerate().skip(1).take(5) {

@@ -24,6 +24,7 @@ mod rounding;
 mod scatter;
 mod search;
 pub mod signature;
+mod slow_noise;
 mod spectrum;
 mod terms;
 mod validate;

@@ -6,7 +6,8 @@ use super::effects::Candidate;
 use super::evidence::{EvidencePeak, NuisanceModel};
 use super::linearise::{Linearised, shift_m};
 use super::marginal::NoisePrior;
-use super::search::{ALARM_NATS, ChosenCause, Library, cause_columns};
+use super::search::{ALARM_NATS, ChosenCause, Library, NULL_PRIOR, cause_columns};
+use super::slow_noise::{self, SlowNoise};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
@@ -36,6 +37,16 @@ pub struct Model {
     pub residuals: Vec<Twist>,
     /// Evidence of the best model's nuisance parameters.
     pub peak: EvidencePeak,
+    /// Noise that is the same for neighbouring rows.
+    pub slow: Option<SlowNoise>,
+}
+
+impl Model {
+    /// Standard deviation of one coordinate about the model, slow noise and the other together, metres.
+    #[must_use]
+    pub fn noise_m(&self) -> f64 {
+        self.peak.sigma_m * self.slow.map_or(1.0, |slow| slow.size.hypot(1.0))
+    }
 }
 
 /// What is computed anew while a model is judged and held-out parts are fitted: columns and their products. It grows by
@@ -49,7 +60,8 @@ pub struct Workspace<'a> {
     pub column_index: BTreeMap<usize, Vec<usize>>,
 }
 
-/// Searches over `linear` with `candidates`.
+/// Searches over `linear` with `candidates`: without slow noise at first and, where the bare data have some, with it; the
+/// likelier of both answers stands. Steps can be had in the place of what only wanders, and the other way round.
 #[must_use]
 pub fn build<'a>(
     linear: &'a Linearised,
@@ -58,23 +70,100 @@ pub fn build<'a>(
     targets: usize,
     group_of: &[usize],
 ) -> (Model, Workspace<'a>) {
+    let start = Start::new(linear, noise, targets, group_of);
+    let wanders = start.slow.is_some();
+    let plain = settled(linear, candidates, noise, targets, group_of, Start { slow: None, ..start.clone() });
+    let in_time = |c: &ChosenCause| candidates[c.candidate].effect().time() != "constant";
+    if !wanders || !plain.0.chosen.iter().any(in_time) {
+        return plain;
+    }
+    let wandering = settled(linear, candidates, noise, targets, group_of, start);
+    if wandering.0.slow.is_some() && odds_of(&wandering) > odds_of(&plain) { wandering } else { plain }
+}
+
+/// Where a search begins.
+#[derive(Clone)]
+struct Start {
+    variance_ratio: f64,
+    arm_m: f64,
+    robust: Vec<f64>,
+    outliers: Vec<bool>,
+    /// Slow noise of the bare data.
+    slow: Option<SlowNoise>,
+}
+
+impl Start {
+    /// Weights about registration and geometry alone.
+    fn new(linear: &Linearised, noise: NoisePrior, targets: usize, group_of: &[usize]) -> Self {
+        let dataset = &linear.dataset;
+        let (variance_ratio, arm_m) = (INITIAL_VARIANCE_RATIO, first_arm_m(linear));
+        let base_weights: Vec<f64> = dataset
+            .observations
+            .iter()
+            .map(|s| (variance_ratio + 1.0) / (variance_ratio + 1.0 / s.repeats as f64))
+            .collect();
+        let mut start = Self {
+            variance_ratio,
+            arm_m,
+            robust: vec![1.0; dataset.observations.len()],
+            outliers: vec![false; dataset.observations.len()],
+            slow: None,
+        };
+        for _ in 0..START_ROUNDS {
+            let weights = base_weights.iter().zip(&start.robust).map(|(a, b)| a * b).collect();
+            let whitening = Whitening { weights, arm_m };
+            let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+            let all_groups: Vec<usize> = (0..design.groups()).collect();
+            let ratio = NuisanceModel::new(&design, &all_groups, &[], noise).null().geometry_ratio;
+            let fit = solve(&design, &all_groups, &[], Some(ratio));
+            (start.robust, start.outliers) =
+                robust_weights(linear, &design.residuals(&fit.coefficients), &base_weights);
+            start.slow = slow_noise::likeliest(&design, dataset, &[], noise);
+        }
+        start
+    }
+}
+
+/// Prior odds of slow noise that repeats do not show.
+const SLOW_PRIOR: f64 = 0.1;
+
+/// ln odds of all that a model holds over nothing, one after the other.
+fn odds_of((model, workspace): &(Model, Workspace<'_>)) -> f64 {
+    let mut design = workspace.design.clone();
+    let groups: Vec<usize> = (0..design.groups()).collect();
+    let null = |design: &Design, also: &[usize]| {
+        NuisanceModel::new(design, &groups, also, model.noise).null().log_evidence
+    };
+    let slow = design.slow();
+    design.set_slow(0..0, 0.0);
+    let nothing = null(&design, &[]);
+    let mut odds = 0.0;
+    if model.slow.is_some() {
+        design.set_slow(slow.0, slow.1);
+        odds += null(&design, &[]) - nothing + SLOW_PRIOR.ln();
+    }
+    let mut before: Vec<usize> = Vec::new();
+    for one in &model.chosen {
+        let nuisance = NuisanceModel::new(&design, &groups, &before, model.noise);
+        let gain = workspace.library.gain(&nuisance, &groups, one.candidate);
+        odds += gain + workspace.library.log_prior[one.candidate] - NULL_PRIOR.ln();
+        before.extend(&one.columns);
+    }
+    odds
+}
+
+/// Searches and weighs in turn from `start` until both stand still.
+fn settled<'a>(
+    linear: &'a Linearised,
+    candidates: &'a [Candidate],
+    noise: NoisePrior,
+    targets: usize,
+    group_of: &[usize],
+    start: Start,
+) -> (Model, Workspace<'a>) {
     let dataset = &linear.dataset;
     let repeats: Vec<f64> = dataset.observations.iter().map(|s| s.repeats as f64).collect();
-    let mut variance_ratio = INITIAL_VARIANCE_RATIO;
-    let mut arm_m = first_arm_m(linear);
-    let mut robust = vec![1.0; dataset.observations.len()];
-    let mut outliers = vec![false; dataset.observations.len()];
-    for _ in 0..START_ROUNDS {
-        let base_weights: Vec<f64> =
-            repeats.iter().map(|n| (variance_ratio + 1.0) / (variance_ratio + 1.0 / n)).collect();
-        let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
-        let whitening = Whitening { weights, arm_m };
-        let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
-        let all_groups: Vec<usize> = (0..design.groups()).collect();
-        let ratio = NuisanceModel::new(&design, &all_groups, &[], noise).null().geometry_ratio;
-        let fit = solve(&design, &all_groups, &[], Some(ratio));
-        (robust, outliers) = robust_weights(linear, &design.residuals(&fit.coefficients), &base_weights);
-    }
+    let Start { mut variance_ratio, mut arm_m, mut robust, mut outliers, mut slow } = start;
     let mut round = 0;
     loop {
         let base_weights: Vec<f64> =
@@ -82,6 +171,9 @@ pub fn build<'a>(
         let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
         let whitening = Whitening { weights, arm_m };
         let mut design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+        if let Some(slow) = slow {
+            slow.put(&mut design, dataset);
+        }
         let mut library = Library::new(&design, dataset, candidates);
         let all_groups: Vec<usize> = (0..design.groups()).collect();
         let mut column_index = BTreeMap::new();
@@ -98,16 +190,21 @@ pub fn build<'a>(
         let next_variance_ratio =
             pose_variance_ratio(linear, &residuals, &noise, &next_outliers, variance_ratio);
         let next_arm = arm_of(linear, &residuals).unwrap_or(arm_m);
+        let next_slow = slow_noise::likeliest(&design, dataset, &chosen, noise);
         round += 1;
+        // Once there, its size settles with the causes; coming or going asks for another round.
         let steady = next_outliers == outliers
+            && next_slow.is_some() == slow.is_some()
             && (next_variance_ratio - variance_ratio).abs() < 0.2 * (variance_ratio + 0.1)
             && (next_arm / arm_m).ln().abs() < 0.15;
-        if steady || round >= ROUNDS && carried.is_empty() || round == MOST_ROUNDS {
-            let model = Model { chosen, noise, base_weights, outliers, residuals, peak };
+        let unsettled = !carried.is_empty() || next_slow.is_some() != slow.is_some();
+        if steady || round >= ROUNDS && !unsettled || round == MOST_ROUNDS {
+            let model = Model { chosen, noise, base_weights, outliers, residuals, peak, slow };
             return (model, Workspace { design, library, column_index });
         }
         (robust, outliers, variance_ratio, arm_m) =
             (next_robust, next_outliers, next_variance_ratio, next_arm);
+        slow = next_slow;
     }
 }
 
@@ -122,13 +219,28 @@ pub struct Fit {
     pub covariance: DMatrix<f64>,
 }
 
-/// Fits registration, geometry (with `geometry_ratio`; none without it) and causes over `subset`.
+impl Fit {
+    /// The coefficients without those of slow noise: what registration, geometry and causes take.
+    #[must_use]
+    pub fn without_slow(mut self, design: &Design) -> Self {
+        for column in design.slow().0 {
+            self.coefficients[column - 1] = 0.0;
+        }
+        self
+    }
+}
+
+/// Fits registration, geometry (with `geometry_ratio`; none without it), slow noise and causes over `subset`.
 #[must_use]
 pub fn solve(design: &Design, subset: &[usize], chosen: &[ChosenCause], geometry_ratio: Option<f64>) -> Fit {
     let gram = design.gram(subset);
     let mut columns: Vec<(usize, f64)> = design.registration.clone().map(|c| (c, 0.0)).collect();
     if let Some(ratio) = geometry_ratio.filter(|r| *r > 0.0) {
         columns.extend(design.geometry.clone().map(|c| (c, 1.0 / (ratio * ratio))));
+    }
+    let (slow, ratio) = design.slow();
+    if ratio > 0.0 {
+        columns.extend(slow.map(|c| (c, 1.0 / (ratio * ratio))));
     }
     for cause in chosen {
         let ratio = 3.0 * cause.size_ratio;
@@ -246,9 +358,9 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
         2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
     };
     let place = most(&|k| (observations[k].point_m - observations[i].point_m).norm_squared(), 3);
-    let time = || match observations[i].t_min {
-        Some(t_min) => most(&|k| (observations[k].t_min.unwrap_or(t_min) - t_min).abs(), 3),
-        None => false,
+    let time = || {
+        linear.dataset.time_min.is_some()
+            && most(&|k| (observations[k].clock() - observations[i].clock()).abs(), 3)
     };
     place || time()
 }

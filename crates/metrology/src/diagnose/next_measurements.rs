@@ -72,13 +72,13 @@ pub fn next_measurements(
         taken.push(i);
     }
     let poses = taken.into_iter().map(|i| observations[i].1.clone()).collect();
-    let name = describe_candidate(own);
+    let name = describe_candidate(own, dataset);
     let reason = match (verdict, other) {
         (Verdict::Ambiguous, Some(rival)) => {
-            format!("to tell {name} from {}", describe_candidate(rival))
+            format!("to tell {name} from {}", describe_candidate(rival, dataset))
         }
         (Verdict::Explained | Verdict::Several, Some(rival)) => {
-            format!("to confirm {name} against its nearest rival, {}", describe_candidate(rival))
+            format!("to confirm {name} against its nearest rival, {}", describe_candidate(rival, dataset))
         }
         _ => format!("to see effects as small as the noise; most of all {name}"),
     };
@@ -121,7 +121,7 @@ fn candidate_observations(
             vec![0.0]
         }
     };
-    let time = linear.dataset.time_min;
+    let time = linear.dataset.clock;
     let ranges = ranges(robot, linear);
     let mut all = Vec::new();
     for _ in 0..20 * CANDIDATES {
@@ -138,6 +138,7 @@ fn candidate_observations(
         let station = Station {
             pose: 0,
             target: 0,
+            stand: 0,
             t_min: time.map(|[low, high]| low + (high - low) * random.unit()),
             q_rad,
             reading: Reading::Point { position_m: Vector3::zeros() },
@@ -149,6 +150,7 @@ fn candidate_observations(
                 .joint_temperature_c
                 .map(|ranges| ranges.map(|[low, high]| low + (high - low) * random.unit())),
             air_temperature_c: None,
+            line: 0,
             rows: vec![0],
         };
         let observation = Observation::new(robot, &chain, &registration, &station);

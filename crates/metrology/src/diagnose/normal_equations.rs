@@ -71,7 +71,7 @@ impl ModelColumns<'_> {
     /// Range of the columns of registration.
     #[must_use]
     pub fn registration(&self) -> Range<usize> {
-        0..registration::width(self.targets, self.dataset.fixed_points, self.dataset.rows_per_observation)
+        0..registration::width(self.dataset, self.targets)
     }
 
     /// Columns of geometry, in tolerances.
@@ -107,7 +107,7 @@ impl ModelColumns<'_> {
         for (row, &i) in observations.iter().enumerate() {
             let observation = &self.dataset.observations[i];
             twists.clear();
-            registration::twists(observation, self.targets, self.dataset.fixed_points, d, &mut twists);
+            registration::twists(self.dataset, observation, self.targets, &mut twists);
             for frame in 1..=FRAMES {
                 twists
                     .extend((0..6).map(|k| scaled(observation.frame_offset(frame, k), Design::tolerance(k))));
@@ -291,6 +291,7 @@ mod tests {
             let station = Station {
                 pose: i,
                 target: 0,
+                stand: 0,
                 t_min: Some(x),
                 // Irrational steps fill the ranges evenly.
                 q_rad: std::array::from_fn(|j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
@@ -300,6 +301,7 @@ mod tests {
                 payload_kg: None,
                 joint_temperature_c: None,
                 air_temperature_c: None,
+                line: 0,
                 rows: vec![i],
             };
             Observation::new(&robot, &chain, &registration, &station)

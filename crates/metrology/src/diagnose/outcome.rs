@@ -1,6 +1,7 @@
 //! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
 
 use super::effects;
+use crate::measure::Fault;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
 use serde::Serialize;
@@ -58,8 +59,12 @@ pub struct Cause {
     pub joint_b: Option<usize>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
-    /// When a step happened.
+    /// When a step happened; `None` where the file has no times.
     pub t0_min: Option<f64>,
+    /// Line of the first row after a step.
+    pub from_line: Option<u64>,
+    /// Place in the model, from 1: causes of one slot are alternatives, those of different slots are all there.
+    pub slot: usize,
     /// Probability in its place of the model.
     pub posterior: f64,
     /// Length of its parameter vector, in `unit`; `None` where it was not fitted.
@@ -92,7 +97,9 @@ impl Cause {
             joint_b: None,
             n: None,
             t0_min: None,
-            posterior,
+            from_line: None,
+            slot: 1,
+            posterior: posterior.clamp(0.0, 1.0),
             size: None,
             sigma: None,
             unit: effect.map_or("", |e| e.unit()),
@@ -130,16 +137,16 @@ pub struct Region {
 pub struct ErrorReduction {
     /// rms with registration only, mm.
     pub before_rms_mm: Option<f64>,
-    /// With the named causes added.
+    /// With all that the model holds: causes, and the geometry behind them.
     pub after_rms_mm: Option<f64>,
+    /// With the named causes alone.
+    pub causes_only_rms_mm: Option<f64>,
     /// rms that noise alone leaves, mm.
     pub floor_rms_mm: Option<f64>,
     /// rms after over rms before.
     pub ratio: Option<f64>,
     /// 90 % interval of the ratio.
     pub ci90: Option<[f64; 2]>,
-    /// With the causes and all joints' geometry added.
-    pub with_geometry_rms_mm: Option<f64>,
     /// The same with the last part of the time held out.
     pub time_block: Option<HeldOutBlock>,
     /// The same with a region of the workspace held out.
@@ -153,10 +160,10 @@ pub struct HeldOutBlock {
     pub n: usize,
     /// rms with registration only, mm.
     pub before_rms_mm: f64,
-    /// With the named causes added.
+    /// With all that the model holds.
     pub after_rms_mm: f64,
-    /// With the causes and all joints' geometry added.
-    pub with_geometry_rms_mm: f64,
+    /// With the named causes alone.
+    pub causes_only_rms_mm: f64,
 }
 
 /// A pose worth measuring.
@@ -272,6 +279,8 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// The verdict in one sentence.
     pub reason: String,
+    /// Of a file that contradicts itself or the robot: kind, columns and lines.
+    pub fault: Option<Fault>,
     /// Causes in order of probability, the likeliest first.
     pub causes: Vec<Cause>,
     /// Where the gap lies: joint, time, region.
@@ -308,6 +317,8 @@ pub struct Diagnosis {
     pub tool_mm: Option<[f64; 3]>,
     /// Warnings of reading and judging the data.
     pub warnings: Vec<Warning>,
+    /// Why no model is made of what was found, where one was asked for and that is so.
+    pub no_model: Option<String>,
     /// Residuals of every row, before and after; not in the JSON.
     #[serde(skip)]
     pub residuals: Vec<RowResidual>,
@@ -336,6 +347,7 @@ impl Diagnosis {
         Self {
             verdict,
             reason: reason.into(),
+            fault: None,
             causes: Vec::new(),
             place: Location::default(),
             shrink: ErrorReduction::default(),
@@ -353,6 +365,7 @@ impl Diagnosis {
             zeros_alone: None,
             tool_mm: None,
             warnings: Vec::new(),
+            no_model: None,
             residuals: Vec::new(),
         }
     }

@@ -5,11 +5,17 @@ use super::linearise::Linearised;
 use super::model::{Model, Workspace, solve};
 use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
-use robot_model::units::{mm_from_m, rad_from_deg};
+use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeMap;
 
-/// More decimals than this cannot matter.
-const FINE_DECIMALS: usize = 2;
+/// Steps that joints come rounded to, coarse ones first, degrees.
+const STEPS_DEG: [f64; 9] = [1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.025, 0.02, 0.01];
+/// Steps that people command poses in: their being common to all joints proves nothing.
+const COMMANDED_DEG: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
+/// A step that nobody commands in need not show so clearly, nats.
+const ODD_NATS: f64 = 1.0;
+/// How near to a step a cell lies that stands on it, in steps.
+const ON_STEP: f64 = 1e-6;
 /// A joint's value in more than this share of the stations is a posture.
 const OFTEN: f64 = 0.2;
 /// Rounding must be likelier than plain noise by so much, nats.
@@ -26,10 +32,11 @@ pub fn find(
     workspace: &Workspace<'_>,
 ) -> Option<Fault> {
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
-    if measurements.joint_decimals > FINE_DECIMALS || !all_seen {
+    if !all_seen {
         return None;
     }
-    let step_deg = 10.0_f64.powi(-(measurements.joint_decimals as i32));
+    let step_deg = common_step_deg(measurements)?;
+    let clear_nats = if COMMANDED_DEG.contains(&step_deg) { CLEAR_NATS } else { ODD_NATS };
     // Uniform over one step.
     let variance = rad_from_deg(step_deg).powi(2) / 12.0;
     // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
@@ -91,18 +98,33 @@ pub fn find(
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
     let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();
     let price = 0.5 * parameters * (3.0 * n).ln();
-    let without_causes = rounded(&bare) > plain(&bare) + CLEAR_NATS && rounded(&bare) > plain(&best) - price;
-    let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + CLEAR_NATS;
+    let without_causes = rounded(&bare) > plain(&bare) + clear_nats && rounded(&bare) > plain(&best) - price;
+    let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
     let plain_m2 = mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
-    (without_causes || beside_causes).then(|| Fault {
-        kind: FaultKind::RoundedJoints,
-        reason: format!(
-            "the joints are rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
-             ({:.2} mm rms): export the joints with at least 3 decimals",
-            mm_from_m((3.0 * plain_m2).sqrt())
-        ),
+    (without_causes || beside_causes).then(|| {
+        Fault::of_all(
+            FaultKind::RoundedJoints,
+            Some("q1_deg to q6_deg"),
+            format!(
+                "the joints are rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
+                 ({:.2} mm rms): export the joints with at least 3 decimals",
+                mm_from_m((3.0 * plain_m2).sqrt())
+            ),
+        )
     })
+}
+
+/// The coarsest step on which every joint of every row stands, however many decimals it is written with.
+fn common_step_deg(measurements: &Measurements) -> Option<f64> {
+    let cells_deg = || {
+        let rows = measurements.rows.iter().filter(|row| row.reading.involves_arm());
+        rows.flat_map(|row| row.q_rad.map(deg_from_rad))
+    };
+    let on = |step: f64, cell: f64| {
+        ((cell / step) - (cell / step).round()).abs() < ON_STEP * (1.0 + cell.abs() / step)
+    };
+    STEPS_DEG.into_iter().find(|&step| cells_deg().all(|cell| on(step, cell)))
 }

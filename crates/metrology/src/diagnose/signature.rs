@@ -88,6 +88,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
             let station = Station {
                 pose: i,
                 target: 0,
+                stand: 0,
                 t_min: Some(m.t_min),
                 q_rad: m.q_rad,
                 reading,
@@ -96,6 +97,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
                 payload_kg: involves_arm.then_some(m.payload_kg),
                 joint_temperature_c: None,
                 air_temperature_c: None,
+                line: 0,
                 rows: vec![i],
             };
             Observation::new(robot, &chain, &registration, &station)

@@ -28,7 +28,7 @@ pub(super) fn terms(
             .zip(&candidate.prior_sigma)
             .map(|(column, prior_sigma)| value(column, *prior_sigma))
             .collect();
-        terms.extend(term(columns.dataset, candidate, values));
+        terms.extend(terms_of(columns.dataset, candidate, values));
     }
     let mut spectra: Vec<Vec<Value>> = Vec::new();
     let mut lines = Vec::new();
@@ -86,7 +86,9 @@ fn by_link(values: Vec<Value>, plain: usize, first: usize, all: usize) -> Vec<Va
 fn centre_at(candidate: &Candidate) -> Option<std::ops::Range<usize>> {
     let n = candidate.prior_sigma.len();
     let there = match candidate.kind {
-        EffectKind::JointCompliance => n > 7 - candidate.variant.joint?,
+        EffectKind::JointCompliance => {
+            n > 7 - candidate.variant.joint? + if candidate.variant.refined { 2 } else { 0 }
+        }
         kind => kind == EffectKind::PayloadMass,
     };
     there.then(|| n - 3..n)
@@ -118,6 +120,30 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
     off_m
 }
 
+/// A spring's parameters: hardening and softening in units of the torque's power, none of a linear one.
+fn bent(dataset: &Dataset, variant: &EffectVariant, mut values: Vec<Value>) -> Option<Vec<Value>> {
+    let largest = dataset.large_torque_n_m(variant.joint?);
+    for (at, unit) in [(7, 1.0 / largest), (8, largest.sqrt())] {
+        let value = values.get_mut(at)?;
+        *value = match variant.refined {
+            true => Value { value: value.value * unit, sigma: value.sigma.map(|sigma| sigma * unit) },
+            false => Value::default(),
+        };
+    }
+    Some(values)
+}
+
+/// A candidate's parameters as terms: its own, and the double frequency of a gear, which is no cause of its own.
+fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) -> Vec<Term> {
+    let gear = matches!(candidate.kind, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic);
+    let overtone = if gear && candidate.variant.refined { values.split_off(2) } else { Vec::new() };
+    let double = candidate.variant.n.map(|n| 2 * n).filter(|_| !overtone.is_empty()).map(|n| {
+        let kind = if n == 2 { EffectKind::GearSecondHarmonic } else { EffectKind::GearMesh };
+        Term { n: Some(n), cause: false, ..Term::plain(kind, candidate.variant.joint, overtone) }
+    });
+    term(dataset, candidate, values).into_iter().chain(double).collect()
+}
+
 /// A candidate's parameters, in the order of its motions, as a term.
 fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<Term> {
     let kind = candidate.kind;
@@ -125,7 +151,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
     let payload_scaling = variant.payload_scaling;
     let values = match kind {
         // Where the payload's centre lies is no part of the robot.
-        EffectKind::JointCompliance => by_link(values, 1, variant.joint?, 7),
+        EffectKind::JointCompliance => bent(dataset, variant, by_link(values, 1, variant.joint?, 9))?,
         EffectKind::LinkBending => by_link(values, 2, variant.joint? + 1, 8),
         EffectKind::PayloadMass => {
             let share = if payload_scaling == PayloadScaling::PerKilogram {
@@ -182,6 +208,7 @@ mod tests {
                 let mut station = Station {
                     pose: k,
                     target: 0,
+                    stand: 0,
                     t_min: Some(7.0 * k as f64 + 3.0),
                     q_rad: std::array::from_fn(|j| 2.4 * share(j) - 1.2),
                     reading: Reading::Point { position_m: Vector3::zeros() },
@@ -190,6 +217,7 @@ mod tests {
                     payload_kg: Some([0.0, 2.0, 3.5][k % 3]),
                     joint_temperature_c: Some(std::array::from_fn(|j| 20.0 + 9.0 * share(j + 2))),
                     air_temperature_c: None,
+                    line: 0,
                     rows: vec![k],
                 };
                 let position_m = registration.predicted_m(&station, &station.pose(&chain));
@@ -204,9 +232,9 @@ mod tests {
         robot: &Arc<Robot>,
         stations: &[Station],
         registration: &Registration,
-        term: Term,
+        terms: Vec<Term>,
     ) -> Vec<(Vector3<f64>, UnitQuaternion<f64>)> {
-        let model = Arc::new(Identified { terms: vec![term], ..Identified::default() });
+        let model = Arc::new(Identified { terms, ..Identified::default() });
         let (scaled, poses) = predicted(robot, stations, &model, &registration.tools_m);
         let apart = |(station, pose): (&Station, &Isometry3<f64>)| {
             let reading_m = station.reading.position_m().unwrap();
@@ -264,8 +292,8 @@ mod tests {
                     let value =
                         |i: usize| Value { value: if i == k { sign * step } else { 0.0 }, sigma: None };
                     let values = (0..candidate.prior_sigma.len()).map(value).collect();
-                    let term = term(&dataset, &candidate, values).unwrap();
-                    model_of(&robot, &stations, &registration, term)
+                    let terms = terms_of(&dataset, &candidate, values);
+                    model_of(&robot, &stations, &registration, terms)
                 };
                 let largest = signatures
                     .iter()

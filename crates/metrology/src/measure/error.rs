@@ -100,6 +100,14 @@ pub enum MeasureError {
         /// The two lines in the file.
         lines: [u64; 2],
     },
+    /// No row has all that it needs.
+    #[error("no row has both joints and a reading; the first that lacks one is line {line}, column {column}")]
+    NothingMeasured {
+        /// Line in the file, from 1.
+        line: u64,
+        /// Name of the column.
+        column: &'static str,
+    },
     /// A header and nothing else.
     #[error("the file has a header but no rows with a pose")]
     NoRows,

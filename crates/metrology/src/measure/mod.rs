@@ -28,7 +28,7 @@ mod touch;
 pub use check::{RowCheck, check_rows};
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
-pub use fault::{Fault, FaultKind, find_fault};
+pub use fault::{Fault, FaultKind, PartFault, Row, describe_move, find_fault, find_in_cells, find_in_rows};
 pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
 pub use join::{Joined, MatchBy, join};
 pub use performance::{
@@ -40,6 +40,6 @@ pub use register::{RegisterError, register, register_with};
 pub use registration::Registration;
 pub use rotation::Rotation;
 pub use rows::{Channels, MeasurementRow, Measurements};
-pub use station::{Repeats, Station, Stations, gather};
+pub use station::{Repeats, Station, Stations, alone, gather};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};

@@ -1,12 +1,12 @@
 //! Reading the measurement table: columns by name, in any order, checked cell by cell.
 
-use super::column_names::{FIXED, JOINTS};
+use super::column_names::{DIRECTIONS, FIXED, JOINTS, QUATERNION, TEMPERATURES};
 use super::error::missing_column;
 use super::row_cells::{ColumnIndex, RowCells};
 use super::table::Table;
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Measurements {
     /// Reads a measurement file: CSV with columns by name (mm, degrees, minutes), in any order.
@@ -44,6 +44,9 @@ impl Touches {
     }
 }
 
+/// Lines that a warning lists at most.
+const MOST_LINES: usize = 8;
+
 fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     let columns = ColumnIndex::new(&table.header)?;
     let mut warnings = columns.warnings.clone();
@@ -52,8 +55,14 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     let mut targets: BTreeMap<String, usize> = BTreeMap::new();
     let mut fixed_points: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
     let mut decimals = 0;
+    let mut with_gaps: BTreeSet<&'static str> = BTreeSet::new();
+    let mut without: BTreeMap<&'static str, Vec<u64>> = BTreeMap::new();
     for line in &table.lines {
         let cells = RowCells { columns: &columns, line };
+        if let Some(column) = cells.absent() {
+            without.entry(column).or_default().push(line.number);
+            continue;
+        }
         let pose = cells.text("pose_id").unwrap_or_default();
         let pose = if pose.is_empty() { format!("\u{0}{}", line.number) } else { pose.to_owned() };
         let next = poses.len();
@@ -71,12 +80,32 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
                 decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
             }
         }
+        with_gaps.extend(cells.empty_among_optional());
         rows.push(cells.row(pose, target, reading)?);
     }
     if !rows.iter().any(|row: &MeasurementRow| row.reading.involves_arm()) {
+        if let Some((column, lines)) = without.first_key_value() {
+            let line = lines.first().copied().unwrap_or_default();
+            return Err(MeasureError::NothingMeasured { line, column });
+        }
         return Err(MeasureError::NoRows);
     }
-    let channels = complete_channels(&columns, &mut rows, &mut warnings);
+    for (column, lines) in without {
+        let shown: Vec<String> = lines.iter().take(MOST_LINES).map(u64::to_string).collect();
+        let more = if lines.len() > MOST_LINES { ", ..." } else { "" };
+        warnings.push(
+            Diagnostic::warning(
+                "measure::no-reading",
+                format!(
+                    "column {column} is empty or no number in {} rows: lines {}{more}",
+                    lines.len(),
+                    shown.join(", ")
+                ),
+            )
+            .help("these rows are left out"),
+        );
+    }
+    let channels = complete_channels(&columns, &mut rows, &with_gaps, &mut warnings);
     Ok(Measurements {
         rows,
         channels,
@@ -118,33 +147,36 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
 fn complete_channels(
     columns: &ColumnIndex,
     rows: &mut [MeasurementRow],
+    with_gaps: &BTreeSet<&'static str>,
     warnings: &mut Vec<Diagnostic>,
 ) -> Channels {
-    let mut keep = |name: &'static str, there: bool, has: fn(&MeasurementRow) -> bool| {
-        let gaps = rows.iter().filter(|row| !has(row)).count();
+    let mut keep = |names: &[&str], here: fn(&MeasurementRow) -> bool, has: fn(&MeasurementRow) -> bool| {
+        let there = names.first().is_some_and(|name| columns.has(name));
+        let gaps = rows.iter().filter(|row| here(row) && !has(row)).count();
         if there && gaps > 0 {
+            let empty: Vec<&str> = names.iter().copied().filter(|name| with_gaps.contains(name)).collect();
+            let many =
+                if names.len() > 1 { "; all of them are left out" } else { "; it is left out altogether" };
             warnings.push(
                 Diagnostic::warning(
                     "measure::gaps",
-                    format!("{name} is empty in {gaps} of {} rows; it is left out altogether", rows.len()),
+                    format!("{} is empty in {gaps} of {} rows{many}", empty.join(", "), rows.len()),
                 )
                 .help("fill the cells, or remove the rows"),
             );
         }
         there && gaps == 0
     };
+    let any = |_: &MeasurementRow| true;
+    let arm = |row: &MeasurementRow| row.reading.involves_arm();
     let channels = Channels {
         pose_id: columns.has("pose_id"),
-        time: keep("t_min", columns.has("t_min"), |r| r.t_min.is_some()),
-        orientation: keep("qw", columns.has("qw"), |r| r.orientation.is_some() || !r.reading.involves_arm()),
-        direction: keep("dir1", columns.has("dir1"), |r| r.direction.is_some() || !r.reading.involves_arm()),
-        payload: keep("payload_kg", columns.has("payload_kg"), |r| {
-            r.payload_kg.is_some() || !r.reading.involves_arm()
-        }),
-        joint_temperature: keep("temp_j1_c", columns.has("temp_j1_c"), |r| {
-            r.joint_temperature_c.is_some() || !r.reading.involves_arm()
-        }),
-        air_temperature: keep("temp_air_c", columns.has("temp_air_c"), |r| r.air_temperature_c.is_some()),
+        time: keep(&["t_min"], any, |r| r.t_min.is_some()),
+        orientation: keep(&QUATERNION, arm, |r| r.orientation.is_some()),
+        direction: keep(&DIRECTIONS, arm, |r| r.direction.is_some()),
+        payload: keep(&["payload_kg"], arm, |r| r.payload_kg.is_some()),
+        joint_temperature: keep(&TEMPERATURES, arm, |r| r.joint_temperature_c.is_some()),
+        air_temperature: keep(&["temp_air_c"], any, |r| r.air_temperature_c.is_some()),
     };
     for row in rows {
         row.t_min = row.t_min.filter(|_| channels.time);
@@ -193,8 +225,6 @@ mod tests {
     fn what_cannot_be_read_names_line_and_column() {
         let row = |cells: &str| read(&format!("{HEADER}\n{cells}\n")).unwrap_err().to_string();
         assert_eq!(row("0,0,0,0,0,0,1,two,3"), "line 2, column y_mm: 'two' is not a number");
-        assert_eq!(row("0,0,NaN,0,0,0,1,2,3"), "line 2, column q3_deg: 'NaN' is not a number");
-        assert_eq!(row("0,0,0,0,0,,1,2,3"), "line 2, column q6_deg: '' is not a number: the cell is empty");
         assert_eq!(row("0,0,0,0,0,0,1,2"), "line 2 has 8 cells, the header 9");
         assert_eq!(read(HEADER).unwrap_err(), MeasureError::NoRows);
         assert_eq!(read("").unwrap_err(), MeasureError::NoHeader);
@@ -214,6 +244,23 @@ mod tests {
         assert_eq!(codes, ["measure::unknown-column", "measure::gaps"]);
         assert!(!m.channels.time);
         assert_eq!(m.rows[1].t_min, None);
+    }
+
+    #[test]
+    fn rows_without_a_point_or_a_joint_are_left_out_with_their_lines_and_column() {
+        let m =
+            read(&format!("{HEADER}\n0,0,0,0,0,0,1,,3\n0,0,NaN,0,0,0,1,2,3\n0,0,0,0,0,0,1,2,3\n")).unwrap();
+        assert_eq!(m.rows.iter().map(|row| row.line).collect::<Vec<u64>>(), [4]);
+        let said: Vec<&str> = m.warnings.iter().map(|w| w.message.as_str()).collect();
+        assert_eq!(
+            said,
+            [
+                "column q3_deg is empty or no number in 1 rows: lines 3",
+                "column y_mm is empty or no number in 1 rows: lines 2",
+            ]
+        );
+        let none = read(&format!("{HEADER}\n0,0,0,0,0,,1,2,3\n")).unwrap_err();
+        assert_eq!(none, MeasureError::NothingMeasured { line: 2, column: "q6_deg" });
     }
 
     #[test]

@@ -155,6 +155,7 @@ mod tests {
             .map(|(i, pose)| Station {
                 pose: i,
                 target: 0,
+                stand: 0,
                 t_min: None,
                 q_rad: [0.0; 6],
                 reading: Reading::Point { position_m: (base * pose * Point3::from(tool)).coords },
@@ -163,6 +164,7 @@ mod tests {
                 payload_kg: None,
                 joint_temperature_c: None,
                 air_temperature_c: None,
+                line: 0,
                 rows: vec![i],
             })
             .collect()

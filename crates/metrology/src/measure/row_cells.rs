@@ -71,6 +71,14 @@ impl ColumnIndex {
     }
 }
 
+/// Whether a cell says that nothing was measured.
+fn is_nothing(text: &str) -> bool {
+    text.is_empty()
+        || ["nan", "null", "none", "n/a", "#n/a", "na", "-"]
+            .iter()
+            .any(|word| text.eq_ignore_ascii_case(word))
+}
+
 /// The cells of one line, by the names of their columns.
 pub(super) struct RowCells<'a> {
     pub(super) columns: &'a ColumnIndex,
@@ -80,6 +88,28 @@ pub(super) struct RowCells<'a> {
 impl RowCells<'_> {
     pub(super) fn text(&self, name: &str) -> Option<&str> {
         self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map(String::as_str)
+    }
+
+    /// The first cell that the row cannot do without and that says that there is nothing.
+    pub(super) fn absent(&self) -> Option<&'static str> {
+        let base = self.text("kind").is_some_and(|kind| kind.eq_ignore_ascii_case("base"));
+        let nothing = |name: &str| self.text(name).is_some_and(is_nothing);
+        let other =
+            [LENGTH, FIXED].into_iter().any(|name| self.text(name).is_some_and(|text| !is_nothing(text)));
+        let point = if other && POINT.iter().all(|name| self.empty(name)) {
+            None
+        } else {
+            POINT.into_iter().find(|name| nothing(name))
+        };
+        let joints = if base { None } else { JOINTS.into_iter().find(|name| nothing(name)) };
+        joints.or(point)
+    }
+
+    /// Columns of what need not be there whose cell is empty.
+    pub(super) fn empty_among_optional(&self) -> impl Iterator<Item = &'static str> {
+        let single = ["t_min", "payload_kg", "temp_air_c"];
+        let all = single.into_iter().chain(QUATERNION).chain(DIRECTIONS).chain(TEMPERATURES);
+        all.filter(|name| self.text(name).is_some_and(is_nothing))
     }
 
     fn number(&self, name: &str) -> Result<f64, MeasureError> {
@@ -104,7 +134,8 @@ impl RowCells<'_> {
     /// `None` where the column or the cell is absent.
     fn optional(&self, name: &str) -> Result<Option<f64>, MeasureError> {
         match self.text(name) {
-            None | Some("") => Ok(None),
+            None => Ok(None),
+            Some(text) if is_nothing(text) => Ok(None),
             Some(_) => self.number(name).map(Some),
         }
     }
@@ -239,6 +270,7 @@ impl RowCells<'_> {
             id: self.text("id").map(str::to_owned),
             pose,
             target,
+            stand: 0,
             t_min: self.optional("t_min")?,
             q_rad,
             reading,

@@ -15,6 +15,8 @@ pub struct MeasurementRow {
     pub pose: usize,
     /// Which reflector or stylus, index into [`Measurements::targets`].
     pub target: usize,
+    /// Which stand of the instrument saw it, from 0: more than one where it was moved in the middle of the file.
+    pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// Joints; at a nest they say nothing.

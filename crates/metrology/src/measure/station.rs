@@ -23,6 +23,8 @@ pub struct Station {
     pub pose: usize,
     /// Index of the reflector or stylus.
     pub target: usize,
+    /// Which stand of the instrument saw it, from 0.
+    pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// Joints; at a nest they say nothing.
@@ -39,11 +41,19 @@ pub struct Station {
     pub joint_temperature_c: Option<[f64; 6]>,
     /// Temperature of the air.
     pub air_temperature_c: Option<f64>,
+    /// Line in the file of its first row.
+    pub line: u64,
     /// Rows in the mean, as indices into the file's rows.
     pub rows: Vec<usize>,
 }
 
 impl Station {
+    /// Middle of its rows' places in the file.
+    #[must_use]
+    pub fn row(&self) -> f64 {
+        self.rows.iter().map(|&r| r as f64).sum::<f64>() / self.rows.len().max(1) as f64
+    }
+
     /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
     #[must_use]
     pub fn pose(&self, chain: &Chain) -> Isometry3<f64> {
@@ -122,6 +132,13 @@ pub fn gather(measurements: &Measurements, used: &[usize]) -> Stations {
     }
 }
 
+/// Each row that `used` names as a station of its own.
+#[must_use]
+pub fn alone(measurements: &Measurements, used: &[usize]) -> Vec<Station> {
+    let pose_of: BTreeMap<usize, usize> = used.iter().map(|&index| (index, index)).collect();
+    used.iter().filter_map(|&index| mean(&measurements.rows, &[index], &pose_of)).collect()
+}
+
 /// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own.
 pub(super) fn pose_numbers(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
     let rows = used.iter().filter_map(|&i| measurements.rows.get(i));
@@ -171,7 +188,7 @@ fn is_repeat(a: &MeasurementRow, b: &MeasurementRow) -> bool {
         (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME_TEMPERATURE_C),
         _ => true,
     };
-    joints && time && warmth
+    joints && time && warmth && a.stand == b.stand
 }
 
 fn centre(rows: &[MeasurementRow], group: &[usize]) -> Vector3<f64> {
@@ -212,6 +229,7 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
     Some(Station {
         pose: *pose_of.get(&first_index)?,
         target: first.target,
+        stand: first.stand,
         t_min: average(&|row| row.t_min),
         q_rad,
         reading: first.reading.with_coordinates_m(centre(rows, group)),
@@ -220,6 +238,7 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
         payload_kg: first.payload_kg,
         joint_temperature_c,
         air_temperature_c: average(&|row| row.air_temperature_c),
+        line: first.line,
         rows: group.to_vec(),
     })
 }

@@ -38,6 +38,8 @@ pub enum EffectKind {
     ThermalLinkGrowth,
     /// A joint's zero drifts as the joint warms up.
     ThermalJointDrift,
+    /// A joint's zero jumped once.
+    JointStep,
     /// The base drifts in the instrument's frame.
     BaseDrift,
     /// The base moved once in the instrument's frame.
@@ -63,7 +65,7 @@ pub struct UnknownEffect(pub String);
 
 impl EffectKind {
     /// Every kind, in the order of the documentation.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::JointOffset,
         Self::LinkGeometry,
         Self::JointCompliance,
@@ -78,6 +80,7 @@ impl EffectKind {
         Self::Backlash,
         Self::ThermalLinkGrowth,
         Self::ThermalJointDrift,
+        Self::JointStep,
         Self::BaseDrift,
         Self::BaseStep,
         Self::InstrumentScale,
@@ -106,6 +109,7 @@ impl EffectKind {
             Self::Backlash => "backlash",
             Self::ThermalLinkGrowth => "thermal_link_growth",
             Self::ThermalJointDrift => "thermal_joint_drift",
+            Self::JointStep => "joint_step",
             Self::BaseDrift => "base_drift",
             Self::BaseStep => "base_step",
             Self::InstrumentScale => "instrument_scale",
@@ -181,6 +185,7 @@ impl EffectKind {
                 | Self::JointCoupling
                 | Self::Backlash
                 | Self::ThermalJointDrift
+                | Self::JointStep
                 | Self::PayloadMass
         )
     }

@@ -34,6 +34,8 @@ pub struct Design {
     pub registration: Range<usize>,
     /// Columns of geometry, scaled by tolerance.
     pub geometry: Range<usize>,
+    /// Columns of slow noise, and their prior standard deviation over the noise's.
+    slow: (Range<usize>, f64),
     /// Products of all columns for each group.
     gram: Vec<DMatrix<f64>>,
     /// Whitened columns of each joint turning.
@@ -85,19 +87,16 @@ impl Design {
             columns: Vec::new(),
             registration: 0..0,
             geometry: 0..0,
+            slow: (0..0, 0.0),
             gram: Vec::new(),
             turns: Vec::new(),
             turn_squares: Vec::new(),
             turn_products: vec![Vec::new(); 6],
         };
         let mut columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
-        let flat = design.stack(
-            dataset,
-            registration::width(targets, dataset.fixed_points, d),
-            |_, observation, out| {
-                registration::twists(observation, targets, dataset.fixed_points, d, out);
-            },
-        );
+        let flat = design.stack(dataset, registration::width(dataset, targets), |_, observation, out| {
+            registration::twists(dataset, observation, targets, out);
+        });
         let geometry = design.stack(dataset, 30, |_, observation, out| {
             for frame in 1..6 {
                 for k in 0..6 {
@@ -123,6 +122,17 @@ impl Design {
     #[must_use]
     pub fn whitening(&self) -> &Whitening {
         &self.whitening
+    }
+
+    /// Takes `columns` for slow noise of `ratio` standard deviations over the noise's.
+    pub fn set_slow(&mut self, columns: Range<usize>, ratio: f64) {
+        self.slow = (columns, ratio);
+    }
+
+    /// Columns of slow noise, and their prior standard deviation over the noise's; none: an empty range.
+    #[must_use]
+    pub fn slow(&self) -> (Range<usize>, f64) {
+        self.slow.clone()
     }
 
     /// Number of columns of the registration.

@@ -1,26 +1,23 @@
 //! Columns of what is not known of base, targets and fixed points: flat, never a finding.
 
-use crate::diagnose::dataset::{Observation, ObservationKind, Twist, scaled};
+use crate::diagnose::dataset::{Dataset, Observation, ObservationKind, Twist, scaled};
 use nalgebra::Vector3;
 
-/// Number of columns of the registration.
-pub fn width(targets: usize, fixed_points: usize, rows_per_observation: usize) -> usize {
-    6 + 3 * targets + 3 * fixed_points + if rows_per_observation == 6 { 3 } else { 0 }
+/// Number of columns of the registration of `targets`.
+pub fn width(dataset: &Dataset, targets: usize) -> usize {
+    let turn = if dataset.rows_per_observation == 6 { 3 } else { 0 };
+    6 * dataset.stands + 3 * targets + 3 * dataset.fixed_points + turn
 }
 
-/// Their motions at `observation`: base, each target, each place, and the orientation of the target.
-pub fn twists(
-    observation: &Observation,
-    targets: usize,
-    fixed_points: usize,
-    rows_per_observation: usize,
-    out: &mut Vec<Twist>,
-) {
+/// Their motions at `observation`: base as seen from each stand, each target, each place, and the orientation of the target.
+pub fn twists(dataset: &Dataset, observation: &Observation, targets: usize, out: &mut Vec<Twist>) {
     // Touches and lengths know nothing of an instrument.
-    let by_instrument =
-        f64::from(u8::from(matches!(observation.kind, ObservationKind::Instrument | ObservationKind::Nest)));
-    for k in 0..6 {
-        out.push(scaled(observation.frame_offset(0, k), by_instrument));
+    let by_instrument = matches!(observation.kind, ObservationKind::Instrument | ObservationKind::Nest);
+    for stand in 0..dataset.stands {
+        let here = f64::from(u8::from(by_instrument && observation.stand == stand));
+        for k in 0..6 {
+            out.push(scaled(observation.frame_offset(0, k), here));
+        }
     }
     for target in 0..targets {
         for k in 0..3 {
@@ -29,14 +26,14 @@ pub fn twists(
             out.push([axis.x * here, axis.y * here, axis.z * here, 0.0, 0.0, 0.0]);
         }
     }
-    for fixed_point in 0..fixed_points {
+    for fixed_point in 0..dataset.fixed_points {
         for k in 0..3 {
             let mut shift = [0.0; 6];
             shift[k] = f64::from(u8::from(observation.fixed_point == Some(fixed_point)));
             out.push(shift);
         }
     }
-    if rows_per_observation == 6 {
+    if dataset.rows_per_observation == 6 {
         for k in 0..3 {
             let axis = observation.flange.column(k);
             out.push([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]);

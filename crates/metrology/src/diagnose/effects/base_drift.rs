@@ -1,7 +1,7 @@
 //! Base and instrument drift apart: stand, floor, tripod.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{NO_TIME, drift};
+use super::over_time::{drift, no_clock};
 use super::rigid::move_base;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
@@ -27,7 +27,7 @@ impl Effect for BaseDrift {
         "drift"
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
+        no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let (growths, grown_m) = drift(dataset);

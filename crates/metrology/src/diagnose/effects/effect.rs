@@ -55,6 +55,8 @@ pub struct EffectVariant {
     pub gravity_hold: GravityHold,
     /// Payload mass: where the excess hangs.
     pub payload_scaling: PayloadScaling,
+    /// With its own departures from the plain shape: a gear's even harmonic, a spring that hardens or softens.
+    pub refined: bool,
 }
 
 /// When gravity, not the last motion, decides on which side the teeth of a gear with play lie.
@@ -82,6 +84,7 @@ impl EffectVariant {
         growth: Growth::Always,
         gravity_hold: GravityHold::Never,
         payload_scaling: PayloadScaling::WhereLoaded,
+        refined: false,
     };
 
     /// The plain variant of joint `j`, counted from 0.

@@ -12,6 +12,10 @@ pub struct JointCompliance;
 /// the benefit of the doubt; bending and tilt have to show with the guess.
 const GUESS_ERROR: f64 = 1.0;
 
+/// How far from linear a spring may be, over its linear part, and the share of those that are.
+const BENT: f64 = 0.5;
+const BENT_WEIGHT: f64 = 0.2;
+
 impl Effect for JointCompliance {
     fn kind(&self) -> EffectKind {
         EffectKind::JointCompliance
@@ -29,18 +33,25 @@ impl Effect for JointCompliance {
         let error = if dataset.masses_known { MASS_ERROR } else { GUESS_ERROR };
         (0..6)
             .filter(|&j| dataset.observations.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6))
-            .map(|j| {
+            .flat_map(|j| {
                 let prior_sigma = if j < 3 { 8e-6 } else { 8e-5 };
-                let mut sizes = vec![prior_sigma];
-                sizes.extend(std::iter::repeat_n(error * prior_sigma, 6 - j));
-                if dataset.largest_payload_kg > 0.0 {
-                    sizes.extend([LEVER_M * prior_sigma; 3]);
-                }
-                Candidate {
-                    sign_constrained: true,
-                    n_reported: 1,
-                    ..Candidate::new(EffectKind::JointCompliance, EffectVariant::of_joint(j), sizes)
-                }
+                [(false, 1.0 - BENT_WEIGHT), (true, BENT_WEIGHT)].map(|(refined, weight)| {
+                    let mut sizes = vec![prior_sigma];
+                    sizes.extend(std::iter::repeat_n(error * prior_sigma, 6 - j));
+                    if refined {
+                        sizes.extend([BENT * prior_sigma; 2]);
+                    }
+                    if dataset.largest_payload_kg > 0.0 {
+                        sizes.extend([LEVER_M * prior_sigma; 3]);
+                    }
+                    let variant = EffectVariant { refined, ..EffectVariant::of_joint(j) };
+                    Candidate {
+                        sign_constrained: true,
+                        n_reported: 1,
+                        weight,
+                        ..Candidate::new(EffectKind::JointCompliance, variant, sizes)
+                    }
+                })
             })
             .collect()
     }
@@ -55,6 +66,12 @@ impl Effect for JointCompliance {
         turn_joint(observation, variant.joint, observation.loads.torque_n_m[j], out);
         for k in j..6 {
             turn_joint(observation, variant.joint, observation.loads.link_torque_n_m[j][k], out);
+        }
+        if variant.refined {
+            // A spring that hardens or softens, each as large as the linear one at the largest torque.
+            let (torque, largest) = (observation.loads.torque_n_m[j], dataset.large_torque_n_m(j));
+            turn_joint(observation, variant.joint, torque * torque.abs() / largest, out);
+            turn_joint(observation, variant.joint, torque.signum() * (torque.abs() * largest).sqrt(), out);
         }
         if dataset.largest_payload_kg > 0.0 {
             let payload_kg = observation.payload_kg.unwrap_or(0.0);

@@ -6,7 +6,7 @@ use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use robot_model::deform::EffectKind;
 
 /// Every effect, in the order of the documentation.
-pub static LIBRARY: [&dyn Effect; 21] = [
+pub static LIBRARY: [&dyn Effect; 22] = [
     &joint_offset::JointOffset,
     &link_geometry::LinkGeometry,
     &joint_compliance::JointCompliance,
@@ -20,6 +20,7 @@ pub static LIBRARY: [&dyn Effect; 21] = [
     &backlash::Backlash,
     &thermal_link_growth::ThermalLinkGrowth,
     &thermal_joint_drift::ThermalJointDrift,
+    &joint_step::JointStep,
     &base_drift::BaseDrift,
     &base_step::BaseStep,
     &instrument_scale::InstrumentScale,

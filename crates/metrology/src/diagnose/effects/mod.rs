@@ -15,6 +15,7 @@ mod joint_coupling;
 mod joint_gain;
 mod joint_offset;
 mod joint_rounding;
+mod joint_step;
 mod library;
 mod link_bending;
 mod link_geometry;

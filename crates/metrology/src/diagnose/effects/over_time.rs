@@ -3,17 +3,25 @@
 use crate::diagnose::dataset::Dataset;
 use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
-use robot_model::units::{h_from_min, min_from_h};
+use robot_model::units::h_from_min;
 
-/// Why an effect of time cannot be seen without a time column.
-pub const NO_TIME: &str = "the file has no usable time (t_min)";
+/// Why an effect of time cannot be seen.
+pub fn no_clock(dataset: &Dataset) -> Option<String> {
+    dataset.clock.is_none().then(|| {
+        "the file has no usable time (t_min), and repeats of its poses stand all over it, so that the order of the rows tells none".to_owned()
+    })
+}
+
+/// How long a measurement without times is taken to have lasted.
+const USUAL_HOURS: f64 = 2.0;
 
 /// How base and target may drift over a measurement, with the prior weight of each; and the prior standard deviation
 /// of a shift, metres: 30 um per hour.
 pub fn drift(dataset: &Dataset) -> (Vec<(Growth, f64)>, f64) {
-    let Some([from_min, to_min]) = dataset.time_min else { return (Vec::new(), 0.0) };
-    let hours = h_from_min(to_min - from_min);
-    let span_min = min_from_h(hours);
+    let Some([from_min, to_min]) = dataset.clock else { return (Vec::new(), 0.0) };
+    let span_min = to_min - from_min;
+    // Without times the measurement is taken to have lasted as long as most do.
+    let hours = dataset.time_min.map_or(USUAL_HOURS, |_| h_from_min(span_min));
     let settling = |share: f64| Growth::Law(GrowthLaw::Exp { tau_min: share * span_min });
     let growths =
         vec![(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)];
@@ -27,14 +35,16 @@ const MIN_BESIDE_STEP: usize = 6;
 /// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
 pub fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
-    let between =
-        dataset.observations.iter().filter_map(|s| s.t_min).filter(|t| low < *t && *t < high).count();
+    let between = dataset.observations.iter().map(|s| s.clock()).filter(|t| low < *t && *t < high).count();
     0 < between && between < MIN_BESIDE_STEP
 }
 
 /// Times at which a step may lie.
 pub fn step_times(dataset: &Dataset) -> Vec<f64> {
-    let times: Vec<f64> = dataset.observations.iter().filter_map(|s| s.t_min).collect();
+    if dataset.clock.is_none() {
+        return Vec::new();
+    }
+    let times: Vec<f64> = dataset.observations.iter().map(|s| s.clock()).collect();
     let most = if times.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
     gaps(times, most, MIN_BESIDE_STEP)
 }

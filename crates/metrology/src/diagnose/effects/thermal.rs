@@ -1,7 +1,7 @@
 //! What warm-up effects share: growth with time or with the joints' temperatures.
 
 use super::effect::{Candidate, EffectVariant};
-use super::over_time::NO_TIME;
+use super::over_time::no_clock;
 use crate::diagnose::dataset::Dataset;
 use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
@@ -9,13 +9,17 @@ use robot_model::deform::identified::Growth;
 /// Time constants tried where only the time is known, minutes.
 const TAUS_MIN: [f64; 6] = [8.0, 15.0, 30.0, 46.0, 80.0, 150.0];
 
+/// Without minutes: time constants tried, as shares of the file.
+const ROW_SHARES: [f64; 4] = [0.1, 0.25, 0.6, 1.5];
+
 /// Joints that all warm by less than this say nothing of warm-up, K.
 const LEAST_RISE_K: f64 = 0.3;
 
 /// Why warm-up cannot be seen; `None` where it can.
 pub(super) fn untestable(dataset: &Dataset) -> Option<String> {
-    (dataset.time_min.is_none() && dataset.joint_temperature_c.is_none())
-        .then(|| format!("{NO_TIME} and no joint temperatures"))
+    no_clock(dataset)
+        .filter(|_| dataset.joint_temperature_c.is_none())
+        .map(|why| format!("{why}; and there are no joint temperatures"))
 }
 
 /// `candidate` with every growth that the data allow.
@@ -32,6 +36,14 @@ pub(super) fn growths(dataset: &Dataset, candidate: &Candidate) -> Vec<Candidate
                 growths.push((Growth::Law(GrowthLaw::Exp { tau_min }), 1.0 / 12.0));
                 growths.push((Growth::Law(GrowthLaw::TwoStage { tau_min }), 1.0 / 12.0));
             }
+        }
+    }
+    if let (None, Some([low, high])) = (dataset.time_min, dataset.clock) {
+        // No minutes: shapes of warm-up over the file, whatever its pace.
+        for share in ROW_SHARES {
+            let tau_min = share * (high - low);
+            growths.push((Growth::Law(GrowthLaw::Exp { tau_min }), 0.5 / ROW_SHARES.len() as f64));
+            growths.push((Growth::Law(GrowthLaw::TwoStage { tau_min }), 0.5 / ROW_SHARES.len() as f64));
         }
     }
     growths

@@ -1,7 +1,7 @@
 //! The target creeps on the flange: glue, a warm spindle.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{NO_TIME, drift};
+use super::over_time::{drift, no_clock};
 use super::rigid::move_tool;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
@@ -27,7 +27,7 @@ impl Effect for ToolDrift {
         "drift"
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
+        no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let (growths, grown_m) = drift(dataset);

@@ -1,7 +1,7 @@
 //! The target moved on the flange at one moment: reseated, knocked.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{NO_TIME, step_times};
+use super::over_time::{no_clock, step_times};
 use super::rigid::move_tool;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
@@ -28,7 +28,7 @@ impl Effect for ToolStep {
         "step"
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        dataset.time_min.is_none().then(|| NO_TIME.to_owned())
+        no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         step_times(dataset)

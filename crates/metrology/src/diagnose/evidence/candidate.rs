@@ -89,7 +89,12 @@ impl NuisanceModel {
             .map(|ratio| {
                 let (log, sigma_m) = self.at_ratio(ratio);
                 let (q, _) = self.with_ratio(ratio);
-                ScreeningPoint { ratio, q, base: log - self.marginal.at(q).0, sigma_m }
+                ScreeningPoint {
+                    ratio,
+                    q,
+                    base: log - self.marginal.at(q).0 - 0.5 * self.slow_log_det,
+                    sigma_m,
+                }
             })
             .collect()
     }

@@ -63,6 +63,10 @@ pub struct NuisanceModel {
     yy: f64,
     /// Each flat direction, normalised, as weights of the design's columns.
     directions: Vec<Vec<f64>>,
+    /// How many of them, after the flat ones, are slow noise's: integrated, not projected out.
+    slow: std::ops::Range<usize>,
+    /// ln determinant of slow noise.
+    slow_log_det: f64,
     /// Data along each direction.
     y_hat: Vec<f64>,
     /// Geometry along each direction.
@@ -102,6 +106,8 @@ impl NuisanceModel {
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
             directions: Vec::new(),
+            slow: 0..0,
+            slow_log_det: 0.0,
             y_hat: Vec::new(),
             geometry_hat: Vec::new(),
             gg,
@@ -118,6 +124,7 @@ impl NuisanceModel {
             }
             nuisance.push(&gram, direction);
         }
+        nuisance.add_slow(&gram, design.slow());
         nuisance.add(&gram, also);
         nuisance.finish();
         nuisance
@@ -139,23 +146,63 @@ impl NuisanceModel {
             let mut direction = vec![0.0; gram.ncols()];
             direction[column] = 1.0;
             let whole = gram[(column, column)];
-            // Twice: the second pass takes out what rounding left of the first.
-            for _ in 0..2 {
+            // Twice: the second pass takes out what rounding left of the first. What slow noise takes is taken once.
+            for pass in 0..2 {
                 let seen = times(gram, &direction);
-                for known in &self.directions {
+                let known =
+                    if pass == 0 || self.slow.is_empty() { self.directions.len() } else { self.slow.start };
+                for known in &self.directions[..known] {
                     let along = dot(known, &seen);
                     for (to, from) in direction.iter_mut().zip(known) {
                         *to -= along * from;
                     }
                 }
             }
-            let left = dot(&direction, &times(gram, &direction));
+            let left = times(gram, &direction)[column];
             if left > RANK * whole && left > 0.0 {
                 let length = left.sqrt();
                 direction.iter_mut().for_each(|d| *d /= length);
                 self.push(gram, direction);
             }
         }
+    }
+
+    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
+    /// ratio^2 l / (1 + ratio^2 l) is taken out.
+    fn add_slow(&mut self, gram: &DMatrix<f64>, (columns, ratio): (std::ops::Range<usize>, f64)) {
+        if columns.is_empty() || ratio <= 0.0 {
+            return;
+        }
+        let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, d)).collect();
+        let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
+        let n = columns.len();
+        let eigen =
+            DMatrix::from_fn(n, n, |r, c| left(columns.start + r, columns.start + c)).symmetric_eigen();
+        let from = self.directions.len();
+        for i in 0..n {
+            let square = eigen.eigenvalues[i];
+            if square <= RANK * eigen.eigenvalues.max() {
+                continue;
+            }
+            let r2 = ratio * ratio * square;
+            let scale = (r2 / (1.0 + r2) / square).sqrt();
+            let mut direction = vec![0.0; gram.ncols()];
+            for (k, column) in columns.clone().enumerate() {
+                direction[column] = scale * eigen.eigenvectors[(k, i)];
+            }
+            let along: Vec<f64> = flat
+                .iter()
+                .map(|seen| columns.clone().map(|column| seen[column] * direction[column]).sum())
+                .collect();
+            for (known, along) in self.directions[..from].iter().zip(along) {
+                for (to, by) in direction.iter_mut().zip(known) {
+                    *to -= along * by;
+                }
+            }
+            self.slow_log_det += r2.ln_1p();
+            self.push(gram, direction);
+        }
+        self.slow = from..self.directions.len();
     }
 
     fn push(&mut self, gram: &DMatrix<f64>, direction: Vec<f64>) {
@@ -178,7 +225,8 @@ impl NuisanceModel {
         self.turn = eigen.eigenvectors.select_columns(&kept).transpose();
         self.lambda = DVector::from_iterator(kept.len(), kept.iter().map(|&i| eigen.eigenvalues[i]));
         self.gy = &self.turn * &self.gy_raw;
-        self.m = (self.rows - self.directions.len() as f64).max(1.0);
+        let flat = self.directions.len() - self.slow.len();
+        self.m = (self.rows - flat as f64).max(1.0);
         self.marginal = self.noise.marginal_over(self.m);
         (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
     }
@@ -193,7 +241,8 @@ impl NuisanceModel {
     #[must_use]
     pub fn parameters(&self, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
-        self.directions.len() as f64 + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
+        (self.directions.len() - self.slow.len()) as f64
+            + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
     }
 
     /// Evidence without any candidate.
@@ -254,7 +303,7 @@ impl NuisanceModel {
                 }
             }
         }
-        best.log_evidence = total;
+        best.log_evidence = total - 0.5 * self.slow_log_det;
         best
     }
 }

@@ -35,6 +35,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
             let station = Station {
                 pose: i,
                 target: 0,
+                stand: 0,
                 t_min: None,
                 q_rad: std::array::from_fn(|_| 2.4 * random.unit() - 1.2),
                 reading: Reading::Point { position_m: Vector3::zeros() },
@@ -43,6 +44,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
                 payload_kg: None,
                 joint_temperature_c: None,
                 air_temperature_c: None,
+                line: 0,
                 rows: vec![i],
             };
             Observation::new(&robot, &chain, &registration, &station)
@@ -102,7 +104,7 @@ impl Problem {
         );
         let flat = dense(&self.dataset, |o| {
             let mut out = Vec::new();
-            registration::twists(o, 1, 0, 3, &mut out);
+            registration::twists(&self.dataset, o, 1, &mut out);
             out
         });
         let outer = &flat * flat.clone().pseudo_inverse(1e-12).unwrap();

@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 /// Most causes that are not gear lines, and most gear lines.
 pub(super) const MOST_CAUSES: usize = 4;
 const MOST_LINES: usize = 80;
+/// Different angles of a joint that each line of its gear needs.
+const ANGLES_PER_LINE: usize = 3;
 
 impl Library<'_> {
     /// Whether `candidate` is the offsets of all joints at once.
@@ -38,18 +40,35 @@ impl Library<'_> {
         } else {
             offset(this) || chosen.len() - lines - count(&offset) < MOST_CAUSES
         };
-        room && chosen.iter().all(|c| {
-            let other = &self.candidates[c.candidate];
-            let same = other.kind == this.kind
-                && other.variant.joint == this.variant.joint
-                && other.variant.joint_b == this.variant.joint_b
-                && other.variant.n == this.variant.n;
-            let steps = this.variant.t0_min().zip(other.variant.t0_min());
-            if steps.is_some_and(|(t0_min, other)| steps_too_near(self.dataset, t0_min, other)) {
-                return false;
-            }
-            !same || steps.is_some_and(|(t0_min, other)| t0_min != other)
-        })
+        let told = this.variant.n.is_none() || self.angles_tell_another_line(this, chosen);
+        room && told
+            && chosen.iter().all(|c| {
+                let other = &self.candidates[c.candidate];
+                let same = other.kind == this.kind
+                    && other.variant.joint == this.variant.joint
+                    && other.variant.joint_b == this.variant.joint_b
+                    && other.variant.n == this.variant.n;
+                let steps = this.variant.t0_min().zip(other.variant.t0_min());
+                if steps.is_some_and(|(t0_min, other)| steps_too_near(self.dataset, t0_min, other)) {
+                    return false;
+                }
+                !same || steps.is_some_and(|(t0_min, other)| t0_min != other)
+            })
+    }
+
+    /// Whether the joint of `line` stood at angles enough for it beside the lines chosen: on a grid of few angles lines of
+    /// other periods are the same numbers.
+    fn angles_tell_another_line(&self, line: &Candidate, chosen: &[ChosenCause]) -> bool {
+        let Some(joint) = line.variant.joint else { return true };
+        let of_joint = |c: &&ChosenCause| {
+            let variant = &self.candidates[c.candidate].variant;
+            variant.joint == Some(joint) && variant.n.is_some()
+        };
+        let others = chosen
+            .iter()
+            .filter(of_joint)
+            .filter(|c| self.candidates[c.candidate].variant.n != line.variant.n);
+        self.angles.get(joint).is_some_and(|angles| *angles >= ANGLES_PER_LINE * (1 + others.count()))
     }
 
     /// The candidate's columns in the design, appended when new; [`Self::extend`] has to follow.

@@ -52,8 +52,12 @@ impl Library<'_> {
             self.products[c].sum_more(search.subset, &mut tracked_candidate.sums);
             tracked_candidate.projected = nuisance.project(&tracked_candidate.sums);
         }
-        let open: Vec<&TrackedCandidate> =
-            search.near.iter().filter(|&&c| self.allowed(c, others)).map(|&c| &search.tracked[c]).collect();
+        let open: Vec<&TrackedCandidate> = search
+            .near
+            .iter()
+            .filter(|&&c| self.allowed(c, others) && !self.all_offsets(c))
+            .map(|&c| &search.tracked[c])
+            .collect();
         let ranking = self.rank(&nuisance, &open, false);
         (nuisance, ranking)
     }

@@ -19,6 +19,17 @@ type Columns = Vec<Vec<f64>>;
 /// Computes the features of a GP alternative.
 pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> Vec<Vec<f64>> + Sync + 'a;
 
+/// Angles nearer than this are the same to a gear's line, radians: a tenth of a tooth's width at the highest order.
+const SAME_ANGLE_RAD: f64 = 2e-3;
+
+/// Different angles that each joint stood at.
+fn angles(dataset: &Dataset) -> [usize; 6] {
+    std::array::from_fn(|j| {
+        let cell = |q_rad: f64| (q_rad / SAME_ANGLE_RAD).round() as i64;
+        dataset.observations.iter().map(|s| cell(s.q_rad[j])).collect::<BTreeSet<i64>>().len()
+    })
+}
+
 /// What the search looks at: candidates with their products, and GP alternatives.
 pub struct Library<'a> {
     /// The observations that columns are computed at.
@@ -37,6 +48,8 @@ pub struct Library<'a> {
     columns: Vec<Option<Columns>>,
     /// GP alternatives.
     pub gp_alternatives: Vec<Structure>,
+    /// Different angles that each joint stood at.
+    pub(super) angles: [usize; 6],
 }
 
 /// A GP alternative over the data.
@@ -103,6 +116,7 @@ impl<'a> Library<'a> {
             turning,
             columns,
             gp_alternatives: Vec::new(),
+            angles: angles(dataset),
         }
     }
 

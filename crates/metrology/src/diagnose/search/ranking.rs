@@ -64,8 +64,10 @@ impl Library<'_> {
     #[must_use]
     pub fn scan(&self, nuisance: &NuisanceModel, subset: &[usize], without: &[usize]) -> HypothesisRanking {
         let tracked = self.track(nuisance, subset);
-        let open: Vec<&TrackedCandidate> =
-            tracked.iter().filter(|f| !without.contains(&f.candidate)).collect();
+        let open: Vec<&TrackedCandidate> = tracked
+            .iter()
+            .filter(|f| !without.contains(&f.candidate) && !self.all_offsets(f.candidate))
+            .collect();
         self.rank(nuisance, &open, true)
     }
 

@@ -52,7 +52,8 @@ pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>
     let simple = key(&workspace.library.candidates[first.best]);
     let nests = |g: &CauseGroup| {
         let rich = key(&workspace.library.candidates[g.best]);
-        (simple.0, rich.0) == (EffectKind::JointOffset, EffectKind::ThermalJointDrift) && simple.1 == rich.1
+        let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep);
+        simple.0 == EffectKind::JointOffset && holds_offset && simple.1 == rich.1
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
     cause_groups.retain(|g| !nests(g));

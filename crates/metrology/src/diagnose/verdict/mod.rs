@@ -9,25 +9,36 @@ mod wording;
 pub use wording::{describe, describe_candidate};
 
 use super::evidence::NuisanceModel;
+use super::gp_alternative::GpAlternative;
 use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::outcome::{Cause, Location, Verdict};
 use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use cause_group::{cause_groups, credible, join_nested, scan};
-use noise::{MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, joint_scatter, reduced_chi_square, slow_noise};
+use noise::{
+    MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, joint_scatter, reduced_chi_square, slow_noise,
+    slowness,
+};
 use robot_model::deform::EffectKind;
 use size::{cause, cause_unfitted, line_among_many, moved_m, total_rms_m};
 use structure::{
     MANY_CAUSES, SMALL_BESIDE, add_gp_alternatives, alternative_share, gp_alternative_share, left_over_m,
-    location_of_gp, odds_over_causes, region_of, shape_of_lines, structure as structure_in, structure_odds,
-    varying_cause,
+    location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines, structure as structure_in,
+    structure_odds, varying_cause,
 };
-use wording::{in_short, structure_reason};
+use wording::{in_short, structure_reason, switched_reason};
 
 /// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
 const GP_ALTERNATIVE_SHARE: f64 = 0.2;
 /// A set larger than this, with structure of no cause as likely, is no set.
 const LARGE_SET: usize = 6;
+
+/// What is less likely than this is not listed.
+const WORTH_SAYING: f64 = 0.005;
+/// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
+const LIKELIER_THAN_NOT: f64 = 0.5;
+/// More moments than this at which something jumped are no knocks: something was switched.
+const MOST_STEPS: usize = 2;
 
 /// The verdict and what it rests on.
 pub struct Judgement {
@@ -85,7 +96,7 @@ fn without_cause(
 ) -> Judgement {
     let cause_groups = cause_groups(workspace, ranking);
     let mut causes = Vec::new();
-    for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > 0.001) {
+    for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > WORTH_SAYING) {
         causes.push(cause(model, workspace, linear, &[], None, cause_group));
     }
     let mut judgement = Judgement {
@@ -97,12 +108,18 @@ fn without_cause(
         pair: cause_groups.first().map(|g| (g.best, cause_groups.get(1).map(|h| h.best))),
         reduced_chi_square: None,
     };
+    let slowness = slowness(model, workspace, linear, &[]);
     let found = structure_in(workspace, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
-    let slow = found.is_some_and(|(_, gp_alternative)| slow_noise(model, workspace, linear, gp_alternative));
+    let slow = slowness == Slowness::WithinNoise && found.is_none()
+        || found.is_some_and(|(_, gp_alternative)| slow_noise(model, workspace, linear, gp_alternative));
     if slow {
         SLOW_NOISE.clone_into(&mut judgement.reason);
     }
-    if let Some((_, gp_alternative)) = found.filter(|_| !slow) {
+    if let (Slowness::Structure { .. }, None) = (slowness, found) {
+        judgement.verdict = Verdict::UnexplainedStructure;
+        judgement.place = over_time(model, workspace, linear, &[]);
+        judgement.reason = structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some());
+    } else if let Some((_, gp_alternative)) = found.filter(|_| !slow) {
         judgement.verdict = Verdict::UnexplainedStructure;
         judgement.place = location_of_gp(model, workspace, linear, &[], gp_alternative);
         judgement.reason = structure_reason(
@@ -112,8 +129,8 @@ fn without_cause(
     } else if scatter.chi.is_some() || scatter.along.is_some() {
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.place.joint = scatter.along.map(|a| a.joint + 1);
-        judgement.reason = scatter.reason();
-    } else if geometry_gain > ALARM_NATS {
+        judgement.reason = scatter.reason(&linear.dataset);
+    } else if geometry_gain > ALARM_NATS && !slow {
         judgement.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out"
             .clone_into(&mut judgement.reason);
@@ -139,7 +156,8 @@ fn with_causes(
     for i in 0..chosen.len() {
         if chosen.len() > MANY_CAUSES && workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
         {
-            causes.push(line_among_many(model, workspace, linear, chosen, i));
+            let line = line_among_many(model, workspace, linear, chosen, i);
+            causes.push(Cause { slot: i + 1, ..line });
             needed += 1;
             clear += 1;
             continue;
@@ -162,12 +180,17 @@ fn with_causes(
             winning_gp = structure_in(workspace, &ranking).map(|s| s.1);
             lost += 1;
         }
-        clear += usize::from(near.len() == 1 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share);
+        clear += usize::from(
+            near.len() == 1
+                && first.probability >= LIKELIER_THAN_NOT
+                && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
+        );
         if i == 0 {
             pair = Some((first.best, cause_groups.get(1).map(|g| g.best)));
         }
         for cause_group in &near {
-            causes.push(cause(model, workspace, linear, chosen, Some(i), cause_group));
+            let found = cause(model, workspace, linear, chosen, Some(i), cause_group);
+            causes.push(Cause { slot: i + 1, ..found });
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             alternatives.push(cause_unfitted(workspace, cause_group));
@@ -181,7 +204,8 @@ fn with_causes(
     let scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
     if scale && !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry) {
         // A scale of the instrument and a scale of all links are one and the same to these data.
-        causes.push(Cause::of(EffectKind::LinkGeometry, 0.0));
+        let slot = causes.iter().find(|c| c.effect == EffectKind::InstrumentScale).map_or(1, |c| c.slot);
+        causes.push(Cause { slot, ..Cause::of(EffectKind::LinkGeometry, 0.0) });
     }
     let thousandths = |p: f64| (1000.0 * p).round();
     causes.sort_by(|a, b| {
@@ -189,6 +213,9 @@ fn with_causes(
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
 
+    let likely = |c: &Cause| c.posterior > WORTH_SAYING || scale && c.effect == EffectKind::LinkGeometry;
+    causes.retain(likely);
+    renumber(&mut causes);
     let alternatives = rejected(alternatives, &causes);
     let cause_rms_m = total_rms_m(model, workspace, chosen);
     let left = structure_in(workspace, rest).filter(|(gain, _)| *gain > ALARM_NATS);
@@ -206,6 +233,20 @@ fn with_causes(
     let parts = lost > 1 && 2 * lost > needed && left.is_some();
     let alone = (winning_gp.is_some() || together) && !beside || all || parts || shape.or(varies).is_some();
 
+    let mut switched: Vec<u64> = chosen
+        .iter()
+        .filter_map(|c| workspace.library.candidates[c.candidate].variant.t0_min())
+        .filter_map(|t0| linear.dataset.line_from(t0))
+        .collect();
+    switched.sort_unstable();
+    switched.dedup();
+    let slowness = slowness(model, workspace, linear, chosen);
+    // Where nothing says how much noise there is, slow scatter as large as the causes may be noise.
+    let slow_share = match slowness {
+        Slowness::Structure { noise_known: false, .. } => 1.0,
+        _ => MAX_RESIDUAL_SHARE,
+    };
+
     let mut place = Location { joint: causes.first().and_then(|c| c.joint), ..Location::default() };
     place.time = causes.first().map(|c| c.time);
     place.region = region_of(linear, &moved_m(model, workspace, linear, chosen));
@@ -222,21 +263,42 @@ fn with_causes(
             )
         });
         match gp_alternative {
-            Some(gp_alternative) if slow_noise(model, workspace, linear, gp_alternative) => {
-                place = Location::default();
-                (Verdict::NothingAboveNoise, SLOW_NOISE.to_owned())
-            }
             Some(gp_alternative) => {
                 place = location_of_gp(model, workspace, linear, &[], gp_alternative);
                 (Verdict::UnexplainedStructure, reason)
             }
             None => (Verdict::UnexplainedStructure, reason),
         }
-    } else if scatter.is_comparable(model, linear, cause_rms_m) {
+    } else if let Slowness::Structure { rms_m, .. } = slowness
+        && rms_m > cause_rms_m * slow_share
+    {
+        place = over_time(model, workspace, linear, chosen);
+        (
+            Verdict::UnexplainedStructure,
+            structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some()),
+        )
+    } else if !matches!(slowness, Slowness::Structure { .. })
+        && scatter.is_comparable(model, linear, cause_rms_m)
+    {
         place.joint = scatter.along.map(|a| a.joint + 1);
-        (Verdict::UnexplainedScatter, scatter.reason())
+        (Verdict::UnexplainedScatter, scatter.reason(&linear.dataset))
+    } else if switched.len() > MOST_STEPS {
+        place = over_time(model, workspace, linear, &[]);
+        (Verdict::UnexplainedStructure, switched_reason(&switched, &linear.dataset))
+    } else if causes.is_empty() && matches!(slowness, Slowness::Structure { .. }) {
+        place = over_time(model, workspace, linear, &[]);
+        (
+            Verdict::UnexplainedStructure,
+            structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some()),
+        )
+    } else if causes.is_empty() {
+        (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
     } else if clear < needed.min(2) || scale {
-        (Verdict::Ambiguous, format!("these data cannot tell apart: {}", in_short(&causes)))
+        let set = match causes.as_slice() {
+            [one] => format!("{}; or something that is not in the library", describe(one)),
+            _ => in_short(&causes),
+        };
+        (Verdict::Ambiguous, format!("these data cannot tell apart: {set}"))
     } else if needed > 1 {
         let apart = match needed - clear {
             0 => String::new(),
@@ -244,16 +306,31 @@ fn with_causes(
             unclear => format!("; for {unclear} of them these data leave a choice"),
         };
         (Verdict::Several, format!("{needed} causes, each needed: {}{apart}", in_short(&causes)))
-    } else if causes.is_empty() {
-        (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
     } else {
         (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
     };
     Judgement { verdict, reason, causes, alternatives, place, pair, reduced_chi_square: None }
 }
 
+/// Slots in the order of their likeliest causes, without gaps.
+fn renumber(causes: &mut [Cause]) {
+    let mut order: Vec<usize> = Vec::new();
+    for cause in causes.iter() {
+        if !order.contains(&cause.slot) {
+            order.push(cause.slot);
+        }
+    }
+    for cause in causes {
+        cause.slot = 1 + order.iter().position(|slot| *slot == cause.slot).unwrap_or(0);
+    }
+}
+
 fn same(a: &Cause, b: &Cause) -> bool {
-    a.effect == b.effect && a.joint == b.joint && a.joint_b == b.joint_b && a.n == b.n && a.t0_min == b.t0_min
+    a.effect == b.effect
+        && a.joint == b.joint
+        && a.joint_b == b.joint_b
+        && a.n == b.n
+        && a.from_line == b.from_line
 }
 
 /// Each rival once, and none that is a cause itself in another place.

@@ -1,6 +1,8 @@
 //! Scatter that the model does not know, and noise that is only slow.
 
 use super::size::rms;
+use super::wording::missing_channels;
+use crate::diagnose::dataset::Dataset;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linearise::{Linearised, shift_m};
@@ -40,13 +42,13 @@ impl Scatter {
 
     /// The scatter as a sentence for people.
     #[must_use]
-    pub fn reason(&self) -> String {
+    pub fn reason(&self, dataset: &Dataset) -> String {
         let what = match (self.along, self.chi) {
             (Some(a), _) => format!("poses scatter along joint {}", a.joint + 1),
             (None, Some(chi)) => format!("poses scatter {:.1} times as much as the noise allows", chi.sqrt()),
             (None, None) => "poses scatter".to_owned(),
         };
-        format!("{what}, and nothing that is recorded explains it: a channel is missing")
+        format!("{what}, and nothing that is recorded explains it: {}", missing_channels(dataset))
     }
 }
 
@@ -97,7 +99,7 @@ pub fn reduced_chi_square(
     let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let nuisance = NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, None), model.noise);
     let ratio = nuisance.null().geometry_ratio;
-    let fit = solve(&workspace.design, &groups, chosen, Some(ratio));
+    let fit = solve(&workspace.design, &groups, chosen, Some(ratio)).without_slow(&workspace.design);
     let mut sum = 0.0;
     let mut rows = 0.0;
     let residuals = workspace.design.residuals(&fit.coefficients);
@@ -128,6 +130,41 @@ fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
     let middle = (1.0 - a) * (1.0 - b);
     let root = (middle * middle - square * ((1.0 - a).powi(2) - z * z * a)).max(0.0).sqrt();
     ((middle + root) / square).powi(3)
+}
+
+/// What slow noise means beside `chosen`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Slowness {
+    /// There is none.
+    None,
+    /// All scatter together is no more than the repeats or the statement allow.
+    WithinNoise,
+    /// It is more than they allow, or nothing says how much they are; 3-D rms, metres.
+    Structure {
+        /// Of the slow part.
+        rms_m: f64,
+        /// Whether repeats or a statement say how much noise there is.
+        noise_known: bool,
+    },
+}
+
+/// Whether slow noise beside `chosen` is noise, or structure over time.
+#[must_use]
+pub fn slowness(
+    model: &Model,
+    workspace: &Workspace<'_>,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+) -> Slowness {
+    let Some(slow) = model.slow else { return Slowness::None };
+    let chi = reduced_chi_square(model, workspace, linear, chosen);
+    match chi {
+        Some((value, limit)) if value <= limit => Slowness::WithinNoise,
+        _ => Slowness::Structure {
+            rms_m: slow.size * model.peak.sigma_m * 3.0_f64.sqrt(),
+            noise_known: chi.is_some(),
+        },
+    }
 }
 
 /// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause

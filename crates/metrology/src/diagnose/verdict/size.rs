@@ -72,7 +72,8 @@ pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Ca
         joint: candidate.variant.joint.map(|j| j + 1),
         joint_b: candidate.variant.joint_b.map(|j| j + 1),
         n: candidate.variant.n,
-        t0_min: candidate.variant.t0_min(),
+        t0_min: candidate.variant.t0_min().filter(|_| workspace.library.dataset.time_min.is_some()),
+        from_line: candidate.variant.t0_min().and_then(|t0| workspace.library.dataset.line_from(t0)),
         evidence_nats: Some(cause_group.gain_nats),
         ..Cause::of(candidate.kind, cause_group.probability)
     }

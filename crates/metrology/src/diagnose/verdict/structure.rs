@@ -252,6 +252,21 @@ pub fn location_of_gp(
     }
 }
 
+/// Where structure over time lies that is no function of its own in the ranking.
+#[must_use]
+pub fn over_time(
+    model: &Model,
+    workspace: &Workspace<'_>,
+    linear: &Linearised,
+    chosen: &[ChosenCause],
+) -> Location {
+    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
+        .without_slow(&workspace.design);
+    let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
+    Location { joint: None, time: Some("drift"), region: region_of(linear, &left) }
+}
+
 /// Where in the workspace stations move most.
 #[must_use]
 pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {

@@ -1,5 +1,6 @@
 //! Verdicts and causes in words.
 
+use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
@@ -20,22 +21,28 @@ pub fn describe(cause: &Cause) -> String {
     if let Some(n) = cause.n.filter(|_| cause.effect == EffectKind::GearMesh) {
         text.push_str(&format!(", {n} per turn"));
     }
-    if let Some(t0_min) = cause.t0_min {
-        text.push_str(&format!(" at minute {t0_min:.1}"));
+    match (cause.t0_min, cause.from_line) {
+        (Some(t0_min), Some(line)) => {
+            text.push_str(&format!(" at minute {t0_min:.1} (from line {line} on)"));
+        }
+        (Some(t0_min), None) => text.push_str(&format!(" at minute {t0_min:.1}")),
+        (None, Some(line)) => text.push_str(&format!(" from line {line} on")),
+        (None, None) => {}
     }
     text
 }
 
 /// A candidate in words.
 #[must_use]
-pub fn describe_candidate(candidate: &Candidate) -> String {
+pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
     let variant = &candidate.variant;
     let one = |j: Option<usize>| j.map(|j| j + 1);
     describe(&Cause {
         joint: one(variant.joint),
         joint_b: one(variant.joint_b),
         n: variant.n,
-        t0_min: variant.t0_min(),
+        t0_min: variant.t0_min().filter(|_| dataset.time_min.is_some()),
+        from_line: variant.t0_min().and_then(|t0| dataset.line_from(t0)),
         ..Cause::of(candidate.kind, 0.0)
     })
 }
@@ -65,6 +72,38 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
         }
     };
     format!("the gap has a structure that no effect of the library takes; it follows {of}")
+}
+
+/// Jumps at many moments in words.
+#[must_use]
+pub fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
+    let from: Vec<String> = lines.iter().map(u64::to_string).collect();
+    let payload = if dataset.channels.payload {
+        ""
+    } else {
+        ": the payload, say, which is not in the file (payload_kg)"
+    };
+    format!(
+        "the gap jumps to and fro, from lines {} on: something was switched that is not recorded{payload}",
+        from.join(", ")
+    )
+}
+
+/// Channels that are not in the file and could tell what scatters, as a phrase.
+#[must_use]
+pub fn missing_channels(dataset: &Dataset) -> String {
+    let channels = &dataset.channels;
+    let all = [
+        (channels.direction, "the direction of approach (dir1 to dir6)"),
+        (channels.payload, "the payload (payload_kg)"),
+        (channels.joint_temperature || channels.time, "temperature or time (temp_j1_c to temp_j6_c, t_min)"),
+    ];
+    let missing: Vec<&str> = all.into_iter().filter(|(there, _)| !there).map(|(_, name)| name).collect();
+    match missing.as_slice() {
+        [] => "something is missing that is no column of such files".to_owned(),
+        [one] => format!("a channel is missing: {one} is not in the file"),
+        [first, more @ ..] => format!("a channel is missing: {first}, or {}", more.join(", or ")),
+    }
 }
 
 /// Causes in words: gear lines joint by joint, and of many only the first few.

@@ -143,7 +143,7 @@ impl LiveModel {
         let mut turn = |joint: usize, turn: Turn| self.turns[joint].push(turn);
         match term.kind {
             EffectKind::JointOffset => turn(joint, Turn::Constant { function: None, rad: v(0) }),
-            EffectKind::ThermalJointDrift => {
+            EffectKind::ThermalJointDrift | EffectKind::JointStep => {
                 turn(joint, Turn::Constant { function, rad: v(0) });
                 turn(joint, Turn::Constant { function: None, rad: v(1) });
             }
@@ -168,6 +168,9 @@ impl LiveModel {
             EffectKind::ToolDrift | EffectKind::ToolStep => {
                 let shift = self.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2));
                 self.offset(function, 6, [shift.x, shift.y, shift.z, 0.0, 0.0, 0.0]);
+            }
+            EffectKind::JointCompliance if v(7) != 0.0 || v(8) != 0.0 => {
+                return Err(format!("{} that hardens or softens", name()));
             }
             EffectKind::JointCompliance => {
                 let own = self.compliance[joint].get_or_insert_default();

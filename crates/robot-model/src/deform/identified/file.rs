@@ -287,7 +287,9 @@ fn write_term(out: &mut String, term: &Term) {
         let _ = writeln!(out, "n = {n}");
     }
     for ((key, unit), value) in term.kind.parameters().iter().zip(&term.values) {
-        let optional = ["link", "joint", "uneven"].iter().any(|correction| key.starts_with(correction));
+        let optional = ["link", "joint", "uneven", "hardening", "softening"]
+            .iter()
+            .any(|correction| key.starts_with(correction));
         if optional && value.value == 0.0 && value.sigma.is_none() {
             continue;
         }

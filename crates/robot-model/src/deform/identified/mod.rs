@@ -108,6 +108,11 @@ impl Identified {
             let name = term.kind.name();
             let why = match (term.growth, term.kind) {
                 (Growth::Temperature { .. }, _) => format!("{name} by temperature"),
+                (Growth::Always, EffectKind::JointCompliance)
+                    if term.value(7) != 0.0 || term.value(8) != 0.0 =>
+                {
+                    format!("{name} that hardens or softens")
+                }
                 (Growth::Always, kind) if kind.is_known_at_run_time() => continue,
                 (Growth::Always, _) => name.to_owned(),
                 _ => format!("{name} with a growth of its own"),

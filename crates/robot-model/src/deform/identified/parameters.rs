@@ -71,6 +71,19 @@ const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
 const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
 const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
 const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS);
+/// Beside the linear spring one in proportion to the torque's square, and one to its root, both with its sign.
+const PER_SPRING: [Parameter; 9] = {
+    let mut all = [HARDENING; 9];
+    let mut i = 0;
+    while i < PER_LINK.len() {
+        all[i] = PER_LINK[i];
+        i += 1;
+    }
+    all[8] = SOFTENING;
+    all
+};
+const HARDENING: Parameter = ("hardening_rad_per_n_m_squared", Unit::Plain);
+const SOFTENING: Parameter = ("softening_rad_per_root_n_m", Unit::Plain);
 const PER_BEND: [Parameter; 8] = joined([COMPLIANCE, UNEVEN], LINKS);
 const PER_TILT: [Parameter; 8] = joined(TILT, LINKS);
 const PER_JOINT: [Parameter; 7] = joined([("kg", Unit::Plain)], JOINTS);
@@ -99,7 +112,7 @@ impl EffectKind {
         match self {
             Self::JointOffset => &[("offset_deg", Unit::Degree)],
             Self::LinkGeometry | Self::BaseDrift | Self::BaseStep => &FRAME,
-            Self::JointCompliance => &PER_LINK,
+            Self::JointCompliance => &PER_SPRING,
             Self::LinkBending => &PER_BEND,
             Self::BaseTilt => &PER_TILT,
             Self::GearEccentricity | Self::GearSecondHarmonic | Self::GearMesh => &GEAR,
@@ -110,6 +123,7 @@ impl EffectKind {
             }
             Self::GearSpectrum => &[],
             Self::ThermalJointDrift => &[("drift_deg", Unit::Degree), ("constant_deg", Unit::Degree)],
+            Self::JointStep => &[("step_deg", Unit::Degree), ("constant_deg", Unit::Degree)],
             Self::InstrumentScale => &[("scale_ppm", Unit::PartsPerMillion)],
             Self::ToolDrift | Self::ToolStep => FRAME.split_at(3).0,
             Self::PayloadMass => &PER_JOINT,

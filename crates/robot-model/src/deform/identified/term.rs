@@ -240,7 +240,9 @@ impl Term {
                     }
                 }
             }
-            EffectKind::ThermalJointDrift => to.turns_rad[joint] += v(0) * grown + v(1),
+            EffectKind::ThermalJointDrift | EffectKind::JointStep => {
+                to.turns_rad[joint] += v(0) * grown + v(1);
+            }
             EffectKind::ToolDrift | EffectKind::ToolStep => {
                 let shift = at.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2)) * grown;
                 for (to, by) in to.offsets.0[6].iter_mut().zip(shift.iter()) {
@@ -279,7 +281,9 @@ impl Term {
         match self.kind {
             EffectKind::JointCompliance => {
                 let links: f64 = (0..6).map(|k| v(k + 1) * loads.link_torque_n_m[joint][k]).sum();
-                to.turns_rad[joint] += v(0) * loads.torque_n_m[joint] + links;
+                let torque = loads.torque_n_m[joint];
+                let bent = v(7) * torque * torque.abs() + v(8) * torque.signum() * torque.abs().sqrt();
+                to.turns_rad[joint] += v(0) * torque + links + bent;
             }
             EffectKind::PayloadMass => {
                 let kg = self.payload_scaling.at(payload_kg);

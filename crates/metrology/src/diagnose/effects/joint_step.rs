@@ -1,0 +1,61 @@
+//! A joint's zero jumps at one moment: an encoder reset, a belt that skipped, a flange that slipped about joint 6.
+
+use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::{no_clock, step_times};
+use super::rigid::turn_joint;
+use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Growth;
+
+/// J_j from t0 on, t0 scanned, plus a constant of its own: either side of the jump may be the calibrated one.
+pub struct JointStep;
+
+impl Effect for JointStep {
+    fn kind(&self) -> EffectKind {
+        EffectKind::JointStep
+    }
+    fn unit(&self) -> &'static str {
+        "rad"
+    }
+    fn usual_size(&self) -> &'static str {
+        "0.1 to 2 mrad"
+    }
+    fn source(&self) -> &'static str {
+        "Mooring, Roth, Driels, Fundamentals of Manipulator Calibration, 1991, ch. 2: joint offsets before and after"
+    }
+    fn time(&self) -> &'static str {
+        "step"
+    }
+    fn untestable(&self, dataset: &Dataset) -> Option<String> {
+        no_clock(dataset)
+    }
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let times = step_times(dataset);
+        (0..6)
+            .flat_map(|j| {
+                times.iter().map(move |&t0_min| Candidate {
+                    n_reported: 1,
+                    ..Candidate::new(
+                        EffectKind::JointStep,
+                        EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) },
+                        vec![4e-4, 4e-4],
+                    )
+                })
+            })
+            .collect()
+    }
+    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
+        Some([variant.growth.at(&observation.thermal_state(), None), 1.0])
+    }
+    fn signature(
+        &self,
+        variant: &EffectVariant,
+        _dataset: &Dataset,
+        observation: &Observation,
+        out: &mut Vec<Twist>,
+    ) {
+        for angle in self.angles(variant, observation).into_iter().flatten() {
+            turn_joint(observation, variant.joint, angle, out);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Noise that is slow: a tracker in moving air, a hall that breathes. A nuisance beside causes, never a veto against them.
+//!
+//! Each coordinate gets slow functions of the measurement's progress, cosines of k half periods with the spectrum of an
+//! Ornstein-Uhlenbeck process (Uhlenbeck and Ornstein 1930): the k-th has the variance 1 / (1 + (pi k tau)^2). Amplitude and
+//! tau are those that are likeliest beside the causes; without 5 nats for it there is none.
+
+use super::dataset::{Dataset, Twist};
+use super::design::Design;
+use super::evidence::NuisanceModel;
+use super::marginal::NoisePrior;
+use super::search::{ALARM_NATS, ChosenCause, cause_columns};
+use std::f64::consts::PI;
+
+/// Correlation times that are tried, shares of the measurement.
+const TAUS: [f64; 2] = [0.03, 0.12];
+/// Sizes that are tried, in sigmas of the noise that is not slow.
+const SIZES: [f64; 7] = [0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.83];
+/// Half periods over the measurement, at most; and stations for each.
+const MOST_WAVES: usize = 14;
+const STATIONS_PER_WAVE: usize = 6;
+/// Columns are metres.
+const UNIT_M: f64 = 1e-4;
+
+/// Slow noise as found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlowNoise {
+    /// Which of the correlation times.
+    tau: usize,
+    /// Its size in sigmas of the noise that is not slow.
+    pub size: f64,
+}
+
+impl SlowNoise {
+    /// Puts it into `design`.
+    pub fn put(&self, design: &mut Design, dataset: &Dataset) {
+        let columns = columns(design, dataset, TAUS[self.tau]);
+        let at = design.append(columns);
+        design.set_slow(at, self.size / UNIT_M);
+    }
+}
+
+/// One shift along each axis for each wave, sized to [`UNIT_M`] together.
+fn columns(design: &Design, dataset: &Dataset, tau: f64) -> Vec<Vec<f64>> {
+    let waves = (dataset.observations.len() / STATIONS_PER_WAVE).min(MOST_WAVES);
+    let variance = |k: usize| 1.0 / (1.0 + (PI * k as f64 * tau).powi(2));
+    // A cosine has half a square on average.
+    let total = (1..=waves).map(|k| 0.5 * variance(k)).sum::<f64>().max(1e-12);
+    design.stack(dataset, 3 * waves, |_, observation, out| {
+        let progress = dataset.progress(observation);
+        for k in 1..=waves {
+            let size_m = UNIT_M * (variance(k) / total).sqrt() * (PI * k as f64 * progress).cos();
+            out.extend((0..3).map(|axis| -> Twist {
+                let mut shift = [0.0; 6];
+                shift[axis] = size_m;
+                shift
+            }));
+        }
+    })
+}
+
+/// The slow noise that is likeliest beside `chosen`; `design` has none yet, or that of the round before.
+#[must_use]
+pub fn likeliest(
+    design: &Design,
+    dataset: &Dataset,
+    chosen: &[ChosenCause],
+    noise: NoisePrior,
+) -> Option<SlowNoise> {
+    let enough = dataset.observations.len() >= 4 * STATIONS_PER_WAVE;
+    // Rows without times are often in the order of their places: what is slow over them is no noise.
+    if dataset.time_min.is_none() || !enough {
+        return None;
+    }
+    let groups: Vec<usize> = (0..design.groups()).collect();
+    let also = cause_columns(chosen, None);
+    let mut trial = design.clone();
+    trial.set_slow(0..0, 0.0);
+    let without = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence;
+    let mut best: Option<(f64, SlowNoise)> = None;
+    for (which, tau) in TAUS.into_iter().enumerate() {
+        let at = trial.append(columns(&trial, dataset, tau));
+        for size in SIZES {
+            trial.set_slow(at.clone(), size / UNIT_M);
+            let gain = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence - without;
+            if gain > ALARM_NATS && best.is_none_or(|(most, _)| gain > most) {
+                best = Some((gain, SlowNoise { tau: which, size }));
+            }
+        }
+    }
+    best.map(|(_, slow)| slow)
+}

@@ -1,0 +1,316 @@
+//! What is wrong with all rows at once: units, axes, columns, robot and tool, tried one by one.
+
+use super::{Fault, FaultKind};
+use crate::measure::{Reading, Registration, Station, register};
+use nalgebra::{Isometry3, Vector3};
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use std::collections::BTreeSet;
+
+/// A registered robot leaves less than this in the middle, however badly calibrated.
+const SOUND_M: f64 = 4e-3;
+/// What is left beyond this with no explanation is no measurement of this robot.
+const HOPELESS_M: f64 = 10e-3;
+/// An explanation must leave this share of the distance or less.
+const EXPLAINED: f64 = 0.2;
+/// Further from the named tool than this is a fault.
+const TOOL_M: f64 = 5e-3;
+/// Stations used for the trials.
+const TRIAL_STATIONS: usize = 80;
+/// The units that points come in beside millimetres.
+const LENGTHS: [(f64, &str); 3] = [(1000.0, "metres"), (25.4, "inches"), (10.0, "centimetres")];
+const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// What may have happened to a row, undone.
+pub struct Change {
+    /// Kind of the fault.
+    pub kind: FaultKind,
+    /// Column, or columns, that it is in.
+    pub column: String,
+    /// What is wrong, as half a sentence.
+    pub says: String,
+    /// Undoes it.
+    pub change: Box<dyn Fn(&mut Station)>,
+}
+
+/// What may have happened to rows or to a column: another unit, another sign.
+#[must_use]
+pub fn changes() -> Vec<Change> {
+    let mut all = Vec::new();
+    for (factor, name) in LENGTHS {
+        all.push(Change {
+            kind: FaultKind::PositionUnits,
+            column: AXES.join(", "),
+            says: format!("the measured points are in {name}, the columns say mm"),
+            change: Box::new(move |s| s.reading = s.reading.scaled(factor)),
+        });
+        for (k, axis) in AXES.into_iter().enumerate() {
+            all.push(Change {
+                kind: FaultKind::ColumnUnits,
+                column: axis.to_owned(),
+                says: format!("column {axis} is in {name}"),
+                change: Box::new(move |s| on_axis(s, k, factor)),
+            });
+        }
+    }
+    for (k, axis) in AXES.into_iter().enumerate() {
+        all.push(Change {
+            kind: FaultKind::SwappedAxes,
+            column: axis.to_owned(),
+            says: format!("column {axis} has the other sign"),
+            change: Box::new(move |s| on_axis(s, k, -1.0)),
+        });
+    }
+    for j in 0..6 {
+        let column = format!("q{}_deg", j + 1);
+        all.push(Change {
+            kind: FaultKind::ColumnUnits,
+            says: format!("column {column} is in radians"),
+            column,
+            change: Box::new(move |s| s.q_rad[j] = deg_from_rad(s.q_rad[j])),
+        });
+    }
+    all.push(Change {
+        kind: FaultKind::JointUnits,
+        column: "q1_deg to q6_deg".to_owned(),
+        says: "the joints are in radians, the columns say degrees".to_owned(),
+        change: Box::new(|s| s.q_rad = s.q_rad.map(deg_from_rad)),
+    });
+    all
+}
+
+fn on_axis(station: &mut Station, k: usize, factor: f64) {
+    if let Reading::Point { position_m } | Reading::Nest { position_m, .. } = &mut station.reading {
+        position_m[k] *= factor;
+    }
+}
+
+/// Looks for a reason why `registration` leaves what it leaves.
+#[must_use]
+pub fn find_fault(
+    robot: &Robot,
+    stations: &[Station],
+    targets: usize,
+    registration: &Registration,
+    tool_m: Option<Vector3<f64>>,
+) -> Option<Fault> {
+    let chain = Chain::nominal(robot);
+    let mut off_m: Vec<f64> =
+        stations.iter().map(|s| registration.residual_m(s, &s.pose(&chain)).norm()).collect();
+    let left_m = most_m(&mut off_m);
+    if left_m > SOUND_M {
+        let trial = Trial { robot, stations: trial(stations), targets, left_m };
+        let found = trial
+            .units()
+            .or_else(|| trial.axes())
+            .or_else(|| trial.columns())
+            .or_else(|| trial.joints())
+            .or_else(|| shifted(robot, stations, targets, left_m))
+            .or_else(|| trial.other_robot());
+        if found.is_some() {
+            return found;
+        }
+        if left_m > HOPELESS_M {
+            return Some(Fault::of_all(
+                FaultKind::NothingFits,
+                None,
+                format!(
+                    "with base and tool fitted most points still miss the model of {} by up to {:.1} mm: wrong robot, \
+                     wrong joint columns, or points and joints that do not belong together",
+                    robot.name,
+                    mm_from_m(left_m)
+                ),
+            ));
+        }
+    }
+    let (tool, fitted) = (tool_m?, registration.tools_m.first()?);
+    let apart_m = (fitted - tool).norm();
+    (targets == 1 && apart_m > TOOL_M + 3.0 * registration.tool_sigma_m).then(|| {
+        Fault::of_all(
+            FaultKind::WrongTool,
+            None,
+            format!(
+                "the points say the tool is at ({:.1}, {:.1}, {:.1}) mm from the flange, {:.1} mm from the one given",
+                mm_from_m(fitted.x),
+                mm_from_m(fitted.y),
+                mm_from_m(fitted.z),
+                mm_from_m(apart_m)
+            ),
+        )
+    })
+}
+
+/// What most of the distances stay under, robust against a tenth of false rows: 1.5 times the middle of an even spread lies
+/// under 85 of 100, so that it is the middle one unless a part of the rows is far off.
+fn most_m(off_m: &mut [f64]) -> f64 {
+    off_m.sort_by(f64::total_cmp);
+    let at = |share: f64| off_m.get((share * off_m.len() as f64) as usize).copied().unwrap_or(0.0);
+    at(0.5).max(at(0.8) / 2.5)
+}
+
+/// A few stations from all over the file, at steps of the golden section: every n-th of poses that come round again could
+/// be the same pose each time.
+fn trial(stations: &[Station]) -> Vec<Station> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let n = stations.len();
+    if n <= TRIAL_STATIONS {
+        return stations.to_vec();
+    }
+    let picked: BTreeSet<usize> =
+        (0..TRIAL_STATIONS).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
+    picked.into_iter().filter_map(|index| stations.get(index)).cloned().collect()
+}
+
+/// What registered `stations` leave.
+fn left_m(robot: &Robot, stations: &[Station], targets: usize) -> Option<f64> {
+    let chain = Chain::nominal(robot);
+    let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
+    let fit = register(stations, &poses, targets, None).ok()?;
+    let mut off_m: Vec<f64> =
+        stations.iter().zip(&poses).map(|(s, pose)| fit.residual_m(s, pose).norm()).collect();
+    Some(most_m(&mut off_m))
+}
+
+fn explains(left_m: Option<f64>, before_m: f64) -> bool {
+    left_m.is_some_and(|left_m| left_m < (EXPLAINED * before_m).min(2.0 * SOUND_M))
+}
+
+/// The points of the row before, or after.
+fn shifted(robot: &Robot, stations: &[Station], targets: usize, before_m: f64) -> Option<Fault> {
+    [(1_usize, 0_usize, "before"), (0, 1, "after")].into_iter().find_map(|(joints, points, side)| {
+        let n = stations.len();
+        let together = |k: usize| {
+            let (joints, points) = (&stations[k + points], &stations[k + joints]);
+            Station { reading: points.reading.clone(), orientation: points.orientation, target: points.target, ..joints.clone() }
+        };
+        let moved: Vec<Station> = (0..n.saturating_sub(1)).map(together).collect();
+        explains(left_m(robot, &trial(&moved), targets), before_m).then(|| {
+            Fault::of_all(
+                FaultKind::RowsShifted,
+                Some("x_mm, y_mm, z_mm"),
+                format!("in every row the point is that of the row {side}: points and joints are shifted by one row"),
+            )
+        })
+    })
+}
+
+/// A part of the stations on which changes of the file are tried.
+struct Trial<'a> {
+    robot: &'a Robot,
+    stations: Vec<Station>,
+    targets: usize,
+    /// What is left without a change, metres.
+    left_m: f64,
+}
+
+impl Trial<'_> {
+    fn with(&self, change: impl Fn(&mut Station)) -> Option<f64> {
+        let mut changed = self.stations.clone();
+        changed.iter_mut().for_each(change);
+        left_m(self.robot, &changed, self.targets)
+    }
+
+    fn units(&self) -> Option<Fault> {
+        let largest_rad = self.stations.iter().flat_map(|s| s.q_rad).fold(0.0, |a: f64, q| a.max(q.abs()));
+        let radians = largest_rad < rad_from_deg(7.0);
+        let joints = || Some("q1_deg to q6_deg");
+        if radians && explains(self.with(|s| s.q_rad = s.q_rad.map(deg_from_rad)), self.left_m) {
+            return Some(Fault::of_all(
+                FaultKind::JointUnits,
+                joints(),
+                "the joints are in radians, the columns say degrees",
+            ));
+        }
+        for (scale, name) in LENGTHS.into_iter().chain([(0.001, "micrometres")]) {
+            let left = self.with(|s| s.reading = s.reading.scaled(scale));
+            if explains(left, self.left_m) || (left.is_some_and(|l| l < SOUND_M) && scale > 1.0) {
+                let reason = format!("the measured points are in {name}, the columns say mm");
+                return Some(Fault::of_all(FaultKind::PositionUnits, Some("x_mm, y_mm, z_mm"), reason));
+            }
+        }
+        let both = self.with(|s| {
+            s.q_rad = s.q_rad.map(deg_from_rad);
+            s.reading = s.reading.scaled(1.0 / m_from_mm(1.0));
+        });
+        (radians && both.is_some_and(|left| left < SOUND_M)).then(|| {
+            let reason = "the joints are in radians and the points in metres, the columns say degrees and mm";
+            Fault::of_all(FaultKind::JointUnits, joints(), reason)
+        })
+    }
+
+    /// Every other order or sign is a turn, which the registration takes: only the mirror shows.
+    fn axes(&self) -> Option<Fault> {
+        let mirrored = self.with(|s| {
+            if let Reading::Point { position_m } | Reading::Nest { position_m, .. } = &mut s.reading {
+                position_m.swap_rows(0, 1);
+            }
+            s.orientation = None;
+        });
+        explains(mirrored, self.left_m).then(|| {
+            let reason =
+                "the measured points are mirrored: two of x, y, z are swapped, or one has the wrong sign";
+            Fault::of_all(FaultKind::SwappedAxes, Some("x_mm, y_mm, z_mm"), reason)
+        })
+    }
+
+    /// One column in another unit.
+    fn columns(&self) -> Option<Fault> {
+        let one = changes().into_iter().filter(|change| change.kind == FaultKind::ColumnUnits);
+        let tried = one.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
+        let (left_m, change) = tried.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        explains(Some(left_m), self.left_m)
+            .then(|| Fault::of_all(change.kind, Some(&change.column), change.says))
+    }
+
+    fn joints(&self) -> Option<Fault> {
+        let mut tried: Vec<(Option<f64>, String, String)> = Vec::new();
+        for a in 0..6 {
+            let flipped = self.with(|s| s.q_rad[a] = -s.q_rad[a]);
+            tried.push((
+                flipped,
+                format!("joint {} is counted the other way round", a + 1),
+                format!("q{}_deg", a + 1),
+            ));
+            for b in a + 1..6 {
+                let swapped = self.with(|s| s.q_rad.swap(a, b));
+                let columns = format!("q{}_deg, q{}_deg", a + 1, b + 1);
+                tried.push((
+                    swapped,
+                    format!("the columns of joints {} and {} are swapped", a + 1, b + 1),
+                    columns,
+                ));
+            }
+        }
+        for (sign, verb) in [(1.0, "added"), (-1.0, "taken off")] {
+            let coupled = self.with(|s| s.q_rad[2] += sign * s.q_rad[1]);
+            let says = format!("joint 3 is counted from the horizontal: joint 2 has to be {verb}");
+            tried.push((coupled, says, "q3_deg".to_owned()));
+        }
+        let known =
+            tried.into_iter().filter_map(|(left, says, column)| left.map(|left_m| (left_m, says, column)));
+        let (left_m, says, column) = known.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        explains(Some(left_m), self.left_m)
+            .then(|| Fault::of_all(FaultKind::JointColumns, Some(&column), says))
+    }
+
+    fn other_robot(&self) -> Option<Fault> {
+        let others = Robot::built_in_names().iter().filter_map(|name| {
+            let other = Robot::built_in(name).filter(|other| other.name != self.robot.name)?;
+            left_m(&other, &self.stations, self.targets).map(|left_m| (left_m, name))
+        });
+        let (left_m, name) = others.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        explains(Some(left_m), self.left_m).then(|| {
+            Fault::of_all(
+                FaultKind::WrongRobot,
+                None,
+                format!(
+                    "the points fit {name} ({:.2} mm), not {} ({:.1} mm)",
+                    mm_from_m(left_m),
+                    self.robot.name,
+                    mm_from_m(self.left_m)
+                ),
+            )
+        })
+    }
+}
