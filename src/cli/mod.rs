@@ -25,12 +25,14 @@ pub mod accuracy;
 pub mod closed_loop;
 pub mod compare_measurements;
 pub mod compensate;
+pub mod completions;
 pub mod diagnose;
 pub mod diff;
 pub mod exam;
 pub mod fit;
 pub mod golden;
 pub mod inspect;
+pub mod man;
 pub mod plan;
 pub mod restore;
 pub mod simulate;
@@ -96,6 +98,10 @@ enum Command {
     ClosedLoop(closed_loop::Args),
     /// Apply an identified model to measurements that it has not seen.
     Validate(validate::Args),
+    /// Print what makes a shell complete commands and options.
+    Completions(completions::Args),
+    /// Write the manual pages, one for each command.
+    Man(man::Args),
 }
 
 /// Options that name a result, beside those that end in `-out`.
@@ -108,6 +114,8 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::CompareMeasurements(args) => compare_measurements::run(args, console),
         Command::Compensate(args) => compensate::run(args, console),
         Command::Diff(args) => diff::run(args, console),
+        Command::Completions(args) => completions::run(args, console),
+        Command::Man(args) => man::run(args, console),
         Command::Golden(args) => golden::run(args, console),
         Command::Inspect(args) => inspect::run(args, console),
         Command::Restore(args) => restore::run(args, console),
