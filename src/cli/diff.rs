@@ -1,5 +1,6 @@
 //! `driftpost diff`: two programs, line by line, motion by motion and bucket by bucket.
 
+use super::compensate::temperatures;
 use super::files::{self, Output};
 use super::inspect::Format;
 use super::made_with::MadeWith;
@@ -7,14 +8,18 @@ use super::program_input::ProgramInput;
 use super::shared::ProgramSettings;
 use super::{Console, Outcome};
 use driftpost::report::{self, Compared, LocatedDiagnostic};
-use rapid_program::compensate::compare::compare;
+use rapid_program::compensate::compare::{Comparison, compare};
+use rapid_program::compensate::plan::{PlannedMotion, Status};
+use rapid_program::compensate::{FormChoice, Options, plan};
 use rapid_program::emit::{RestoreError, differences, restore};
 use rapid_program::program::{FilePairs, Overrides, Program, modules_of_pgf, pgf_with_module};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Robot;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A longer diff is cut on standard output.
 const DIFF_LINES: usize = 2000;
@@ -68,6 +73,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         FilePairs::new((&before, &given_before.slashed_places()), (&after, &given_after.slashed_places()));
     let comparison = compare(&before, &after, &pairs, (&robot, start_rad))
         .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+    let settled = settled_corrections(&before, &comparison, &made_with, (&robot, start_rad))?;
     let elsewhere = differences(&before, &after, &pairs, &overrides);
     let other_files = other_files(&given_before, &given_after)?;
     let shown = Compared {
@@ -75,6 +81,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         after: &after,
         pairs: &pairs,
         comparison: &comparison,
+        settled: &settled,
         elsewhere: &elsewhere,
         other_files: &other_files,
     };
@@ -95,6 +102,38 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     json.write(console, pretty)?;
     Ok(if shown.is_same() { Outcome::Done } else { Outcome::Difference })
+}
+
+/// How far each motion is corrected once all has settled, metres and radians, where the second program asks a model at run
+/// time and its header says which.
+fn settled_corrections(
+    before: &Program,
+    comparison: &Comparison,
+    made_with: &MadeWith,
+    (robot, start_rad): (&Robot, Option<[f64; 6]>),
+) -> Result<Vec<Option<[f64; 2]>>, Diagnostic> {
+    if comparison.motions.iter().all(|motion| !motion.steps.is_empty()) {
+        return Ok(Vec::new());
+    }
+    // A model that is not at hand is no reason to compare nothing: the figures are left out.
+    let Ok(Some((deformation, identified))) = made_with.deformed(None) else { return Ok(Vec::new()) };
+    let celsius = made_with.one("temperature-c")?.and_then(|text| temperatures(text).ok());
+    let options = Options {
+        form: FormChoice::Live,
+        model: identified.map(|named| Arc::new(named.model)),
+        joint_temperature_c: celsius.map(|celsius| celsius.0),
+        payload_kg: made_with.one("payload-kg")?.and_then(|text| text.parse().ok()),
+        max_correction_m: f64::INFINITY,
+        max_correction_rad: f64::INFINITY,
+        start_rad,
+        ..Options::default()
+    };
+    let planned = plan(before, robot, &deformation, &options).map(|plan| plan.motions).unwrap_or_default();
+    let correction = |motion: &PlannedMotion| {
+        let is_known = motion.status == Status::Compensated && !motion.targets.is_empty();
+        is_known.then_some([motion.max_correction_m, motion.max_correction_rad])
+    };
+    Ok(planned.iter().map(correction).collect())
 }
 
 fn program(given: &ProgramInput, overrides: &Overrides, console: &mut Console) -> Option<Program> {

@@ -1,5 +1,6 @@
 //! Two programs compared: for people, as JSON and as CSV.
 
+use super::comparison_figures::{Figures, Worst, bucket};
 use super::motion_rows::target_name;
 use super::{Align, Table, counted, plural, rounded};
 use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
@@ -26,6 +27,9 @@ pub struct Compared<'a> {
     pub pairs: &'a FilePairs,
     /// Their motions.
     pub comparison: &'a Comparison,
+    /// For each motion of the first program how far it is corrected once all has settled, metres and radians, where the
+    /// second asks the model at run time and that model is known; may be empty.
+    pub settled: &'a [Option<[f64; 2]>],
     /// What differs beside the targets.
     pub elsewhere: &'a [Difference],
     /// What differs among files that are no modules, a sentence each.
@@ -66,6 +70,12 @@ impl Compared<'_> {
         text.is_some_and(|text| text.get(..6).is_some_and(|head| head.eq_ignore_ascii_case(b"tcLive")))
     }
 
+    /// The settled correction of a motion that asks the model at run time, metres and radians.
+    fn settled(&self, compared: &ComparedMotion) -> Option<[f64; 2]> {
+        let settled = self.settled.get(compared.before).copied().flatten();
+        settled.filter(|_| compared.steps.is_empty() && self.is_live(compared))
+    }
+
     fn write_verdict(&self, out: &mut dyn Write) -> io::Result<()> {
         let c = self.comparison;
         let count = |of: &dyn Fn(&&ComparedMotion) -> bool| c.motions.iter().filter(of).count();
@@ -73,10 +83,14 @@ impl Compared<'_> {
         let unknown = count(&|m| m.steps.is_empty()) - live;
         let changed = count(&|m| !m.steps.iter().all(is_none));
         let moved = count(&|m| !m.same_frames);
+        let settled = c.motions.iter().filter_map(|m| Some(self.settled(m)?[0])).reduce(f64::max);
+        let settled =
+            settled.map_or_else(String::new, |m| format!(", up to {:.4} mm once settled", mm_from_m(m)));
+        let at_run_time = format!("corrected by the model at run time{settled}");
         let mut line =
             format!("{} in both: {changed} with changed targets", counted(c.motions.len(), "motion"));
         for (n, what) in [
-            (live, "corrected by the model at run time"),
+            (live, at_run_time.as_str()),
             (unknown, "with targets that are only known at run time"),
             (moved, "with another instruction, tool or work object"),
         ] {
@@ -200,6 +214,7 @@ impl Compared<'_> {
         let (before, after) = self.motions(compared);
         let number = |x: f64, digits: usize| format!("{x:.digits$}");
         let arm = step.and_then(|s| s.arm);
+        let apart = step.map(|s| [s.distance_m, s.angle_rad]).or_else(|| self.settled(compared));
         let mut notes = Vec::new();
         if !compared.same_frames {
             notes.push("another instruction, tool or work object");
@@ -230,8 +245,8 @@ impl Compared<'_> {
             after.setup.kind.to_owned(),
             target_name(before).unwrap_or_default().to_owned(),
             bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
-            step.map_or_else(String::new, |s| number(mm_from_m(s.distance_m), 4)),
-            step.map_or_else(String::new, |s| number(deg_from_rad(s.angle_rad), 5)),
+            apart.map_or_else(String::new, |[m, _]| number(mm_from_m(m), 4)),
+            apart.map_or_else(String::new, |[_, rad]| number(deg_from_rad(rad), 5)),
             arm.map_or_else(String::new, |a| a.joint.to_string()),
             arm.map_or_else(String::new, |a| number(deg_from_rad(a.joint_rad), 5)),
             arm.and_then(|a| a.limit_rad).map_or_else(String::new, |r| number(deg_from_rad(r), 2)),
@@ -307,70 +322,6 @@ impl Compared<'_> {
     }
 }
 
-/// The worst of something over all motions and buckets.
-struct Worst<'c> {
-    value: f64,
-    motion: &'c ComparedMotion,
-    bucket: Option<usize>,
-}
-
-/// What all motions and buckets come to, metres and radians.
-#[derive(Default)]
-struct Figures<'c> {
-    distance: Option<Worst<'c>>,
-    angle: Option<Worst<'c>>,
-    joint: Option<Worst<'c>>,
-    jump: Option<Worst<'c>>,
-    limit: Option<Worst<'c>>,
-    singular: Option<Worst<'c>>,
-    same_configuration: bool,
-}
-
-impl<'c> Figures<'c> {
-    fn of(comparison: &'c Comparison) -> Self {
-        let mut figures = Self { same_configuration: true, ..Self::default() };
-        for motion in &comparison.motions {
-            for (k, step) in motion.steps.iter().enumerate() {
-                let bucket = bucket(motion, k);
-                let take = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
-                    let Some(value) = value else { return };
-                    if worst.as_ref().is_none_or(|worst| sign * value > sign * worst.value) {
-                        *worst = Some(Worst { value, motion, bucket });
-                    }
-                };
-                take(&mut figures.distance, Some(step.distance_m), 1.0);
-                take(&mut figures.angle, Some(step.angle_rad), 1.0);
-                take(&mut figures.joint, step.arm.map(|a| a.joint_rad), 1.0);
-                take(&mut figures.limit, step.arm.and_then(|a| a.limit_rad), -1.0);
-                take(&mut figures.singular, step.arm.map(|a| a.wrist_rad.min(a.elbow_rad)), -1.0);
-                // From bucket to bucket; element 1 is the original, which follows none.
-                let before = k.checked_sub(1).filter(|k| *k > 0).and_then(|k| motion.steps.get(k));
-                let jump = before.map(|before| {
-                    let apart = before.position_m.iter().zip(step.position_m).map(|(a, b)| (a - b).powi(2));
-                    apart.sum::<f64>().sqrt()
-                });
-                take(&mut figures.jump, jump, 1.0);
-                figures.same_configuration &=
-                    step.same_configuration && step.arm.is_none_or(|arm| arm.same_branch);
-            }
-        }
-        figures
-    }
-
-    fn json(&self) -> Value {
-        let of = |worst: &Option<Worst>, unit: fn(f64) -> f64| worst.as_ref().map(|w| rounded(unit(w.value)));
-        json!({
-            "dp_mm": of(&self.distance, mm_from_m),
-            "angle_deg": of(&self.angle, deg_from_rad),
-            "joint_deg": of(&self.joint, deg_from_rad),
-            "bucket_step_mm": of(&self.jump, mm_from_m),
-            "limit_margin_deg": of(&self.limit, deg_from_rad),
-            "singular_margin_deg": of(&self.singular, deg_from_rad),
-            "same_configuration": self.same_configuration,
-        })
-    }
-}
-
 /// The same for scripts; is made motion by motion while it is written.
 impl Serialize for Compared<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -414,6 +365,8 @@ impl Serialize for Motions<'_> {
                 "kind": new.setup.kind,
                 "target": target_name(old),
                 "same_frames": compared.same_frames,
+                "settled_mm": self.0.settled(compared).map(|[m, _]| rounded(mm_from_m(m))),
+                "settled_deg": self.0.settled(compared).map(|[_, rad]| rounded(deg_from_rad(rad))),
                 "buckets": buckets,
             })
         }))
@@ -436,11 +389,6 @@ fn step_json(bucket: Option<usize>, step: &TargetChange) -> Value {
         "same_configuration": step.same_configuration,
         "same_branch": step.arm.map(|a| a.same_branch),
     })
-}
-
-/// The bucket of the k-th step; `None` for the original of a scheduled target, and where it is not scheduled.
-fn bucket(compared: &ComparedMotion, k: usize) -> Option<usize> {
-    if compared.steps.len() > 1 { k.checked_sub(1) } else { None }
 }
 
 fn is_none(step: &TargetChange) -> bool {

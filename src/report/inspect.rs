@@ -161,9 +161,18 @@ fn form(program: &Program) -> (&'static str, String) {
         );
     }
     if targets > FEW {
-        return ("ramp", format!("arrays of {targets} targets are large, one correction each is not"));
+        return (
+            "ramp",
+            format!("arrays of {} are large, one correction each is not", counted(targets, "target")),
+        );
     }
-    ("schedule", format!("arrays of {targets} targets are small, and every bucket is to be seen in one file"))
+    (
+        "schedule",
+        format!(
+            "arrays of {} are small, and every bucket is to be seen in one file",
+            counted(targets, "target")
+        ),
+    )
 }
 
 fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {

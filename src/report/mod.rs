@@ -6,6 +6,7 @@
 pub mod accuracy;
 pub mod changed;
 mod comparison;
+mod comparison_figures;
 pub mod diagnosis;
 mod diff;
 pub mod fit;

@@ -61,11 +61,12 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
     let known = if totals.by_form[2] > 0 { " whose targets are known" } else { "" };
     let after = match review.functions {
         None => format!("{} mm", mm(s.worst_after_m)),
-        Some(_) => format!("{:.6} mm without the controller's rounding", mm_from_m(s.worst_after_m)),
+        Some(_) => format!("{:.6} mm", mm_from_m(s.worst_after_m)),
     };
+    let rounding = if review.functions.is_some() { ", the controller's rounding apart" } else { "" };
     writeln!(
         out,
-        "worst TCP error of the compensated motions{known} over all minutes: {} mm before, {after} after",
+        "worst TCP error of the compensated motions{known} over all minutes: {} mm before, {after} after{rounding}",
         mm(s.worst_before_m)
     )
 }

@@ -162,6 +162,12 @@ fn write_result(
     if let Err(message) = place_all(std::mem::take(&mut written.pending)) {
         return Ok(Err(message.into()));
     }
+    // Each of several files by its name; the verdict, which comes last, sums them up.
+    if written.emitted.len() > 1 {
+        for (path, size) in &written.emitted {
+            console.say(format_args!("wrote {} ({size} bytes)", path.display()));
+        }
+    }
     if let Some(text) = made.size_note() {
         console.say(text);
     }
@@ -233,9 +239,10 @@ fn written_line(written: &Written, warnings: usize) -> String {
             let lists: String =
                 lists.map(|(path, _)| format!("; {} lists the new module, too", path.display())).collect();
             format!(
-                "wrote {} and {} more, {bytes} bytes in all{lists}{warnings}",
+                "wrote {} and {} more {}, {bytes} bytes in all{lists}{warnings}",
                 first.display(),
-                report::counted(count - 1, "file")
+                count - 1,
+                report::plural(count - 1, "file")
             )
         }
     }

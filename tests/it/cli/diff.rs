@@ -117,6 +117,29 @@ fn a_ramp_is_told_by_its_settled_correction() {
     }
 }
 
+/// The same corrections as in the form `ramp`, whose text holds them.
+#[test]
+fn what_the_model_corrects_at_run_time_is_told_by_its_settled_correction() {
+    let bench = Bench::default();
+    let told = |form: &str| {
+        let to = bench.path(&format!("{form}.mod")).display().to_string();
+        let made = driftpost(&["compensate", CUBE, "-o", &to, "--form", form, "--diff", "none"]);
+        assert!(made.status.success(), "{}", err(&made));
+        let output = driftpost(&["diff", CUBE, &to, "--json", "-"]);
+        assert_eq!(output.status.code(), Some(1));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (out(&driftpost(&["diff", CUBE, &to])), json["motions"].as_array().unwrap().clone())
+    };
+    let ((text, live), (_, ramp)) = (told("live"), told("ramp"));
+    assert!(text.contains("46 corrected by the model at run time, up to 0.19"), "{text}");
+    for (a, b) in live.iter().zip(&ramp) {
+        let settled =
+            b["buckets"].as_array().unwrap().iter().map(|k| k["dp_mm"].as_f64().unwrap()).fold(0.0, f64::max);
+        assert!((a["settled_mm"].as_f64().unwrap() - settled).abs() < 0.001, "{a} {b}");
+        assert!(b["settled_mm"].is_null() && a["buckets"].as_array().unwrap().is_empty());
+    }
+}
+
 #[test]
 fn three_touched_up_points_go_through_restore_and_a_new_run() {
     let bench = Bench::default();

@@ -1,0 +1,75 @@
+//! What all motions and buckets of a comparison come to.
+
+use super::rounded;
+use rapid_program::compensate::compare::{ComparedMotion, Comparison};
+use robot_model::units::{deg_from_rad, mm_from_m};
+use serde_json::{Value, json};
+
+/// The worst of something over all motions and buckets.
+pub(super) struct Worst<'c> {
+    pub value: f64,
+    pub motion: &'c ComparedMotion,
+    pub bucket: Option<usize>,
+}
+
+/// What all motions and buckets come to, metres and radians.
+#[derive(Default)]
+pub(super) struct Figures<'c> {
+    pub distance: Option<Worst<'c>>,
+    pub angle: Option<Worst<'c>>,
+    pub joint: Option<Worst<'c>>,
+    pub jump: Option<Worst<'c>>,
+    pub limit: Option<Worst<'c>>,
+    pub singular: Option<Worst<'c>>,
+    pub same_configuration: bool,
+}
+
+impl<'c> Figures<'c> {
+    pub fn of(comparison: &'c Comparison) -> Self {
+        let mut figures = Self { same_configuration: true, ..Self::default() };
+        for motion in &comparison.motions {
+            for (k, step) in motion.steps.iter().enumerate() {
+                let bucket = bucket(motion, k);
+                let take = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
+                    let Some(value) = value else { return };
+                    if worst.as_ref().is_none_or(|worst| sign * value > sign * worst.value) {
+                        *worst = Some(Worst { value, motion, bucket });
+                    }
+                };
+                take(&mut figures.distance, Some(step.distance_m), 1.0);
+                take(&mut figures.angle, Some(step.angle_rad), 1.0);
+                take(&mut figures.joint, step.arm.map(|a| a.joint_rad), 1.0);
+                take(&mut figures.limit, step.arm.and_then(|a| a.limit_rad), -1.0);
+                take(&mut figures.singular, step.arm.map(|a| a.wrist_rad.min(a.elbow_rad)), -1.0);
+                // From bucket to bucket; element 1 is the original, which follows none.
+                let before = k.checked_sub(1).filter(|k| *k > 0).and_then(|k| motion.steps.get(k));
+                let jump = before.map(|before| {
+                    let apart = before.position_m.iter().zip(step.position_m).map(|(a, b)| (a - b).powi(2));
+                    apart.sum::<f64>().sqrt()
+                });
+                take(&mut figures.jump, jump, 1.0);
+                figures.same_configuration &=
+                    step.same_configuration && step.arm.is_none_or(|arm| arm.same_branch);
+            }
+        }
+        figures
+    }
+
+    pub fn json(&self) -> Value {
+        let of = |worst: &Option<Worst>, unit: fn(f64) -> f64| worst.as_ref().map(|w| rounded(unit(w.value)));
+        json!({
+            "dp_mm": of(&self.distance, mm_from_m),
+            "angle_deg": of(&self.angle, deg_from_rad),
+            "joint_deg": of(&self.joint, deg_from_rad),
+            "bucket_step_mm": of(&self.jump, mm_from_m),
+            "limit_margin_deg": of(&self.limit, deg_from_rad),
+            "singular_margin_deg": of(&self.singular, deg_from_rad),
+            "same_configuration": self.same_configuration,
+        })
+    }
+}
+
+/// The bucket of the k-th step; `None` for the original of a scheduled target, and where it is not scheduled.
+pub(super) fn bucket(compared: &ComparedMotion, k: usize) -> Option<usize> {
+    if compared.steps.len() > 1 { k.checked_sub(1) } else { None }
+}
