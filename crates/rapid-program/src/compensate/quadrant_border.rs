@@ -39,8 +39,11 @@ impl Crossing {
         [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
             let joint = axis - 1;
             let inside = within(nominal_rad[joint], quadrant);
-            let out = corrected_rad.iter().map(|q_rad| q_rad[joint]).find(|&q_rad| !within(q_rad, quadrant));
-            out.filter(|_| inside).map(|q_rad| Self { axis, quadrant, q_rad })
+            let out =
+                corrected_rad.iter().map(|q_rad| q_rad[joint]).filter(|&q_rad| !within(q_rad, quadrant));
+            let change_rad = |q_rad: &f64| (q_rad - nominal_rad[joint]).abs();
+            let farthest = out.max_by(|a, b| change_rad(a).total_cmp(&change_rad(b)));
+            farthest.filter(|_| inside).map(|q_rad| Self { axis, quadrant, q_rad })
         })
     }
 
