@@ -1,7 +1,7 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
 use super::destination::is_pgf;
-use super::files::{self, Output, Pending};
+use super::files::{self, Output, Pending, place_all};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use driftpost::report::LocatedDiagnostic;
@@ -57,7 +57,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         results.push((path, restored, pending));
     }
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
-    put_in_place(results, console)
+    put_in_place(results, Vec::new(), console)
 }
 
 /// A whole program, folder by folder: emitted modules become their originals, the common module goes, a `.pgf` loses it, and
@@ -113,14 +113,23 @@ fn restore_program(
         return Err(Diagnostic::error("restore::not-emitted", text).into());
     }
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
-    copies.into_iter().try_for_each(Pending::place)?;
-    put_in_place(results, console)
+    put_in_place(results, copies, console)
 }
 
-/// Puts originals in their places, and says what was changed since they were compensated.
-fn put_in_place(results: Vec<(&Path, Restored, Pending)>, console: &mut Console) -> anyhow::Result<Outcome> {
+/// Puts originals and copies in their places, and says what was changed since they were compensated.
+fn put_in_place(
+    results: Vec<(&Path, Restored, Pending)>,
+    copies: Vec<Pending>,
+    console: &mut Console,
+) -> anyhow::Result<Outcome> {
     let mut outcome = Outcome::Done;
+    let (mut all, mut placed) = (copies, Vec::with_capacity(results.len()));
     for (path, restored, pending) in results {
+        placed.push((path, restored, pending.path().to_path_buf()));
+        all.push(pending);
+    }
+    place_all(all)?;
+    for (path, restored, to) in placed {
         if !restored.touched.is_empty() || !restored.altered.is_empty() {
             outcome = Outcome::Difference;
         }
@@ -140,8 +149,6 @@ fn put_in_place(results: Vec<(&Path, Restored, Pending)>, console: &mut Console)
         }
         warn(path, &restored.altered, console);
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
-        let to = pending.path().to_path_buf();
-        pending.place()?;
         console.say(format_args!("wrote {} ({how})", to.display()));
     }
     Ok(outcome)
