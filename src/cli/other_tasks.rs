@@ -1,5 +1,6 @@
 //! Tasks of a controller's backup that are not among the files of a program.
 
+use rapid_program::program::task_of;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,9 +30,8 @@ pub fn beside(given: &[PathBuf]) -> Vec<String> {
 }
 
 fn is_task(folder: &Path) -> bool {
-    let name = folder.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    name.strip_prefix("task").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
-        && folder.is_dir()
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    task_of(&name).is_some() && folder.is_dir()
 }
 
 fn holds_files(folder: &Path) -> bool {

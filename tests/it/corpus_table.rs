@@ -4,6 +4,7 @@ use crate::folders;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
 use rapid_program::compensate::FormChoice;
 use rapid_program::compensate::plan::{Form, Status};
+use rapid_program::program::task_of;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::FileItem;
 use rapid_syntax::{SourceFile, walk};
@@ -92,8 +93,8 @@ fn what_becomes_of_every_motion() {
 fn programs(paths: &[PathBuf]) -> BTreeMap<PathBuf, Vec<PathBuf>> {
     let mut programs: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
     let is_task = |folder: &&Path| {
-        let name = folder.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-        name.strip_prefix("task").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+        let name = folder.file_name().unwrap_or_default().to_string_lossy();
+        task_of(&name).is_some()
     };
     for path in paths {
         let folder = path.ancestors().find(is_task).or(path.parent()).unwrap_or(path);

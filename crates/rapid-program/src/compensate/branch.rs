@@ -104,33 +104,33 @@ pub(super) fn branch_of(
             keep("reach::none", "its target is out of the arm's reach")
         });
     }
-    let target = Target { solutions: &solutions, conf, model };
+    let candidates = Candidates { solutions: &solutions, conf, model };
     let checked = motion.setup.conf_monitored;
     let one = |from: &ComesFrom| match motion.setup.path {
-        Path::Joint | Path::AbsJoint => target.of_joint_move(checked, from.joints()),
-        Path::Linear | Path::Circular => target.of_line(checked, from),
+        Path::Joint | Path::AbsJoint => candidates.of_joint_move(checked, from.joints()),
+        Path::Linear | Path::Circular => candidates.of_line(checked, from),
     };
     let mut all = from.iter().map(one);
     let mut branch = all.next().unwrap_or_else(|| one(&ComesFrom::Anywhere))?;
     for other in all {
         let other = other?;
-        let same_branch = target.cfx(&other.q_rad) == target.cfx(&branch.q_rad);
+        let same_branch = candidates.cfx(&other.q_rad) == candidates.cfx(&branch.q_rad);
         if !(same_branch && other.others.is_empty() && branch.others.is_empty()) {
-            return Ok(target.any());
+            return Ok(candidates.any());
         }
         branch.note = branch.note.or(other.note);
     }
     Ok(branch)
 }
 
-/// A robtarget with its solutions within the joints' ranges, of which there is one at least.
-struct Target<'t> {
+/// The solutions of a robtarget within the joints' ranges, of which there is one at least, and what its confdata say.
+struct Candidates<'t> {
     solutions: &'t [Solution],
     conf: &'t ConfData,
     model: &'t Model<'t>,
 }
 
-impl Target<'_> {
+impl Candidates<'_> {
     fn of_joint_move(
         &self,
         conf_monitored: Option<bool>,

@@ -34,7 +34,7 @@ pub enum CompensateError {
     /// Nothing deforms.
     #[error("there is nothing to correct: {what}")]
     NoDeformation {
-        /// What is empty.
+        /// The table or the model, and that it holds nothing, as a clause.
         what: &'static str,
     },
     /// The targets do not drift.
