@@ -1,7 +1,7 @@
 //! The stand gives: the whole robot tilts under its own overturning moment.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::MASS_ERROR;
+use super::rigid::{MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::scaled;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use nalgebra::Vector3;
@@ -10,8 +10,8 @@ use robot_model::deform::EffectKind;
 /// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
 pub struct BaseTilt;
 
-/// Prior standard deviation of the compliance, rad/(N.m).
-const USUAL: f64 = 1e-6;
+/// How far a foundation usually turns under the largest moment of the measurement, radians.
+const TILT_RAD: f64 = 1.5e-4;
 
 impl Effect for BaseTilt {
     fn kind(&self) -> EffectKind {
@@ -26,9 +26,12 @@ impl Effect for BaseTilt {
     fn source(&self) -> &'static str {
         "foundation as two rotary springs at the base"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
-        let mut sizes = vec![USUAL; 2];
-        sizes.extend([MASS_ERROR * USUAL; 6]);
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let across_n_m = |o: &Observation| o.loads.base_moment_n_m.xy().norm();
+        let largest_n_m = dataset.observations.iter().map(across_n_m).fold(0.0, f64::max);
+        let usual = sag_per_load(TILT_RAD, largest_n_m);
+        let mut sizes = vec![usual; 2];
+        sizes.extend([MASS_ERROR * usual; 6]);
         vec![Candidate {
             sign_constrained: true,
             n_reported: 2,

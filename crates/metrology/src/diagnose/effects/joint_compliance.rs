@@ -1,7 +1,7 @@
 //! A joint's gear gives under gravity's torque.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{LEVER_M, MASS_ERROR, turn_joint};
+use super::rigid::{LEVER_M, MASS_ERROR, sag_per_load, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
@@ -11,6 +11,10 @@ pub struct JointCompliance;
 /// How wrong a mass may be that was only guessed: gears are the softest part of an arm, and so it is they that get
 /// the benefit of the doubt; bending and tilt have to show with the guess.
 const GUESS_ERROR: f64 = 1.0;
+
+/// How far a joint usually sags under a large torque of the measurement, radians: as an angle it holds for an arm of 25 kg as
+/// for one of a ton, and whether the masses are known or guessed.
+const SAG_RAD: f64 = 5e-4;
 
 /// How far from linear a spring may be, over its linear part, and the share of those that are.
 const BENT: f64 = 0.5;
@@ -24,7 +28,7 @@ impl Effect for JointCompliance {
         "rad/(N.m)"
     }
     fn usual_size(&self) -> &'static str {
-        "2 to 20 urad/(N.m) in the arm, 20 to 200 in the wrist"
+        "0.2 to 1 mrad under the largest torque: 2 to 20 urad/(N.m) in the arm, 20 to 200 in the wrist"
     }
     fn source(&self) -> &'static str {
         "Khalil and Besnard 2002, Geometric calibration of robots with flexible joints and links"
@@ -34,7 +38,7 @@ impl Effect for JointCompliance {
         (0..6)
             .filter(|&j| dataset.observations.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6))
             .flat_map(|j| {
-                let prior_sigma = if j < 3 { 8e-6 } else { 8e-5 };
+                let prior_sigma = sag_per_load(SAG_RAD, dataset.large_torque_n_m(j));
                 [(false, 1.0 - BENT_WEIGHT), (true, BENT_WEIGHT)].map(|(refined, weight)| {
                     let mut sizes = vec![prior_sigma];
                     sizes.extend(std::iter::repeat_n(error * prior_sigma, 6 - j));

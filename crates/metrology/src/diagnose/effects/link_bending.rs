@@ -1,7 +1,7 @@
 //! A link bends under what hangs beyond it.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::MASS_ERROR;
+use super::rigid::{MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Bend;
@@ -9,6 +9,9 @@ use robot_model::deform::gravity::Bend;
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
 /// more at one end than at the other, and each link's share of the load may be wrong.
 pub struct LinkBending;
+
+/// How far a link's end usually turns under the largest load of the measurement, radians: a third of a joint's sag.
+const BEND_RAD: f64 = 1.5e-4;
 
 /// How far the shares of an uneven cantilever usually lie from those of an even one: a hinge at its tip is at
 /// -1/2, -1/2, -1/3, one at its root at 1/2, 1/2, 2/3.
@@ -27,10 +30,15 @@ impl Effect for LinkBending {
     fn source(&self) -> &'static str {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         (0..5)
             .map(|i| {
-                let prior_sigma = if i < 3 { 1.5e-6 } else { 1.5e-5 };
+                let turn_n_m = |o: &Observation| {
+                    let [even, _] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
+                    even.turn_n_m.norm()
+                };
+                let largest_n_m = dataset.observations.iter().map(turn_n_m).fold(0.0, f64::max);
+                let prior_sigma = sag_per_load(BEND_RAD, largest_n_m);
                 let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
                 sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, 5 - i));
                 Candidate {

@@ -7,6 +7,15 @@ pub const LEVER_M: f64 = 0.08;
 /// How wrong a link's mass in the robot file may be, as a ratio.
 pub const MASS_ERROR: f64 = 0.3;
 
+/// No part of an arm gives more than this, rad/(N.m), however little its load is.
+const SOFTEST: f64 = 1e-3;
+
+/// Prior standard deviation of a compliance, rad/(N.m), of what usually turns by `angle_rad` under `largest_n_m`.
+#[must_use]
+pub fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
+    (angle_rad / largest_n_m.max(1e-9)).min(SOFTEST)
+}
+
 /// The geometric Jacobian's column of `joint` times `angle`.
 pub fn turn_joint(observation: &Observation, joint: Option<usize>, angle: f64, out: &mut Vec<Twist>) {
     out.push(scaled(observation.jacobian_column(joint.unwrap_or(0).min(5)), angle));

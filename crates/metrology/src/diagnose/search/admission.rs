@@ -7,8 +7,9 @@ use crate::diagnose::effects::{Candidate, steps_too_near};
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
 
-/// Most causes that are not gear lines, and most gear lines.
-pub(super) const MOST_CAUSES: usize = 4;
+/// Most causes that are not gear lines: an arm has a dozen gears, links and bearings that each give a little, and what is left
+/// out is taken by others. Most gear lines.
+const MOST_CAUSES: usize = 10;
 const MOST_LINES: usize = 80;
 /// Different angles of a joint that each line of its gear needs.
 const ANGLES_PER_LINE: usize = 3;

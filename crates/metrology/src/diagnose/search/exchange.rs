@@ -1,6 +1,5 @@
 //! What is chosen, tried again: each cause against its alternatives, gear lines against their neighbours, two against one.
 
-use super::admission::MOST_CAUSES;
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR, cause_columns};
 use super::library::{Library, TrackedCandidate};
 use super::ranking::{BestEffect, HypothesisRanking};
@@ -12,6 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// So many periods per turn to either side of a line are its neighbours.
 const NEIGHBOURS: u32 = 5;
+
+/// Offsets of so many joints stay together: an arm that was never calibrated.
+const OFFSETS_TOGETHER: usize = 4;
 
 /// The state of one search.
 pub(super) struct Search<'s> {
@@ -163,7 +165,7 @@ impl Library<'_> {
         let mut i = 0;
         while i < search.chosen.len() {
             let c = search.chosen[i].candidate;
-            if self.candidates[c].kind == EffectKind::JointOffset && search.chosen.len() > MOST_CAUSES {
+            if self.candidates[c].kind == EffectKind::JointOffset && search.chosen.len() > OFFSETS_TOGETHER {
                 let nuisance = search.nuisance(&search.others(&[i]));
                 if self.gain(&nuisance, search.subset, c) < DROP_NATS {
                     search.chosen.remove(i);
