@@ -2,6 +2,7 @@
 
 use super::{files, suggest};
 use driftpost::application::Named;
+use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
@@ -45,6 +46,15 @@ pub fn identified(path: &Path) -> Result<Named<Identified>, Diagnostic> {
     let model =
         Identified::from_toml(&text).map_err(|error| in_file(&path.display().to_string(), error.into()))?;
     Ok(Named::new(model, file_name(path), &bytes))
+}
+
+/// The joints that a program's motions are known to end with.
+///
+/// # Errors
+/// A file that cannot be read, or what is wrong in it.
+pub fn joints_hint(path: &Path) -> Result<JointsHint, Diagnostic> {
+    let bytes = files::read(path, "joints hint")?;
+    JointsHint::read(&bytes).map_err(|error| in_file(&path.display().to_string(), error.into()))
 }
 
 /// The deformation beside a model: the table that is named, else none, growing as the model's own terms do.

@@ -144,6 +144,10 @@ pub struct Args {
     #[arg(long, value_name = "NAME", help_heading = "What is accepted")]
     pub home: Option<String>,
 
+    /// Joints that motions end with (CSV: file,line,q1_deg,..,q6_deg), as a post-processor knows them: makes branches certain.
+    #[arg(long, value_name = "FILE", help_heading = "What is accepted")]
+    pub joints_hint: Option<PathBuf>,
+
     /// Leave the motions of this target, routine or module alone; * and ? stand for any letters. Repeatable.
     #[arg(long, value_name = "GLOB", help_heading = "What is accepted")]
     pub keep: Vec<String>,
@@ -294,10 +298,12 @@ pub enum CoreName {
 
 impl Args {
     /// What is asked of the compensation.
-    #[must_use]
-    pub fn options(&self, identified: Option<&Named<Identified>>) -> Options {
+    ///
+    /// # Errors
+    /// What is wrong with the joints hint.
+    pub fn options(&self, identified: Option<&Named<Identified>>) -> Result<Options, Diagnostic> {
         let [max_m, max_rad] = Compensation::largest_correction(identified.is_some());
-        Options {
+        Ok(Options {
             form: self.form.into(),
             model: identified.map(|named| Arc::new(named.model.clone())),
             payload_kg: self.payload_kg,
@@ -312,9 +318,10 @@ impl Args {
             absolute_accuracy: self.absolute_accuracy,
             strict: self.strict,
             start_rad: self.start_joints.map(|joints| joints.0),
+            joints_hint: self.joints_hint.as_deref().map(model::joints_hint).transpose()?.map(Arc::new),
             selection: Selection { keep: self.keep.clone(), only: self.only.clone() },
             gap_min: matches!(self.clock, ClockName::Warmth).then_some(self.gap_min),
-        }
+        })
     }
 
     /// The robot, its deformation and its model.
@@ -339,7 +346,7 @@ impl Args {
     pub fn compensation(&self) -> Result<Compensation, Diagnostic> {
         let Models { robot, deformation, identified } = self.models()?;
         Ok(Compensation {
-            options: self.options(identified.as_ref()),
+            options: self.options(identified.as_ref())?,
             emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
             overrides: self.overrides(),
             allow_non_nominal: self.allow_non_nominal,

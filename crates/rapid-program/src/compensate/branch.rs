@@ -28,7 +28,7 @@ pub(super) enum ComesFrom {
 }
 
 impl ComesFrom {
-    fn joints(&self) -> Option<&[f64; 6]> {
+    pub(super) fn joints(&self) -> Option<&[f64; 6]> {
         match self {
             Self::Joints(q_rad) => Some(q_rad),
             Self::UnknownBranch | Self::Anywhere => None,
@@ -75,6 +75,8 @@ pub(super) enum Note {
     BranchChange,
     /// `[0,0,0,0]` and nothing to check it against.
     Unset,
+    /// Joints that are known from outside are on another branch than the straight line ends in.
+    HintElsewhere,
     /// Nobody checks confdata, and the text does not tell where the arm comes from.
     Unchecked,
 }
@@ -124,10 +126,10 @@ pub(super) fn branch_of(
 }
 
 /// The solutions of a robtarget within the joints' ranges, of which there is one at least, and what its confdata say.
-struct Candidates<'t> {
-    solutions: &'t [Solution],
-    conf: &'t ConfData,
-    model: &'t Model<'t>,
+pub(super) struct Candidates<'t> {
+    pub(super) solutions: &'t [Solution],
+    pub(super) conf: &'t ConfData,
+    pub(super) model: &'t Model<'t>,
 }
 
 impl Candidates<'_> {
@@ -176,7 +178,7 @@ impl Candidates<'_> {
 
     /// The solution nearest to where the arm comes from on its branch. Close to the wrist singularity the sign of joint 5
     /// is none of the branch.
-    fn along(&self, from: &[f64; 6]) -> Option<[f64; 6]> {
+    pub(super) fn along(&self, from: &[f64; 6]) -> Option<[f64; 6]> {
         let near_wrist = self.model.closed.posture(from).wrist_rad.abs() < rad_from_deg(WRIST_DEG);
         let drop = u32::from(near_wrist);
         let here = self.cfx(from) >> drop;
@@ -184,7 +186,7 @@ impl Candidates<'_> {
     }
 
     /// The solution with all four numbers of confdata.
-    fn as_written(&self) -> Option<[f64; 6]> {
+    pub(super) fn as_written(&self) -> Option<[f64; 6]> {
         let ConfData { cf1, cf4, cf6, cfx } = *self.conf;
         let written = Configuration { cf1, cf4, cf6, cfx };
         self.solutions.iter().find(|s| self.model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
@@ -192,7 +194,7 @@ impl Candidates<'_> {
 
     /// The solution on the branch that cfx names: with all numbers of confdata, else the one with fewest quarter turns
     /// amiss, and of those the nearest. Whole turns of axes 4 and 6 change no correction.
-    fn by_cfx(&self, from: Option<&[f64; 6]>) -> Option<Branch> {
+    pub(super) fn by_cfx(&self, from: Option<&[f64; 6]>) -> Option<Branch> {
         if let Some(written) = self.as_written() {
             return Some(Branch::known(written));
         }
@@ -223,7 +225,7 @@ impl Candidates<'_> {
         Branch { q_rad, others, note: None }
     }
 
-    fn cfx(&self, q_rad: &[f64; 6]) -> i32 {
+    pub(super) fn cfx(&self, q_rad: &[f64; 6]) -> i32 {
         self.model.closed.configuration(q_rad).cfx
     }
 
@@ -286,6 +288,12 @@ impl Note {
                     "the target cannot be reached on the branch the arm comes along; the configuration {written} was used"
                 ),
                 "a straight line cannot change branch: check that the move runs at all",
+            ),
+            Self::HintElsewhere => (
+                "hint::line-branch",
+                "the hinted joints are on another branch than the one that a straight line from the motion before ends in"
+                    .to_owned(),
+                "the hint was believed; a straight line changes branch only through a singularity: check that the move runs",
             ),
             Self::Unset => (
                 "conf::unset",

@@ -4,6 +4,7 @@
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
 use super::error::CompensateError;
+use super::joints_hint::Hints;
 use super::model::Model;
 use super::nominal::resolve;
 use super::options::Options;
@@ -94,7 +95,7 @@ pub fn compare(
 ) -> Result<Comparison, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
-    let (resolved, _) = resolve(before, &model, start_rad);
+    let (resolved, _) = resolve(before, &model, start_rad, &Hints::new());
     let mut out = Comparison::default();
     let place = |is_before: bool, motion: &Motion| pairs.of(is_before, motion.file);
     let mut others = by_routine(after, &|motion| place(false, motion));

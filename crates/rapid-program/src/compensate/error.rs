@@ -1,5 +1,6 @@
 //! Why a program cannot be compensated at all.
 
+use super::joints_hint::JointsHintError;
 use crate::program::motion::SkipReason;
 use crate::schedule::ScheduleError;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -31,6 +32,9 @@ pub enum CompensateError {
         /// The pattern as written.
         pattern: String,
     },
+    /// The joints hint belongs to another program.
+    #[error(transparent)]
+    Hint(#[from] JointsHintError),
     /// Nothing deforms.
     #[error("there is nothing to correct: {what}")]
     NoDeformation {
@@ -80,6 +84,7 @@ impl CompensateError {
             Self::ModelTemperature => "model::temperature",
             Self::Schedule(error) => error.code(),
             Self::Selection { .. } => "option::names-nothing",
+            Self::Hint(error) => error.code(),
             Self::NoDeformation { .. } => "deform::nothing",
             Self::NoDrift { .. } => "compensate::no-drift",
             Self::NoMotion => "compensate::no-motion",

@@ -10,6 +10,8 @@ mod correct;
 mod drift;
 mod error;
 mod figures;
+mod hinted_branch;
+mod joints_hint;
 mod live;
 mod live_basis;
 mod messages;
@@ -33,6 +35,7 @@ mod warm_joints;
 mod wobj_shift_baseline;
 
 pub use error::CompensateError;
+pub use joints_hint::{JointsHint, JointsHintError};
 pub use live_basis::LiveBasis;
 pub use minutes::{MinuteJoints, joints_every_minute};
 pub use options::{FormChoice, Options};

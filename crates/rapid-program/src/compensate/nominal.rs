@@ -1,6 +1,8 @@
 //! Where each motion is meant to go, and with which joints.
 
 use super::branch::{Branch, ComesFrom, WRIST_DEG, branch_of};
+use super::hinted_branch::{check_pose, hinted_branch};
+use super::joints_hint::{Hinted, Hints};
 use super::messages::Messages;
 use super::model::Model;
 use super::placement::{Placement, keep};
@@ -9,6 +11,7 @@ use crate::program::data::JointTarget;
 use crate::program::few::Few;
 use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Conditions, Payload};
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeSet;
@@ -160,13 +163,15 @@ impl Resolved {
 
 /// All motions of a program, in their order, and what is to be said about them; load and direction are still to be filled in.
 ///
-/// `start_rad`: the joints with which the arm stands when the program's entry is called, where they are known.
+/// `start_rad`: the joints with which the arm stands when the program's entry is called, where they are known; `hints` are those
+/// that motions are known to end with.
 pub(super) fn resolve(
     program: &Program,
     model: &Model,
     start_rad: Option<[f64; 6]>,
+    hints: &Hints,
 ) -> (Vec<Resolved>, Messages) {
-    let mut resolver = Resolver { program, model, start_rad, apart: BTreeSet::new() };
+    let mut resolver = Resolver { program, model, start_rad, hints, apart: BTreeSet::new() };
     loop {
         let (resolved, messages) = resolver.pass();
         // A loop was entered on what its first way in said; the way back must say the same.
@@ -183,6 +188,7 @@ struct Resolver<'r> {
     program: &'r Program,
     model: &'r Model<'r>,
     start_rad: Option<[f64; 6]>,
+    hints: &'r Hints,
     /// Junctions whose ways bring the arm along on different branches.
     apart: BTreeSet<usize>,
 }
@@ -194,6 +200,11 @@ impl Resolver<'_> {
         let junction = self.program.junctions.get(&MotionId::new(i)).map_or(&[][..], Vec::as_slice);
         let all = motions[i].previous.iter().chain(junction).map(|before| before.index());
         all.filter(|&before| before < motions.len())
+    }
+
+    /// The joints that a motion is known to end with, by target.
+    fn hinted(&self, i: usize) -> &[Hinted] {
+        self.hints.get(&i).map_or(&[], Vec::as_slice)
     }
 
     /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
@@ -235,7 +246,13 @@ impl Resolver<'_> {
                     }
                 }
                 let from = self.comes_from(i, |p| done[p].as_ref());
-                done[i] = Some(resolve_motion(&motions[i], &from, self.model, &mut last, &mut messages));
+                done[i] = Some(resolve_motion(
+                    (&motions[i], self.hinted(i)),
+                    &from,
+                    self.model,
+                    &mut last,
+                    &mut messages,
+                ));
                 stack.pop();
             }
         }
@@ -249,7 +266,13 @@ impl Resolver<'_> {
         for i in self.program.junctions.keys().map(|junction| junction.index()) {
             let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&i)) else { continue };
             let from = self.comes_from(i, |p| resolved.get(p));
-            let again = resolve_motion(motion, &from, self.model, &mut None, &mut Messages::default());
+            let again = resolve_motion(
+                (motion, self.hinted(i)),
+                &from,
+                self.model,
+                &mut None,
+                &mut Messages::default(),
+            );
             let branch = |q_rad: &[f64; 6]| self.model.closed.configuration(q_rad).cfx;
             let branches = |resolved: &Resolved| resolved.joints.iter().map(branch).collect::<Vec<_>>();
             let known = resolved[i].may_be.is_none();
@@ -262,7 +285,7 @@ impl Resolver<'_> {
 }
 
 fn resolve_motion(
-    motion: &Motion,
+    (motion, hinted): (&Motion, &[Hinted]),
     from: &[ComesFrom],
     model: &Model,
     last: &mut Option<Arc<Placement>>,
@@ -271,7 +294,7 @@ fn resolve_motion(
     let indexed =
         motion.targets.iter().any(|target| target.value().is_none() && !target.elements().is_empty());
     let from = from.iter().map(|&from| if indexed { from.anywhere() } else { from }).collect();
-    let placed = place_targets(motion, from, model, last, messages);
+    let placed = place_targets((motion, hinted), from, model, last, messages);
     let (placement, branches, failed) = match placed {
         Ok((placement, branches)) => (Some(placement), branches, None),
         Err(why) => (None, Vec::new(), Some(why)),
@@ -318,7 +341,7 @@ fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Skip
 }
 
 fn place_targets(
-    motion: &Motion,
+    (motion, hinted): (&Motion, &[Hinted]),
     mut from: Vec<ComesFrom>,
     model: &Model,
     last: &mut Option<Arc<Placement>>,
@@ -334,17 +357,36 @@ fn place_targets(
     if motion.targets.iter().any(|target| target.values().next().is_none()) {
         return Err(keep("keep::runtime-target", "its target is only known at run time"));
     }
-    for target in motion.targets.iter() {
+    let mut say = |message: Diagnostic| messages.add(Some(motion.setup.routine), message);
+    for (k, target) in motion.targets.iter().enumerate() {
+        // Of an array's elements a hint cannot say which it means.
+        let hinted = hinted.get(k).copied().filter(|_| target.value().is_some());
         for value in target.values() {
             let branch = match value {
                 TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
-                    Branch::known(all_axes(&joints)?)
+                    let q_rad = all_axes(&joints)?;
+                    let base_from_flange = hinted.map(|hinted| (hinted, model.nominal.forward(&q_rad)));
+                    if let Some((hinted, there)) = base_from_flange
+                        && let Err(message) = check_pose(motion, &there, hinted, model)
+                    {
+                        say(message);
+                    }
+                    Branch::known(q_rad)
                 }
                 TargetValue::Rob(pose) => {
                     let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
-                    let branch = branch_of(motion, &base_from_flange, &pose.conf, &from, model)?;
+                    let placed = (motion, &base_from_flange, &pose.conf);
+                    let by_hint =
+                        hinted.map(|hinted| hinted_branch(placed, &from, model, hinted)).transpose();
+                    let branch = match by_hint.unwrap_or_else(|message| {
+                        say(message);
+                        None
+                    }) {
+                        Some(branch) => branch,
+                        None => branch_of(motion, &base_from_flange, &pose.conf, &from, model)?,
+                    };
                     if let Some(note) = branch.note {
-                        messages.add(Some(motion.setup.routine), note.message(motion, &pose.conf));
+                        say(note.message(motion, &pose.conf));
                     }
                     branch
                 }

@@ -1,5 +1,6 @@
 //! What is asked of a compensation.
 
+use super::joints_hint::JointsHint;
 use super::plan::Form;
 use super::selection::Selection;
 use crate::schedule::{Request, Until, Width};
@@ -78,6 +79,8 @@ pub struct Options {
     pub selection: Selection,
     /// Joints with which the arm stands when the program's entry is called, radians; `None` where that is not known.
     pub start_rad: Option<[f64; 6]>,
+    /// Joints of the program's motions as who planned them knows them: the branch is then certain.
+    pub joints_hint: Option<Arc<JointsHint>>,
     /// An identified model, on top of the deformation.
     pub model: Option<Arc<Identified>>,
     /// Load on the flange where the tools' load data do not say it, kg; `None` = as they say.
@@ -102,6 +105,7 @@ impl Default for Options {
             gap_min: Some(5.0),
             selection: Selection::default(),
             start_rad: None,
+            joints_hint: None,
             model: None,
             payload_kg: None,
             joint_temperature_c: None,

@@ -52,7 +52,8 @@ pub fn plan(
     plausible::check_deformation(&model, &mut of_plan)?;
     let left_alone = options.selection.of(program)?;
     let start_rad = options.start_rad.or(program.home_rad);
-    let (mut resolved, mut messages) = resolve(program, &model, start_rad);
+    let hints = options.joints_hint.as_deref().map(|hint| hint.by_motion(program)).transpose()?;
+    let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints.unwrap_or_default());
     conditions::fill(program, &model, &mut resolved);
     keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
     keep_as_asked(program, options, &mut resolved);

@@ -2,6 +2,7 @@
 
 mod branches;
 mod cube;
+mod hints;
 mod pages;
 
 use super::*;

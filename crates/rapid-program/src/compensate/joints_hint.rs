@@ -1,0 +1,227 @@
+//! Joints of a program's motions from outside, as a post-processor knows them: a CSV by file and line.
+//!
+//! Knows nothing of arms: what a row says is checked where the motion it belongs to is placed.
+
+use crate::program::Program;
+use csv::{ReaderBuilder, StringRecord, Trim};
+use rapid_syntax::diagnostic::{Diagnostic, LineIndex};
+use robot_model::units::rad_from_deg;
+use std::collections::BTreeMap;
+use thiserror::Error;
+
+/// The joints that somebody who planned the program says its motions end with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JointsHint {
+    rows: Vec<HintRow>,
+}
+
+/// One row: the joints at one target of one motion.
+#[derive(Clone, Debug, PartialEq)]
+struct HintRow {
+    /// The program's file, by its name or the end of its path; `None` where the program has one file.
+    file: Option<String>,
+    /// Line of the motion in that file, from 1.
+    line: u32,
+    joints: Hinted,
+}
+
+/// Joints at one target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hinted {
+    /// The line of the hint's file, from 1.
+    pub(super) row: u64,
+    /// The six axes, radians.
+    pub(super) q_rad: [f64; 6],
+}
+
+/// For motions by their position the joints at each of their targets.
+pub(super) type Hints = BTreeMap<usize, Vec<Hinted>>;
+
+/// What can be wrong with a file of hints.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum JointsHintError {
+    /// The file is not CSV, or has no rows.
+    #[error("joints hint, line {line}: {message}")]
+    Csv {
+        /// Its number, counted from 1.
+        line: u64,
+        /// What is wrong.
+        message: String,
+    },
+    /// A column is missing.
+    #[error("joints hint: the header `{header}` has no column `{column}`; write file,line,q1_deg,...,q6_deg")]
+    Header {
+        /// As the file has it.
+        header: String,
+        /// The missing column.
+        column: &'static str,
+    },
+    /// A row that belongs to no motion.
+    #[error("joints hint, line {row}: {what}")]
+    Place {
+        /// Its line in the hint's file, from 1.
+        row: u64,
+        /// Why it belongs to none.
+        what: String,
+    },
+}
+
+impl JointsHintError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Csv { .. } | Self::Header { .. } => "hint::csv",
+            Self::Place { .. } => "hint::line",
+        }
+    }
+}
+
+impl From<JointsHintError> for Diagnostic {
+    fn from(error: JointsHintError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
+}
+
+const JOINTS: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
+
+impl JointsHint {
+    /// Reads `file,line,q1_deg,...,q6_deg`, columns by name in any order, others ignored: the line of a motion in a file of the
+    /// program, and the joints that it ends with, degrees. An arc has two rows, its circle point's first. Without `file` all rows
+    /// are of the program's only file.
+    ///
+    /// # Errors
+    /// `hint::csv`, with the line.
+    pub fn read(bytes: &[u8]) -> Result<Self, JointsHintError> {
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+        let lines = LineIndex::new(bytes);
+        let csv_error = |error: csv::Error| {
+            let (line, message) = robot_model::csv_lines::line_and_problem(&lines, bytes, &error, false);
+            JointsHintError::Csv { line, message }
+        };
+        let names = reader.headers().map_err(csv_error)?.clone();
+        let find = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
+        let column = |wanted: &'static str| {
+            let header = || names.iter().collect::<Vec<_>>().join(",");
+            find(wanted).ok_or_else(|| JointsHintError::Header { header: header(), column: wanted })
+        };
+        let (file, at) = (find("file"), column("line")?);
+        let joints: Vec<usize> = JOINTS.into_iter().map(column).collect::<Result<_, _>>()?;
+        let mut rows = Vec::new();
+        for row in reader.into_records() {
+            let row = row.map_err(csv_error)?;
+            let line = robot_model::csv_lines::line_of_record(&lines, bytes, row.position(), false);
+            let mut q_rad = [0.0; 6];
+            for (q_rad, &column) in q_rad.iter_mut().zip(&joints) {
+                *q_rad = rad_from_deg(angle(&names, &row, line, column)?);
+            }
+            let name = file.and_then(|column| row.get(column)).filter(|name| !name.is_empty());
+            let number = row.get(at).unwrap_or_default();
+            let wrong = || JointsHintError::Csv { line, message: format!("`{number}` is no line of a file") };
+            rows.push(HintRow {
+                file: name.map(|name| name.replace('\\', "/")),
+                line: number.parse().ok().filter(|line| *line > 0).ok_or_else(wrong)?,
+                joints: Hinted { row: line, q_rad },
+            });
+        }
+        if rows.is_empty() {
+            return Err(JointsHintError::Csv { line: 1, message: "there are no rows".to_owned() });
+        }
+        Ok(Self { rows })
+    }
+
+    /// The rows by the motions that they belong to.
+    ///
+    /// # Errors
+    /// `hint::line`: a file or a line that has no motion, or not as many rows as the motions of that line have targets.
+    pub(super) fn by_motion(&self, program: &Program) -> Result<Hints, JointsHintError> {
+        let mut motions: BTreeMap<(usize, u32), Vec<usize>> = BTreeMap::new();
+        for (i, motion) in program.motions.iter().enumerate() {
+            motions.entry((motion.file.0 as usize, motion.line)).or_default().push(i);
+        }
+        let mut rows: BTreeMap<(usize, u32), Vec<Hinted>> = BTreeMap::new();
+        for row in &self.rows {
+            let file = file_of(program, row)?;
+            rows.entry((file, row.line)).or_default().push(row.joints);
+        }
+        let mut hints = Hints::new();
+        for ((file, line), joints) in rows {
+            let here = motions.get(&(file, line)).map_or(&[][..], Vec::as_slice);
+            let targets: usize = here.iter().map(|&i| program.motions[i].targets.len()).sum();
+            if targets != joints.len() {
+                let path = &program.files[file].path;
+                let what = match targets {
+                    0 => format!("there is no motion in line {line} of {path}"),
+                    _ => format!(
+                        "the motions in line {line} of {path} have {targets} targets, the hint {} rows for it",
+                        joints.len()
+                    ),
+                };
+                return Err(JointsHintError::Place { row: joints[0].row, what });
+            }
+            let mut joints = joints.into_iter();
+            for &i in here {
+                hints.insert(i, joints.by_ref().take(program.motions[i].targets.len()).collect());
+            }
+        }
+        Ok(hints)
+    }
+}
+
+/// The position of the file that a row names.
+fn file_of(program: &Program, row: &HintRow) -> Result<usize, JointsHintError> {
+    let wrong = |what: String| JointsHintError::Place { row: row.joints.row, what };
+    let Some(name) = &row.file else {
+        return match program.files.len() {
+            1 => Ok(0),
+            n => Err(wrong(format!("the program has {n} files, and the row does not say which is meant"))),
+        };
+    };
+    let is_named = |path: &str| {
+        let head = path.len().checked_sub(name.len());
+        let tail = head.and_then(|head| Some((path.get(..head)?, path.get(head..)?)));
+        tail.is_some_and(|(head, tail)| {
+            (head.is_empty() || head.ends_with('/')) && tail.eq_ignore_ascii_case(name)
+        })
+    };
+    let mut named = program.files.iter().enumerate().filter(|(_, file)| is_named(&file.path));
+    match (named.next(), named.next()) {
+        (Some((file, _)), None) => Ok(file),
+        (None, _) => Err(wrong(format!("{name} is none of the program's files"))),
+        (Some(_), Some(_)) => Err(wrong(format!("several of the program's files are called {name}"))),
+    }
+}
+
+fn angle(names: &StringRecord, row: &StringRecord, line: u64, column: usize) -> Result<f64, JointsHintError> {
+    let text = row.get(column).unwrap_or_default();
+    text.parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
+        let name = names.get(column).unwrap_or_default();
+        JointsHintError::Csv { line, message: format!("{name}: `{text}` is not a finite number") }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_found_by_name_and_faults_by_line() {
+        let text = b"LINE,q6_deg,q5_deg,q4_deg,q3_deg,q2_deg,q1_deg,note\r\n7,180,0,0,0,0,-90,x\r\n";
+        let hint = JointsHint::read(text).unwrap();
+        let [row] = &hint.rows[..] else { panic!("{hint:?}") };
+        assert_eq!((row.line, row.joints.row, &row.file), (7, 2, &None));
+        let [quarter, half] = [std::f64::consts::FRAC_PI_2, std::f64::consts::PI];
+        assert_eq!(row.joints.q_rad, [-quarter, 0.0, 0.0, 0.0, 0.0, half]);
+
+        let said = |text: &str| JointsHint::read(text.as_bytes()).unwrap_err().to_string();
+        let head = "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
+        assert_eq!(said(head), "joints hint, line 1: there are no rows");
+        assert!(
+            said(&format!("{head}\na,1,0,0,0,0,0,0\na,2,0,0,nan,0,0,0\n")).contains("line 3: q3_deg: `nan`")
+        );
+        assert!(said(&format!("{head}\na,0,0,0,0,0,0,0\n")).contains("line 2: `0` is no line"));
+        assert!(said(&format!("{head}\na,1,0,0\n")).contains("line 2: 4 cells"));
+        assert!(said("file,line,q1_deg\n").contains("no column `q2_deg`"));
+    }
+}
