@@ -42,14 +42,28 @@
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
 //! [`virtual_controller`], [`metrology`] and [`exam`].
 
+// The command line names the library as who calls it from outside does.
+#[cfg(feature = "cli")]
+extern crate self as driftpost;
+
 pub mod application;
+#[cfg(feature = "cli")]
+mod cli;
 pub mod report;
 
+/// The `driftpost` program, for whoever brings it under a name of its own.
+#[cfg(feature = "cli")]
+pub mod command_line {
+    pub use crate::cli::model::{deformation, robot};
+    pub use crate::cli::{Captured, Outcome, compensation, run, run_captured, run_with};
+}
+
 pub use application::{
-    Compensated, Compensation, Course, Diagnosed, Diagnosis, Fit, Named, ProgramFiles, Question, Refusal,
-    Rehearsal, Simulation,
+    Arm, Compensated, Compensation, Course, Diagnosed, Diagnosis, Fit, Named, ProgramFiles, Question,
+    Refusal, Rehearsal, Simulation,
 };
 pub use metrology::measure::{Measurements, Touches};
+pub use rapid_syntax::diagnostic::{Diagnostic, Severity};
 pub use robot_model::deform::Deformation;
 pub use robot_model::robot::Robot;
 pub use virtual_controller::TrueRobot;

@@ -2,6 +2,7 @@
 //!
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
+mod arm;
 mod compensated;
 mod compensation;
 mod diagnosis;
@@ -12,6 +13,7 @@ mod question;
 mod rehearsal;
 mod simulation;
 
+pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};

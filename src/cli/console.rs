@@ -5,15 +5,20 @@
 
 use super::Outcome;
 use driftpost::report::{self, ColorMode, LocatedDiagnostic};
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use std::io::{self, IsTerminal, Write};
 
 /// Standard output and standard error.
 pub struct Console {
-    out: Sink<io::BufWriter<io::Stdout>>,
-    err: Sink<io::Stderr>,
-    /// Whether a person sees standard error.
+    out: Sink<Box<dyn Write>>,
+    err: Sink<Box<dyn Write>>,
+    /// Whether a person sees standard error, and whether in colours.
     err_is_terminal: bool,
+    err_is_coloured: bool,
+    /// Nothing but errors is said.
+    is_quiet: bool,
+    /// The errors that were told, where somebody collects them.
+    errors: Option<Vec<LocatedDiagnostic>>,
     /// Whether a person sees standard output, in colours.
     is_coloured: bool,
 }
@@ -22,12 +27,45 @@ impl Console {
     /// The process's own.
     #[must_use]
     pub fn of_process() -> Self {
+        let colours = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         Self {
-            out: Sink::new(io::BufWriter::with_capacity(1 << 16, io::stdout())),
-            err: Sink::new(io::stderr()),
+            out: Sink::new(Box::new(io::BufWriter::with_capacity(1 << 16, io::stdout()))),
+            err: Sink::new(Box::new(io::stderr())),
             err_is_terminal: io::stderr().is_terminal(),
-            is_coloured: io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+            err_is_coloured: io::stderr().is_terminal() && colours,
+            is_quiet: false,
+            errors: None,
+            is_coloured: io::stdout().is_terminal() && colours,
         }
+    }
+
+    /// One that writes to `out` and `err`, and keeps the errors that are told.
+    pub(super) fn collecting(out: impl Write + 'static, err: impl Write + 'static) -> Self {
+        Self {
+            out: Sink::new(Box::new(out)),
+            err: Sink::new(Box::new(err)),
+            err_is_terminal: false,
+            err_is_coloured: false,
+            is_quiet: false,
+            errors: Some(Vec::new()),
+            is_coloured: false,
+        }
+    }
+
+    /// The errors that were told.
+    pub(super) fn take_errors(&mut self) -> Vec<LocatedDiagnostic> {
+        self.errors.take().unwrap_or_default()
+    }
+
+    /// From here on nothing but errors is said.
+    pub(super) fn set_quiet(&mut self, is_quiet: bool) {
+        self.is_quiet = is_quiet;
+    }
+
+    /// Whether nothing but errors is said.
+    #[must_use]
+    pub fn is_quiet(&self) -> bool {
+        self.is_quiet
     }
 
     /// Where results go.
@@ -48,7 +86,7 @@ impl Console {
 
     /// Does long work; a person at a terminal sees that something goes on.
     pub fn while_busy<T>(&mut self, what: &'static str, work: impl FnOnce() -> T) -> T {
-        if !self.err_is_terminal {
+        if !self.err_is_terminal || self.is_quiet {
             return work();
         }
         let bar = indicatif::ProgressBar::new_spinner().with_message(what);
@@ -60,12 +98,31 @@ impl Console {
 
     /// Messages to standard error, with excerpts of the files they are about.
     pub fn explain(&mut self, messages: &[LocatedDiagnostic], all: bool) {
-        let look = if self.err_is_terminal { ColorMode::Coloured } else { ColorMode::Plain };
+        let is_error = |m: &&LocatedDiagnostic| m.diagnostic.severity == Severity::Error;
+        if let Some(errors) = &mut self.errors {
+            errors.extend(messages.iter().filter(is_error).cloned());
+        }
+        let errors: Vec<LocatedDiagnostic>;
+        let messages = if self.is_quiet {
+            errors = messages.iter().filter(is_error).cloned().collect();
+            &errors
+        } else {
+            messages
+        };
+        let look = if self.err_is_coloured { ColorMode::Coloured } else { ColorMode::Plain };
         let _ = report::write_messages(&mut self.err, messages, look, all); // as in `say`
+    }
+
+    /// Brings out what is still to be written, as far as there is a reader.
+    pub fn flush(&mut self) {
+        let _ = self.out.flush(); // told at the end
     }
 
     /// One line to standard error.
     pub fn say(&mut self, line: impl std::fmt::Display) {
+        if self.is_quiet {
+            return;
+        }
         let _ = writeln!(self.err, "{line}"); // nobody is left to tell that standard error is gone
     }
 
@@ -74,7 +131,13 @@ impl Console {
         let _ = self.out.flush();
         match error.downcast_ref::<Diagnostic>() {
             Some(message) => self.explain(&[LocatedDiagnostic::new(message.clone(), &[])], true),
-            None => self.say(format_args!("error: {error:#}")),
+            None => {
+                let text = format!("{error:#}");
+                if let Some(errors) = &mut self.errors {
+                    errors.push(LocatedDiagnostic::new(Diagnostic::error("run::failed", text), &[]));
+                }
+                let _ = writeln!(self.err, "error: {error:#}"); // as in `say`
+            }
         }
         Outcome::Refused
     }
@@ -89,6 +152,16 @@ impl Console {
 
     /// Shows help, the version, or what is wrong with the arguments.
     pub(super) fn usage(&mut self, error: &clap::Error) -> Outcome {
+        if let Some(errors) = &mut self.errors {
+            let text = error.to_string();
+            let _ = write!(self.err, "{text}"); // as in `say`
+            if !error.use_stderr() {
+                return Outcome::Done;
+            }
+            let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+            errors.push(LocatedDiagnostic::new(Diagnostic::error("option::usage", first), &[]));
+            return Outcome::Refused;
+        }
         match error.print() {
             Err(cause) if cause.kind() != io::ErrorKind::BrokenPipe => {
                 self.fail(&anyhow::Error::new(cause).context("standard output cannot be written"))

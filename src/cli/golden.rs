@@ -8,6 +8,7 @@ use super::compensate;
 use super::destination::Destination;
 use super::files::{self, Output, Pending};
 use super::program_input::ProgramInput;
+use super::settings;
 use super::{Console, Outcome};
 use clap::{Args as _, FromArgMatches};
 use driftpost::application::write_file_diff;
@@ -17,6 +18,7 @@ use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -143,26 +145,14 @@ fn options(case: &Path) -> Result<compensate::Args, Diagnostic> {
     let text = if path.exists() { files::read(&path, "file of options")? } else { Vec::new() };
     let text = String::from_utf8(text).map_err(|error| wrong(error.to_string()))?;
     let table: toml::Table = toml::from_str(&text).map_err(|error| wrong(error.message().to_owned()))?;
-    let mut words = vec!["compensate".to_owned()];
+    let mut words = vec![OsString::from("compensate")];
     for (name, value) in &table {
-        let values = match value {
-            toml::Value::Array(list) => list.as_slice(),
-            one => std::slice::from_ref(one),
-        };
-        for value in values {
-            match value {
-                toml::Value::Boolean(true) => words.push(format!("--{name}")),
-                toml::Value::Boolean(false) => {}
-                toml::Value::String(text) => {
-                    let file = case.join(text);
-                    let text = if file.is_file() { file.display().to_string() } else { text.clone() };
-                    words.push(format!("--{name}={text}"));
-                }
-                number => words.push(format!("--{name}={number}")),
-            }
-        }
+        words.extend(settings::words(name, value, |text| {
+            let file = case.join(text);
+            if file.is_file() { file.display().to_string() } else { text.to_owned() }
+        }));
     }
-    words.push(case.join("source").display().to_string());
+    words.push(case.join("source").into());
     let command = compensate::Args::augment_args(clap::Command::new("compensate"));
     let matches = command.try_get_matches_from(words).map_err(|error| wrong(error.to_string()))?;
     compensate::Args::from_arg_matches(&matches).map_err(|error| wrong(error.to_string()))

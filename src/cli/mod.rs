@@ -18,6 +18,7 @@ mod other_tasks;
 mod outcome;
 mod pending;
 pub mod program_input;
+mod settings;
 pub mod shared;
 pub mod suggest;
 
@@ -44,10 +45,17 @@ pub use console::Console;
 pub use outcome::Outcome;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
+use driftpost::Compensation;
+use driftpost::report::LocatedDiagnostic;
 use rapid_syntax::diagnostic::Diagnostic;
+use settings::Settings;
+use std::cell::RefCell;
+use std::ffi::OsString;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::rc::Rc;
 
 /// Drift compensation for ABB RAPID programs, and diagnosis of why a robot does not stand where its
 /// model says.
@@ -57,6 +65,18 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "driftpost", version, arg_required_else_help = true, max_term_width = 110)]
 struct Cli {
+    /// Defaults of the options, a TOML file [default: driftpost.toml, found upwards from what the command works on].
+    #[arg(long, value_name = "FILE", global = true, help_heading = "Settings")]
+    settings: Option<PathBuf>,
+
+    /// Show every option with its value and where that comes from, and do nothing.
+    #[arg(long, global = true, help_heading = "Settings")]
+    show_settings: bool,
+
+    /// Say nothing but errors, and show only what was asked for with `-`.
+    #[arg(short, long, global = true, help_heading = "Settings")]
+    quiet: bool,
+
     #[command(subcommand)]
     command: Command,
 }
@@ -169,27 +189,123 @@ fn near_command(error: &clap::Error) -> Option<String> {
 #[must_use]
 pub fn run() -> ExitCode {
     interrupt::install();
-    let mut console = Console::of_process();
+    run_with(std::env::args_os().collect()).into()
+}
+
+/// Runs the program on the words of a command line, of which the first is its own name.
+#[must_use]
+pub fn run_with(words: Vec<OsString>) -> Outcome {
+    run_on(&words, &mut Console::of_process())
+}
+
+/// What a run would have written, and the errors among it.
+#[derive(Debug)]
+pub struct Captured {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Standard output.
+    pub output: Vec<u8>,
+    /// Standard error.
+    pub messages: Vec<u8>,
+    /// The errors that are told in `messages`.
+    pub errors: Vec<LocatedDiagnostic>,
+}
+
+/// As [`run_with`], with what is written kept.
+#[must_use]
+pub fn run_captured(words: &[OsString]) -> Captured {
+    let (out, err) = (Kept::default(), Kept::default());
+    let mut console = Console::collecting(out.clone(), err.clone());
+    let outcome = run_on(words, &mut console);
+    let errors = console.take_errors();
+    drop(console);
+    Captured { outcome, output: out.0.take(), messages: err.0.take(), errors }
+}
+
+/// Bytes that are kept.
+#[derive(Clone, Default)]
+struct Kept(Rc<RefCell<Vec<u8>>>);
+
+impl Write for Kept {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.borrow_mut().extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// The compensation that options of `compensate` ask for, each as on the command line (`--tolerance-mm=0.02`).
+///
+/// # Errors
+/// `option::usage`, or what is wrong with a file that they name.
+pub fn compensation(options: &[String]) -> Result<Compensation, Diagnostic> {
+    let words = ["compensate", "-"].into_iter().map(OsString::from).chain(options.iter().map(OsString::from));
+    let command = compensate::Args::augment_args(clap::Command::new("compensate"));
+    let args = command
+        .allow_negative_numbers(true)
+        .try_get_matches_from(words)
+        .and_then(|matches| compensate::Args::from_arg_matches(&matches));
+    let args = args.map_err(|error| {
+        let text = error.to_string();
+        let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+        Diagnostic::error("option::usage", first)
+    })?;
+    args.check()?;
+    args.compensation()
+}
+
+fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
     let command = Cli::command().mut_subcommands(|command| command.allow_negative_numbers(true));
-    let parsed = command.try_get_matches().and_then(|matches| {
-        let cli = Cli::from_arg_matches(&matches)?;
-        Ok((matches, cli))
-    });
-    let (matches, cli) = match parsed {
+    let (matches, settings) = match parse(&command, words) {
         Ok(parsed) => parsed,
-        Err(error) => {
+        Err(Stop::Settings(message)) => return console.fail(&message.into()),
+        Err(Stop::Usage(error)) => {
             let ended = console.usage(&error);
             if let Some(near) = near_command(&error) {
                 console.say(format_args!("did you mean '{near}'?"));
             }
-            return ended.into();
+            return ended;
         }
     };
-    let outcome = keep_apart(&matches)
-        .map_err(anyhow::Error::from)
-        .and_then(|()| dispatch(&cli.command, &mut console))
-        .unwrap_or_else(|error| console.fail(&error));
-    console.finish(outcome).into()
+    let cli = match Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(error) => return console.usage(&error),
+    };
+    console.set_quiet(cli.quiet);
+    let shown = matches.subcommand().filter(|_| cli.show_settings);
+    let outcome = match shown.and_then(|(name, given)| Some((command.find_subcommand(name)?, given))) {
+        Some((command, given)) => write!(console.out(), "{}", settings.table(command, given))
+            .map(|()| Outcome::Done)
+            .map_err(anyhow::Error::from),
+        None => {
+            keep_apart(&matches).map_err(anyhow::Error::from).and_then(|()| dispatch(&cli.command, console))
+        }
+    };
+    let outcome = outcome.unwrap_or_else(|error| console.fail(&error));
+    console.finish(outcome)
+}
+
+/// Why nothing is run.
+enum Stop {
+    Usage(clap::Error),
+    Settings(Diagnostic),
+}
+
+/// The command line, with the defaults of the settings in it.
+fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Settings), Stop> {
+    // Built: only then the commands know the options that all of them have.
+    let mut built = command.clone();
+    built.build();
+    let usage = |words: &[OsString]| command.clone().try_get_matches_from(words).map_err(Stop::Usage);
+    // What is missing may stand in the settings.
+    let first = command.clone().ignore_errors(true).try_get_matches_from(words);
+    let Ok(first) = first else { return Ok((usage(words)?, Settings::default())) };
+    let settings = Settings::find(&built, &first).map_err(Stop::Settings)?;
+    let Some(name) = first.subcommand_name() else { return Ok((usage(words)?, settings)) };
+    Ok((usage(&settings.add_to(words, name))?, settings))
 }
 
 #[cfg(test)]

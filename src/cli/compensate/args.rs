@@ -215,6 +215,10 @@ pub struct Args {
     #[arg(long, help_heading = "Results")]
     pub force: bool,
 
+    /// Run again whenever a file of the program is written anew, until interrupted.
+    #[arg(long, conflicts_with = "in_place", help_heading = "Results")]
+    pub watch: bool,
+
     /// What is shown of the difference: short (changed motions and the first targets, at most 60 lines), none, - (the whole
     /// on standard output), or a file for the whole as a unified diff.
     #[arg(long, value_name = "short|none|-|FILE", default_value = "short", help_heading = "Results")]

@@ -1,6 +1,7 @@
 //! `driftpost compensate`: the main job.
 
 mod args;
+mod watch;
 
 pub(in crate::cli) use args::temperatures;
 pub use args::{Args, Temperatures};
@@ -88,6 +89,10 @@ impl DiffTo {
 /// # Errors
 /// What keeps a result from being written, with what was written until then; everything else is a refusal, which says why.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    if args.watch { watch::run(args, console) } else { run_once(args, console) }
+}
+
+fn run_once(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut json = Some(Output::new(args.json.as_deref())?);
     match write_result(args, console, &mut json) {
         Ok(written) => written.map(|()| Outcome::Done),
@@ -115,7 +120,8 @@ fn write_result(
     destination.keep_apart(&[args.json.as_deref(), Some(&args.diff), args.joints_csv.as_deref()])?;
     destination.open()?;
     let mut joints_file = Output::new(args.joints_csv.as_deref())?;
-    let is_quiet = json.as_ref().is_some_and(Output::is_standard)
+    let is_quiet = console.is_quiet()
+        || json.as_ref().is_some_and(Output::is_standard)
         || joints_file.is_standard()
         || destination.is_standard();
     let mut diff = DiffTo::new(&args.diff, is_quiet)?;

@@ -1,0 +1,118 @@
+"""RoboDK post-processor: what the installed ABB post writes, corrected for thermal drift by driftpost.
+
+Put this file and ABB_RAPID_IRC5_driftpost.toml into RoboDK's folder Posts, and choose it for the robot. The program driftpost is
+found beside this file, on the PATH, or where the environment variable DRIFTPOST says. Options of `driftpost compensate` stand in the
+TOML file. Where driftpost refuses, the originals stay on disk, nothing is left to be sent to the robot, and the log says why.
+"""
+
+import csv
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+
+from ABB_RAPID_IRC5 import *  # what RoboDK's programs use of a post: Pose, Mat, ...
+from ABB_RAPID_IRC5 import RobotPost as InstalledPost
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SETTINGS = os.path.join(HERE, "ABB_RAPID_IRC5_driftpost.toml")
+MOTION = re.compile(r"\s*(?:Move|Arc|Clad)(AbsJ|C|J|L)\b", re.IGNORECASE)
+
+
+def driftpost():
+    """Path of the program, or None."""
+    beside = os.path.join(HERE, "driftpost.exe" if os.name == "nt" else "driftpost")
+    return os.environ.get("DRIFTPOST") or (beside if os.path.isfile(beside) else shutil.which("driftpost"))
+
+
+class RobotPost(InstalledPost):
+    """The installed post; the joints of all moves are kept, as the text of linear moves has none."""
+
+    def __init__(self, *args, **kwargs):
+        super().__init__(*args, **kwargs)
+        self.PROG_FILES = []
+        self._joints = []  # for each move the joints of its targets, degrees
+
+    def MoveJ(self, pose, joints, *args, **kwargs):
+        self._joints.append([joints and list(joints)])
+        super().MoveJ(pose, joints, *args, **kwargs)
+
+    def MoveL(self, pose, joints, *args, **kwargs):
+        self._joints.append([joints and list(joints)])
+        super().MoveL(pose, joints, *args, **kwargs)
+
+    def MoveC(self, pose1, joints1, pose2, joints2, *args, **kwargs):
+        self._joints.append([joints1 and list(joints1), joints2 and list(joints2)])
+        super().MoveC(pose1, joints1, pose2, joints2, *args, **kwargs)
+
+    def ProgSave(self, folder, progname, ask_user=False, show_result=False, *args, **kwargs):
+        super().ProgSave(folder, progname, ask_user, False, *args, **kwargs)
+        if self.PROG_FILES:  # else the user has cancelled
+            self.PROG_FILES = self._compensated(list(self.PROG_FILES), progname)
+        for path in self.PROG_FILES if show_result else []:
+            if isinstance(show_result, (str, list)):
+                subprocess.Popen(([show_result] if isinstance(show_result, str) else show_result) + [path])
+            elif os.name == "nt":
+                os.startfile(path)
+        if show_result and self.LOG:
+            mbox("Program generation LOG:\n\n" + self.LOG)
+
+    def ProgSendRobot(self, *args, **kwargs):
+        if self.PROG_FILES:
+            super().ProgSendRobot(*args, **kwargs)
+        else:
+            self._say("driftpost: nothing was sent to the robot")
+
+    def _compensated(self, files, progname):
+        """The corrected files in place of the originals; none where driftpost refuses."""
+        program = driftpost()
+        if program is None:
+            self._say("driftpost: the program is neither beside this post nor on the PATH; nothing will be sent")
+            return []
+        output = os.path.join(os.path.dirname(os.path.abspath(files[0])), progname + "_tc")
+        made = [os.path.join(output, os.path.basename(path)) for path in files]
+        os.makedirs(output, exist_ok=True)
+        with tempfile.TemporaryDirectory() as folder:
+            where = made[0] if len(made) == 1 else os.path.join(output, "")
+            command = [program, "compensate", *files, "-o", where, "--diff", "none"]
+            if os.path.isfile(SETTINGS):
+                command += ["--settings", SETTINGS]
+            hint = os.path.join(folder, "joints.csv")
+            if self._write_hint(hint, files):
+                command += ["--joints-hint", hint]
+            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
+        self._say(done.stdout.decode("utf-8", "replace"))
+        if done.returncode != 0:
+            self._say("driftpost: refused; the originals stay, and nothing will be sent")
+            if not os.listdir(output):
+                os.rmdir(output)
+            return []
+        # Programs of several pages share one clock; what else lies there is of another day.
+        core = os.path.join(output, "tcCore" + os.path.splitext(made[0])[1])
+        return made + [core] if len(made) > 1 and os.path.isfile(core) else made
+
+    def _write_hint(self, path, files):
+        """The joints of the moves by file and line; none where the text does not hold the moves that were posted."""
+        places = []
+        for file in files:
+            with open(file, encoding="latin-1") as text:
+                for number, line in enumerate(text, 1):
+                    kind = MOTION.match(line)
+                    if kind:
+                        places.append((os.path.basename(file), number, 2 if kind[1].upper() == "C" else 1))
+        if [targets for *_, targets in places] != [len(targets) for targets in self._joints]:
+            self._say("driftpost: the text does not hold the moves that were posted; their joints are not used")
+            return False
+        rows = [[file, line, *joints[:6]] for (file, line, _), move in zip(places, self._joints)
+                if all(joints is not None and len(joints) >= 6 for joints in move) for joints in move]
+        with open(path, "w", newline="") as out:
+            table = csv.writer(out)
+            table.writerow(["file", "line"] + ["q%i_deg" % i for i in range(1, 7)])
+            table.writerows(rows)
+        return bool(rows)
+
+    def _say(self, text):
+        print(text)
+        self.LOG += text.rstrip() + "\n"

@@ -1,0 +1,188 @@
+//! Defaults of a shop: `driftpost.toml`, found upwards from what a command works on. The command line wins.
+
+use super::{OUTPUTS, files, suggest};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Command};
+use rapid_syntax::diagnostic::Diagnostic;
+use std::any::TypeId;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// What a folder's defaults stand in.
+const FILE: &str = "driftpost.toml";
+/// Commands that take defaults. Those that work on an emitted program read what it was made with from its own comments.
+const COMMANDS: [&str; 9] = [
+    "accuracy",
+    "closed-loop",
+    "compare-measurements",
+    "compensate",
+    "diagnose",
+    "fit",
+    "plan",
+    "tabulate",
+    "validate",
+];
+/// Options that say what is done this time, beside those that name a result.
+const THIS_TIME: [&str; 8] =
+    ["in_place", "force", "all", "settings", "show_settings", "quiet", "watch", "joints_hint"];
+
+/// The defaults that hold for a command.
+#[derive(Debug, Default)]
+pub struct Settings {
+    /// The file they stand in.
+    path: PathBuf,
+    /// Words of the command line that say the same.
+    words: Vec<OsString>,
+    /// The options that are set, by their ids.
+    ids: BTreeSet<String>,
+}
+
+impl Settings {
+    /// The defaults of the file that `--settings` names, or that is found upwards from the command's first file; none for commands
+    /// that take none.
+    ///
+    /// # Errors
+    /// `settings::*`, naming file and key.
+    pub fn find(command: &Command, matches: &ArgMatches) -> Result<Self, Diagnostic> {
+        let Some((name, given)) = matches.subcommand() else { return Ok(Self::default()) };
+        let named = matches.get_one::<PathBuf>("settings").or_else(|| given.get_one("settings"));
+        let found = named.cloned().or_else(|| upwards(&start(command.find_subcommand(name)?, given)?));
+        let Some(path) = found.filter(|_| COMMANDS.contains(&name)) else { return Ok(Self::default()) };
+        let wrong =
+            |code: &'static str, text: String| Diagnostic::error(code, format!("{}: {text}", path.display()));
+        let text = String::from_utf8(files::read(&path, "file of settings")?)
+            .map_err(|error| wrong("settings::toml", error.to_string()))?;
+        let table: toml::Table =
+            toml::from_str(&text).map_err(|error| wrong("settings::toml", error.to_string()))?;
+        let mut settings = Self { path: path.clone(), ..Self::default() };
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let mut own = toml::Table::new();
+        for (key, value) in &table {
+            match (value, COMMANDS.contains(&key.as_str())) {
+                (toml::Value::Table(table), true) => {
+                    check(command, key, table).map_err(|(code, text)| wrong(code, text))?;
+                    if key == name {
+                        own.extend(table.clone());
+                    }
+                }
+                _ => {
+                    let known = COMMANDS.iter().find(|one| option(command, one, key).is_some());
+                    let one = toml::Table::from_iter([(key.clone(), value.clone())]);
+                    check(command, known.unwrap_or(&name), &one).map_err(|(code, text)| wrong(code, text))?;
+                }
+            }
+        }
+        // What stands under the command's own name wins over what stands for all.
+        let shared = table.iter().filter(|(key, value)| !value.is_table() && !own.contains_key(*key));
+        let all: Vec<_> = shared.chain(&own).collect();
+        let Some(command) = command.find_subcommand(name) else { return Ok(settings) };
+        for (key, value) in all {
+            let Some(arg) = command.get_arguments().find(|arg| arg.get_long() == Some(key)) else { continue };
+            let is_given = |id: &str| {
+                given.try_contains_id(id).is_ok() && given.value_source(id) == Some(ValueSource::CommandLine)
+            };
+            let conflicts = command.get_arg_conflicts_with(arg);
+            let against = command.get_arguments().filter(|other| {
+                conflicts.iter().any(|c| c.get_id() == other.get_id())
+                    || command.get_arg_conflicts_with(other).iter().any(|c| c.get_id() == arg.get_id())
+            });
+            if is_given(arg.get_id().as_str())
+                || against.into_iter().any(|other| is_given(other.get_id().as_str()))
+            {
+                continue;
+            }
+            settings.words.extend(words(key, value, |text| in_folder(arg, &folder, text)));
+            settings.ids.insert(arg.get_id().to_string());
+        }
+        Ok(settings)
+    }
+
+    /// The command line with the defaults in it, behind the name of the command.
+    #[must_use]
+    pub fn add_to(&self, words: &[OsString], command: &str) -> Vec<OsString> {
+        let is_value = |at: usize| at > 0 && words[at - 1] == "--settings";
+        let at =
+            (1..words.len()).find(|&at| words[at] == command && !is_value(at)).unwrap_or(words.len() - 1);
+        [&words[..=at], &self.words, &words[at + 1..]].concat()
+    }
+
+    /// Every option of a command with its value and where that comes from.
+    #[must_use]
+    pub fn table(&self, command: &Command, given: &ArgMatches) -> String {
+        let mut text = String::new();
+        for arg in command.get_arguments() {
+            let (id, Some(long)) = (arg.get_id().as_str(), arg.get_long()) else { continue };
+            if given.try_contains_id(id).is_err() || THIS_TIME.contains(&id) || OUTPUTS.contains(&id) {
+                continue;
+            }
+            let values =
+                given.get_raw(id).map_or_else(Vec::new, |all| all.map(|v| v.to_string_lossy()).collect());
+            let from = match given.value_source(id) {
+                Some(ValueSource::CommandLine) if self.ids.contains(id) => self.path.display().to_string(),
+                Some(ValueSource::CommandLine) => "command line".to_owned(),
+                Some(_) => "default".to_owned(),
+                None => continue,
+            };
+            let value = if values.is_empty() { "true".to_owned() } else { values.join(" ") };
+            let _ = writeln!(text, "{long} = {value}  ({from})"); // a String takes everything
+        }
+        text
+    }
+}
+
+/// The words of a command line that say what a key of a TOML file says; `place` makes of a text what stands for it.
+pub fn words(key: &str, value: &toml::Value, place: impl Fn(&str) -> String) -> Vec<OsString> {
+    let values = match value {
+        toml::Value::Array(list) => list.as_slice(),
+        one => std::slice::from_ref(one),
+    };
+    let word = |value: &toml::Value| match value {
+        toml::Value::Boolean(true) => Some(format!("--{key}").into()),
+        toml::Value::Boolean(false) => None,
+        toml::Value::String(text) => Some(format!("--{key}={}", place(text)).into()),
+        number => Some(format!("--{key}={number}").into()),
+    };
+    values.iter().filter_map(word).collect()
+}
+
+fn option<'c>(command: &'c Command, name: &str, key: &str) -> Option<&'c Arg> {
+    command.find_subcommand(name)?.get_arguments().find(|arg| arg.get_long() == Some(key))
+}
+
+/// Whether the keys of a table are options of a command that may have a default.
+fn check(command: &Command, name: &str, table: &toml::Table) -> Result<(), (&'static str, String)> {
+    for key in table.keys() {
+        let Some(arg) = option(command, name, key) else {
+            let known = command.find_subcommand(name).into_iter().flat_map(Command::get_arguments);
+            let near = suggest::nearest(key, known.filter_map(Arg::get_long));
+            let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+            return Err(("settings::unknown", format!("`{key}` is no option of {name}{near}")));
+        };
+        let id = arg.get_id().as_str();
+        if THIS_TIME.contains(&id) || OUTPUTS.contains(&id) || id.ends_with("_out") {
+            return Err(("settings::not-a-default", format!("`{key}` belongs on the command line")));
+        }
+    }
+    Ok(())
+}
+
+/// A file as the folder of the settings has it; what is no file stays as it is.
+fn in_folder(arg: &Arg, folder: &Path, text: &str) -> String {
+    let file = folder.join(text);
+    let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+    if is_path || file.is_file() { file.display().to_string() } else { text.to_owned() }
+}
+
+/// The first file or folder that a command works on.
+fn start(command: &Command, given: &ArgMatches) -> Option<PathBuf> {
+    let mut first = command.get_positionals();
+    let id = first.next()?.get_id().as_str();
+    given.try_get_many::<PathBuf>(id).ok().flatten()?.next().cloned()
+}
+
+fn upwards(from: &Path) -> Option<PathBuf> {
+    let real = std::path::absolute(from).ok()?;
+    real.ancestors().map(|folder| folder.join(FILE)).find(|file| file.is_file())
+}

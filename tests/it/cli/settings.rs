@@ -1,0 +1,106 @@
+//! Defaults of a shop, `--quiet` and `--watch`.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use std::fs;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+fn shown(arguments: &[&str]) -> Vec<String> {
+    let output = driftpost(&[arguments, &["--show-settings"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    out(&output).lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn the_nearest_file_upwards_holds_and_the_command_line_wins() {
+    let bench = Bench::default();
+    bench.file("driftpost.toml", "tolerance-mm = 0.5\nform = \"live\"\n");
+    let near = bench.file(
+        "shop/driftpost.toml",
+        "form = \"schedule\"\ntolerance-mm = 0.1\ndeformation = \"drift.csv\"\nuntil = 60\n\
+         [compensate]\ntolerance-mm = 0.02\nkeep = [\"a*\", \"b*\"]\n[diagnose]\nsigma-mm = 0.03\n",
+    );
+    let program = bench.file("shop/line/cell/Cube45.mod", fs::read(CUBE).unwrap());
+    let lines = shown(&["compensate", &program, "--form", "ramp", "--bucket-min", "5"]);
+    let has = |line: String| assert!(lines.contains(&line), "{line}\n{}", lines.join("\n"));
+    has("form = ramp  (command line)".to_owned());
+    has(format!("until = 60  ({near})"));
+    has(format!("keep = a* b*  ({near})"));
+    has(format!("deformation = {}  ({near})", bench.path("shop/drift.csv").display()));
+    has("robot = irb140  (default)".to_owned());
+    // A bucket's width on the command line stands against the tolerance of the file.
+    assert!(!lines.iter().any(|line| line.starts_with("tolerance-mm") && line.contains(&near)), "{lines:?}");
+    let lines = shown(&["compensate", &program]);
+    assert!(lines.contains(&format!("tolerance-mm = 0.02  ({near})")), "{lines:?}");
+    // What only another command has is left alone.
+    let table = bench.file("shop/m.csv", "");
+    let lines = shown(&["diagnose", &table]);
+    assert!(lines.contains(&format!("sigma-mm = 0.03  ({near})")), "{lines:?}");
+    assert_eq!(bench.files().len(), 4, "nothing is done");
+}
+
+#[test]
+fn settings_change_what_is_made() {
+    let bench = Bench::default();
+    let program = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
+    bench.file("driftpost.toml", "tolerance-mm = 0.02\nform = \"ramp\"\n");
+    let output = driftpost(&["compensate", &program, "--quiet"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!((out(&output), err(&output)), (String::new(), String::new()), "--quiet");
+    assert!(bench.text("Cube45_tc.mod").contains("tcAt("));
+    let other = bench.file("other.toml", "tolerance-mm = 0.02\n");
+    let output = driftpost(&["compensate", "--settings", &other, &program]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(bench.text("Cube45_tc.mod").contains("{tcK()}"), "the file that is named, alone");
+}
+
+#[test]
+fn what_is_no_default_is_refused_with_its_key() {
+    let bench = Bench::default();
+    let program = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
+    for (text, code, named) in [
+        ("tolerence-mm = 1\n", "settings::unknown", "did you mean `tolerance-mm`?"),
+        ("[compensate]\nsigma-mm = 1\n", "settings::unknown", "`sigma-mm` is no option of compensate"),
+        ("in-place = true\n", "settings::not-a-default", "`in-place`"),
+        ("[compensate]\noutput = \"x\"\n", "settings::not-a-default", "`output`"),
+        ("robot = \n", "settings::toml", "driftpost.toml"),
+    ] {
+        bench.file("driftpost.toml", text);
+        let output = driftpost(&["compensate", &program]);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(err(&output).contains(code) && err(&output).contains(named), "{text}: {}", err(&output));
+    }
+    let output = driftpost(&["compensate", &program, "--settings", "/nowhere/x.toml"]);
+    assert!(err(&output).contains("input::missing"), "{}", err(&output));
+    assert_eq!(bench.files(), ["Cube45.mod", "driftpost.toml"]);
+}
+
+#[test]
+fn a_program_that_is_written_anew_is_compensated_again() {
+    let bench = Bench::default();
+    let text = fs::read_to_string(CUBE).unwrap();
+    let program = bench.file("Cube45.mod", &text);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+        .args(["compensate", &program, "--watch", "--tolerance-mm", "0.05"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let made = bench.path("Cube45_tc.mod");
+    let wait_for = |word: &str| {
+        let start = Instant::now();
+        while !fs::read_to_string(&made).is_ok_and(|text| text.contains(word)) {
+            assert!(start.elapsed() < Duration::from_secs(120), "{word} does not come");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    };
+    wait_for("PROC Cube45()");
+    bench.file("Cube45.mod", "MODULE");
+    bench.file("Cube45.mod", text.replace("PROC Cube45()", "PROC Anew()"));
+    wait_for("PROC Anew()");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let output = driftpost(&["compensate", "-", "--watch"]);
+    assert!(err(&output).contains("watch::standard"), "{}", err(&output));
+}
