@@ -1,9 +1,9 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
-use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
+use super::cause_rows::{number, percent, plainly, rows};
+use metrology::diagnose::{Diagnosis, FalseRow, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::units::deg_from_rad;
-use std::fmt::Write;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.
 const MOST_LISTED: usize = 12;
@@ -17,6 +17,9 @@ const MOST_FALSE: usize = 12;
 pub fn text(d: &Diagnosis, robot: &str) -> String {
     let mut page = String::new();
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
+    mostly_explained(&mut page, d);
+    left(&mut page, d);
+    line(&mut page, &format!("Next: {}.", next_step(d)));
     line(&mut page, "");
     line(&mut page, &format!("{robot}, {} rows, {} stations.", d.rows, d.stations));
     noise(&mut page, d);
@@ -25,6 +28,68 @@ pub fn text(d: &Diagnosis, robot: &str) -> String {
     gain(&mut page, d);
     next(&mut page, d);
     page
+}
+
+/// A model that takes this share of the gap's square explains most of it, whatever the verdict says of the rest.
+const MOST: f64 = 0.9;
+/// A candidate that is named as what explains it.
+const LIKELY_CANDIDATE: f64 = 0.4;
+
+/// What is explained although the verdict is that something is not.
+fn mostly_explained(page: &mut String, d: &Diagnosis) {
+    let Some(ratio) = d.shrink.ratio.filter(|ratio| 1.0 - ratio * ratio >= MOST) else { return };
+    if matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
+        let share = 100.0 * (1.0 - ratio * ratio);
+        // A candidate's probability is at most one half under these verdicts.
+        let likely = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE);
+        let leading: Vec<String> = likely
+            .take(3)
+            .map(|c| format!("{} ({:.3} mm at the tool)", describe(c), c.rms_mm.unwrap_or(0.0)))
+            .collect();
+        let by = match leading.is_empty() {
+            true => "small errors of all joints' geometry and the nearest candidates".to_owned(),
+            false => leading.join("; "),
+        };
+        line(
+            page,
+            &format!("Mostly explained all the same: {share:.0} % of the gap's square is taken by {by}."),
+        );
+    }
+}
+
+/// What is left, in one line.
+fn left(page: &mut String, d: &Diagnosis) {
+    let s = &d.shrink;
+    if let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) {
+        line(
+            page,
+            &format!(
+                "Gap: {before:.3} mm, {after:.3} mm with the model on poses held out, of which noise {floor:.3} mm (rms, 3-D)."
+            ),
+        );
+    }
+}
+
+/// What to do with this verdict.
+fn next_step(d: &Diagnosis) -> String {
+    let poses = match d.next_measurements.len() {
+        0 => String::new(),
+        n => format!("measure the {n} poses below, {}", d.next_reason),
+    };
+    let write = if d.no_model.is_none() {
+        "write the model (--model-out), validate it on other poses, compensate with it"
+    } else {
+        "no model can be written"
+    };
+    match d.verdict {
+        Verdict::Explained | Verdict::Several if poses.is_empty() => write.to_owned(),
+        Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
+        Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
+        Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
+        Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),
+        _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
+        _ => poses,
+    }
 }
 
 /// What the one cause means, in brackets.
@@ -129,7 +194,7 @@ fn evidence(page: &mut String, d: &Diagnosis) {
     line(page, "");
     line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
     zeros(page, d);
-    let rows = rows(&d.causes);
+    let rows = rows(&d.causes, named);
     for row in rows.iter().take(MOST_LISTED) {
         line(page, &format!("  {row}"));
     }
@@ -146,117 +211,6 @@ fn evidence(page: &mut String, d: &Diagnosis) {
         line(page, "");
         line(page, "What it is not");
         line(page, &format!("  {}", wanting.join("; ")));
-    }
-}
-
-/// A row for each cause; the lines of one joint's gear, where there are several, share one.
-fn rows(causes: &[Cause]) -> Vec<String> {
-    const LINES: usize = 8;
-    let mut rows = Vec::new();
-    let mut told = Vec::new();
-    for cause in causes {
-        let lines: Vec<&Cause> =
-            causes.iter().filter(|c| c.effect == EffectKind::GearMesh && c.joint == cause.joint).collect();
-        if cause.effect != EffectKind::GearMesh || lines.len() < 3 {
-            rows.push(in_words(cause));
-        } else if !told.contains(&cause.joint) {
-            told.push(cause.joint);
-            let orders: Vec<String> =
-                lines.iter().take(LINES).filter_map(|c| c.n).map(|n| n.to_string()).collect();
-            let more = lines.len() - orders.len();
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            let joint = cause.joint.map_or_else(String::new, |j| format!(" of joint {j}"));
-            let mut row = format!(
-                "gear_mesh{joint} ({}): {}{more} per turn",
-                plainly(EffectKind::GearMesh),
-                orders.join(", ")
-            );
-            if let Some(rms_mm) = cause.rms_mm {
-                let _ = write!(row, "; the first {}", moves(rms_mm));
-            }
-            rows.push(row);
-        }
-    }
-    rows
-}
-
-/// What an effect is, for someone who has never read its name.
-fn plainly(effect: EffectKind) -> &'static str {
-    match effect {
-        EffectKind::JointOffset => "its zero is off",
-        EffectKind::LinkGeometry => "the link is not as drawn",
-        EffectKind::JointCompliance => "its gear gives under gravity's torque",
-        EffectKind::LinkBending => "the link bends under what hangs beyond it",
-        EffectKind::BaseTilt => "the stand gives under the robot's weight",
-        EffectKind::GearEccentricity => "a gear or encoder disc runs out of centre",
-        EffectKind::GearSecondHarmonic => "a gear or bearing is oval",
-        EffectKind::GearMesh => "teeth or rollers of its gear",
-        EffectKind::JointGain => "it turns a little more or less than it says",
-        EffectKind::JointCoupling => "one joint turns the other a little",
-        EffectKind::Backlash => "play in its gear",
-        EffectKind::ThermalLinkGrowth => "links grow as they warm up",
-        EffectKind::ThermalJointDrift => "its zero drifts as it warms up",
-        EffectKind::JointStep => "its zero jumped at one moment",
-        EffectKind::BaseDrift => "base and instrument creep apart",
-        EffectKind::BaseStep => "base or instrument was moved",
-        EffectKind::InstrumentScale => "the instrument's lengths are scaled",
-        EffectKind::ToolDrift => "the target creeps on the flange",
-        EffectKind::ToolStep => "the target was moved on the flange",
-        EffectKind::PayloadMass => "the payload weighs more or less than declared",
-        EffectKind::JointRounding => "joints are written with too few decimals",
-        EffectKind::SwappedAxes => "measured axes are swapped or mirrored",
-        EffectKind::GearSpectrum => "",
-    }
-}
-
-fn in_words(cause: &Cause) -> String {
-    let mut text = describe(cause);
-    let plain = plainly(cause.effect);
-    if !plain.is_empty() {
-        let _ = write!(text, " ({plain})");
-    }
-    if let Some(size) = cause.size {
-        let unit = if cause.unit == "1" { String::new() } else { format!(" {}", cause.unit) };
-        // Writing to a String cannot fail.
-        let _ = match cause.sigma {
-            Some(sigma) if sigma > size => {
-                write!(text, ": size open, under {}{unit}", number(size + 2.0 * sigma))
-            }
-            Some(sigma) => write!(text, ": {} +- {}{unit}", number(size), number(sigma)),
-            None => write!(text, ": {}{unit}", number(size)),
-        };
-    }
-    if let Some(rms_mm) = cause.rms_mm {
-        let _ = write!(text, ", {}", moves(rms_mm));
-    }
-    let _ = write!(text, "; probability {}", percent(cause.posterior));
-    text
-}
-
-/// What an effect does at the measured point; one on an axis that the point lies on is seen by the orientation alone.
-fn moves(rms_mm: f64) -> String {
-    if rms_mm < 0.0005 {
-        "turns the tool without moving it".to_owned()
-    } else {
-        format!("moves the tool by {rms_mm:.3} mm")
-    }
-}
-
-fn percent(p: f64) -> String {
-    if p > 0.999 {
-        "over 99.9 %".to_owned()
-    } else if p < 0.001 {
-        "under 0.1 %".to_owned()
-    } else {
-        format!("{:.1} %", 100.0 * p)
-    }
-}
-
-fn number(value: f64) -> String {
-    if value != 0.0 && !(1e-2..1e5).contains(&value.abs()) {
-        format!("{value:.2e}")
-    } else {
-        format!("{value:.3}")
     }
 }
 
@@ -339,7 +293,7 @@ fn next(page: &mut String, d: &Diagnosis) {
         return;
     }
     line(page, "");
-    line(page, &format!("What to measure next, {}", d.next_reason));
+    line(page, "What to measure next");
     line(page, "  approach: the way in which joints 1 to 6 turned last, + or -");
     for pose in &d.next_measurements {
         let joints: Vec<String> = pose.q_deg.iter().map(|q| format!("{q:7.1}")).collect();

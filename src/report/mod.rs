@@ -4,6 +4,7 @@
 //! of files and terminals: everything is written to a [`std::io::Write`].
 
 pub mod accuracy;
+mod cause_rows;
 pub mod changed;
 mod comparison;
 mod comparison_figures;

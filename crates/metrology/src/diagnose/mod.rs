@@ -40,4 +40,4 @@ pub use outcome::{
     NextMeasurement, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
 pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
-pub use verdict::describe;
+pub use verdict::{GearBand, describe, gear_bands};

@@ -6,7 +6,7 @@ mod size;
 mod structure;
 mod wording;
 
-pub use wording::{describe, describe_candidate};
+pub use wording::{GearBand, describe, describe_candidate, gear_bands};
 
 use super::evidence::NuisanceModel;
 use super::gp_alternative::GpAlternative;
@@ -294,18 +294,9 @@ fn with_causes(
     } else if causes.is_empty() {
         (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
     } else if clear < needed.min(2) || scale {
-        let set = match causes.as_slice() {
-            [one] => format!("{}; or something that is not in the library", describe(one)),
-            _ => in_short(&causes),
-        };
-        (Verdict::Ambiguous, format!("these data cannot tell apart: {set}"))
+        (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
     } else if needed > 1 {
-        let apart = match needed - clear {
-            0 => String::new(),
-            1 => "; for one of them these data leave a choice".to_owned(),
-            unclear => format!("; for {unclear} of them these data leave a choice"),
-        };
-        (Verdict::Several, format!("{needed} causes, each needed: {}{apart}", in_short(&causes)))
+        (Verdict::Several, format!("{needed} causes, each needed: {}", in_short(&causes)))
     } else {
         (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
     };

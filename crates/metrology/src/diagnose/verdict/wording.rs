@@ -106,31 +106,133 @@ pub fn missing_channels(dataset: &Dataset) -> String {
     }
 }
 
-/// Causes in words: gear lines joint by joint, and of many only the first few.
+/// Lines of one joint's gear together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GearBand {
+    /// Joint, from 1.
+    pub joint: usize,
+    /// How many lines.
+    pub lines: usize,
+    /// The lowest and the highest period per turn.
+    pub n: [u32; 2],
+    /// rms of the joint's angle over a turn, all lines together, rad.
+    pub rms_rad: f64,
+    /// At the measured point over these poses, all lines together, mm.
+    pub rms_mm: f64,
+}
+
+/// So many lines of one joint's gear are said together.
+const BAND: usize = 3;
+
+/// The lines of each joint's gear together, where there are several; and all other causes.
+#[must_use]
+pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
+    let of = |joint: usize| -> Vec<&Cause> {
+        causes.iter().filter(|c| c.effect == EffectKind::GearMesh && c.joint == Some(joint)).collect()
+    };
+    // Lines of different periods are independent over a turn: their squares add.
+    let together = |squares: f64| squares.sqrt();
+    let bands: Vec<GearBand> = (1..=6)
+        .map(|joint| (joint, of(joint)))
+        .filter(|(_, lines)| lines.len() >= BAND)
+        .map(|(joint, lines)| GearBand {
+            joint,
+            lines: lines.len(),
+            n: [
+                lines.iter().filter_map(|c| c.n).min().unwrap_or(0),
+                lines.iter().filter_map(|c| c.n).max().unwrap_or(0),
+            ],
+            rms_rad: together(lines.iter().filter_map(|c| c.size).map(|size| 0.5 * size * size).sum()),
+            rms_mm: together(lines.iter().filter_map(|c| c.rms_mm).map(|mm| mm * mm).sum()),
+        })
+        .collect();
+    let banded =
+        |c: &&Cause| c.effect == EffectKind::GearMesh && bands.iter().any(|b| Some(b.joint) == c.joint);
+    let others = causes.iter().filter(|c| !banded(c)).collect();
+    (bands, others)
+}
+
+/// Likelier than this, and alone in its place, a cause is certain.
+const CERTAIN: f64 = 0.9;
+
+/// What is certain and what is one of several, the largest at the tool first; of many only the first few.
 #[must_use]
 pub fn in_short(causes: &[Cause]) -> String {
-    const SAID: usize = 6;
-    const LINES: usize = 4;
-    let line = |c: &&Cause| c.effect == EffectKind::GearMesh;
-    let mut names: Vec<String> = Vec::new();
-    let mut told: Vec<Option<usize>> = Vec::new();
-    for cause in causes {
-        let lines: Vec<&Cause> = causes.iter().filter(line).filter(|c| c.joint == cause.joint).collect();
-        if !line(&cause) || lines.len() == 1 {
-            names.push(describe(cause));
-        } else if !told.contains(&cause.joint) {
-            told.push(cause.joint);
-            let orders: Vec<String> =
-                lines.iter().take(LINES).filter_map(|c| c.n).map(|n| n.to_string()).collect();
-            let more = match lines.len() - orders.len() {
-                0 => String::new(),
-                more => format!(" and {more} more"),
-            };
-            let joint = cause.joint.map_or_else(String::new, |j| format!(" of joint {j}"));
-            names.push(format!("gear lines{joint}, {}{more} per turn", orders.join(", ")));
+    const SAID: usize = 5;
+    let (bands, others) = gear_bands(causes);
+    let mut certain: Vec<(f64, String)> = bands
+        .iter()
+        .map(|b| {
+            (
+                b.rms_mm,
+                format!("{} gear lines of joint {}, {} to {} per turn", b.lines, b.joint, b.n[0], b.n[1]),
+            )
+        })
+        .collect();
+    let mut open: Vec<(f64, String)> = Vec::new();
+    let mut slots: Vec<usize> = others.iter().map(|c| c.slot).collect();
+    slots.sort_unstable();
+    slots.dedup();
+    for slot in slots {
+        let alternatives: Vec<&&Cause> = others.iter().filter(|c| c.slot == slot).collect();
+        let size = alternatives.iter().filter_map(|c| c.rms_mm).fold(0.0, f64::max);
+        let names: Vec<String> = alternatives.iter().map(|c| describe(c)).collect();
+        let sure = alternatives.iter().all(|c| c.posterior >= CERTAIN);
+        match names.as_slice() {
+            [one] if sure => certain.push((size, one.clone())),
+            [one] => open.push((size, format!("one of: {one} or something that is not in the library"))),
+            many => open.push((size, format!("one of: {}", many.join(" or ")))),
         }
     }
-    let more = names.len().saturating_sub(SAID);
-    let said = names[..names.len() - more].join("; ");
-    if more > 0 { format!("{said}; and {more} more") } else { said }
+    let join = |mut list: Vec<(f64, String)>, said: usize| {
+        list.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let more = list.len().saturating_sub(said);
+        let mut names: Vec<String> = list.into_iter().take(said).map(|(_, name)| name).collect();
+        names.extend((more > 0).then(|| format!("{more} more")));
+        names.join("; ")
+    };
+    match (certain.is_empty(), open.is_empty()) {
+        (_, true) => join(certain, SAID),
+        (true, false) => join(open, SAID),
+        (false, false) => format!("certain: {}; {}", join(certain, SAID), join(open, SAID)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cause(effect: EffectKind, joint: usize, slot: usize, rms_mm: f64) -> Cause {
+        Cause { joint: Some(joint), slot, rms_mm: Some(rms_mm), ..Cause::of(effect, 0.9) }
+    }
+
+    /// By hand: sizes 3 and 4 urad beside 0 add to 5 / sqrt 2 rms; 0.03 and 0.04 mm to 0.05.
+    #[test]
+    fn lines_of_a_gear_are_one_band() {
+        let line = |n, size, rms_mm| Cause {
+            n: Some(n),
+            size: Some(size),
+            ..cause(EffectKind::GearMesh, 2, n as usize, rms_mm)
+        };
+        let causes = [line(11, 3e-6, 0.03), line(33, 4e-6, 0.04), line(20, 0.0, 0.0)];
+        let (bands, others) = gear_bands(&causes);
+        assert_eq!(others.len(), 0);
+        let [band] = bands.as_slice() else { panic!("{bands:?}") };
+        assert_eq!((band.joint, band.lines, band.n), (2, 3, [11, 33]));
+        assert!((band.rms_rad - 5e-6 / 2f64.sqrt()).abs() < 1e-18 && (band.rms_mm - 0.05).abs() < 1e-15);
+        assert_eq!(gear_bands(&causes[..2]).1.len(), 2, "two lines are named one by one");
+    }
+
+    #[test]
+    fn alternatives_are_told_from_what_is_certain() {
+        use EffectKind::{BaseTilt, JointCompliance, JointGain};
+        let tilt = Cause { slot: 2, rms_mm: Some(0.5), ..Cause::of(BaseTilt, 0.4) };
+        let causes = [cause(JointGain, 1, 1, 0.1), tilt, cause(JointCompliance, 2, 2, 0.4)];
+        assert_eq!(
+            in_short(&causes),
+            "certain: joint_gain of joint 1; one of: base_tilt or joint_compliance of joint 2"
+        );
+        assert_eq!(in_short(&causes[..1]), "joint_gain of joint 1");
+        assert_eq!(in_short(&causes[1..]), "one of: base_tilt or joint_compliance of joint 2");
+    }
 }

@@ -1,0 +1,120 @@
+//! Causes as lines for people: in words, with their size at the tool.
+
+use metrology::diagnose::{Cause, GearBand, describe, gear_bands};
+use robot_model::deform::EffectKind;
+use std::fmt::Write;
+
+/// A row for each cause; the lines of one joint's gear, where there are several, are one. Of causes that are there the largest at
+/// the tool stand first, alternatives together, the likeliest of them first; of mere candidates the likeliest.
+pub fn rows(causes: &[Cause], named: bool) -> Vec<String> {
+    let (bands, others) = gear_bands(causes);
+    let largest = |slot: usize| {
+        let of_slot = causes.iter().filter(|c| c.slot == slot);
+        of_slot.filter_map(|c| c.rms_mm).fold(0.0, f64::max)
+    };
+    let mut rows: Vec<(f64, String)> = bands.iter().map(|band| (band.rms_mm, band_in_words(band))).collect();
+    // They come the likeliest first, and sorting keeps that order among alternatives.
+    rows.extend(others.iter().map(|cause| (largest(cause.slot), in_words(cause, causes))));
+    if named {
+        rows.sort_by(|a, b| b.0.total_cmp(&a.0));
+    }
+    rows.into_iter().map(|(_, row)| row).collect()
+}
+
+/// The lines of one joint's gear.
+fn band_in_words(band: &GearBand) -> String {
+    format!(
+        "gear_mesh of joint {} ({}): {} lines, {} to {} a turn, {:.3} mrad rms, {}",
+        band.joint,
+        plainly(EffectKind::GearMesh),
+        band.lines,
+        band.n[0],
+        band.n[1],
+        1e3 * band.rms_rad,
+        moves(band.rms_mm)
+    )
+}
+
+/// What an effect is, for someone who has never read its name.
+pub fn plainly(effect: EffectKind) -> &'static str {
+    match effect {
+        EffectKind::JointOffset => "its zero is off",
+        EffectKind::LinkGeometry => "the link is not as drawn",
+        EffectKind::JointCompliance => "its gear gives under gravity's torque",
+        EffectKind::LinkBending => "the link bends under what hangs beyond it",
+        EffectKind::BaseTilt => "the stand gives under the robot's weight",
+        EffectKind::GearEccentricity => "a gear or encoder disc runs out of centre",
+        EffectKind::GearSecondHarmonic => "a gear or bearing is oval",
+        EffectKind::GearMesh => "teeth or rollers of its gear",
+        EffectKind::JointGain => "it turns a little more or less than it says",
+        EffectKind::JointCoupling => "one joint turns the other a little",
+        EffectKind::Backlash => "play in its gear",
+        EffectKind::ThermalLinkGrowth => "links grow as they warm up",
+        EffectKind::ThermalJointDrift => "its zero drifts as it warms up",
+        EffectKind::JointStep => "its zero jumped at one moment",
+        EffectKind::BaseDrift => "base and instrument creep apart",
+        EffectKind::BaseStep => "base or instrument was moved",
+        EffectKind::InstrumentScale => "the instrument's lengths are scaled",
+        EffectKind::ToolDrift => "the target creeps on the flange",
+        EffectKind::ToolStep => "the target was moved on the flange",
+        EffectKind::PayloadMass => "the payload weighs more or less than declared",
+        EffectKind::JointRounding => "joints are written with too few decimals",
+        EffectKind::SwappedAxes => "measured axes are swapped or mirrored",
+        EffectKind::GearSpectrum => "",
+    }
+}
+
+/// One cause; `causes` are all, among which its alternatives are.
+fn in_words(cause: &Cause, causes: &[Cause]) -> String {
+    let mut text = describe(cause);
+    let plain = plainly(cause.effect);
+    if !plain.is_empty() {
+        let _ = write!(text, " ({plain})");
+    }
+    if let Some(size) = cause.size {
+        let unit = if cause.unit == "1" { String::new() } else { format!(" {}", cause.unit) };
+        // Writing to a String cannot fail.
+        let _ = match cause.sigma {
+            Some(sigma) if sigma > size => {
+                write!(text, ": size open, under {}{unit}", number(size + 2.0 * sigma))
+            }
+            Some(sigma) => write!(text, ": {} +- {}{unit}", number(size), number(sigma)),
+            None => write!(text, ": {}{unit}", number(size)),
+        };
+    }
+    if let Some(rms_mm) = cause.rms_mm {
+        let _ = write!(text, ", {}", moves(rms_mm));
+    }
+    let alternatives = causes.iter().filter(|c| c.slot == cause.slot).count();
+    let choice =
+        if alternatives > 1 { format!(", one of {alternatives} in its place") } else { String::new() };
+    let _ = write!(text, "; probability {}{choice}", percent(cause.posterior));
+    text
+}
+
+/// What an effect does at the measured point; one on an axis that the point lies on is seen by the orientation alone.
+fn moves(rms_mm: f64) -> String {
+    if rms_mm < 0.0005 {
+        "turns the tool without moving it".to_owned()
+    } else {
+        format!("moves the tool by {rms_mm:.3} mm")
+    }
+}
+
+pub fn percent(p: f64) -> String {
+    if p > 0.999 {
+        "over 99.9 %".to_owned()
+    } else if p < 0.001 {
+        "under 0.1 %".to_owned()
+    } else {
+        format!("{:.1} %", 100.0 * p)
+    }
+}
+
+pub fn number(value: f64) -> String {
+    if value != 0.0 && !(1e-2..1e5).contains(&value.abs()) {
+        format!("{value:.2e}")
+    } else {
+        format!("{value:.3}")
+    }
+}
