@@ -8,6 +8,8 @@ mod compensation;
 mod diagnosis;
 mod fit;
 mod named;
+#[cfg(feature = "link")]
+mod own_data;
 mod program_files;
 mod question;
 mod rehearsal;
@@ -19,6 +21,8 @@ pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
 pub use fit::{Fit, targets_of_program};
 pub use named::{Named, model_of_another_robot, sha256};
+#[cfg(feature = "link")]
+pub use own_data::{OwnData, is_own_name};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 pub use question::Question;
 pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};

@@ -2,7 +2,8 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What a shell reports of a program that was interrupted.
 const INTERRUPTED: i32 = 130;
@@ -11,6 +12,8 @@ const INTERRUPTED: i32 = 130;
 static WAITING: Mutex<(Vec<PathBuf>, Vec<PathBuf>)> = Mutex::new((Vec::new(), Vec::new()));
 /// Held while results are put in their places.
 static PLACING: Mutex<()> = Mutex::new(());
+/// Set by an interruption, where what is at work has asked for that.
+static STOP: Mutex<Option<Arc<AtomicBool>>> = Mutex::new(None);
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
@@ -20,13 +23,29 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 pub fn install() {
     // Where there are no signals there is nothing to do.
     let _ = ctrlc::set_handler(|| {
-        let _placing = lock(&PLACING);
-        let (files, folders) = std::mem::take(&mut *lock(&WAITING));
-        files.iter().for_each(|file| drop(fs::remove_file(file)));
-        // The inner ones first; one that holds something stays.
-        folders.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
-        std::process::exit(INTERRUPTED);
+        if let Some(stop) = &*lock(&STOP) {
+            // What is at work gives back what it holds, and then ends by `leave`.
+            stop.store(true, Ordering::Relaxed);
+            return;
+        }
+        leave();
     });
+}
+
+/// Ends the program as an interrupted one.
+pub fn leave() -> ! {
+    let _placing = lock(&PLACING);
+    let (files, folders) = std::mem::take(&mut *lock(&WAITING));
+    files.iter().for_each(|file| drop(fs::remove_file(file)));
+    // The inner ones first; one that holds something stays.
+    folders.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
+    std::process::exit(INTERRUPTED);
+}
+
+/// From here on an interruption sets `stop` and no more; who handed it over calls [`leave`].
+#[cfg(feature = "link")]
+pub fn hand_over(stop: &Arc<AtomicBool>) {
+    *lock(&STOP) = Some(Arc::clone(stop));
 }
 
 /// Nothing is interrupted until this is dropped.

@@ -21,9 +21,8 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut command = Cli::command();
     command.build();
-    let below = command.get_subcommands().filter(|command| !command.is_hide_set()).cloned();
-    let named = below.map(|command| (format!("driftpost-{}", command.get_name()), command));
-    let all: Vec<_> = std::iter::once(("driftpost".to_owned(), command.clone())).chain(named).collect();
+    let mut all = Vec::new();
+    named("driftpost", &command, &mut all);
     let mut pages = Vec::with_capacity(all.len());
     for (name, command) in all {
         let mut text = Vec::new();
@@ -36,4 +35,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     pages.into_iter().try_for_each(Pending::place)?;
     console.say(format_args!("wrote {count} pages to {}", args.output.display()));
     Ok(Outcome::Done)
+}
+
+/// A command and those below it, each with the name of its page.
+fn named(name: &str, command: &clap::Command, all: &mut Vec<(String, clap::Command)>) {
+    all.push((name.to_owned(), command.clone()));
+    let below = command.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
+    below.for_each(|below| named(&format!("{name}-{}", below.get_name()), below, all));
 }

@@ -33,6 +33,8 @@ pub mod exam;
 pub mod fit;
 pub mod golden;
 pub mod inspect;
+#[cfg(feature = "link")]
+pub mod link;
 pub mod man;
 pub mod plan;
 pub mod restore;
@@ -118,6 +120,9 @@ enum Command {
     ClosedLoop(closed_loop::Args),
     /// Apply an identified model to measurements that it has not seen.
     Validate(validate::Args),
+    /// Ask a controller, over Robot Web Services: what it is, its own kinematics, files into HOME. It cannot move the robot.
+    #[cfg(feature = "link")]
+    Link(Box<link::Args>),
     /// Print what makes a shell complete commands and options.
     Completions(completions::Args),
     /// Write the manual pages, one for each command.
@@ -138,6 +143,8 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Man(args) => man::run(args, console),
         Command::Golden(args) => golden::run(args, console),
         Command::Inspect(args) => inspect::run(args, console),
+        #[cfg(feature = "link")]
+        Command::Link(args) => link::run(args, console),
         Command::Restore(args) => restore::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Exam(args) => exam::run(args, console),
@@ -152,7 +159,10 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
 
 /// Refuses results in the place of inputs or of each other, as far as the command line names them.
 fn keep_apart(matches: &ArgMatches) -> Result<(), Diagnostic> {
-    let Some((_, given)) = matches.subcommand() else { return Ok(()) };
+    let Some((_, mut given)) = matches.subcommand() else { return Ok(()) };
+    while let Some((_, inner)) = given.subcommand() {
+        given = inner;
+    }
     let (mut inputs, mut outputs): (Vec<PathBuf>, Vec<PathBuf>) = (Vec::new(), Vec::new());
     for id in given.ids() {
         let name = id.as_str();

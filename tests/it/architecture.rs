@@ -7,13 +7,16 @@ use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
 /// Members of the workspace with those of them that each may use; the root package may use all.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 8] = [
     ("rapid-syntax", &[]),
     ("robot-model", &["rapid-syntax"]),
     ("rapid-program", &["rapid-syntax", "robot-model"]),
     ("virtual-controller", &["rapid-syntax", "robot-model"]),
     ("metrology", &["rapid-syntax", "robot-model", "rapid-program"]),
     ("exam", &["robot-model"]),
+    ("rws-double", &["robot-model"]),
+    // The double for its tests alone.
+    ("robot-link", &["rws-double"]),
 ];
 
 /// Modules of each crate in the order of the data flow.
@@ -25,12 +28,14 @@ const MODULES: [(&str, &[&str]); 4] = [
 ];
 
 /// Modules that must not use another's although the crates would let them.
-const APART: [(&str, &str); 5] = [
+const APART: [(&str, &str); 7] = [
     ("rapid_program::program", "robot_model::deform"),
     ("rapid_program::schedule", "rapid_syntax"),
     ("exam", "robot_model::deform"),
     ("exam", "robot_model::kinematics"),
     ("metrology::diagnose", "rapid_program"),
+    ("rws_double", "robot_model::kinematics"),
+    ("rws_double", "robot_model::robot"),
 ];
 
 fn root() -> &'static Path {

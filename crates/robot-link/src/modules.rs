@@ -1,0 +1,116 @@
+//! Modules of a task: listed, and exchanged while RAPID stands still.
+
+use crate::answer::WITH_ERRORS;
+use crate::requests;
+use crate::{Execution, LinkError, Session, names};
+
+/// A module in a task.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadedModule {
+    /// Its name.
+    pub name: String,
+    /// `ProgMod` or `SysMod`.
+    pub kind: String,
+}
+
+impl Session {
+    /// The modules of a task.
+    ///
+    /// # Errors
+    /// No or an incomplete answer.
+    pub fn modules(&mut self, task: &str) -> Result<Vec<LoadedModule>, LinkError> {
+        let mut found = Vec::new();
+        for page in self.pages(requests::MODULES, &[("task", names::rapid(task)?)])? {
+            for module in page.all("rap-module-info") {
+                found.push(LoadedModule {
+                    name: module.text("name")?.to_owned(),
+                    kind: module.text("type")?.to_owned(),
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Loads `module` from `file` in HOME, within [`Session::with_right`]: takes a module of that name out first where
+    /// `replaces`, and takes it out again where RAPID finds errors in it.
+    ///
+    /// # Errors
+    /// RAPID runs; a refusal; [`LinkError::ModuleErrors`]; [`LinkError::Uncertain`] where it cannot be called loaded.
+    pub fn exchange_module(
+        &mut self,
+        task: &str,
+        module: &str,
+        file: &str,
+        replaces: bool,
+    ) -> Result<(), LinkError> {
+        let (task, module, file) = (names::rapid(task)?, names::rapid(module)?, names::file(file)?);
+        let home = self.home()?;
+        let before = self.mode()?;
+        match self.execution()? {
+            Execution::Stopped => {}
+            other => return Err(LinkError::Running(other.to_string())),
+        }
+        if replaces {
+            self.unload(task, module)?;
+        }
+        let arguments = [("task", task), ("home", home), ("file", file)];
+        let loaded = self.ask(requests::LOAD, &arguments);
+        let code = loaded.as_ref().ok().and_then(|answer| answer.contents.code);
+        if let Some(code) = code.filter(|code| WITH_ERRORS.contains(code)) {
+            let then = match self.unload(task, module) {
+                Ok(()) => "it was taken out again".to_owned(),
+                Err(error) => format!("it could not be taken out again: {error}"),
+            };
+            return Err(LinkError::ModuleErrors { module: module.to_owned(), code, then });
+        }
+        if let Err(error @ LinkError::Refused { .. }) = loaded {
+            return Err(error);
+        }
+        let is_there = self.has_module(task, module);
+        let after = self.mode();
+        match (loaded, is_there) {
+            (Ok(_), Ok(true)) => {}
+            // Whether RAPID found errors in it is not known, so it is not called loaded.
+            (Err(error), _) => return Err(error),
+            (Ok(_), Ok(false)) => {
+                return Err(LinkError::Different {
+                    what: module.to_owned(),
+                    found: format!("{task} has no such module"),
+                });
+            }
+            (Ok(_), Err(cause)) => {
+                return Err(LinkError::Uncertain { request: requests::LOAD.name, cause: cause.to_string() });
+            }
+        }
+        match after {
+            Ok(after) if after != before => Err(LinkError::ModeChanged {
+                before: before.to_string(),
+                after: after.to_string(),
+                what: format!("{module} is loaded"),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    fn has_module(&mut self, task: &str, module: &str) -> Result<bool, LinkError> {
+        Ok(self.modules(task)?.iter().any(|m| m.name.eq_ignore_ascii_case(module)))
+    }
+
+    fn unload(&mut self, task: &str, module: &str) -> Result<(), LinkError> {
+        let unloaded = self.ask(requests::UNLOAD, &[("task", task), ("module", module)]);
+        match unloaded {
+            Err(error @ LinkError::Refused { .. }) => Err(error),
+            unloaded => match (unloaded, self.has_module(task, module)) {
+                (_, Ok(false)) => Ok(()),
+                (Err(error), _) => Err(error),
+                (Ok(_), Ok(true)) => Err(LinkError::Different {
+                    what: module.to_owned(),
+                    found: "it is still loaded".to_owned(),
+                }),
+                (Ok(_), Err(cause)) => {
+                    Err(LinkError::Uncertain { request: requests::UNLOAD.name, cause: cause.to_string() })
+                }
+            },
+        }
+    }
+}

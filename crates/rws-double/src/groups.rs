@@ -1,0 +1,36 @@
+//! Groups of subscriptions.
+
+use crate::http::Reply;
+use crate::resources::No;
+use std::collections::BTreeMap;
+
+/// One group.
+pub(crate) struct Group {
+    pub session: u64,
+    /// Task, module, name.
+    pub data: Vec<[String; 3]>,
+    pub is_polled: bool,
+}
+
+/// Groups by their number.
+#[derive(Default)]
+pub(crate) struct Groups {
+    pub open: BTreeMap<String, Group>,
+    pub made: u64,
+}
+
+impl Groups {
+    pub fn count(&self) -> usize {
+        self.open.len()
+    }
+
+    pub fn end(&mut self, group: &str, session: u64) -> Result<Reply, No> {
+        match self.open.get(group) {
+            Some(found) if found.session == session => {
+                self.open.remove(group);
+                Ok(Reply::new(200))
+            }
+            _ => Err((404, -1_073_445_870, "no such subscription")),
+        }
+    }
+}

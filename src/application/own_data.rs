@@ -1,0 +1,125 @@
+//! The data of a corrected program on a controller: what its header calls `tcMode`, `tcMinute` and so on.
+
+use robot_link::{Kind, LinkError, LoadedModule, Session};
+
+/// What every corrected program has, and an operator sets.
+const MODE: &str = "tcMode";
+
+/// What is shown, as far as a program has it.
+const SHOWN: [&str; 7] = [MODE, "tcBucket", "tcShare", "tcMinute", "tcDegrees", "tcTouchSigma", "tcTouchAge"];
+
+/// What it last said to the operator.
+const SAID: &str = "tcSaid";
+
+/// The data of one corrected module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OwnData {
+    /// Task.
+    pub task: String,
+    /// The module that holds them: the corrected one, or `tcCore`.
+    pub module: String,
+    /// Name and value, as RAPID writes it.
+    pub values: Vec<(String, String)>,
+    /// The message that was shown last.
+    pub said: Option<String>,
+}
+
+impl OwnData {
+    /// Those of all modules of a task.
+    ///
+    /// # Errors
+    /// No or an incomplete answer.
+    pub fn of_task(
+        session: &mut Session,
+        task: &str,
+        modules: &[LoadedModule],
+    ) -> Result<Vec<Self>, LinkError> {
+        let mut found = Vec::new();
+        for module in modules {
+            found.extend(Self::of_module(session, task, &module.name)?);
+        }
+        Ok(found)
+    }
+
+    /// Those of one module; `None` where it is none of ours.
+    ///
+    /// # Errors
+    /// No or an incomplete answer.
+    pub fn of_module(session: &mut Session, task: &str, module: &str) -> Result<Option<Self>, LinkError> {
+        let is_own = session
+            .property(task, module, MODE)?
+            .is_some_and(|p| p.kind == Kind::Persistent && p.data_type == "num");
+        if !is_own {
+            return Ok(None);
+        }
+        let mut own =
+            Self { task: task.to_owned(), module: module.to_owned(), values: Vec::new(), said: None };
+        for name in SHOWN {
+            if session.property(task, module, name)?.is_some() {
+                own.values.push((name.to_owned(), session.value(task, module, name)?));
+            }
+        }
+        if session.property(task, module, SAID)?.is_some() {
+            let said = session.value(task, module, SAID)?;
+            own.said = Some(said.trim_matches('"').to_owned()).filter(|said| !said.is_empty());
+        }
+        Ok(Some(own))
+    }
+
+    /// The values anew.
+    ///
+    /// # Errors
+    /// No or an incomplete answer.
+    pub fn read_again(&mut self, session: &mut Session) -> Result<(), LinkError> {
+        for (name, value) in &mut self.values {
+            *value = session.value(&self.task, &self.module, name)?;
+        }
+        if let Some(said) = &mut self.said {
+            session.value(&self.task, &self.module, SAID)?.trim_matches('"').clone_into(said);
+        }
+        Ok(())
+    }
+
+    /// `tcMode -1, tcBucket 3, tcMinute 24.5`, and what was said.
+    #[must_use]
+    pub fn line(&self) -> String {
+        let values: Vec<String> = self.values.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let said = self.said.as_ref().filter(|said| !said.is_empty());
+        said.map_or_else(|| values.join(", "), |said| format!("{}; it said: {said}", values.join(", ")))
+    }
+
+    /// One object: task, module, what was said, and each datum under its name, a number where it is one.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        let number = |value: &String| {
+            value.parse::<f64>().map_or_else(|_| value.clone().into(), serde_json::Value::from)
+        };
+        let values: serde_json::Map<_, _> = self.values.iter().map(|(n, v)| (n.clone(), number(v))).collect();
+        serde_json::json!({"task": self.task, "module": self.module, "said": self.said, "values": values})
+    }
+}
+
+/// Whether a name is one of ours: `tc`, then a capital letter, as in `tcMode` or `tcState{2}`.
+#[must_use]
+pub fn is_own_name(name: &str) -> bool {
+    name.strip_prefix("tc").is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_uppercase()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_shows_values_and_what_was_said() {
+        let own = OwnData {
+            task: "T_ROB1".into(),
+            module: "Part".into(),
+            values: vec![("tcMode".into(), "-1".into()), ("tcMinute".into(), "64.7".into())],
+            said: Some("originals".into()),
+        };
+        assert_eq!(own.line(), "tcMode -1, tcMinute 64.7; it said: originals");
+        assert_eq!(own.json()["values"]["tcMinute"], 64.7);
+        assert!(is_own_name("tcMode") && is_own_name("tcState{2}"));
+        assert!(!is_own_name("tc30") && !is_own_name("tcp") && !is_own_name("doGrip"));
+    }
+}

@@ -1,0 +1,110 @@
+//! `driftpost link info`: what a controller is and how it stands.
+
+use super::connection::Connection;
+use crate::cli::files::Output;
+use crate::cli::{Console, Outcome};
+use driftpost::application::OwnData;
+use robot_link::{Identity, LoadedModule};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Options of `link info`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Which controller.
+    #[command(flatten)]
+    connection: Connection,
+
+    /// The same as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<PathBuf>,
+}
+
+/// All that is shown.
+struct Shown {
+    identity: Identity,
+    /// Task by task.
+    modules: Vec<(String, Vec<LoadedModule>)>,
+    own: Vec<OwnData>,
+}
+
+/// Runs `link info`.
+///
+/// # Errors
+/// `link::*`.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let json = Output::new(args.json.as_deref())?;
+    let mut session = args.connection.open(console)?;
+    let identity = session.identity()?;
+    let mut modules = Vec::new();
+    let mut own = Vec::new();
+    for task in &identity.tasks {
+        let loaded = session.modules(&task.name)?;
+        own.extend(OwnData::of_task(&mut session, &task.name, &loaded)?);
+        modules.push((task.name.clone(), loaded));
+    }
+    session.end()?;
+    let shown = Shown { identity, modules, own };
+    if !json.is_standard() {
+        shown.write(console.out())?;
+    }
+    json.write(console, || Ok(format!("{:#}\n", shown.json()).into_bytes()))?;
+    Ok(Outcome::Done)
+}
+
+impl Shown {
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let i = &self.identity;
+        let kind = if i.is_virtual { ", virtual" } else { "" };
+        writeln!(out, "controller  {}{kind}", i.controller.as_deref().unwrap_or("(no name)"))?;
+        writeln!(out, "system      {}, RobotWare {} ({})", i.system, i.version, i.dialect)?;
+        writeln!(out, "robot       {}", i.robot.as_deref().unwrap_or("(not told)"))?;
+        writeln!(out, "mode        {}, motors {}, RAPID {}", i.mode, i.motors, i.execution)?;
+        let accuracy = match i.absolute_accuracy {
+            Some(true) => "ON: corrected targets are made for nominal kinematics and need it off",
+            Some(false) => "off",
+            None => "(not told)",
+        };
+        writeln!(out, "Absolute Accuracy {accuracy}")?;
+        writeln!(out, "right to write    {}", i.writer.as_deref().unwrap_or("nobody holds it"))?;
+        writeln!(out, "options     {}", i.options.join(", "))?;
+        for (task, (_, modules)) in i.tasks.iter().zip(&self.modules) {
+            let moves = if task.moves { ", moves an arm" } else { "" };
+            let active = if task.is_active { "" } else { ", switched off" };
+            let names: Vec<&str> = modules.iter().map(|m| m.name.as_str()).collect();
+            let names = if names.is_empty() { "no module".to_owned() } else { names.join(", ") };
+            writeln!(out, "task {} ({}{moves}{active}): {names}", task.name, task.state)?;
+        }
+        for own in &self.own {
+            writeln!(out, "corrected {}/{}: {}", own.task, own.module, own.line())?;
+        }
+        if self.own.is_empty() {
+            writeln!(out, "no corrected program is loaded")?;
+        }
+        Ok(())
+    }
+
+    fn json(&self) -> serde_json::Value {
+        let i = &self.identity;
+        let tasks = i.tasks.iter().zip(&self.modules).map(|(task, (_, modules))| {
+            let modules: Vec<_> = modules.iter().map(|m| serde_json::json!({"name": m.name, "type": m.kind})).collect();
+            serde_json::json!({"name": task.name, "moves": task.moves, "active": task.is_active, "state": task.state, "modules": modules})
+        });
+        serde_json::json!({
+            "dialect": i.dialect.to_string(),
+            "robotware": i.version,
+            "system": i.system,
+            "controller": i.controller,
+            "virtual": i.is_virtual,
+            "robot": i.robot,
+            "options": i.options,
+            "mode": i.mode.to_string(),
+            "motors": i.motors,
+            "execution": i.execution.to_string(),
+            "absolute_accuracy": i.absolute_accuracy,
+            "writer": i.writer,
+            "tasks": tasks.collect::<Vec<_>>(),
+            "corrected": self.own.iter().map(OwnData::json).collect::<Vec<_>>(),
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! `driftpost link`: what a controller says of itself, and the little that may be written to it.
+//!
+//! Nothing here or below can start, stop or move a robot: `robot_link` has no request for it.
+
+mod connection;
+mod double;
+mod info;
+
+use super::{Console, Outcome, interrupt};
+use clap::Subcommand;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_link::LinkError;
+
+/// Options of `link`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// What a controller is and how it stands: RobotWare, robot, options, mode, tasks, modules, the state of corrected programs.
+    Info(info::Args),
+    /// A strict double of a controller on this computer, to try the other commands on; it has no arm.
+    Double(double::Args),
+    /// Print every request that this program can send to a controller.
+    Requests,
+}
+
+/// Runs `link`.
+///
+/// # Errors
+/// `link::*`.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let ended = match &args.command {
+        Command::Info(args) => info::run(args, console),
+        Command::Double(args) => double::run(args, console),
+        Command::Requests => requests(console),
+    };
+    match ended {
+        // By now everything is given back and the session has ended.
+        Err(error) if error.downcast_ref::<LinkError>() == Some(&LinkError::Interrupted) => {
+            interrupt::leave()
+        }
+        Err(error) => Err(match error.downcast::<LinkError>() {
+            Ok(error) => anyhow::Error::from(diagnostic(&error)),
+            Err(other) => other,
+        }),
+        done => done,
+    }
+}
+
+fn diagnostic(error: &LinkError) -> Diagnostic {
+    Diagnostic::error(error.code(), error.to_string()).help(error.help())
+}
+
+/// The table of requests as it is in the program.
+fn requests(console: &mut Console) -> anyhow::Result<Outcome> {
+    for request in robot_link::requests::ALL {
+        writeln!(console.out(), "{} ({:?})", request.name, request.effect)?;
+        for dialect in robot_link::Dialect::ALL {
+            let form = request.form(dialect).unwrap_or("-");
+            writeln!(console.out(), "  {dialect}: {form}")?;
+        }
+    }
+    Ok(Outcome::Done)
+}
