@@ -40,6 +40,8 @@ pub struct Compensated<'c> {
     /// All warnings there are.
     pub messages: Vec<LocatedDiagnostic>,
     pub(super) provenance: Vec<(&'static str, String)>,
+    /// What else a reviewer's tools need, as the emitted header has it.
+    pub(super) settings: Vec<(String, String)>,
 }
 
 /// Why nothing is written.
@@ -124,7 +126,7 @@ impl Compensated<'_> {
     /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { program, plan, messages, .. } = self;
-        pretty(out, &CompensationJson { program, plan, messages })
+        pretty(out, &CompensationJson { program, plan, messages, shown: None })
     }
 
     /// Whether there is a table of joints at every minute.
@@ -230,7 +232,7 @@ impl Refusal {
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => pretty(out, &CompensationJson { program, plan, messages }),
+            Some(plan) => pretty(out, &CompensationJson { program, plan, messages, shown: None }),
             None => pretty(out, &report::refusal(program, &self.kept, messages)),
         }
     }

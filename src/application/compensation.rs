@@ -48,7 +48,7 @@ pub struct Compensation {
 }
 
 /// The robot that the built-in deformation table is of.
-const PAPER_ROBOT: &str = "irb140";
+pub(super) const PAPER_ROBOT: &str = "irb140";
 
 impl Compensation {
     /// A robot that deforms as `deformation` says, form `schedule`, the clock by warm-up.
@@ -185,6 +185,7 @@ impl Compensation {
             embedded,
             messages,
             provenance,
+            settings: options.made_with(),
         })
     }
 
@@ -282,7 +283,7 @@ impl Compensation {
         settings
     }
 
-    fn provenance(&self, program: &str) -> Vec<(&'static str, String)> {
+    pub(super) fn provenance(&self, program: &str) -> Vec<(&'static str, String)> {
         let named = |name: &str, sha256: &str| format!("{name}, SHA-256 {sha256}");
         let growth = self.deformation.model.growth().map(|law| format!("growth {law}; "));
         let deformation = named(&self.deformation.source.name, &self.deformation.source.sha256);

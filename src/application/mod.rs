@@ -10,6 +10,7 @@ mod fit;
 mod named;
 #[cfg(feature = "link")]
 mod own_data;
+mod page;
 mod program_files;
 mod question;
 mod rehearsal;

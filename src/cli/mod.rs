@@ -37,6 +37,7 @@ pub mod inspect;
 pub mod link;
 pub mod man;
 pub mod plan;
+pub mod report;
 pub mod restore;
 pub mod simulate;
 pub mod synth;
@@ -93,6 +94,8 @@ enum Command {
     Inspect(inspect::Args),
     /// Compare two programs: the text, every motion and bucket in mm and deg, and all that is no target.
     Diff(diff::Args),
+    /// Make a page of a result's JSON: one HTML file that opens in any browser, offline.
+    Report(report::Args),
     /// Get the original of a compensated module back.
     Restore(restore::Args),
     /// Execute a program on the deformed robot: where the TCP really is, against what was meant.
@@ -130,7 +133,7 @@ enum Command {
 }
 
 /// Options that name a result, beside those that end in `-out`.
-const OUTPUTS: [&str; 5] = ["json", "csv", "diff", "joints_csv", "output"];
+const OUTPUTS: [&str; 6] = ["json", "csv", "diff", "joints_csv", "output", "report"];
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {
@@ -145,6 +148,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Inspect(args) => inspect::run(args, console),
         #[cfg(feature = "link")]
         Command::Link(args) => link::run(args, console),
+        Command::Report(args) => report::run(args, console),
         Command::Restore(args) => restore::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Exam(args) => exam::run(args, console),

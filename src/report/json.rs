@@ -9,6 +9,7 @@ use rapid_syntax::diagnostic::Severity;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
@@ -29,6 +30,8 @@ pub struct CompensationJson<'a> {
     pub plan: &'a Plan,
     /// What there is to be said of both.
     pub messages: &'a [LocatedDiagnostic],
+    /// The motions that have a row, by their index; `None` = all.
+    pub shown: Option<&'a BTreeSet<usize>>,
 }
 
 impl Serialize for CompensationJson<'_> {
@@ -75,8 +78,9 @@ struct Motions<'m>(&'m CompensationJson<'m>);
 
 impl Serialize for Motions<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let CompensationJson { program, plan, .. } = self.0;
+        let CompensationJson { program, plan, shown, .. } = self.0;
         let rows = program.motions.iter().zip(&plan.motions).enumerate();
+        let rows = rows.filter(|(i, _)| shown.is_none_or(|shown| shown.contains(i)));
         serializer.collect_seq(rows.map(|(i, (motion, planned))| planned_row(program, i, motion, planned)))
     }
 }
@@ -92,6 +96,9 @@ fn planned_row(program: &Program, index: usize, motion: &Motion, planned: &Plann
     let form = (planned.status == Status::Compensated).then(|| planned.form.name());
     let mut row = motion_row(program, index, motion, (status, why), correction, planned.mid_path_m.map(mm));
     row["form"] = json!(form);
+    let error_mm = planned.error_m.map(|error_m| error_m.map(mm));
+    row["before_mm"] = json!(error_mm.map(|[before, _]| before));
+    row["after_mm"] = json!(error_mm.map(|[_, after]| after));
     row
 }
 
@@ -118,6 +125,8 @@ fn motion_row(
         "max_correction_mm": correction_mm,
         "max_correction_deg": correction_deg,
         "mid_path_mm": mid_path_mm,
+        "before_mm": null,
+        "after_mm": null,
     })
 }
 

@@ -228,6 +228,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE", help_heading = "Results")]
     pub joints_csv: Option<PathBuf>,
 
+    /// One HTML page to look at: the arm, the drift, every correction and changed line; opens in any browser, offline.
+    #[arg(long, value_name = "FILE.html", help_heading = "Results")]
+    pub report: Option<PathBuf>,
+
     /// Show every motion and every message, however many there are.
     #[arg(long, help_heading = "Results")]
     pub all: bool,

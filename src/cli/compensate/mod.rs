@@ -5,14 +5,14 @@ mod watch;
 
 pub(in crate::cli) use args::temperatures;
 pub use args::{Args, Temperatures};
-use driftpost::application::{Compensated, Refusal, write_file_diff};
+use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing, Written, is_pgf};
 use super::files::{Output, Pending, place_all};
 use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
-use driftpost::report::{self, ShortDiff};
+use driftpost::report::{self, ShortDiff, SourceReview};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -94,30 +94,44 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
 fn run_once(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut json = Some(Output::new(args.json.as_deref())?);
-    match write_result(args, console, &mut json) {
+    let mut page = args.report.as_deref().map(Pending::new).transpose()?;
+    let mut job = None;
+    match write_result(args, console, &mut job, &mut json, &mut page) {
         Ok(written) => written.map(|()| Outcome::Done),
         Err(refusal) => {
             console.explain(&refusal.messages, args.all);
             console.say("nothing was written");
+            if let Some(mut page) = page {
+                let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
+                refusal.write_page(&title.join(", "), job.as_ref(), page.out())?;
+                page.place()?;
+            }
             json.map_or(Ok(()), |json| json.stream(console, |out| Ok(refusal.write_json(out)?)))?;
             Ok(Outcome::Refused)
         }
     }
 }
 
-/// Gives what came of putting the results in their places, for which `json` is taken.
+/// Gives what came of putting the results in their places, for which `json` and `page` are taken; `job` is then what was asked for.
 fn write_result(
     args: &Args,
     console: &mut Console,
+    job: &mut Option<Compensation>,
     json: &mut Option<Output>,
+    page: &mut Option<Pending>,
 ) -> Result<anyhow::Result<()>, Box<Refusal>> {
     args.check()?;
     let given = ProgramInput::read(&args.program)?;
     let program = given.program();
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place, args.force)?;
-    let mut job = args.compensation()?;
+    let job = job.insert(args.compensation()?);
     job.overrides.other_tasks = other_tasks::beside(&given.paths);
-    destination.keep_apart(&[args.json.as_deref(), Some(&args.diff), args.joints_csv.as_deref()])?;
+    destination.keep_apart(&[
+        args.json.as_deref(),
+        Some(&args.diff),
+        args.joints_csv.as_deref(),
+        args.report.as_deref(),
+    ])?;
     destination.open()?;
     let mut joints_file = Output::new(args.joints_csv.as_deref())?;
     let is_quiet = console.is_quiet()
@@ -128,9 +142,14 @@ fn write_result(
 
     // File by file: the result of a large program is larger than what is needed to make it.
     let mut writing = Writing::default();
+    let mut source = page.is_some().then(SourceReview::default);
     let mut accept = |program: &Program, file: EmittedFile| {
         let path = destination.path_of(&file, &given).display().to_string();
         diff.add(program, &file, &path).map_err(|cause| no_output(&cause))?;
+        if let (Some(review), Some(id)) = (&mut source, file.source) {
+            let from = program.file(id);
+            review.add(&from.path, &path, &from.bytes, &file.edits);
+        }
         writing.add(&destination, &given, file)
     };
     let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
@@ -147,12 +166,18 @@ fn write_result(
         if let Some(json) = json.as_mut() {
             json.fill(|out| Ok(made.write_json(out)?)).map_err(filled)?;
         }
+        if let (Some(page), Some(source)) = (page.as_mut(), source) {
+            let mut out = BufWriter::with_capacity(1 << 16, page.out());
+            let written = made.write_page(source, &mut out).and_then(|()| out.flush());
+            written.map_err(|cause| no_output(&cause))?;
+        }
         writing.finish(&destination, &given)
     };
     let mut written = match prepared() {
         Ok(written) => written,
         Err(message) => return Err(made.refuse(message)),
     };
+    written.pending.extend(page.take());
     let mut json = json.take().unwrap_or(Output::Nowhere);
     for output in [&mut joints_file, &mut json] {
         if matches!(output, Output::File(_)) {

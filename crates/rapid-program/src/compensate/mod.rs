@@ -29,6 +29,7 @@ mod ramp;
 mod selection;
 pub mod tabulate;
 pub mod targets;
+mod tcp_drift;
 mod track;
 mod unknown_branch;
 mod warm_joints;
@@ -41,6 +42,7 @@ pub use minutes::{MinuteJoints, joints_every_minute};
 pub use options::{FormChoice, Options};
 pub use planner::plan;
 pub use selection::Selection;
+pub use tcp_drift::{DriftPoint, TcpDrift, tcp_drift};
 
 #[cfg(test)]
 mod tests;

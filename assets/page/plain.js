@@ -1,0 +1,49 @@
+// A page of any other result: its figures, and its lists as tables.
+
+import { count, h, number } from './dom.js';
+import { facts, figure, figures, messages, record, section } from './layout.js';
+import { table } from './table.js';
+
+const words = (key) => key.replaceAll('_', ' ').replace(/ (mm|deg|min|kg)$/, ' ($1)');
+const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
+
+function shown(value) {
+  if (value === null || value === undefined) return '–';
+  if (typeof value === 'number') return number(value);
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (Array.isArray(value)) return value.map(shown).join(', ');
+  if (isObject(value)) return Object.entries(value).map(([key, one]) => `${words(key)} ${shown(one)}`).join('; ');
+  return String(value);
+}
+
+/** A list of objects as a table with the keys that they have. */
+export function listOf(name, rows) {
+  const flat = rows.map((row) => (isObject(row) ? flatten(row) : { value: row }));
+  const keys = [...new Set(flat.flatMap((row) => Object.keys(row)))].filter((key) => flat.some((row) => row[key] !== null));
+  const columns = keys.map((key) => ({
+    key, label: words(key), number: flat.every((row) => row[key] === null || row[key] === undefined || typeof row[key] === 'number'),
+    value: (row) => (isObject(row[key]) || Array.isArray(row[key]) ? shown(row[key]) : row[key]), text: (row) => shown(row[key]),
+  }));
+  return table({ caption: words(name), name, columns, rows: flat }).element;
+}
+
+/** One level of objects within an object beside its own keys. */
+function flatten(row) {
+  return Object.fromEntries(Object.entries(row).flatMap(([key, value]) => (isObject(value) ? Object.entries(value).map(([inner, one]) => [`${key}_${inner}`, one]) : [[key, value]])));
+}
+
+export function plain({ command, data, view, version }) {
+  const entries = Object.entries(data);
+  const single = entries.filter(([, value]) => !isObject(value) && !Array.isArray(value));
+  const lists = entries.filter(([, value]) => Array.isArray(value) && value.length > 0);
+  const objects = entries.filter(([, value]) => isObject(value));
+  const sections = [
+    section('overview', 'Overview', 'Overview',
+      view.messages?.length > 0 && messages(view.messages, 'warn'),
+      figures(single.map(([key, value]) => figure(words(key), shown(value)))),
+      objects.map(([key, value]) => [h('h3', { text: words(key) }), facts(Object.entries(value).map(([name, one]) => [words(name), shown(one)]))])),
+    ...lists.map(([key, rows]) => section(`list-${key}`, `${words(key)}: ${count(rows.length)}`, words(key), listOf(key, rows))),
+    record(view.provenance ?? [], version),
+  ];
+  return { kind: command, verdict: null, tone: '', sections };
+}

@@ -1,0 +1,60 @@
+//! The page of a diagnosis.
+
+use super::embed::Decimals;
+use super::scene::robot;
+use super::{Page, write_page};
+use metrology::diagnose::{Diagnosis, RowResidual};
+use robot_model::robot::Robot;
+use serde_json::json;
+use std::io::{self, Write};
+
+/// Of more rows than this every second, third ... is shown: pictures of them show no more.
+const MOST_ROWS: usize = 6_000;
+
+/// What the page of a diagnosis is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct DiagnosisPage<'a> {
+    /// The measurement file's name.
+    pub title: &'a str,
+    /// What was found.
+    pub findings: &'a Diagnosis,
+    /// The robot as its model says.
+    pub robot: &'a Robot,
+    /// The report as people read it on a terminal.
+    pub text: &'a str,
+    /// Files with their SHA-256: names and values.
+    pub provenance: &'a [(&'static str, String)],
+}
+
+impl DiagnosisPage<'_> {
+    /// Writes the page.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(self, out: &mut dyn Write) -> io::Result<()> {
+        let all = &self.findings.residuals;
+        let step = all.len().div_ceil(MOST_ROWS).max(1);
+        let rows: Vec<&RowResidual> = all.iter().step_by(step).collect();
+        let flat = |of: fn(&RowResidual) -> &[f64]| rows.iter().flat_map(|row| of(row)).copied().collect();
+        let view = json!({
+            "robot": robot(self.robot),
+            "text": self.text,
+            "provenance": self.provenance,
+            "rows": all.len(),
+            "residuals": {
+                "line": rows.iter().map(|row| row.line).collect::<Vec<_>>(),
+                "id": rows.iter().map(|row| &row.id).collect::<Vec<_>>(),
+                "t_min": rows.iter().map(|row| row.t_min).collect::<Vec<_>>(),
+                "outlier": rows.iter().map(|row| u8::from(row.outlier)).collect::<Vec<_>>(),
+                "q_deg": Decimals::<3>(flat(|row| &row.q_deg)),
+                "p_mm": Decimals::<2>(flat(|row| &row.point_mm)),
+                "before_mm": Decimals::<4>(flat(|row| &row.before_mm)),
+                "after_mm": Decimals::<4>(flat(|row| &row.after_mm)),
+            },
+        });
+        write_page(
+            out,
+            &Page { command: "diagnose", title: self.title.to_owned(), data: self.findings, view },
+        )
+    }
+}
