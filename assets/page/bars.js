@@ -2,33 +2,34 @@
 
 import { h, svg } from './dom.js';
 
-const ROW = 26;
-const LEFT = 34;
+const ROW = 36;
+const WIDE = 82;
 
 /** Rows are `{ label, value, text, colour, interval: [low, high] }`, values from 0 to `most`. */
 export function bars({ label, rows, most }) {
-  const width = 100 - LEFT - 14;
-  const x = (value) => LEFT + (Math.min(Math.max(value / most, 0), 1) * width);
+  const x = (value) => Math.min(Math.max(value / most, 0), 1) * WIDE;
   const parts = rows.flatMap((row, i) => {
     const y = i * ROW;
-    const bar = svg('rect', { x: `${LEFT}%`, y: y + 7, width: `${Math.max(x(row.value) - LEFT, 0.15)}%`, height: 12, class: `bar-${row.colour ?? 'plain'}`, rx: 1.5 });
-    const name = svg('text', { x: `${LEFT - 1}%`, y: y + 17, 'text-anchor': 'end', class: 'bar-name' }, row.label);
     const end = row.interval ? Math.max(x(row.interval[1]), x(row.value)) : x(row.value);
-    const value = svg('text', { x: `${end + 1}%`, y: y + 17, class: 'bar-value' }, row.text);
     const interval = row.interval
-      ? [svg('line', { x1: `${x(row.interval[0])}%`, x2: `${x(row.interval[1])}%`, y1: y + 13, y2: y + 13, class: 'bar-interval' })]
+      ? [svg('line', { x1: `${x(row.interval[0])}%`, x2: `${x(row.interval[1])}%`, y1: y + 24, y2: y + 24, class: 'bar-interval' })]
       : [];
-    return [bar, ...interval, name, value];
+    return [
+      svg('text', { x: 0, y: y + 13, class: 'bar-name' }, row.label),
+      svg('rect', { x: 0, y: y + 18, width: `${Math.max(x(row.value), 0.3)}%`, height: 12, class: `bar-${row.colour ?? 'plain'}`, rx: 1.5 }),
+      ...interval,
+      svg('text', { x: `${end + 1}%`, y: y + 28, class: 'bar-value' }, row.text),
+    ];
   });
   const text = rows.map((row) => `${row.label} ${row.text}`).join('; ');
   return h('div', { class: 'bars' }, svg('svg', { width: '100%', height: rows.length * ROW, role: 'img', 'aria-label': `${label}: ${text}` }, parts));
 }
 
 /** Thin bars over whole numbers: lines of a spectrum. */
-export function stems({ label, rows, unit }) {
+export function stems({ label, rows, note }) {
   const most = Math.max(...rows.map((row) => row.value), 1e-12);
   const last = Math.max(...rows.map((row) => row.n), 4);
-  const x = (n) => 6 + (n / (last * 1.05)) * 90;
+  const x = (n) => 3 + (n / (last * 1.05)) * 94;
   const parts = rows.flatMap((row) => {
     const top = 96 - (row.value / most) * 78;
     return [
@@ -37,7 +38,7 @@ export function stems({ label, rows, unit }) {
     ];
   });
   return h('figure', { class: 'stems' }, h('figcaption', { text: label }),
-    svg('svg', { width: '100%', height: 116, role: 'img', 'aria-label': `${label}: ${rows.map((row) => `${row.n} per turn ${row.text}`).join(', ')}` },
-      svg('line', { x1: '5%', x2: '97%', y1: 96, y2: 96, class: 'axis' }), parts,
-      svg('text', { x: '97%', y: 112, 'text-anchor': 'end', class: 'bar-name' }, `lines per turn; the longest is ${unit}`)));
+    svg('svg', { width: '100%', height: 100, role: 'img', 'aria-label': `${label}: ${rows.map((row) => `${row.n} per turn ${row.text}`).join(', ')}` },
+      svg('line', { x1: '1%', x2: '99%', y1: 96, y2: 96, class: 'axis' }), parts),
+    h('p', { class: 'note', text: note }));
 }

@@ -115,7 +115,7 @@ function gearLines(causes) {
   return h('div', { class: 'plots' }, joints.map((joint) => {
     const rows = lines.filter((cause) => cause.joint === joint).map((cause) => ({ n: cause.n, value: cause.size, text: size(cause) }));
     const longest = rows.reduce((a, b) => (b.value > a.value ? b : a));
-    return stems({ label: `Gear of joint ${joint}`, rows, unit: longest.text });
+    return stems({ label: `Gear of joint ${joint}`, rows, note: `lines per turn of the joint; the longest is ${longest.text}` });
   }));
 }
 

@@ -3,10 +3,14 @@
 import { h } from './dom.js';
 import { compensation } from './compensation.js';
 import { diagnosis } from './diagnosis.js';
+import { accuracy, closedLoop, comparison, fitted, simulation } from './results.js';
 import { plain } from './plain.js';
 import { header } from './layout.js';
 
-const KINDS = { compensate: compensation, diagnose: diagnosis };
+const KINDS = {
+  compensate: compensation, diagnose: diagnosis, simulate: simulation, fit: fitted, accuracy,
+  'compare-measurements': comparison, 'closed-loop': closedLoop,
+};
 
 const page = JSON.parse(document.getElementById('data').textContent);
 const show = KINDS[page.command] ?? plain;

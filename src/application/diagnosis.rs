@@ -1,10 +1,11 @@
 //! Diagnosis of a robot from measured poses.
 
-use crate::report::diagnosis;
+use crate::report::{DiagnosisPage, diagnosis};
 use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify};
 use metrology::measure::Measurements;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
+use std::io::{self, Write};
 
 /// A diagnosis that waits for its measurements.
 ///
@@ -34,7 +35,7 @@ pub struct Diagnosed {
     pub findings: diagnose::Diagnosis,
     /// The model, where one was asked for and can be made.
     pub model: Option<Identified>,
-    robot: String,
+    robot: Robot,
 }
 
 impl Diagnosis {
@@ -58,7 +59,7 @@ impl Diagnosis {
         } else {
             (diagnose(measurements, &self.robot, &self.options), None)
         };
-        Diagnosed { findings, model, robot: self.robot.name.clone() }
+        Diagnosed { findings, model, robot: self.robot.clone() }
     }
 }
 
@@ -66,7 +67,7 @@ impl Diagnosed {
     /// The report as people read it.
     #[must_use]
     pub fn text(&self) -> String {
-        diagnosis::text(&self.findings, &self.robot)
+        diagnosis::text(&self.findings, &self.robot.name)
     }
 
     /// The JSON of the contract, with a line end.
@@ -75,6 +76,16 @@ impl Diagnosed {
     /// A number that JSON cannot hold.
     pub fn json(&self) -> serde_json::Result<String> {
         Ok(serde_json::to_string_pretty(&self.findings)? + "\n")
+    }
+
+    /// Writes the page; `name` and `sha256` are those of the measurements.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
+        let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
+        let Self { findings, robot, .. } = self;
+        DiagnosisPage { title: name, findings, robot, text: &self.text(), provenance: &provenance }.write(out)
     }
 
     /// Residuals of every row before and after, as CSV.

@@ -2,6 +2,7 @@
 
 use super::measured::MeasurementArgs;
 use super::number::positive;
+use super::page::ReportArgs;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
@@ -47,6 +48,10 @@ pub struct Args {
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// Runs `accuracy`.
@@ -64,7 +69,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let tool_m = args.tool.as_deref().map(tool).transpose()?;
     let compared = compared(args.register, tool_m)?;
     let json = files::Output::new(args.json.as_deref())?;
-    let (measurements, _) = args.source.read(console)?;
+    let page = args.page.open()?;
+    let (measurements, given) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
     let found = performance(&measurements, &robot, compared).map_err(|error| refused(&error))?;
     let worst = report::worst(&found);
@@ -84,9 +90,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     }
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", report::json(&found, beyond.is_empty())).into_bytes()))?;
+    let data = report::json(&found, beyond.is_empty());
+    let mut text = Vec::new();
+    report::write(&mut text, &found)?;
+    page.write("accuracy", &[(given.name, given.sha256)], &data, &String::from_utf8_lossy(&text))?;
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    report::write(to, &found)?;
+    to.write_all(&text)?;
     if args.limit_ap_mm.is_some() || args.limit_rp_mm.is_some() || args.limit_drift_mm.is_some() {
         let said =
             if beyond.is_empty() { "GO".to_owned() } else { format!("NO GO: beyond {}", beyond.join(", ")) };

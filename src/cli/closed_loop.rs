@@ -1,6 +1,7 @@
 //! `driftpost closed-loop`: the whole loop on a virtual robot. An effect is injected, the robot measured, the measurements
 //! diagnosed, a program compensated for what was found, and its targets measured again on the same robot.
 
+use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
@@ -53,6 +54,10 @@ pub struct Args {
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// Runs `closed-loop`.
@@ -63,6 +68,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load()?;
     let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
+    let page = args.page.open()?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let mut rng = Rng::new(args.seed, 0);
     let recipe = synth::recipe(
@@ -92,6 +98,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         "before": { "measured_rms_mm": before.measured_mm, "true_rms_mm": before.true_mm, "true_max_mm": before.max_mm },
         "after": { "measured_rms_mm": after.measured_mm, "true_rms_mm": after.true_mm, "true_max_mm": after.max_mm },
     });
+    page.write("closed-loop", &hashes(&given.program()), &answer, &diagnosis.reason)?;
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

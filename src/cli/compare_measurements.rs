@@ -1,8 +1,10 @@
 //! `driftpost compare-measurements`: what has changed between two measurements of one robot.
 
 use super::number::positive;
+use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
+use driftpost::application::sha256;
 use driftpost::report::changed as report;
 use metrology::diagnose::{CompareError, MeasurementComparison, compare_measurements};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -40,6 +42,10 @@ pub struct Args {
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// Runs `compare-measurements`.
@@ -51,14 +57,24 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load()?;
     let options = args.known.options()?;
     let json = files::Output::new(args.json.as_deref())?;
+    let page = args.page.open()?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;
     let found = compare_measurements(&before, &after, &robot, &options).map_err(|error| refused(&error))?;
     let said = verdict(&found, args.limit_mm);
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", report::json(&found, said)).into_bytes()))?;
+    let data = report::json(&found, said);
+    let mut text = Vec::new();
+    report::write(&mut text, &found, said)?;
+    let hashed = |path: &PathBuf| {
+        let bytes = files::read(path, "measurement file")?;
+        Ok::<_, Diagnostic>((path.display().to_string(), sha256(&bytes)))
+    };
+    let inputs = [hashed(&args.before)?, hashed(&args.after)?];
+    page.write("compare-measurements", &inputs, &data, &String::from_utf8_lossy(&text))?;
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    report::write(to, &found, said)?;
+    to.write_all(&text)?;
     Ok(if said { Outcome::Difference } else { Outcome::Done })
 }
 

@@ -1,6 +1,7 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
 use super::measured::MeasurementArgs;
+use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files};
 use driftpost::application::Diagnosis;
@@ -61,6 +62,10 @@ pub struct Args {
     /// A folder for pictures (SVG) of the residuals by joint angle, over time and in the workspace.
     #[arg(long, value_name = "FOLDER")]
     pub plots: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// Runs `diagnose`.
@@ -73,6 +78,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let to_stdout = args.json.as_deref() == Some(Path::new("-"));
     let json = args.json.as_deref().filter(|_| !to_stdout).map(files::Pending::new).transpose()?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
+    let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
     let standing = standing(args, options.tool_m)?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
@@ -93,6 +99,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let Some(json) = json {
         json.write(text.as_bytes())?;
     }
+    page.write_with(|out| found.write_page(&given.name, &given.sha256, out))?;
     if let Some(model) = &mut found.model {
         (model.data, model.data_sha256) = (given.name, given.sha256);
     }

@@ -1,6 +1,7 @@
 //! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
 
 use super::measured::MeasurementArgs;
+use super::page::ReportArgs;
 use super::program_input::ProgramInput;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
@@ -52,6 +53,10 @@ pub struct Args {
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// `FROM:TO` in minutes.
@@ -78,6 +83,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
+    let page = args.page.open()?;
 
     let job = Fit { robot, options };
     let warm_up = job.run(&touches).map_err(|error| refused(&error))?;
@@ -89,13 +95,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     if let Some(file) = model_out {
         let mut identified = warm_up.identified(&job.robot);
-        (identified.data, identified.data_sha256) = (given.name, given.sha256);
+        (identified.data, identified.data_sha256) = (given.name.clone(), given.sha256.clone());
         file.write(identified.to_toml().as_bytes())?;
     }
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", report::json(&warm_up, there.as_ref())).into_bytes()))?;
+    let (data, text) = (report::json(&warm_up, there.as_ref()), report::text(&warm_up, there.as_ref()));
+    page.write("fit", &[(given.name, given.sha256)], &data, &text)?;
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(report::text(&warm_up, there.as_ref()).as_bytes())?;
+    to.write_all(text.as_bytes())?;
     hint(to, args, &warm_up, there.as_ref())?;
     Ok(Outcome::Done)
 }

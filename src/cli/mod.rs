@@ -16,6 +16,7 @@ pub mod model;
 pub mod number;
 mod other_tasks;
 mod outcome;
+pub mod page;
 mod pending;
 pub mod program_input;
 mod settings;

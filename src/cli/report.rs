@@ -8,13 +8,14 @@ use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
 /// What tells the JSON of a command, in the order in which they are asked for.
-const KEYS: [(&str, &[&str]); 6] = [
+const KEYS: [(&str, &[&str]); 7] = [
     ("compensate", &["motions", "buckets", "worst_before_mm"]),
     ("diagnose", &["verdict", "causes", "shrink"]),
     ("simulate", &["minutes", "worst", "switches"]),
-    ("closed-loop", &["nominal", "identified", "left"]),
-    ("fit", &["deformation"]),
-    ("accuracy", &["poses"]),
+    ("compare-measurements", &["changed", "pairs", "tools"]),
+    ("closed-loop", &["withheld", "verdict", "before", "after"]),
+    ("fit", &["touches", "growth", "parameters"]),
+    ("accuracy", &["poses", "within", "worst"]),
 ];
 
 /// Options of `report`.

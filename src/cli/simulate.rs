@@ -5,6 +5,7 @@ use super::files::{self, Output};
 use super::made_with::MadeWith;
 use super::minutes::Minutes;
 use super::number::{at_least_one, positive};
+use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, model, suggest};
@@ -116,6 +117,10 @@ pub struct Args {
     /// What was found, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-", help_heading = "Results")]
     pub json: Option<PathBuf>,
+
+    /// The page.
+    #[command(flatten)]
+    pub page: ReportArgs,
 }
 
 /// What warms the true robot.
@@ -163,6 +168,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let csv = Output::new(args.csv.as_deref())?;
     let json = Output::new(args.json.as_deref())?;
+    let page = args.page.open()?;
 
     let mut simulation = Simulation::new(truth);
     simulation.options = SessionOptions {
@@ -196,10 +202,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
     let takes_standard_output = [&csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
     csv.write(console, || Ok(simulation::csv(&report)?))?;
-    json.write(console, || Ok(format!("{:#}\n", simulation::json(&report)).into_bytes()))?;
     let within = report.is_within(m_from_mm(args.tolerance_mm));
+    let data = simulation::json(&report);
+    let mut text = Vec::new();
+    simulation::write_summary(&mut text, &report, args.tolerance_mm, within)?;
+    page.write("simulate", &hashes(&program), &data, &String::from_utf8_lossy(&text))?;
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    simulation::write_summary(to, &report, args.tolerance_mm, within)?;
+    to.write_all(&text)?;
     Ok(match (report.judged(), within) {
         (0, _) => Outcome::Refused,
         (_, true) => Outcome::Done,

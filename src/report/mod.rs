@@ -34,7 +34,7 @@ pub use joints::{JointRow, JointTable};
 pub use json::{CompensationJson, messages, refusal, rounded};
 pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
-pub use page::{CompensationPage, DiagnosisPage, Page, SourceReview, write_page};
+pub use page::{CompensationPage, DiagnosisPage, Page, ResultPage, SourceReview, write_page};
 pub use review::{Review, write_review, write_verdict};
 pub use short_diff::{ShortDiff, write_coloured};
 pub use table::{Align, Table};

@@ -7,6 +7,7 @@ mod browser;
 mod bundle;
 mod compensation;
 mod hostile;
+mod results;
 
 use browser::Browser;
 use std::path::{Path, PathBuf};

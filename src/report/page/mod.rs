@@ -38,6 +38,28 @@ pub struct Page<D, V> {
     pub view: V,
 }
 
+/// A result with nothing to draw but its figures.
+#[derive(Debug)]
+pub struct ResultPage<'a> {
+    /// Names of its inputs.
+    pub title: String,
+    /// The command's JSON.
+    pub data: &'a serde_json::Value,
+    /// The report as people read it on a terminal.
+    pub text: &'a str,
+    /// Files with their SHA-256: names and values.
+    pub provenance: &'a [(String, String)],
+}
+
+impl<'a> ResultPage<'a> {
+    /// The page of a command.
+    #[must_use]
+    pub fn of(self, command: &'static str) -> Page<&'a serde_json::Value, serde_json::Value> {
+        let view = serde_json::json!({ "text": self.text, "provenance": self.provenance });
+        Page { command, title: self.title, data: self.data, view }
+    }
+}
+
 /// Writes a page whole.
 ///
 /// # Errors
