@@ -126,7 +126,7 @@ impl Compensated<'_> {
     /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { program, plan, messages, .. } = self;
-        pretty(out, &CompensationJson { program, plan, messages, shown: None })
+        pretty(out, &CompensationJson { program, plan, messages, shown: None, without_nulls: false })
     }
 
     /// Whether there is a table of joints at every minute.
@@ -232,7 +232,9 @@ impl Refusal {
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => pretty(out, &CompensationJson { program, plan, messages, shown: None }),
+            Some(plan) => {
+                pretty(out, &CompensationJson { program, plan, messages, shown: None, without_nulls: false })
+            }
             None => pretty(out, &report::refusal(program, &self.kept, messages)),
         }
     }

@@ -32,6 +32,8 @@ pub struct CompensationJson<'a> {
     pub messages: &'a [LocatedDiagnostic],
     /// The motions that have a row, by their index; `None` = all.
     pub shown: Option<&'a BTreeSet<usize>>,
+    /// Rows leave out what is null, as on a page that holds many.
+    pub without_nulls: bool,
 }
 
 impl Serialize for CompensationJson<'_> {
@@ -81,7 +83,15 @@ impl Serialize for Motions<'_> {
         let CompensationJson { program, plan, shown, .. } = self.0;
         let rows = program.motions.iter().zip(&plan.motions).enumerate();
         let rows = rows.filter(|(i, _)| shown.is_none_or(|shown| shown.contains(i)));
-        serializer.collect_seq(rows.map(|(i, (motion, planned))| planned_row(program, i, motion, planned)))
+        serializer.collect_seq(rows.map(|(i, (motion, planned))| {
+            let mut row = planned_row(program, i, motion, planned);
+            if let Value::Object(keys) = &mut row
+                && self.0.without_nulls
+            {
+                keys.retain(|_, value| !value.is_null());
+            }
+            row
+        }))
     }
 }
 

@@ -80,21 +80,25 @@ fn pages_of_the_other_commands_are_right_in_every_setting() {
     let cube = "fixtures/robodk/irc5/Cube45.mod";
     let (_, made) = path(&folder, "cube_tc.mod");
     driftpost(&["compensate", cube, "-o", &made], 0);
-    let commands: [(&[&str], i32, &str, fn(&Value) -> f64); 5] = [
+    // arguments, exit code, a figure of the page, and where in the JSON it stands
+    let commands: [(&[&str], i32, &str, &str); 5] = [
         (
             &["simulate", &made, "--original", cube, "--minutes", "0,60,120,180"],
             0,
             "Worst error as executed",
-            |json| json["worst"]["mm"].as_f64().unwrap(),
+            "/worst/mm",
         ),
-        (&["fit", "fixtures/docs/touches.csv", "--tool", "0,0,100"], 0, "Noise of one coordinate", |json| {
-            json["sigma_mm"].as_f64().unwrap()
-        }),
+        (
+            &["fit", "fixtures/docs/touches.csv", "--tool", "0,0,100"],
+            0,
+            "Noise of one coordinate",
+            "/sigma_mm",
+        ),
         (
             &["accuracy", "fixtures/docs/measured.csv", "--tool", "0,0,80", "--limit-ap-mm", "0.001"],
             1,
             "Pose accuracy AP",
-            |json| json["worst"]["ap_mm"].as_f64().unwrap(),
+            "/worst/ap_mm",
         ),
         (
             &[
@@ -106,19 +110,22 @@ fn pages_of_the_other_commands_are_right_in_every_setting() {
             ],
             1,
             "The points have moved by",
-            |json| json["rms_mm"].as_f64().unwrap(),
+            "/rms_mm",
         ),
-        (&["closed-loop", cube, "--inject", "joint_offset:2", "--n", "60"], 0, "Truly, before", |json| {
-            json["before"]["true_rms_mm"].as_f64().unwrap()
-        }),
+        (
+            &["closed-loop", cube, "--inject", "joint_offset:2", "--n", "60"],
+            0,
+            "Truly, before",
+            "/before/true_rms_mm",
+        ),
     ];
-    for (command, code, label, of) in commands {
+    for (command, code, label, place) in commands {
         let name = command[0];
         let (page, page_name) = path(&folder, &format!("{name}.html"));
         let (file, file_name) = path(&folder, &format!("{name}.json"));
         let arguments = [command, &["--report", &page_name, "--json", &file_name]].concat();
         driftpost(&arguments, code);
-        let expected = format!("{:.4}", of(&json(&file)));
+        let expected = format!("{:.4}", json(&file).pointer(place).unwrap().as_f64().unwrap());
         looks_right(&mut browser, &page);
         assert_eq!(figure(&mut browser, label), expected, "{name}");
         // and from its JSON alone

@@ -58,7 +58,8 @@ impl CompensationPage<'_> {
         let view = self.view(shown.as_ref());
         match plan {
             Some(plan) => {
-                let data = CompensationJson { program, plan, messages, shown: shown.as_ref() };
+                let data =
+                    CompensationJson { program, plan, messages, shown: shown.as_ref(), without_nulls: true };
                 write_page(out, &Page { command: "compensate", title, data, view })
             }
             None => {
