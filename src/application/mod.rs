@@ -7,6 +7,8 @@ mod compensated;
 mod compensation;
 mod diagnosis;
 mod fit;
+#[cfg(feature = "link")]
+mod link_check;
 mod named;
 #[cfg(feature = "link")]
 mod own_data;
@@ -21,6 +23,8 @@ pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
 pub use fit::{Fit, targets_of_program};
+#[cfg(feature = "link")]
+pub use link_check::{LinkCheck, LinkChecked};
 pub use named::{Named, model_of_another_robot, sha256};
 #[cfg(feature = "link")]
 pub use own_data::{OwnData, is_own_name};

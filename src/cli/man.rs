@@ -37,9 +37,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// A command and those below it, each with the name of its page.
+/// A command and those below it, each with the name of its page; `help` of the program alone.
 fn named(name: &str, command: &clap::Command, all: &mut Vec<(String, clap::Command)>) {
     all.push((name.to_owned(), command.clone()));
-    let below = command.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
-    below.for_each(|below| named(&format!("{name}-{}", below.get_name()), below, all));
+    for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
+        let page = format!("{name}-{}", below.get_name());
+        match (below.get_name(), name) {
+            ("help", "driftpost") => all.push((page, below.clone())),
+            ("help", _) => {}
+            _ => named(&page, below, all),
+        }
+    }
 }

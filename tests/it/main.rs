@@ -26,6 +26,8 @@ mod golden;
 mod grammar;
 mod hostile;
 mod kinematics;
+#[cfg(feature = "link")]
+mod link;
 mod live;
 mod lossless;
 mod measuring;

@@ -2,9 +2,14 @@
 //!
 //! Nothing here or below can start, stop or move a robot: `robot_link` has no request for it.
 
+mod check;
 mod connection;
+mod data;
 mod double;
 mod info;
+mod push;
+mod question;
+mod watch;
 
 use super::{Console, Outcome, interrupt};
 use clap::Subcommand;
@@ -22,6 +27,16 @@ pub struct Args {
 enum Command {
     /// What a controller is and how it stands: RobotWare, robot, options, mode, tasks, modules, the state of corrected programs.
     Info(info::Args),
+    /// Put a program's targets to the controller's own kinematics: poses, branches, configurations. Nothing moves.
+    Check(Box<check::Args>),
+    /// Show what would be written into HOME; with --yes write it, with --load exchange the modules while RAPID stands still.
+    Push(push::Args),
+    /// Values of the data of corrected programs.
+    Get(data::GetArgs),
+    /// Write one of them: tcMode, say.
+    Set(data::SetArgs),
+    /// State, bucket or share, minute and messages of corrected programs, as they change.
+    Watch(watch::Args),
     /// A strict double of a controller on this computer, to try the other commands on; it has no arm.
     Double(double::Args),
     /// Print every request that this program can send to a controller.
@@ -35,6 +50,11 @@ enum Command {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let ended = match &args.command {
         Command::Info(args) => info::run(args, console),
+        Command::Check(args) => check::run(args, console),
+        Command::Push(args) => push::run(args, console),
+        Command::Get(args) => data::get(args, console),
+        Command::Set(args) => data::set(args, console),
+        Command::Watch(args) => watch::run(args, console),
         Command::Double(args) => double::run(args, console),
         Command::Requests => requests(console),
     };

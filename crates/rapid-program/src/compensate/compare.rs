@@ -176,13 +176,13 @@ fn motion(
 }
 
 /// A target as a pose in its work object and as the flange's pose.
-struct Pose {
+pub(super) struct Pose {
     object_from_tcp: Isometry3<f64>,
-    base_from_flange: Isometry3<f64>,
-    q_rad: Option<[f64; 6]>,
+    pub(super) base_from_flange: Isometry3<f64>,
+    pub(super) q_rad: Option<[f64; 6]>,
 }
 
-fn pose(value: &TargetValue, placement: Placement, model: &Model) -> Option<Pose> {
+pub(super) fn pose(value: &TargetValue, placement: Placement, model: &Model) -> Option<Pose> {
     Some(match value {
         TargetValue::Rob(RobTarget { object_from_tcp, .. }) => Pose {
             object_from_tcp: *object_from_tcp,
@@ -242,7 +242,7 @@ fn step(
 }
 
 /// Joints that confdata names, where nothing better is known.
-fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64; 6]> {
+pub(super) fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64; 6]> {
     let TargetValue::Rob(RobTarget { conf, .. }) = value else { return None };
     let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
     let solutions = model.closed.solutions(&pose.base_from_flange);

@@ -4,6 +4,7 @@
 
 mod branch;
 mod clock_gaps;
+pub mod commanded;
 pub mod compare;
 mod conditions;
 mod correct;

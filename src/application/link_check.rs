@@ -1,0 +1,287 @@
+//! A program's targets put to the controller's own kinematics: nothing moves, it calculates.
+
+use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
+use rapid_program::compensate::CompensateError;
+use rapid_program::compensate::commanded::{Commanded, commanded};
+use rapid_program::program::Program;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_link::{Configuration, Frame, LinkError, Session, Unit};
+use robot_model::robot::Robot;
+use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+
+/// How far the controller may stand from its own display before anything is concluded, mm.
+const DISPLAY_MM: f64 = 0.1;
+/// Joints nearer to the border of a quadrant may be told on either side of it, degrees.
+const BORDER_DEG: f64 = 1e-3;
+
+/// What is asked, and how near the answers have to be.
+#[derive(Clone, Debug)]
+pub struct LinkCheck {
+    /// The arm's mechanical unit.
+    pub unit: Unit,
+    /// Every element of a scheduled target; else the original, the middle and the last.
+    pub all: bool,
+    /// Largest distance of two poses that are the same, mm.
+    pub tolerance_mm: f64,
+    /// Largest angle, of poses and of joints, degrees.
+    pub tolerance_deg: f64,
+}
+
+/// What was found at one target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// File and line of the motion.
+    pub at: String,
+    /// Element of a scheduled target, from 1, the original first.
+    pub element: usize,
+    /// Between our pose and the controller's for the same joints, mm and degrees.
+    pub apart: (f64, f64),
+    /// Largest difference of a joint for the same pose, degrees; `None` where the controller says that it cannot be reached.
+    pub joints_deg: Option<f64>,
+    /// Configurations, ours and the controller's, where they differ.
+    pub configurations: Option<([i32; 4], [i32; 4])>,
+    /// It is as it should be.
+    pub agrees: bool,
+}
+
+/// How the check ended.
+#[derive(Clone, Debug)]
+pub enum LinkChecked {
+    /// The controller does not calculate for others.
+    NotOffered(String),
+    /// Its calculation is not what it displays: no conclusion.
+    NoConclusion {
+        /// Between its own display and its own calculation for the joints that it shows, mm.
+        apart_mm: f64,
+    },
+    /// Every target was asked for.
+    Asked {
+        /// One for each.
+        found: Vec<Found>,
+        /// Motions whose targets only run time knows.
+        unknown: usize,
+        /// Between its own display and its own calculation, mm.
+        display_mm: f64,
+    },
+}
+
+impl LinkCheck {
+    /// Asks for every target of a program. `start_rad`: joints at its entry.
+    ///
+    /// # Errors
+    /// A robot without closed form; `link::*`, as a message.
+    pub fn run(
+        &self,
+        session: &mut Session,
+        program: &Program,
+        robot: &Robot,
+        start_rad: Option<[f64; 6]>,
+    ) -> Result<Result<LinkChecked, LinkError>, Diagnostic> {
+        let (targets, unknown) = commanded(program, robot, start_rad)
+            .map_err(|e: CompensateError| Diagnostic::error(e.code(), e.to_string()))?;
+        Ok(self.ask(session, program, &targets, unknown))
+    }
+
+    fn ask(
+        &self,
+        session: &mut Session,
+        program: &Program,
+        targets: &[Commanded],
+        unknown: usize,
+    ) -> Result<LinkChecked, LinkError> {
+        // Before use: what it calculates must be what it displays.
+        let display_mm = match self.display_mm(session) {
+            Err(LinkError::NotOffered { dialect, request }) => {
+                return Ok(LinkChecked::NotOffered(format!("{dialect} offers no {request}")));
+            }
+            other => other?,
+        };
+        if display_mm > DISPLAY_MM {
+            return Ok(LinkChecked::NoConclusion { apart_mm: display_mm });
+        }
+        let mut answered: BTreeMap<String, Found> = BTreeMap::new();
+        let mut found = Vec::new();
+        for target in targets.iter().filter(|target| self.is_asked(target)) {
+            let at = format!("{}:{}", program.file(target.at.0).path, target.at.1);
+            // A pose that comes again is not asked for again.
+            let key = format!("{:?} {:?} {:?}", target.base_from_tcp, target.flange_from_tcp, target.q_rad);
+            let mut answer = match answered.get(&key) {
+                Some(answer) => answer.clone(),
+                None => self.one(session, target)?,
+            };
+            answered.entry(key).or_insert_with(|| answer.clone());
+            (answer.at, answer.element) = (at, target.element + 1);
+            found.push(answer);
+        }
+        Ok(LinkChecked::Asked { found, unknown, display_mm })
+    }
+
+    fn is_asked(&self, target: &Commanded) -> bool {
+        self.all || [0, target.elements / 2, target.elements - 1].contains(&target.element)
+    }
+
+    /// Between the flange that the controller displays and the one that it calculates for the joints that it displays, mm.
+    fn display_mm(&self, session: &mut Session) -> Result<f64, LinkError> {
+        let q_rad = session.joints_now_deg(&self.unit)?.map(rad_from_deg);
+        let (position_mm, _) = session.flange_now_mm(&self.unit)?;
+        let calculated = session.forward(&self.unit, &q_rad, &Frame::IDENTITY)?;
+        let squares =
+            calculated.frame.position_m.iter().zip(position_mm).map(|(m, mm)| (mm_from_m(*m) - mm).powi(2));
+        Ok(squares.sum::<f64>().sqrt())
+    }
+
+    fn one(&self, session: &mut Session, target: &Commanded) -> Result<Found, LinkError> {
+        let tool = frame(&target.flange_from_tcp);
+        let ours = configuration(&target.configuration);
+        let pose = session.forward(&self.unit, &target.q_rad, &tool)?;
+        let theirs = isometry(&pose.frame);
+        let between = theirs.inv_mul(&target.base_from_tcp);
+        let apart = (mm_from_m(between.translation.vector.norm()), deg_from_rad(between.rotation.angle()));
+        let solved = session.inverse(
+            &self.unit,
+            &frame(&target.base_from_tcp),
+            Configuration(ours),
+            &target.q_rad,
+            &tool,
+        );
+        let joints_deg = match solved {
+            Ok(solution) => {
+                let apart = solution.q_rad.iter().zip(target.q_rad).map(|(a, b)| (a - b).abs());
+                Some(deg_from_rad(apart.fold(0.0, f64::max)))
+            }
+            Err(LinkError::Refused { refusal, .. }) if refusal.code() == "link::reach" => None,
+            Err(error) => return Err(error),
+        };
+        let is_same = same_configuration(ours, pose.configuration.0, &target.q_rad);
+        let agrees = apart.0 <= self.tolerance_mm
+            && apart.1 <= self.tolerance_deg
+            && is_same
+            && joints_deg.is_some_and(|deg| deg <= self.tolerance_deg);
+        let configurations = (!is_same).then_some((ours, pose.configuration.0));
+        Ok(Found { at: String::new(), element: 0, apart, joints_deg, configurations, agrees })
+    }
+}
+
+/// Quadrants as both count them; on the border of one either is right.
+fn same_configuration(ours: [i32; 4], theirs: [i32; 4], q_rad: &[f64; 6]) -> bool {
+    let is_near_border = |q: f64| (q - FRAC_PI_2 * (q / FRAC_PI_2).round()).abs() < rad_from_deg(BORDER_DEG);
+    let quadrants = [(0, 0), (1, 3), (2, 5)];
+    let same = |(i, axis): (usize, usize)| {
+        ours[i] == theirs[i] || (is_near_border(q_rad[axis]) && (ours[i] - theirs[i]).abs() == 1)
+    };
+    quadrants.into_iter().all(same) && ours[3] == theirs[3]
+}
+
+fn configuration(c: &robot_model::kinematics::Configuration) -> [i32; 4] {
+    [c.cf1, c.cf4, c.cf6, c.cfx]
+}
+
+fn frame(pose: &Isometry3<f64>) -> Frame {
+    let q = pose.rotation.quaternion();
+    Frame { position_m: pose.translation.vector.into(), orientation: [q.w, q.i, q.j, q.k] }
+}
+
+fn isometry(frame: &Frame) -> Isometry3<f64> {
+    let [w, i, j, k] = frame.orientation;
+    let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+    Isometry3::from_parts(frame.position_m.into(), rotation)
+}
+
+impl LinkChecked {
+    /// Whether the controller agrees; `None` where nothing can be concluded.
+    #[must_use]
+    pub fn agrees(&self) -> Option<bool> {
+        match self {
+            Self::Asked { found, .. } => Some(found.iter().all(|found| found.agrees)),
+            Self::NotOffered(_) | Self::NoConclusion { .. } => None,
+        }
+    }
+
+    /// For people: each target that does not agree (`all`: each), the worst, and the verdict.
+    #[must_use]
+    pub fn text(&self, all: bool) -> String {
+        match self {
+            Self::NotOffered(what) => format!("not offered: {what}\n"),
+            Self::NoConclusion { apart_mm } => format!(
+                "no conclusion: for the joints that it shows the controller calculates a flange {apart_mm:.4} mm from the one that it shows\n"
+            ),
+            Self::Asked { found, unknown, display_mm } => {
+                let mut text = String::new();
+                for found in found.iter().filter(|found| all || !found.agrees) {
+                    text += &found.line();
+                }
+                let worst = |value: fn(&Found) -> f64| found.iter().map(value).fold(0.0, f64::max);
+                text += &format!(
+                    "{} targets asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; display and calculation {display_mm:.4} mm apart\n",
+                    found.len(),
+                    worst(|f| f.apart.0),
+                    worst(|f| f.apart.1),
+                    worst(|f| f.joints_deg.unwrap_or(0.0)),
+                );
+                if *unknown > 0 {
+                    text += &format!(
+                        "{unknown} motions whose targets only the running program knows were not asked for\n"
+                    );
+                }
+                let wrong = found.iter().filter(|found| !found.agrees).count();
+                text + &match (found.len(), wrong) {
+                    (0, _) => "no target to ask for\n".to_owned(),
+                    (_, 0) => "the controller's own kinematics agree: poses, branches and configurations\n"
+                        .to_owned(),
+                    (_, wrong) => {
+                        format!("the controller's own kinematics DO NOT AGREE at {wrong} targets\n")
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same for programs.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        match self {
+            Self::NotOffered(what) => serde_json::json!({"verdict": "not_offered", "why": what}),
+            Self::NoConclusion { apart_mm } => {
+                serde_json::json!({"verdict": "no_conclusion", "display_mm": apart_mm})
+            }
+            Self::Asked { found, unknown, display_mm } => serde_json::json!({
+                "verdict": if self.agrees() == Some(true) { "agrees" } else { "differs" },
+                "display_mm": display_mm,
+                "not_known": unknown,
+                "targets": found.iter().map(Found::json).collect::<Vec<_>>(),
+            }),
+        }
+    }
+}
+
+impl Found {
+    fn line(&self) -> String {
+        let joints = match self.joints_deg {
+            Some(deg) => format!("joints {deg:.4} deg apart"),
+            None => "not reached in this configuration".to_owned(),
+        };
+        let configurations = self.configurations.map_or_else(String::new, |(ours, theirs)| {
+            format!(", confdata {ours:?} here and {theirs:?} there")
+        });
+        let verdict = if self.agrees { "" } else { "  <-" };
+        let (mm, deg) = self.apart;
+        format!(
+            "{} element {}: {mm:.4} mm, {deg:.4} deg, {joints}{configurations}{verdict}\n",
+            self.at, self.element
+        )
+    }
+
+    fn json(&self) -> serde_json::Value {
+        serde_json::json!({
+            "at": self.at,
+            "element": self.element,
+            "apart_mm": self.apart.0,
+            "apart_deg": self.apart.1,
+            "joints_deg": self.joints_deg,
+            "configurations": self.configurations.map(|(ours, theirs)| serde_json::json!({"ours": ours, "controller": theirs})),
+            "agrees": self.agrees,
+        })
+    }
+}

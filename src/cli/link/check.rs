@@ -1,0 +1,96 @@
+//! `driftpost link check`: a program's targets put to the controller's own kinematics.
+
+use super::connection::Connection;
+use crate::cli::files::Output;
+use crate::cli::made_with::MadeWith;
+use crate::cli::number::positive;
+use crate::cli::program_input::ProgramInput;
+use crate::cli::shared::ProgramSettings;
+use crate::cli::{Console, Outcome};
+use driftpost::application::{LinkCheck, LinkChecked, check_modules};
+use driftpost::report::LocatedDiagnostic;
+use rapid_program::program::Program;
+use robot_link::Unit;
+use std::path::PathBuf;
+
+/// Options of `link check`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// A module, a folder of them, or a .pgf; original or corrected.
+    #[arg(value_name = "PROGRAM")]
+    program: PathBuf,
+
+    /// Which controller.
+    #[command(flatten)]
+    connection: Connection,
+
+    /// Robot, tools, work objects and start.
+    #[command(flatten)]
+    settings: ProgramSettings,
+
+    /// The arm's mechanical unit.
+    #[arg(long, value_name = "UNIT", default_value = "ROB_1")]
+    unit: String,
+
+    /// Ask for every element of scheduled targets, and show every target.
+    #[arg(long)]
+    all: bool,
+
+    /// Poses further apart do not agree, mm.
+    #[arg(long, value_name = "MM", default_value_t = 0.005)]
+    tolerance_mm: f64,
+
+    /// Angles and joints further apart do not agree, degrees.
+    #[arg(long, value_name = "DEG", default_value_t = 0.001)]
+    tolerance_deg: f64,
+
+    /// All figures as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<PathBuf>,
+}
+
+/// Runs `link check`.
+///
+/// # Errors
+/// A program that cannot be read, a robot that is not known, `link::*`.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--tolerance-deg", Some(args.tolerance_deg))])?;
+    let json = Output::new(args.json.as_deref())?;
+    let given = ProgramInput::read(std::slice::from_ref(&args.program))?;
+    let made_with = MadeWith::of(&[&given]);
+    let robot = made_with.robot(args.settings.robot.as_deref())?;
+    let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
+    let start_rad = made_with.start_rad(args.settings.start_joints)?;
+    let sources = given.program().sources();
+    if let Err(message) = check_modules(&sources) {
+        console.explain(&[LocatedDiagnostic::new(message, &sources)], true);
+        return Ok(Outcome::Refused);
+    }
+    let program = Program::read(sources, &overrides);
+    let check = LinkCheck {
+        unit: Unit::new(&args.unit)?,
+        all: args.all,
+        tolerance_mm: args.tolerance_mm,
+        tolerance_deg: args.tolerance_deg,
+    };
+    let mut session = args.connection.open(console)?;
+    let identity = session.identity()?;
+    if identity.absolute_accuracy == Some(true) {
+        console
+            .say("warning: Absolute Accuracy is on; whether the controller's answers hold it is not known");
+    }
+    let checked = console
+        .while_busy("asking the controller", || check.run(&mut session, &program, &robot, start_rad))??;
+    session.end()?;
+    if !json.is_standard() {
+        let robot = identity.robot.as_deref().unwrap_or("(a robot that is not told)");
+        writeln!(console.out(), "{robot} at {}, {}", args.connection.host, identity.dialect)?;
+        write!(console.out(), "{}", checked.text(args.all))?;
+    }
+    json.write(console, || Ok(format!("{:#}\n", checked.json()).into_bytes()))?;
+    Ok(match (checked.agrees(), &checked) {
+        (Some(true), _) | (None, LinkChecked::NotOffered(_)) => Outcome::Done,
+        (Some(false), _) => Outcome::Difference,
+        (None, _) => Outcome::Refused,
+    })
+}

@@ -1,0 +1,280 @@
+//! `driftpost link` against the double: what a user sees, and the independent judge of a program's targets.
+
+use assert_cmd::Command;
+use driftpost::application::{LinkCheck, LinkChecked};
+use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+use rapid_program::program::{Overrides, Program};
+use robot_link::{Credentials, Host, Pins, Session, Settings, Unit};
+use rws_double::{Double, Options, Personality, Planted};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
+
+fn double(personality: Personality) -> Double {
+    Double::start(&Options { least_gap: Duration::ZERO, ..Options::new(personality) }).unwrap()
+}
+
+/// Cube45 as exported, and corrected with arrays.
+fn programs() -> [Vec<u8>; 2] {
+    let bytes = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(CUBE)).unwrap();
+    let compensation = Compensation::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
+    let corrected = compensation.run(&ProgramFiles::one("Cube45.mod", bytes.clone())).unwrap();
+    let corrected = corrected.text().unwrap().to_vec();
+    [bytes, corrected]
+}
+
+fn check(double: &Double, program: &[u8]) -> LinkChecked {
+    let host = Host::parse(&double.root()).unwrap();
+    let user = Credentials::new("Default User", "robotics");
+    let settings = Settings { pace: Duration::ZERO, ..Settings::default() };
+    let mut session = Session::open(&host, &user, &mut Pins::in_memory(), &settings).unwrap();
+    let files = ProgramFiles::one("Cube45.mod", program.to_vec()).sources();
+    let program = Program::read(files, &Overrides::default());
+    let check = LinkCheck {
+        unit: Unit::new("ROB_1").unwrap(),
+        all: false,
+        tolerance_mm: 0.005,
+        tolerance_deg: 0.001,
+    };
+    let checked =
+        check.run(&mut session, &program, &Robot::built_in("irb140").unwrap(), None).unwrap().unwrap();
+    session.end().unwrap();
+    assert_eq!((double.hits(), double.sessions()), (Vec::new(), 0));
+    checked
+}
+
+/// The double calculates with rs-opw-kinematics and lengths of ABB's data sheet; the original has 46 targets, the corrected one
+/// 22 elements for each, of which three are asked for.
+#[test]
+fn every_target_of_cube45_is_confirmed_by_other_kinematics() {
+    let programs = programs();
+    for personality in Personality::ALL {
+        for (program, count) in programs.iter().zip([46, 138]) {
+            let checked = check(&double(personality), program);
+            assert_eq!(checked.agrees(), Some(true), "{}", checked.text(false));
+            let LinkChecked::Asked { found, unknown, .. } = checked else { panic!("it is offered") };
+            assert_eq!((found.len(), unknown), (count, 0));
+            // What is left is the single precision of the answers.
+            assert!(found.iter().all(|f| f.apart.0 < 0.0005 && f.joints_deg.unwrap() < 0.0002));
+        }
+    }
+}
+
+#[test]
+fn a_planted_hundredth_of_a_millimetre_is_found() {
+    let double = double(Personality::Rw7);
+    double.plant(Planted { shift_m: [0.0, 0.000_01, 0.0], other_branch: false });
+    let checked = check(&double, &programs()[1]);
+    assert_eq!(checked.agrees(), Some(false));
+    let LinkChecked::Asked { found, .. } = checked else { panic!("it is offered") };
+    assert!(found.iter().all(|f| !f.agrees && (f.apart.0 - 0.01).abs() < 0.0005), "{found:?}");
+}
+
+#[test]
+fn a_planted_wrong_branch_is_found() {
+    for personality in Personality::ALL {
+        let double = double(personality);
+        double.plant(Planted { shift_m: [0.0; 3], other_branch: true });
+        let checked = check(&double, &programs()[0]);
+        assert_eq!(checked.agrees(), Some(false));
+        let LinkChecked::Asked { found, .. } = &checked else { panic!("it is offered") };
+        assert!(
+            found.iter().all(|f| f.apart.0 < 0.0005 && f.joints_deg.is_none_or(|deg| deg > 1.0)),
+            "{found:?}"
+        );
+        assert!(found.iter().any(|f| !f.agrees) && checked.text(false).contains("DO NOT AGREE"));
+    }
+}
+
+#[test]
+fn a_controller_that_does_not_calculate_is_no_failure() {
+    let double = double(Personality::Rw6);
+    double.with(|c| c.offers_kinematics = false);
+    let checked = check(&double, &programs()[0]);
+    assert!(matches!(checked, LinkChecked::NotOffered(_)) && checked.text(false).starts_with("not offered"));
+}
+
+/// A shop: a corrected module in a folder, a double with it loaded, and a user at a command line.
+struct Shop {
+    folder: tempfile::TempDir,
+    double: Double,
+}
+
+impl Shop {
+    fn new(personality: Personality) -> Self {
+        let shop = Self {
+            folder: tempfile::tempdir().unwrap(),
+            double: Double::start(&Options::new(personality)).unwrap(),
+        };
+        let corrected = &programs()[1];
+        std::fs::write(shop.module(), corrected).unwrap();
+        let text = String::from_utf8_lossy(corrected).replace("tcMinute:=0", "tcMinute:=64.7");
+        shop.double.with(|c| c.load(&text, "ProgMod"));
+        shop
+    }
+
+    fn module(&self) -> PathBuf {
+        self.folder.path().join("Cube45.mod")
+    }
+
+    /// Exit code, standard output and standard error.
+    fn run(&self, arguments: &[&str]) -> (i32, String, String) {
+        let root = self.double.root();
+        let module = self.module().display().to_string();
+        let arguments = arguments.iter().map(|a| a.replace("HOST", &root).replace("MODULE", &module));
+        let output = Command::cargo_bin("driftpost")
+            .unwrap()
+            .arg("link")
+            .args(arguments)
+            .env("DRIFTPOST_LINK_KNOWN", self.folder.path().join("known"))
+            .env("DRIFTPOST_LINK_PASSWORD", "robotics")
+            .output()
+            .unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        assert_eq!(
+            (self.double.hits(), self.double.sessions()),
+            (Vec::new(), 0),
+            "{arguments:?}",
+            arguments = self.double.requests()
+        );
+        assert!(
+            !text(&output.stderr).contains("robotics") && !text(&output.stdout).contains("robotics"),
+            "no password is shown"
+        );
+        (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+    }
+}
+
+#[test]
+fn a_corrected_module_is_pushed_loaded_and_set() {
+    for personality in Personality::ALL {
+        let shop = Shop::new(personality);
+        let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(
+            code == 1 && out.contains("new in HOME") && out.contains("dry run: nothing was written"),
+            "{out}"
+        );
+        assert!(shop.double.with(|c| c.files.is_empty()));
+        let (code, out, _) = shop.run(&["push", "MODULE", "HOST", "--yes"]);
+        assert!(code == 0 && out.contains("read back, the same"), "{out}");
+        assert_eq!(
+            shop.double.with(|c| c.files["Cube45.mod"].clone()),
+            std::fs::read(shop.module()).unwrap()
+        );
+        let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(code == 0 && out.contains("is in HOME already"), "{out}");
+        // Nobody is there to be asked again.
+        let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load"]);
+        assert!(code == 2 && said.contains("nothing was loaded"), "{said}");
+        shop.double.with(|c| c.execution = "running");
+        let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+        assert!(code == 2 && said.contains("link::running"), "{said}");
+        shop.double.with(|c| c.execution = "stopped");
+        let (code, out, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+        assert!(
+            code == 0 && out.contains("loaded into T_ROB1") && said.contains("`tcStartAt 64.7`"),
+            "{out}{said}"
+        );
+        assert_eq!(shop.double.with(|c| c.value("MOD_Cube45", "tcMinute")).as_deref(), Some("0"));
+        let (code, out, _) = shop.run(&["set", "HOST", "tcMode", "20"]);
+        assert!(code == 0 && out.contains("tcMode 20 (was -1; read back)"), "{out}");
+        let (code, out, _) = shop.run(&["get", "HOST", "tcMode", "tcState{2}"]);
+        assert_eq!(
+            (code, out.as_str()),
+            (0, "T_ROB1/MOD_Cube45 tcMode 20\nT_ROB1/MOD_Cube45 tcState{2} 0\n")
+        );
+    }
+}
+
+#[test]
+fn what_is_not_ours_stays_as_it_is() {
+    let shop = Shop::new(Personality::Rw7);
+    for arguments in [
+        &["set", "HOST", "baseCount", "1"][..],
+        &["get", "HOST", "baseText"],
+        &["set", "HOST", "tcModeSeen", "1"],
+    ] {
+        let (code, _, said) = shop.run(arguments);
+        assert!(code == 2 && (said.contains("link::not-ours") || said.contains("link::value")), "{said}");
+    }
+    shop.double.with(|c| {
+        c.modules.retain(|m| m.name != "MOD_Cube45");
+        c.load(&String::from_utf8_lossy(&programs()[0]), "ProgMod");
+    });
+    let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+    assert!(code == 2 && said.contains("link::not-ours"), "{said}");
+    assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
+}
+
+#[test]
+fn a_program_is_watched_line_by_line_and_by_subscription() {
+    for personality in Personality::ALL {
+        let shop = Shop::new(personality);
+        let (code, out, _) = shop.run(&["watch", "HOST", "--count", "2", "--interval-s", "0.1"]);
+        assert_eq!((code, out.lines().count()), (0, 2), "{out}");
+        assert!(out.starts_with("T_ROB1/MOD_Cube45: tcMode -1, tcBucket -1, tcMinute 64.7"), "{out}");
+        let (code, out, _) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe", "--json"]);
+        let line: serde_json::Value = serde_json::from_str(out.trim()).unwrap();
+        assert_eq!((code, line["values"]["tcMinute"].as_f64()), (0, Some(64.7)));
+        shop.double.with(|c| c.offers_subscriptions = false);
+        let (code, _, said) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
+        assert!(code == 0 && said.contains("note: no subscription"), "{said}");
+    }
+}
+
+/// The table as it is in the program that is shipped: every request that it can send is one that the double lets pass.
+#[test]
+fn the_binarys_table_of_requests_holds_none_that_could_move_the_robot() {
+    let output = Command::cargo_bin("driftpost").unwrap().args(["link", "requests"]).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let forms: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ")?.split_once(": ").map(|(_, form)| form))
+        .collect();
+    assert_eq!(forms.len(), 3 * robot_link::requests::ALL.len());
+    let written: Vec<&&str> =
+        forms.iter().filter(|form| !form.starts_with("GET ") && **form != "-").collect();
+    let harmless = [
+        "CalcPoseFromJoints",
+        "JointsFromCartesian",
+        "AllJointSolutions",
+        "/pose-from-joints",
+        "/joints-from-cartesian",
+        "/all-joints-solution",
+        "/{name}?action=set value=",
+        "/{name}/data value=",
+        "PUT /fileservice/{home}/{file}",
+        "loadmod",
+        "/mastership/rapid?action=request",
+        "/mastership/rapid?action=release",
+        "/mastership/edit/request",
+        "/mastership/edit/release",
+        "/controlstation/writeaccess/",
+        "/controlstation/register/remote",
+        "/users/rmmp privilege=modify",
+        "/users/rmmp?action=cancel",
+        "/users/rmmp/cancel",
+        "POST /subscription ",
+        "DELETE /subscription/{group}",
+    ];
+    let other: Vec<_> =
+        written.iter().filter(|form| !harmless.iter().any(|word| form.contains(word))).collect();
+    assert!(written.len() > 30 && other.is_empty(), "{other:?}");
+    for word in [
+        "start",
+        "stop",
+        "jog",
+        "pcp",
+        "ctrlstate?",
+        "restart",
+        "/cfg",
+        "resetpp",
+        "motoron",
+        "speedratio",
+        "iosystem",
+        "backup",
+    ] {
+        assert!(!written.iter().any(|form| form.contains(word)), "{word}");
+    }
+}
