@@ -55,7 +55,7 @@ pub mod report;
 #[cfg(feature = "cli")]
 pub mod command_line {
     pub use crate::cli::model::{deformation, robot};
-    pub use crate::cli::{Captured, Outcome, compensation, run, run_captured, run_with};
+    pub use crate::cli::{Captured, Outcome, compensation, program, run, run_captured, run_with};
 }
 
 pub use application::{

@@ -47,6 +47,21 @@ pub struct Compensation {
     pub default_table: bool,
 }
 
+/// Makers of arms that run no RAPID, as they stand in the names of robots.
+const OTHER_MAKERS: [&str; 12] = [
+    "COMAU",
+    "DENSO",
+    "EPSON",
+    "FANUC",
+    "KAWASAKI",
+    "KUKA",
+    "MITSUBISHI",
+    "MOTOMAN",
+    "NACHI",
+    "STAUBLI",
+    "UNIVERSAL ROBOTS",
+    "YASKAWA",
+];
 /// The robot that the built-in deformation table is of.
 pub(super) const PAPER_ROBOT: &str = "irb140";
 
@@ -242,6 +257,12 @@ impl Compensation {
             let text = format!("made for {}, and taken as one for {robot}", remark.robot);
             let help = "name the robot that runs it with --robot";
             messages.push(Diagnostic::warning("robot::other", text).at(remark.span).help(help));
+        }
+        if let Some(maker) = OTHER_MAKERS.iter().find(|maker| robot.to_ascii_uppercase().contains(*maker)) {
+            let text = format!("{robot} is {maker}'s, and RAPID runs on ABB's controllers alone");
+            let help =
+                "its measurements can be diagnosed; a program can only be corrected for an arm that runs it";
+            messages.push(Diagnostic::warning("robot::not-abb", text).help(help));
         }
         let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(&self.robot.model));
         if self.default_table && !is_papers {

@@ -40,6 +40,7 @@ pub mod man;
 pub mod plan;
 pub mod report;
 pub mod restore;
+pub mod robot;
 pub mod simulate;
 pub mod synth;
 pub mod tabulate;
@@ -50,8 +51,8 @@ pub use outcome::Outcome;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
-use driftpost::Compensation;
 use driftpost::report::LocatedDiagnostic;
+use driftpost::{Compensation, ProgramFiles};
 use rapid_syntax::diagnostic::Diagnostic;
 use settings::Settings;
 use std::cell::RefCell;
@@ -99,6 +100,8 @@ enum Command {
     Report(report::Args),
     /// Get the original of a compensated module back.
     Restore(restore::Args),
+    /// Show a robot, or write it as a robot file (TOML) or a URDF description.
+    Robot(robot::Args),
     /// Execute a program on the deformed robot: where the TCP really is, against what was meant.
     Simulate(Box<simulate::Args>),
     /// Diagnose a folder of sealed measurement sets and score the answers against the truth.
@@ -150,6 +153,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         #[cfg(feature = "link")]
         Command::Link(args) => link::run(args, console),
         Command::Report(args) => report::run(args, console),
+        Command::Robot(args) => robot::run(args, console),
         Command::Restore(args) => restore::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Exam(args) => exam::run(args, console),
@@ -270,6 +274,14 @@ pub fn compensation(options: &[String]) -> Result<Compensation, Diagnostic> {
     })?;
     args.check()?;
     args.compensation()
+}
+
+/// The modules that arguments name: modules, a folder, or a `.pgf`.
+///
+/// # Errors
+/// `input::*`, naming the file.
+pub fn program(paths: &[PathBuf]) -> Result<ProgramFiles, Diagnostic> {
+    Ok(program_input::ProgramInput::read(paths)?.program())
 }
 
 fn run_on(words: &[OsString], console: &mut Console) -> Outcome {

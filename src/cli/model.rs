@@ -17,7 +17,10 @@ pub fn robot_with_source(name: &str) -> Result<Named<Robot>, Diagnostic> {
     let model = robot(name)?;
     Ok(match Robot::built_in_file(name) {
         Some(text) => Named::new(model, name, text.as_bytes()),
-        None => Named::new(model, file_name(Path::new(name)), &files::read(Path::new(name), "robot file")?),
+        None => {
+            let path = urdf(name).map_or(Path::new(name), |(path, _)| path);
+            Named::new(model, file_name(path), &files::read(path, "robot file")?)
+        }
     })
 }
 
@@ -85,6 +88,11 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
     if let Some(robot) = Robot::built_in(name) {
         return Ok(robot);
     }
+    if let Some((path, tip)) = urdf(name) {
+        let bytes = files::read(path, "URDF description")?;
+        return Robot::from_urdf(&String::from_utf8_lossy(&bytes), tip)
+            .map_err(|error| in_file(&path.display().to_string(), error.into()));
+    }
     let path = Path::new(name);
     let looks_like_a_path =
         path.components().count() > 1 || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
@@ -96,6 +104,18 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
         Diagnostic::error("robot::toml", format!("{name}: not UTF-8 text after byte {}", error.valid_up_to()))
     })?;
     Robot::from_toml(text).map_err(|error| in_file(name, error.into()))
+}
+
+/// `FILE.urdf`, or `FILE.urdf:LINK` with the link that is the flange.
+fn urdf(name: &str) -> Option<(&Path, Option<&str>)> {
+    const ENDING: &str = ".urdf";
+    let end = name.to_ascii_lowercase().rfind(ENDING)? + ENDING.len();
+    match name.get(end..)? {
+        "" => Some((Path::new(name), None)),
+        rest => {
+            Some((Path::new(name.get(..end)?), Some(rest.strip_prefix(':').filter(|tip| !tip.is_empty())?)))
+        }
+    }
 }
 
 /// The deformation that `--deformation` and `--growth` name; without both the reference paper's.

@@ -6,6 +6,7 @@ mod diff;
 mod outputs;
 mod refusals;
 mod reviewing;
+mod robots;
 mod settings;
 mod shell;
 mod typos;

@@ -3,19 +3,33 @@
 use super::{Robot, RobotError};
 
 /// Name and file, in the order they are listed to a user.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 15] = [
     ("irb140", include_str!("built_in/irb140.toml")),
     ("irb120", include_str!("built_in/irb120.toml")),
     ("irb1200", include_str!("built_in/irb1200.toml")),
+    ("irb1200-0.7", include_str!("built_in/irb1200-0.7.toml")),
     ("irb1600-1.2", include_str!("built_in/irb1600-1.2.toml")),
     ("irb1600-1.45", include_str!("built_in/irb1600-1.45.toml")),
     ("irb2600", include_str!("built_in/irb2600.toml")),
     ("irb4600", include_str!("built_in/irb4600.toml")),
+    ("irb4600-2.5", include_str!("built_in/irb4600-2.5.toml")),
+    ("irb4600-2.55", include_str!("built_in/irb4600-2.55.toml")),
+    ("irb6650s-3.5", include_str!("built_in/irb6650s-3.5.toml")),
+    ("irb6650s-3.9", include_str!("built_in/irb6650s-3.9.toml")),
     ("irb6700", include_str!("built_in/irb6700.toml")),
+    ("irb6700-2.65", include_str!("built_in/irb6700-2.65.toml")),
+    ("irb7600-3.5", include_str!("built_in/irb7600-3.5.toml")),
 ];
 
-const NAMES: [&str; 8] =
-    [FILES[0].0, FILES[1].0, FILES[2].0, FILES[3].0, FILES[4].0, FILES[5].0, FILES[6].0, FILES[7].0];
+const NAMES: [&str; FILES.len()] = {
+    let mut names = [""; FILES.len()];
+    let mut i = 0;
+    while i < FILES.len() {
+        names[i] = FILES[i].0;
+        i += 1;
+    }
+    names
+};
 
 /// Robots whose joints 2 and 3 are coupled by a parallelogram or a linkage, which a chain of six independent
 /// joints does not describe. Prefixes of the squeezed name.

@@ -16,6 +16,14 @@ pub enum RobotError {
         /// What the TOML reader says.
         message: String,
     },
+    /// A URDF description that is no six-axis arm.
+    #[error("URDF, line {line}: {problem}")]
+    Urdf {
+        /// From 1.
+        line: u32,
+        /// What is wrong, and with which element.
+        problem: String,
+    },
     /// The numbers make no robot.
     #[error("robot file, {place}: {problem}; {remedy}")]
     Value {
@@ -57,6 +65,7 @@ impl RobotError {
         match self {
             Self::Toml { .. } => "robot::toml",
             Self::Value { .. } => "robot::value",
+            Self::Urdf { .. } => "robot::urdf",
             Self::Refused { .. } => "robot::coupled",
             Self::Unknown { .. } => "robot::unknown",
         }

@@ -1,12 +1,14 @@
 //! The constructive model of a six-axis arm: every joint's frame at its real place, axes, ranges, masses.
 //!
-//! Knows nothing of RAPID. Robots come from TOML (see [`Robot::from_toml`]); several are built in.
+//! Knows nothing of RAPID. Robots come from TOML (see [`Robot::from_toml`]) or URDF ([`Robot::from_urdf`]); several are built in.
 
 mod built_in;
 mod error;
 mod file;
 mod kind;
 mod range;
+mod urdf;
+mod write;
 
 pub use error::RobotError;
 pub use kind::same_type;

@@ -1,0 +1,51 @@
+//! `driftpost robot`: a robot as a robot file or a URDF description.
+
+use super::shared::RobotName;
+use super::{Console, Outcome, files};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::deg_from_rad;
+use std::path::PathBuf;
+
+/// Options of `robot`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
+
+    /// Write it as a robot file (FILE.toml) or a URDF description (FILE.urdf) [default: show joints, axes and ranges].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Runs `robot`.
+///
+/// # Errors
+/// What is wrong with the robot, or with where it goes.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    let robot = args.robot.load()?;
+    let Some(path) = &args.output else {
+        writeln!(console.out(), "{}\n{}", robot.name, robot.source)?;
+        for (i, joint) in robot.joints.iter().enumerate() {
+            let [x, y, z] = <[f64; 3]>::from(joint.axis.into_inner());
+            let range = joint.range_rad.map_or_else(
+                || "without end".to_owned(),
+                |[low, high]| format!("{:.1} to {:.1} deg", deg_from_rad(low), deg_from_rad(high)),
+            );
+            writeln!(console.out(), "joint {}  axis {x} {y} {z}  {range}", i + 1)?;
+        }
+        return Ok(Outcome::Done);
+    };
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    let text = match ending.as_deref() {
+        Some("toml") => robot.to_toml(),
+        Some("urdf") => robot.to_urdf(),
+        _ => {
+            let text = format!("{} ends neither in .toml nor in .urdf", path.display());
+            return Err(Diagnostic::error("robot::format", text).into());
+        }
+    };
+    files::Pending::new(path)?.write(text.as_bytes())?;
+    console.say(format_args!("wrote {}", path.display()));
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,59 @@
+//! Robots from descriptions, and as files.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use std::fs;
+
+const URDF: &str = "fixtures/robots/irb120.urdf";
+
+#[test]
+fn a_description_takes_the_place_of_a_robot_file() {
+    let bench = Bench::default();
+    let toml = bench.path("arm.toml").display().to_string();
+    let output = driftpost(&["robot", "--robot", URDF, "-o", &toml]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    // The nearest of the cube's targets: those 400 mm in front of the base.
+    let cube = fs::read_to_string("fixtures/paper/targets45.csv").unwrap();
+    let near =
+        bench.file("near.csv", cube.lines().take(16).map(|line| format!("{line}\n")).collect::<String>());
+    let tabulate = |robot: &str| {
+        let targets = ["tabulate", near.as_str(), "--orient-deg", "0,90,0", "--robot", robot];
+        let output = driftpost(&[&targets[..], &["--minutes", "0", "--joints-csv", "-"]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        out(&output)
+    };
+    // Millimetres of the description and of the built-in robot are the same; radians have six digits.
+    let joints = |text: String| -> Vec<f64> {
+        text.lines()
+            .skip(1)
+            .flat_map(|line| line.split(',').skip(4).take(6))
+            .map(|q| q.parse().unwrap())
+            .collect()
+    };
+    let (ours, by_name) = (joints(tabulate(URDF)), joints(tabulate("irb120")));
+    assert!(ours.len() == 15 * 6 && ours.iter().zip(&by_name).all(|(a, b)| (a - b).abs() < 1e-9));
+    let (by_file, with_tip) = (joints(tabulate(&toml)), joints(tabulate(&format!("{URDF}:tool0"))));
+    assert!(ours.iter().zip(&by_file).all(|(a, b)| (a - b).abs() < 1e-6));
+    assert_eq!(ours, with_tip);
+}
+
+#[test]
+fn a_description_that_is_no_arm_is_refused_with_its_line() {
+    let bench = Bench::default();
+    let broken =
+        bench.file("arm.urdf", "<robot name=\"x\">\n  <joint name=\"j\" type=\"revolute\"/>\n</robot>\n");
+    let said = |robot: &str| {
+        let output = driftpost(&["compensate", CUBE, "--robot", robot, "-o", "-"]);
+        assert_eq!(output.status.code(), Some(2));
+        err(&output)
+    };
+    assert!(said(&broken).contains("robot::urdf") && said(&broken).contains("line 2"), "{}", said(&broken));
+    assert!(said(&format!("{URDF}:hand")).contains("there is no link `hand`"));
+    assert!(said("nowhere.urdf:tool0").contains("input::missing"));
+    assert!(said("irb2400").contains("robot::coupled"));
+    // Another maker's arm, by its name.
+    let file = fs::read_to_string("crates/robot-model/src/robot/built_in/irb140.toml").unwrap();
+    let fanuc = bench.file("fanuc.toml", file.replace("ABB IRB 140-6/0.8", "FANUC M-10"));
+    assert!(said(&fanuc).contains("robot::not-abb"), "{}", said(&fanuc));
+    let output = driftpost(&["robot", "-o", &bench.path("arm.step").display().to_string()]);
+    assert!(err(&output).contains("robot::format"));
+}
