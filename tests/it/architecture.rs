@@ -251,6 +251,20 @@ fn members_depend_only_on_what_stands_before_them() {
     }
 }
 
+/// The Python member is thin: of the workspace it knows the root package alone.
+#[test]
+fn python_uses_the_front_door() {
+    let manifest = fs::read_to_string(root().join("python/Cargo.toml")).unwrap();
+    let manifest: toml::Table = manifest.parse().unwrap();
+    let used: Vec<&String> = manifest["dependencies"].as_table().unwrap().keys().collect();
+    assert!(used.iter().any(|name| *name == "driftpost"));
+    let members = CRATES.map(|(name, _)| name);
+    assert!(!used.iter().any(|name| members.contains(&name.as_str())), "{used:?}");
+    let root_manifest: toml::Table = fs::read_to_string(root().join("Cargo.toml")).unwrap().parse().unwrap();
+    let default = root_manifest["workspace"]["default-members"].as_array().unwrap();
+    assert!(default.iter().all(|member| member.as_str() != Some("python")), "cargo test needs no Python");
+}
+
 #[test]
 fn a_module_uses_only_what_stands_to_its_left() {
     let modules = Modules::read();

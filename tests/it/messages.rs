@@ -32,6 +32,7 @@ fn every_code_is_documented_and_every_documented_code_exists() {
     let mut files = Vec::new();
     rust_files(&root.join("src"), &mut files);
     rust_files(&root.join("crates"), &mut files);
+    rust_files(&root.join("python/src"), &mut files);
     let mut used = BTreeSet::new();
     for path in files {
         let text = fs::read_to_string(&path).unwrap();

@@ -1,0 +1,103 @@
+"""Kinematics on numpy arrays."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from . import _driftpost
+from ._errors import DriftpostError
+
+
+def _array(name: str, values, shape: tuple[int, ...]) -> tuple[np.ndarray, bool]:
+    """Values as (N, *shape) of float64, and whether one row stood alone."""
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError) as error:
+        raise DriftpostError(f"{name} is no array of numbers: {error}", "array::shape") from None
+    if array.dtype.kind not in "iuf":
+        raise DriftpostError(f"{name} is no array of numbers, but of {array.dtype}", "array::shape")
+    array = array.astype(np.float64, copy=False)
+    if array.shape == shape:
+        return array[np.newaxis], True
+    if array.ndim != len(shape) + 1 or array.shape[1:] != shape:
+        wanted = "(" + ", ".join(["N", *map(str, shape)]) + ")"
+        raise DriftpostError(f"{name} has shape {array.shape}, {wanted} is needed", "array::shape")
+    return array, False
+
+
+def _flat(array: np.ndarray) -> np.ndarray:
+    return np.ascontiguousarray(array).reshape(-1)
+
+
+class Robot:
+    """A six-axis arm: ``Robot.load("irb140")``.
+
+    Joints are in degrees, lengths in mm. Every method takes one row or N and works on all cores without the interpreter's lock;
+    an array that is not finite or of another shape raises DriftpostError (``array::*``) and names the row, from 0.
+    """
+
+    def __init__(self, core: _driftpost.Robot):
+        self._core = core
+
+    @classmethod
+    def load(cls, name: str | os.PathLike[str]) -> Robot:
+        """A built-in robot by its name, or a robot file by its path, as ``--robot`` takes them.
+
+        Raises DriftpostError (``robot::*``, ``input::*``).
+        """
+        return cls(_driftpost.Robot.load(os.fspath(name)))
+
+    @property
+    def name(self) -> str:
+        """The robot's own name."""
+        return self._core.name
+
+    @property
+    def ranges(self) -> np.ndarray:
+        """(6, 2) lowest and highest angle of each joint, degrees; NaN where it has no range."""
+        return np.array([[np.nan, np.nan] if r is None else r for r in self._core.ranges])
+
+    def fk(self, q) -> np.ndarray:
+        """Poses of the flange in the base, (N, 4, 4) with shifts in mm, of joints (N, 6) in degrees."""
+        q, alone = _array("q", q, (6,))
+        poses = self._core.forward(_flat(q)).reshape(-1, 4, 4)
+        return poses[0] if alone else poses
+
+    def fk_deformed(self, q, t_min, *, deformation=None, growth: str | None = None) -> np.ndarray:
+        """As fk, of the arm as it has deformed at warm-up minutes ``t_min`` (one number, or N).
+
+        ``deformation`` is the path of a table (CSV), ``growth`` its law (``"two-stage:46"``); without both the reference paper's.
+        """
+        q, alone = _array("q", q, (6,))
+        t_min, _ = _array("t_min", np.atleast_1d(t_min) if np.isscalar(t_min) else t_min, ())
+        path = None if deformation is None else os.fspath(deformation)
+        poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
+        return poses[0] if alone else poses
+
+    def jacobian(self, q) -> np.ndarray:
+        """Geometric Jacobians (N, 6, 6) at the flange's origin in the base's axes, of joints (N, 6) in degrees.
+
+        Rows vx vy vz in mm/rad and wx wy wz in rad/rad, columns joints.
+        """
+        q, alone = _array("q", q, (6,))
+        jacobians = self._core.jacobian(_flat(q)).reshape(-1, 6, 6)
+        return jacobians[0] if alone else jacobians
+
+    def ik(self, pose, near=None) -> np.ndarray:
+        """Joints in degrees that reach poses (N, 4, 4) with shifts in mm.
+
+        Without ``near`` all eight branches, (N, 8, 6) in (-180, 180], by ABB's cfx (4 wrist centre behind axis 1, 2 behind the
+        lower arm, 1 axis 5 negative), whatever the ranges. With ``near`` (N, 6) the nearest solution within the ranges, (N, 6).
+        NaN where there is none.
+        """
+        pose, alone = _array("pose", pose, (4, 4))
+        if near is None:
+            found = self._core.branches(_flat(pose)).reshape(-1, 8, 6)
+        else:
+            found = self._core.nearest(_flat(pose), _flat(_array("near", near, (6,))[0]))
+        return found[0] if alone else found
+
+    def __repr__(self) -> str:
+        return f"<Robot {self.name}>"

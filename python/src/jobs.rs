@@ -1,0 +1,122 @@
+//! Work on programs and measurements.
+
+use crate::errors::{Message, message, refused};
+use driftpost::application::ProgramFiles;
+use driftpost::command_line::{self, Outcome};
+use driftpost::{Diagnostic, report::LocatedDiagnostic};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// What a compensation gives: files (path, bytes), diff, JSON, review, messages.
+type Made<'py> = (Vec<(String, Bound<'py, PyBytes>)>, Bound<'py, PyBytes>, String, String, Vec<Message>);
+
+/// Path and bytes of each file.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// A program as it is given.
+#[derive(FromPyObject)]
+pub enum Program {
+    /// Path and bytes of each module.
+    Texts(Files),
+    /// Modules, a folder or a `.pgf`.
+    Paths(Vec<PathBuf>),
+}
+
+/// What is made without the interpreter's lock.
+struct Plain {
+    files: Files,
+    diff: Vec<u8>,
+    json: String,
+    review: String,
+    messages: Vec<Message>,
+}
+
+/// Compensates modules, given by their paths as on the command line or as texts; `options` are those of the command line. `progress` is called with files done and files in all.
+#[pyfunction]
+pub fn compensate<'py>(
+    py: Python<'py>,
+    program: Program,
+    options: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Made<'py>> {
+    let mut stopped = None;
+    let made = py.detach(|| run(program, &options, progress.as_ref(), &mut stopped));
+    if let Some(error) = stopped {
+        return Err(error);
+    }
+    let made = made.map_err(|messages| refused(py, &messages))?;
+    let files = made.files.iter().map(|(path, bytes)| (path.clone(), PyBytes::new(py, bytes))).collect();
+    Ok((files, PyBytes::new(py, &made.diff), made.json, made.review, made.messages))
+}
+
+fn run(
+    program: Program,
+    options: &[String],
+    progress: Option<&Py<PyAny>>,
+    stopped: &mut Option<PyErr>,
+) -> Result<Plain, Vec<LocatedDiagnostic>> {
+    let alone = |diagnostic: Diagnostic| vec![LocatedDiagnostic::new(diagnostic, &[])];
+    let job = command_line::compensation(options).map_err(alone)?;
+    let program = match program {
+        Program::Texts(files) => ProgramFiles::new(files),
+        Program::Paths(paths) => command_line::program(&paths).map_err(alone)?,
+    };
+    let all = program.iter().count();
+    let (mut emitted, mut done) = (Vec::new(), 0_usize);
+    let mut made = job
+        .run_each(&program, &mut |_, file| {
+            emitted.push(file);
+            done += 1;
+            let Some(progress) = progress else { return Ok(()) };
+            Python::attach(|py| progress.call1(py, (done, all.max(done)))).map(drop).map_err(|error| {
+                *stopped = Some(error);
+                Diagnostic::error("run::stopped", "the callback has stopped the work")
+            })
+        })
+        .map_err(|refusal| refusal.messages)?;
+    made.files = emitted;
+    let failed = |error: std::io::Error| alone(Diagnostic::error("output::unwritable", error.to_string()));
+    let (mut json, mut review) = (Vec::new(), Vec::new());
+    made.write_json(&mut json).map_err(failed)?;
+    made.write_review(&mut review, true).map_err(failed)?;
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    Ok(Plain {
+        files: made.loaded().into_iter().map(|(path, bytes)| (path.to_owned(), bytes.to_vec())).collect(),
+        diff: made.diff(),
+        json: text(json),
+        review: text(review),
+        messages: made.messages.iter().map(message).collect(),
+    })
+}
+
+/// Runs a command; gives its exit code, standard output and standard error. A refusal is an exception.
+#[pyfunction]
+pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
+    let words: Vec<OsString> = [OsString::from("driftpost")].into_iter().chain(words).collect();
+    // Nothing of a run is shared with another thread until it has ended.
+    let (code, output, messages, errors) = py.detach(|| {
+        let captured = command_line::run_captured(&words);
+        (code_of(captured.outcome), captured.output, captured.messages, captured.errors)
+    });
+    if code == 2 && !errors.is_empty() {
+        return Err(refused(py, &errors));
+    }
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    Ok((code, text(&output), text(&messages)))
+}
+
+/// The `driftpost` program.
+#[pyfunction]
+pub fn main(py: Python<'_>, words: Vec<OsString>) -> u8 {
+    py.detach(|| code_of(command_line::run_with(words)))
+}
+
+fn code_of(outcome: Outcome) -> u8 {
+    match outcome {
+        Outcome::Done => 0,
+        Outcome::Difference => 1,
+        Outcome::Refused => 2,
+    }
+}
