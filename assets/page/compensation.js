@@ -14,21 +14,21 @@ export function compensation({ data, view, version }) {
   const refused = data.errors.length > 0;
   const course = view.course && view.points.motion.length > 0 ? new Course(view) : null;
   const correction = course && new Correction(course, data);
+  const point = course && worstPoint(course);
   const scene = {
     data, view, course, correction,
     motions: new Map(data.motions.map((motion) => [motion.index, motion])),
-    state: store({ t: course ? Math.round(course.end * WARM_SHARE) : 0, times: 20, point: null, corrected: false, joints: null }),
+    state: store({ t: course ? Math.round(course.end * WARM_SHARE) : 0, times: 20, point, corrected: false, joints: course?.joints(point) ?? null }),
   };
   const totals = view.totals ?? sums(data.motions);
   const sections = [
-    overview(data, view, totals, refused),
-    course && armSection(scene),
-    course && !refused && curveSection(scene),
-    data.motions.length > 0 && motionSection(scene),
-    view.source && view.source.files.length > 0 && sourceSection(scene),
-    record(provenance(view), version),
-  ].filter(Boolean);
-  if (course) scene.state.set({ point: worstPoint(course, scene.motions) });
+    () => overview(data, view, totals, refused),
+    () => course && armSection(scene),
+    () => course && !refused && curveSection(scene),
+    () => data.motions.length > 0 && motionSection(scene),
+    () => view.source && view.source.files.length > 0 && sourceSection(scene),
+    () => record(provenance(view), version),
+  ];
   const verdict = refused
     ? `Refused: nothing was written`
     : `${plural(totals.motions, 'motion')}: ${count(totals.compensated)} compensated, ${count(totals.kept)} kept`;

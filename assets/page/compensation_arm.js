@@ -13,6 +13,7 @@ import { targetCard } from './target_card.js';
 const PLAY_S = 16;
 const MOST_TIMES = 500;
 const STEPS = 200;
+const MUCH = 4000;
 
 const timesOf = (value) => Math.round(MOST_TIMES ** (value / STEPS));
 const valueOf = (times) => Math.round((Math.log(times) / Math.log(MOST_TIMES)) * STEPS);
@@ -21,7 +22,7 @@ export function armSection(scene) {
   const { course, state, view } = scene;
   const arm = armOf(view.robot);
   const title = `${view.robot.name}: the arm, its drift enlarged`;
-  const view3 = view3d(`The arm in 3-D with ${course.count} targets. Arrow keys with Shift turn it, plus and minus zoom, Home looks from the start again.`);
+  const view3 = view3d(`The arm in 3-D with ${course.count} targets. Arrow keys with Shift turn it, plus and minus zoom, Home looks from the start again.`, course.count > MUCH);
   const card = targetCard(scene);
   const panel = h('div', { class: 'panel' }, timeControl(scene), enlargement(scene), shows(scene), jog(scene, arm));
   if (!view3) {

@@ -34,14 +34,14 @@ export function diagnosis({ data, view, version }) {
   const scene = { data, view, state: store({ row: null, pose: null, after: false, times: 100 }) };
   const hasRows = (view.residuals?.line.length ?? 0) > 0;
   const sections = [
-    overview(data, view, tone),
-    causeSection(data),
-    hasRows && residualSection(scene),
-    view.robot && (hasRows || data.next_measurements.length > 0) && poseSection(scene),
-    data.false_rows?.length > 0 && falseSection(data),
-    limitSection(data),
-    record([...(view.provenance ?? []), ...(view.robot ? [['robot', view.robot.name]] : [])], version),
-  ].filter(Boolean);
+    () => overview(data, view, tone),
+    () => causeSection(data),
+    () => hasRows && residualSection(scene),
+    () => view.robot && (hasRows || data.next_measurements.length > 0) && poseSection(scene),
+    () => data.false_rows?.length > 0 && falseSection(data),
+    () => limitSection(data),
+    () => record([...(view.provenance ?? []), ...(view.robot ? [['robot', view.robot.name]] : [])], version),
+  ];
   return { kind: 'diagnosis', verdict, tone, sections };
 }
 

@@ -8,6 +8,7 @@ import { view3d } from './scene.js';
 import { colour, onTheme } from './theme.js';
 import { choice, slider } from './controls.js';
 import { section } from './layout.js';
+import { rowsOf } from './diagnosis_residuals.js';
 import { table } from './table.js';
 
 const MOST_TIMES = 2000;
@@ -18,6 +19,7 @@ const valueOf = (times) => Math.round((Math.log(times) / Math.log(MOST_TIMES)) *
 export function poseSection(scene) {
   const { data, view, state } = scene;
   const residuals = view.residuals;
+  scene.rows ??= rowsOf(residuals);
   const view3 = view3d(`Residuals of ${residuals.line.length} rows in the workspace and the arm in 3-D. Arrow keys with Shift turn it, plus and minus zoom, Home looks from the start again.`);
   const next = nextTable(data, state);
   const note = h('p', { class: 'hud', role: 'status' });

@@ -5,8 +5,9 @@ import { button } from './controls.js';
 import { toggleTheme } from './theme.js';
 
 /** Head of the page with links to its sections. */
-export function header({ title, kind, verdict, tone, version, sections }) {
-  return h('header', { class: 'top' },
+export function header({ title, kind, verdict, tone, version }) {
+  const nav = h('nav', { 'aria-label': 'Sections' });
+  const element = h('header', { class: 'top' },
     h('div', { class: 'brand' },
       h('p', { class: 'kind' }, h('span', { class: 'word', text: 'driftpost' }), ` ${version} · ${kind}`),
       h('h1', { title, text: title }),
@@ -14,7 +15,8 @@ export function header({ title, kind, verdict, tone, version, sections }) {
     h('div', { class: 'tools' },
       button('Light / dark', toggleTheme, { class: 'small', name: 'theme' }),
       button('Print', () => print(), { class: 'small' })),
-    h('nav', { 'aria-label': 'Sections' }, sections.map((section) => h('a', { href: `#${section.id}`, text: section.dataset.short }))));
+    nav);
+  return { element, link: (section) => nav.append(h('a', { href: `#${section.id}`, text: section.dataset.short })) };
 }
 
 /** A section with its heading; `short` stands in the head's links. */

@@ -15,8 +15,26 @@ const KINDS = {
 const page = JSON.parse(document.getElementById('data').textContent);
 const show = KINDS[page.command] ?? plain;
 const { kind, verdict, tone, sections } = show(page);
-document.getElementById('page').replaceChildren(
-  h('a', { class: 'skip', href: '#main', text: 'Skip to the contents' }),
-  header({ title: page.title, kind, verdict, tone, version: page.version, sections }),
-  h('main', { id: 'main', tabIndex: -1 }, sections),
-);
+const main = h('main', { id: 'main', tabIndex: -1 });
+const head = header({ title: page.title, kind, verdict, tone, version: page.version });
+document.getElementById('page').replaceChildren(h('a', { class: 'skip', href: '#main', text: 'Skip to the contents' }), head.element, main);
+
+/** One section after the other, each when the one before it is seen: what comes first is there at once. */
+function add(rest) {
+  const [make, ...later] = rest;
+  if (!make) {
+    document.documentElement.dataset.whole = 'yes';
+    return;
+  }
+  const section = make();
+  if (section) {
+    main.append(section);
+    head.link(section);
+  }
+  const next = () => add(later);
+  // a page that nobody looks at draws no frames
+  if (document.hidden) setTimeout(next);
+  else requestAnimationFrame(() => setTimeout(next));
+}
+
+add(sections);

@@ -44,6 +44,6 @@ export function plain({ command, data, view, version }) {
       objects.map(([key, value]) => [h('h3', { text: words(key) }), facts(Object.entries(value).map(([name, one]) => [words(name), shown(one)]))])),
     ...lists.map(([key, rows]) => section(`list-${key}`, `${words(key)}: ${count(rows.length)}`, words(key), listOf(key, rows))),
     record(view.provenance ?? [], version),
-  ];
+  ].map((one) => () => one);
   return { kind: command, verdict: null, tone: '', sections };
 }

@@ -51,7 +51,7 @@ export function simulation({ data, view, version }) {
       listOf('passes', rows)),
     ...lists({ ...data, switches: data.switches.map((one_) => ordered(one_, ['t_min', 'jump_mm'])), functions: data.functions.map((one_) => ordered(one_, ['name', 'calls', 'statements', 'arithmetic', 'trigonometric'])), messages: data.messages.map(shortFile), unchanged: data.unchanged.map(shortFile) }, { switches: 'Switches', unchanged: 'Motions not corrected', messages: 'Messages', unknown_instructions: 'Unknown instructions', functions: 'Functions' }),
     record(view.provenance ?? [], version),
-  ].filter(Boolean);
+  ].map((one) => () => one);
   return { kind: 'simulation', verdict: `${plural(data.executed.motions, 'motion')} executed: ${mm(max((pass) => pass.after.max_mm))} mm at worst`, tone: failed || data.executed.motions === 0 ? 'bad' : 'good', sections };
 }
 
@@ -93,7 +93,7 @@ export function fitted({ data, view, version }) {
     there && section('targets', 'At the targets', 'Targets', listOf('targets', there.each),
       there.next && h('p', { class: 'notice', text: `Touch next at joints ${there.next.q_deg.map((q) => q.toFixed(1)).join(', ')} deg (${there.next.at_mm.map((value) => value.toFixed(0)).join(', ')} mm): ${mm(there.next.left_rms_mm)} mm would be left.` })),
     record(view.provenance ?? [], version),
-  ].filter(Boolean);
+  ].map((one) => () => one);
   return { kind: 'fit of a warm-up', verdict: `${data.growth.split(':')[0]}, τ ${tau.toFixed(1)} min`, tone: 'good', sections };
 }
 
@@ -115,7 +115,7 @@ export function accuracy({ data, view, version }) {
       bars({ label: 'Pose accuracy', most, rows: [...data.poses].sort((a, b) => b.ap_mm - a.ap_mm).slice(0, 12).map((pose) => ({ label: pose.id ?? `line ${pose.line}`, value: pose.ap_mm, text: `AP ${mm(pose.ap_mm)} mm${pose.repeatability ? `, RP ${mm(pose.repeatability.rp_mm)} mm` : ''}`, colour: 'after' })) }),
       listOf('poses', poses)),
     record(view.provenance ?? [], version),
-  ];
+  ].map((one) => () => one);
   return { kind: 'ISO 9283', verdict: data.within ? 'Within every limit that was given' : 'NO GO: beyond a limit', tone: data.within ? 'good' : 'bad', sections };
 }
 
@@ -132,7 +132,7 @@ export function comparison({ data, view, version }) {
     data.causes.length > 0 && section('causes', 'What has changed', 'Causes', bars({ label: 'Probability', most: 1, rows: data.causes.slice(0, 12).map((cause) => ({ label: causeName(cause), value: cause.posterior, text: `${(100 * cause.posterior).toFixed(1)} %`, colour: 'after' })) }), listOf('causes', data.causes.map((one) => ordered(one, CAUSE)))),
     data.worst.length > 0 && section('worst', 'Poses that have moved most', 'Poses', listOf('worst', data.worst.map((one) => ordered(one, ['line_before', 'line_after', 'mm'])))),
     record(view.provenance ?? [], version),
-  ].filter(Boolean);
+  ].map((one) => () => one);
   return { kind: 'comparison of two measurements', verdict: data.changed ? 'Changed' : 'Not changed', tone: data.changed ? 'warn' : 'good', sections };
 }
 
@@ -153,6 +153,6 @@ export function closedLoop({ data, view, version }) {
       })),
     data.causes.length > 0 && section('causes', 'What was found', 'Causes', listOf('causes', data.causes.map((cause) => (typeof cause === 'string' ? { cause } : cause)))),
     record(view.provenance ?? [], version),
-  ].filter(Boolean);
+  ].map((one) => () => one);
   return { kind: 'closed loop', verdict: `${mm(before.true_rms_mm)} mm before, ${mm(after.true_rms_mm)} mm after`, tone: after.true_rms_mm < before.true_rms_mm ? 'good' : 'warn', sections };
 }

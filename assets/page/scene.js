@@ -10,12 +10,12 @@ import { colour, onTheme } from './theme.js';
 const FLOOR_MM = 2000;
 
 export class View3D {
-  /** `label` is what a reader who does not see the picture is told. */
-  constructor(label) {
+  /** `label` is what a reader who does not see the picture is told; where there is `much` to draw, edges stay rough. */
+  constructor(label, much) {
     this.canvas = h('canvas', { tabIndex: 0, role: 'img', 'aria-label': label });
     this.element = h('div', { class: 'view3d' }, this.canvas);
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: !much, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, much ? 1 : 2));
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 10, 60000);
     this.camera.up.set(0, 0, 1);
@@ -121,9 +121,9 @@ export class View3D {
 }
 
 /** A view, or what is said where the browser draws no 3-D. */
-export function view3d(label) {
+export function view3d(label, much = false) {
   try {
-    return new View3D(label);
+    return new View3D(label, much);
   } catch {
     return null;
   }

@@ -7,6 +7,8 @@ import { h } from './dom.js';
 import { scale } from './theme.js';
 
 const HEAD = 0.28;
+/** Of more targets than this every second, third ... has an arrow: all of them would be a fog. */
+const MOST_ARROWS = 1500;
 
 function dot() {
   const canvas = h('canvas', { width: 64, height: 64 });
@@ -28,17 +30,19 @@ export class TargetCloud {
     this.group = new Group();
     const texture = dot();
     const material = (size) => new PointsMaterial({
-      size, map: texture, vertexColors: true, alphaTest: 0.5, transparent: true, sizeAttenuation: false,
+      size, map: texture, vertexColors: true, alphaTest: 0.5, sizeAttenuation: false,
     });
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute('position', new Float32BufferAttribute(places, 3));
     this.geometry.setAttribute('color', floats(3 * this.count));
     this.dots = new Points(this.geometry, material(this.count > 2000 ? 5 : 9));
-    this.path = new Line(this.geometry, new LineBasicMaterial({ transparent: true, opacity: 0.55 }));
+    this.path = new Line(this.geometry, new LineBasicMaterial({ transparent: this.count <= 2000, opacity: 0.55 }));
     // stem and two strokes of a head each
+    this.step = Math.max(Math.ceil(this.count / MOST_ARROWS), 1);
+    const arrows = Math.ceil(this.count / this.step);
     this.arrows = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
-    this.arrows.geometry.setAttribute('position', floats(18 * this.count));
-    this.arrows.geometry.setAttribute('color', floats(18 * this.count));
+    this.arrows.geometry.setAttribute('position', floats(18 * arrows));
+    this.arrows.geometry.setAttribute('color', floats(18 * arrows));
     this.ring = new Points(new BufferGeometry(), new PointsMaterial({ size: 17, map: texture, alphaTest: 0.5, sizeAttenuation: false, depthTest: false, transparent: true, opacity: 0.45 }));
     this.ring.geometry.setAttribute('position', floats(3));
     this.ring.visible = false;
@@ -71,8 +75,10 @@ export class TargetCloud {
     for (let i = 0; i < this.count; i += 1) {
       error(i, e);
       mix(Math.hypot(...e) / most, colours, 3 * i);
-      this.arrow(ends, 18 * i, 3 * i, e, times);
-      for (let k = 0; k < 18; k += 1) tints[18 * i + k] = colours[3 * i + (k % 3)];
+      if (i % this.step !== 0) continue;
+      const at = 18 * (i / this.step);
+      this.arrow(ends, at, 3 * i, e, times);
+      for (let k = 0; k < 18; k += 1) tints[at + k] = colours[3 * i + (k % 3)];
     }
     this.geometry.attributes.color.needsUpdate = true;
     this.arrows.geometry.attributes.position.needsUpdate = true;

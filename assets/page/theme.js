@@ -6,12 +6,20 @@ const listeners = new Set();
 
 const isDark = () => (root.dataset.theme ? root.dataset.theme === 'dark' : system.matches);
 
+const known = new Map();
+
 /** A colour of the style sheet by its name without the dashes. */
-export const colour = (name) => getComputedStyle(root).getPropertyValue(`--${name}`).trim();
+export function colour(name) {
+  if (!known.has(name)) known.set(name, getComputedStyle(root).getPropertyValue(`--${name}`).trim());
+  return known.get(name);
+}
 
 export const onTheme = (listener) => listeners.add(listener);
 
-const changed = () => listeners.forEach((listener) => listener());
+function changed() {
+  known.clear();
+  listeners.forEach((listener) => listener());
+}
 
 export function toggleTheme() {
   root.dataset.theme = isDark() ? 'light' : 'dark';

@@ -132,7 +132,7 @@ impl Browser {
         self.call("Emulation.setEmulatedMedia", media);
         self.events.clear();
         self.call("Page.navigate", json!({ "url": format!("file://{}", page.display()) }));
-        self.wait_for("document.querySelector('main section') !== null");
+        self.wait_for("document.documentElement?.dataset.whole === 'yes'");
         self.settle();
     }
 

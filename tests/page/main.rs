@@ -8,6 +8,7 @@ mod bundle;
 mod compensation;
 mod hostile;
 mod results;
+mod screenshots;
 
 use browser::Browser;
 use std::path::{Path, PathBuf};
