@@ -5,9 +5,9 @@ use driftpost::application::{LinkCheck, LinkChecked};
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
 use rapid_program::program::{Overrides, Program};
 use robot_link::{Credentials, Host, Pins, Session, Settings, Unit};
-use rws_double::{Double, Options, Personality, Planted};
+use rws_double::{Double, Holder, Operator, Options, Personality, Planted};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
 
@@ -276,5 +276,53 @@ fn the_binarys_table_of_requests_holds_none_that_could_move_the_robot() {
         "backup",
     ] {
         assert!(!written.iter().any(|form| form.contains(word)), "{word}");
+    }
+}
+
+/// Ctrl-C while the operator is asked, and while the program is watched: nothing held, logged out, 130 as a shell says it.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_command_gives_back_and_logs_out() {
+    for personality in Personality::ALL {
+        let shop = Shop::new(personality);
+        let mut commands = vec![vec!["watch", "HOST"], vec!["watch", "HOST", "--subscribe"]];
+        if personality != Personality::Rw8 {
+            commands.push(vec!["set", "HOST", "tcMode", "20"]);
+        }
+        for arguments in commands {
+            shop.double.with(|c| (c.mode, c.operator) = ("MANR", Operator::Silent));
+            let root = shop.double.root();
+            let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_driftpost"))
+                .arg("link")
+                .args(arguments.iter().map(|a| a.replace("HOST", &root)))
+                .env("DRIFTPOST_LINK_KNOWN", shop.folder.path().join("known"))
+                .stdin(std::process::Stdio::null())
+                .stdout(std::process::Stdio::null())
+                .stderr(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            // In the middle: a value is being watched, or the operator asked.
+            let is_at_work =
+                |r: &String| r.contains("tcMinute") && r.ends_with(" 200") || r.contains("rmmp/poll");
+            let before = shop.double.requests().len();
+            let until = Instant::now() + Duration::from_secs(20);
+            while !shop.double.requests()[before..].iter().any(is_at_work) {
+                assert!(Instant::now() < until, "{arguments:?}: {:?}", shop.double.requests());
+                std::thread::sleep(Duration::from_millis(5));
+            }
+            let sent =
+                std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+            assert!(sent.success());
+            let status = child.wait().unwrap();
+            assert!(matches!(status.code(), Some(0 | 130)), "{arguments:?}: {status}");
+            assert_eq!(
+                (shop.double.hits(), shop.double.sessions()),
+                (Vec::new(), 0),
+                "{arguments:?}: {:?}",
+                shop.double.requests()
+            );
+            let (holder, mode) = shop.double.with(|c| (c.holder.clone(), c.value("MOD_Cube45", "tcMode")));
+            assert_eq!((holder, mode.as_deref()), (Holder::Nobody, Some("-1")));
+        }
     }
 }

@@ -148,4 +148,29 @@ mod tests {
         assert_eq!(entry.text("opmode").unwrap_err().code(), "link::incomplete");
         assert_eq!(entry.flag("opmode").unwrap_err().code(), "link::incomplete");
     }
+
+    #[test]
+    fn no_text_is_too_strange() {
+        let samples = [
+            r#"{"_links":{"next":{"href":"/rw?start=1&amp;limit=2"}},"status":{"code":1},"state":[{"_type":"a-li","x":" 1 "}]}"#,
+            r#"<html><body><div class="status"><span class="code">-1</span><span class="msg">b.cpp[1] é] 0xc0</span></div></body></html>"#,
+        ];
+        // Cut everywhere, and each byte another.
+        for sample in samples.map(str::as_bytes) {
+            for end in 1..sample.len() {
+                let cut = parse(&sample[..end]);
+                assert!(
+                    cut.is_err() || std::str::from_utf8(&sample[..end]).is_ok_and(|t| t.trim().is_empty()),
+                    "{end}"
+                );
+                for byte in [0, b'"', b'<', b'{', b'\\', b'&', 0xff] {
+                    let mut other = sample.to_vec();
+                    other[end] = byte;
+                    if let Ok(contents) = parse(&other) {
+                        let _ = contents.refusal(200);
+                    }
+                }
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Files in HOME: read, and written whole; nothing is deleted, and no folder is entered.
 
+use crate::form::Filling;
 use crate::requests;
-use crate::session::Filling;
 use crate::{Dialect, LinkError, Session, names};
 
 /// A file in HOME.

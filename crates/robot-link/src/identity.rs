@@ -1,9 +1,9 @@
 //! What a controller is and how it stands: reads alone.
 
 use crate::answer::Answer;
+use crate::form::Filling;
 use crate::requests;
 use crate::rights::Holder;
-use crate::session::Filling;
 use crate::{Dialect, Execution, LinkError, Mode, Session};
 use std::collections::BTreeSet;
 

@@ -3,12 +3,11 @@
 use crate::abb::Refusal;
 use crate::answer::{self, Answer};
 use crate::contents::Contents;
+use crate::form::{Filled, Filling};
 use crate::login::{Challenge, Credentials};
-use crate::names::encoded;
-use crate::pins::{Pin, Pins};
 use crate::requests::{self, Effect, Request};
 use crate::wire::{self, Lost, PinnedCertificate, Raw};
-use crate::{Dialect, Host, LinkError};
+use crate::{Dialect, LinkError};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -80,14 +79,14 @@ pub struct Session {
     pub(crate) station: Option<String>,
     pub(crate) home: Option<&'static str>,
     pub(crate) system: Option<Arc<Answer>>,
-    agent: ureq::Agent,
-    credentials: Credentials,
-    challenge: Option<Challenge>,
-    last_end: Option<Instant>,
-    is_ending: bool,
-    is_in: bool,
-    is_xhtml: bool,
-    notices: Vec<String>,
+    pub(crate) agent: ureq::Agent,
+    pub(crate) credentials: Credentials,
+    pub(crate) challenge: Option<Challenge>,
+    pub(crate) last_end: Option<Instant>,
+    pub(crate) is_ending: bool,
+    pub(crate) is_in: bool,
+    pub(crate) is_xhtml: bool,
+    pub(crate) notices: Vec<String>,
 }
 
 impl fmt::Debug for Session {
@@ -96,129 +95,7 @@ impl fmt::Debug for Session {
     }
 }
 
-/// What goes with a request beside what its form says.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Filling<'a> {
-    pub arguments: &'a [(&'static str, &'a str)],
-    /// Which page of a list, as the end of the query.
-    pub page: Option<&'a str>,
-    pub file: Option<&'a [u8]>,
-}
-
-/// A request as it is sent.
-struct Filled {
-    method: http::Method,
-    /// Path and query.
-    uri: String,
-    form: String,
-}
-
 impl Session {
-    /// Logs in: finds the dialect, and holds certificate and system against those seen first.
-    ///
-    /// # Errors
-    /// No connection, no controller, wrong password, another certificate or controller than at first, no session left.
-    pub fn open(
-        host: &Host,
-        credentials: &Credentials,
-        pins: &mut Pins,
-        settings: &Settings,
-    ) -> Result<Self, LinkError> {
-        let mut last = LinkError::Host(host.to_string());
-        for root in host.roots() {
-            match Self::open_at(host, &root, credentials, pins, settings) {
-                Err(error @ (LinkError::Unreachable { .. } | LinkError::NoAnswer { .. })) => last = error,
-                other => return other,
-            }
-        }
-        Err(last)
-    }
-
-    fn open_at(
-        host: &Host,
-        root: &str,
-        credentials: &Credentials,
-        pins: &mut Pins,
-        settings: &Settings,
-    ) -> Result<Self, LinkError> {
-        let key = host.to_string();
-        let known = pins.of(&key).cloned();
-        let certificate = PinnedCertificate::new(known.as_ref().and_then(|pin| pin.certificate.clone()));
-        let mut session = Self {
-            settings: settings.clone(),
-            dialect: Dialect::Rw6,
-            host: key.clone(),
-            root: root.to_owned(),
-            agent: wire::agent(Arc::clone(&certificate)),
-            certificate,
-            cookies: Cookies::new(),
-            held: None,
-            login: 0,
-            replaced: Vec::new(),
-            operator_asked: false,
-            is_station: false,
-            station: None,
-            home: None,
-            system: None,
-            credentials: credentials.clone(),
-            challenge: None,
-            last_end: None,
-            is_ending: false,
-            is_in: false,
-            is_xhtml: false,
-            notices: Vec::new(),
-        };
-        // Without TLS where a certificate is known: someone stands between.
-        let is_tls = root.starts_with("https");
-        if let Some(Pin { certificate: Some(first), .. }) = known.as_ref().filter(|_| !is_tls) {
-            return Err(LinkError::Certificate {
-                host: key,
-                first: first.clone(),
-                now: "none, no TLS".to_owned(),
-            });
-        }
-        session.shake_hands().map_err(|error| session.certificate_error(known.as_ref()).unwrap_or(error))?;
-        let answer = session.ask(requests::SYSTEM, &[])?;
-        let system = answer.one("sys-system")?;
-        let version = system.text("rwversion")?;
-        let dialect = Dialect::of_version(version).ok_or_else(|| LinkError::Version(version.to_owned()))?;
-        let is_digest = matches!(session.challenge, Some(Challenge::Digest(_)));
-        if is_digest != (dialect == Dialect::Rw6) {
-            return Err(LinkError::NoController(format!(
-                "RobotWare {version} with another login than it has"
-            )));
-        }
-        let id = system.optional("sysid").map(str::to_owned);
-        session.dialect = dialect;
-        session.system = Some(Arc::new(answer));
-        let now = Pin { certificate: session.certificate.seen(), system: id };
-        match known {
-            None => {
-                session.notices.push(format!(
-                    "first time at {key}: kept as {}{}",
-                    now.system.as_deref().unwrap_or("a system without a name"),
-                    now.certificate
-                        .as_ref()
-                        .map_or_else(String::new, |c| format!(", certificate sha256:{c}")),
-                ));
-                pins.remember(&key, now)?;
-            }
-            Some(first) => {
-                if let (Some(first), Some(now)) = (first.system, now.system)
-                    && first != now
-                {
-                    return Err(LinkError::OtherController { host: key, first, now });
-                }
-            }
-        }
-        Ok(session)
-    }
-
-    fn certificate_error(&self, known: Option<&Pin>) -> Option<LinkError> {
-        let (first, now) = (known?.certificate.clone()?, self.certificate.seen()?);
-        (first != now).then(|| LinkError::Certificate { host: self.host.clone(), first, now })
-    }
-
     /// What RobotWare it is.
     #[must_use]
     pub fn dialect(&self) -> Dialect {
@@ -363,7 +240,7 @@ impl Session {
     }
 
     /// The error of an answer that did not come; after a write nobody knows whether it took effect.
-    fn lost(&self, request: &'static Request, lost: Lost) -> LinkError {
+    pub(crate) fn lost(&self, request: &'static Request, lost: Lost) -> LinkError {
         let name = request.name;
         match lost {
             Lost::Connect(cause) => LinkError::Unreachable { host: self.host.clone(), cause },
@@ -376,51 +253,13 @@ impl Session {
         }
     }
 
-    /// First login, or a new one after the session was lost.
-    fn shake_hands(&mut self) -> Result<(), LinkError> {
-        self.challenge = None;
-        let mut got = self
-            .once(requests::SYSTEM, Filling::default())?
-            .map_err(|lost| self.lost(requests::SYSTEM, lost))?;
-        if got.status == 503 {
-            self.wait(Duration::from_millis(200))?;
-            got = self
-                .once(requests::SYSTEM, Filling::default())?
-                .map_err(|lost| self.lost(requests::SYSTEM, lost))?;
-        }
-        match (got.status, header(&got, "www-authenticate")) {
-            (401, Some(asked)) => {
-                let challenge = Challenge::parse(asked, self.root.starts_with("https"))?;
-                if matches!(challenge, Challenge::Basic) && self.dialect == Dialect::Rw6 {
-                    self.dialect = Dialect::Rw7;
-                }
-                self.challenge = Some(challenge);
-                (self.is_in, self.is_station) = (false, false);
-                self.login += 1;
-                let answer = self.once(requests::SYSTEM, Filling::default())?;
-                // Whether it was taken is seen from its status alone; an answer that is lost here may have opened a session.
-                self.is_in = !matches!(&answer, Ok(raw) if matches!(raw.status, 401 | 503));
-                match answer {
-                    Ok(raw) if raw.status == 401 => {
-                        Err(LinkError::Login { user: self.credentials.user.clone() })
-                    }
-                    Ok(raw) if raw.status == 503 => Err(LinkError::Full),
-                    Ok(_) => Ok(()),
-                    Err(lost) => Err(self.lost(requests::SYSTEM, lost)),
-                }
-            }
-            (503, _) => Err(LinkError::Full),
-            (status, _) => Err(LinkError::NoController(format!("HTTP {status} where a login is asked for"))),
-        }
-    }
-
     /// One request, one answer, not yet understood.
-    fn once(
+    pub(crate) fn once(
         &mut self,
         request: &'static Request,
         filling: Filling<'_>,
     ) -> Result<Result<Raw, Lost>, LinkError> {
-        let filled = self.filled(request, filling)?;
+        let filled = Filled::new(self.dialect, request, filling)?;
         let mut builder = http::Request::builder()
             .method(filled.method.clone())
             .uri(format!("{}{}", self.root, filled.uri));
@@ -484,24 +323,6 @@ impl Session {
         let pairs: Vec<String> = self.cookies.iter().map(|(name, value)| format!("{name}={value}")).collect();
         pairs.join("; ")
     }
-
-    fn filled(&self, request: &'static Request, filling: Filling<'_>) -> Result<Filled, LinkError> {
-        let arguments = filling.arguments;
-        let not_offered =
-            || LinkError::NotOffered { dialect: self.dialect.to_string(), request: request.name };
-        let form = request.form(self.dialect).ok_or_else(not_offered)?;
-        let mut words = form.splitn(3, ' ');
-        let method = words.next().and_then(|m| m.parse().ok()).ok_or_else(not_offered)?;
-        let mut uri = fill(words.next().unwrap_or_default(), arguments, false);
-        let is_json = self.dialect == Dialect::Rw6 && method == http::Method::GET;
-        let has_text =
-            ![requests::FILE.name, requests::LOGOUT.name, requests::EVENTS.name].contains(&request.name);
-        for more in filling.page.into_iter().chain((is_json && has_text).then_some("json=1")) {
-            uri.push(if uri.contains('?') { '&' } else { '?' });
-            uri.push_str(more);
-        }
-        Ok(Filled { method, uri, form: fill(words.next().unwrap_or_default(), arguments, true) })
-    }
 }
 
 impl Drop for Session {
@@ -511,17 +332,6 @@ impl Drop for Session {
     }
 }
 
-fn header<'a>(raw: &'a Raw, name: &str) -> Option<&'a str> {
+pub(crate) fn header<'a>(raw: &'a Raw, name: &str) -> Option<&'a str> {
     raw.headers.iter().find(|(n, _)| n.eq_ignore_ascii_case(name)).map(|(_, value)| value.as_str())
-}
-
-/// A form with its arguments in place. `$HOME` stays as it is in a path, and a list of resources comes encoded.
-fn fill(template: &str, arguments: &[(&'static str, &str)], is_form: bool) -> String {
-    let mut out = template.to_owned();
-    for (name, value) in arguments {
-        let is_raw = *name == "resources" || (*name == "home" && !is_form);
-        let value = if is_raw { (*value).to_owned() } else { encoded(value) };
-        out = out.replace(&format!("{{{name}}}"), &value);
-    }
-    out
 }

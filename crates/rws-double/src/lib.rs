@@ -28,6 +28,7 @@ mod arm;
 mod certificate;
 mod changes;
 mod controller;
+mod decide;
 mod digest;
 mod events;
 mod fault;
