@@ -6,8 +6,8 @@ use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::Robot;
-use std::path::Path;
+use robot_model::robot::{BackedUp, Robot};
+use std::path::{Path, PathBuf};
 
 /// As [`robot`], with what the header of an emitted program says of it.
 ///
@@ -18,6 +18,11 @@ pub fn robot_with_source(name: &str) -> Result<Named<Robot>, Diagnostic> {
     Ok(match Robot::built_in_file(name) {
         Some(text) => Named::new(model, name, text.as_bytes()),
         None => {
+            if backup(name).is_some() {
+                // The dimensions are a built-in robot's; the bounds make it this one.
+                let text = model.to_toml();
+                return Ok(Named::new(model, name, text.as_bytes()));
+            }
             let path = urdf(name).map_or(Path::new(name), |(path, _)| path);
             Named::new(model, file_name(path), &files::read(path, "robot file")?)
         }
@@ -88,6 +93,9 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
     if let Some(robot) = Robot::built_in(name) {
         return Ok(robot);
     }
+    if let Some(found) = backup(name) {
+        return Ok(found?.robot);
+    }
     if let Some((path, tip)) = urdf(name) {
         let bytes = files::read(path, "URDF description")?;
         return Robot::from_urdf(&String::from_utf8_lossy(&bytes), tip)
@@ -104,6 +112,26 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
         Diagnostic::error("robot::toml", format!("{name}: not UTF-8 text after byte {}", error.valid_up_to()))
     })?;
     Robot::from_toml(text).map_err(|error| in_file(name, error.into()))
+}
+
+/// What the backup says that `backup:FOLDER` or `backup:FOLDER:UNIT` names; `None` where the name is no such.
+pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
+    let rest = name.strip_prefix("backup:")?;
+    let (folder, unit) = match rest.rsplit_once(':') {
+        Some((folder, unit)) if !unit.contains(['/', '\\']) && !folder.is_empty() && folder.len() > 1 => {
+            (folder, Some(unit))
+        }
+        _ => (rest, None),
+    };
+    let path = moc_of(folder);
+    Some(files::read(&path, "backup's MOC.cfg").and_then(|bytes| {
+        BackedUp::from_moc(&String::from_utf8_lossy(&bytes), unit)
+            .map_err(|error| in_file(&path.display().to_string(), error.into()))
+    }))
+}
+
+fn moc_of(folder: &str) -> PathBuf {
+    Path::new(folder).join("SYSPAR").join("MOC.cfg")
 }
 
 /// `FILE.urdf`, or `FILE.urdf:LINK` with the link that is the flange.

@@ -338,6 +338,16 @@ impl Args {
     /// What is wrong with a name or a file.
     pub fn models(&self) -> Result<Models, Diagnostic> {
         let robot = model::robot_with_source(&self.robot.name)?;
+        let backup = model::backup(&self.robot.name).transpose()?;
+        if backup.is_some_and(|backup| backup.absolute_accuracy) && !self.absolute_accuracy {
+            let text = format!(
+                "{}: the controller corrects this robot by a calibration of its own",
+                self.robot.name
+            );
+            return Err(Diagnostic::error("robot::absolute-accuracy", text).help(
+                "--absolute-accuracy says that it is in use, and leaves alone what would be corrected twice; give the robot's name where it is switched off",
+            ));
+        }
         let identified = self.model.as_deref().map(model::identified).transpose()?;
         let (table, growth) = (self.deformation.as_deref(), self.growth.as_deref());
         let deformation = match &identified {

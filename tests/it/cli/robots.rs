@@ -57,3 +57,35 @@ fn a_description_that_is_no_arm_is_refused_with_its_line() {
     let output = driftpost(&["robot", "-o", &bench.path("arm.step").display().to_string()]);
     assert!(err(&output).contains("robot::format"));
 }
+
+#[test]
+fn a_backup_tells_type_bounds_and_calibration() {
+    let output = driftpost(&["robot", "--robot", "backup:fixtures/robots/backup"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    // 1.5 rad are 85.9 deg.
+    assert!(
+        out(&output).starts_with("ABB IRB 140-6/0.8\n") && out(&output).contains("-180.0 to 85.9 deg"),
+        "{}",
+        out(&output)
+    );
+    let compensate = |more: &[&str]| {
+        let second = [
+            "compensate",
+            CUBE,
+            "--robot",
+            "backup:fixtures/robots/backup:ROB_2",
+            "-o",
+            "-",
+            "--tolerance-mm",
+            "0.05",
+        ];
+        driftpost(&[&second[..], more].concat())
+    };
+    let refused = compensate(&[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(err(&refused).contains("robot::absolute-accuracy"), "{}", err(&refused));
+    let taken = compensate(&["--absolute-accuracy"]);
+    assert_eq!(taken.status.code(), Some(0), "{}", err(&taken));
+    let output = driftpost(&["robot", "--robot", "backup:nowhere"]);
+    assert!(err(&output).contains("input::missing"), "{}", err(&output));
+}

@@ -24,6 +24,12 @@ pub enum RobotError {
         /// What is wrong, and with which element.
         problem: String,
     },
+    /// A controller's backup that tells no robot.
+    #[error("MOC.cfg: {problem}")]
+    Backup {
+        /// What is wrong.
+        problem: String,
+    },
     /// The numbers make no robot.
     #[error("robot file, {place}: {problem}; {remedy}")]
     Value {
@@ -66,6 +72,7 @@ impl RobotError {
             Self::Toml { .. } => "robot::toml",
             Self::Value { .. } => "robot::value",
             Self::Urdf { .. } => "robot::urdf",
+            Self::Backup { .. } => "robot::backup",
             Self::Refused { .. } => "robot::coupled",
             Self::Unknown { .. } => "robot::unknown",
         }

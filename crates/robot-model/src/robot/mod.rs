@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of RAPID. Robots come from TOML (see [`Robot::from_toml`]) or URDF ([`Robot::from_urdf`]); several are built in.
 
+mod backup;
 mod built_in;
 mod error;
 mod file;
@@ -10,6 +11,7 @@ mod range;
 mod urdf;
 mod write;
 
+pub use backup::BackedUp;
 pub use error::RobotError;
 pub use kind::same_type;
 pub use range::OutOfRange;
