@@ -20,8 +20,10 @@ mod docs_commands;
 mod emit;
 mod exam_page;
 mod executed;
+mod faults;
 mod fit;
 mod folders;
+mod fuzzed;
 mod golden;
 mod grammar;
 mod hostile;
@@ -42,5 +44,7 @@ mod real_cell;
 mod shop;
 mod simulate;
 mod tabulate;
+#[path = "../../fuzz/targets.rs"]
+mod targets;
 mod tree_check;
 mod virtual_controller;

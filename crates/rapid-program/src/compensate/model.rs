@@ -5,7 +5,7 @@ use super::options::Options;
 use crate::schedule::{Bucket, Moment, Schedule};
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index};
-use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets};
+use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets, NominalFrames};
 use robot_model::robot::Robot;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -14,6 +14,7 @@ use std::sync::Arc;
 pub(super) struct Model<'a> {
     robot: &'a Robot,
     deformation: Cow<'a, Deformation>,
+    frames: NominalFrames,
     pub(super) nominal: Chain,
     pub(super) closed: ClosedForm,
     pub(super) bends_min: Vec<f64>,
@@ -54,6 +55,7 @@ impl<'a> Model<'a> {
             identified,
             left_out,
             payload_kg: options.payload_kg,
+            frames: NominalFrames::of(robot),
             shared: Arc::new(robot.clone()),
             joint_temperature_c: options.joint_temperature_c,
             from_c,
@@ -77,7 +79,7 @@ impl<'a> Model<'a> {
             Moment::Settled => f64::INFINITY,
         };
         match &self.identified {
-            None => DeformedArm::of_table(self.robot, &offsets),
+            None => DeformedArm::of_frames(&self.frames, &offsets),
             Some(model) => {
                 let when = match self.from_c {
                     None => ThermalState { t_min, joint_temperature_c: self.joint_temperature_c },

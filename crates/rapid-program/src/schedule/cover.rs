@@ -102,18 +102,16 @@ fn longest(
 ) -> Result<(f64, f64), NoCover> {
     // Nothing after `reach_min` can share a bucket with `from_min`; up to there it mostly can, so the search
     // goes down from it.
-    let try_at = |to_min: f64| {
-        let (at_min, radius_m) = curve.stretch(from_min, Moment::Minute(to_min)).center();
-        (radius_m <= tolerance_m).then_some((to_min, at_min))
-    };
+    let fits = |to_min: &f64| curve.stretch(from_min, Moment::Minute(*to_min)).fits(tolerance_m);
+    let centred = |to_min: f64| (to_min, curve.stretch(from_min, Moment::Minute(to_min)).center().0);
     match edges {
         Edges::Parts(parts_per_min) => {
             let parts = f64::from(parts_per_min);
             let first = (from_min * parts).round() + 1.0;
             let mut tick = (reach_min * parts + 1e-9).floor();
             while tick >= first {
-                if let Some(found) = try_at(tick / parts) {
-                    return Ok(found);
+                if fits(&(tick / parts)) {
+                    return Ok(centred(tick / parts));
                 }
                 tick -= 1.0;
             }
@@ -125,16 +123,19 @@ fn longest(
                 if to_min <= from_min {
                     break;
                 }
-                let Some(mut found) = try_at(to_min) else { continue };
-                let mut above = (to_min + step).min(reach_min);
+                if !fits(&to_min) {
+                    continue;
+                }
+                let (mut found, mut above) = (to_min, (to_min + step).min(reach_min));
                 for _ in 0..20 {
-                    let mid = 0.5 * (found.0 + above);
-                    match try_at(mid) {
-                        Some(further) => found = further,
-                        None => above = mid,
+                    let mid = 0.5 * (found + above);
+                    if fits(&mid) {
+                        found = mid;
+                    } else {
+                        above = mid;
                     }
                 }
-                return Ok(found);
+                return Ok(centred(found));
             }
         }
     }

@@ -182,96 +182,152 @@ impl Curve {
     }
 
     /// A stretch of minutes with its ends, ready to be asked.
-    pub(super) fn stretch(&self, from_min: f64, to: Moment) -> Stretch {
+    pub(super) fn stretch(&self, from_min: f64, to: Moment) -> Stretch<'_> {
         let from_min = from_min.min(self.last_min());
         let to_min = self.minute(to).max(from_min);
         let first = self.t_min.partition_point(|&t| t <= from_min);
-        let end = self.t_min.partition_point(|&t| t < to_min);
-        let mut stretch = Stretch { t_min: vec![from_min], d_m: self.at(from_min), targets: self.targets };
-        for k in first..end {
-            stretch.t_min.push(self.t_min[k]);
-            stretch.d_m.extend_from_slice(self.node(k));
+        let end = self.t_min.partition_point(|&t| t < to_min).max(first);
+        Stretch {
+            curve: self,
+            inner: first..end,
+            from: (from_min, self.at(from_min)),
+            to: (to_min > from_min).then(|| (to_min, self.at(to_min))),
         }
-        if to_min > from_min {
-            stretch.t_min.push(to_min);
-            stretch.d_m.extend(self.at(to_min));
-        }
-        stretch
     }
 }
 
-/// A stretch of a curve.
-pub(super) struct Stretch {
-    t_min: Vec<f64>,
-    d_m: Vec<[f64; 3]>,
-    targets: usize,
+/// A stretch of a curve: its own ends, and the curve's nodes between them.
+pub(super) struct Stretch<'a> {
+    curve: &'a Curve,
+    /// Nodes of the curve that lie inside.
+    inner: std::ops::Range<usize>,
+    /// Its start, and its end where that is another minute.
+    from: (f64, Vec<[f64; 3]>),
+    to: Option<(f64, Vec<[f64; 3]>)>,
 }
 
-impl Stretch {
-    fn node(&self, k: usize) -> &[[f64; 3]] {
-        &self.d_m[k * self.targets..(k + 1) * self.targets]
+impl Stretch<'_> {
+    /// How many nodes it has, its ends among them.
+    fn len(&self) -> usize {
+        1 + self.inner.len() + usize::from(self.to.is_some())
+    }
+
+    /// Minute and displacements of node `k`.
+    fn node(&self, k: usize) -> (f64, &[[f64; 3]]) {
+        let end = self.to.as_ref().filter(|_| k > self.inner.len()).unwrap_or(&self.from);
+        match k {
+            0 => (self.from.0, &self.from.1),
+            k if k <= self.inner.len() => {
+                let k = self.inner.start + k - 1;
+                (self.curve.t_min[k], self.curve.node(k))
+            }
+            _ => (end.0, &end.1),
+        }
+    }
+
+    /// The displacements between node `k - 1` and node `k`, a share `s` of the way, into `out`.
+    fn blend_into(&self, k: usize, s: f64, out: &mut Vec<[f64; 3]>) {
+        out.clear();
+        out.extend(blended(self.node(k - 1).1, self.node(k).1, s));
     }
 
     /// The largest distance of any target from its place `d_m` over the stretch; stops counting above
     /// `enough_m`. The ends come first: they are where the worst usually stands.
     fn radius(&self, d_m: &[[f64; 3]], enough_m: f64) -> f64 {
-        let last = self.t_min.len() - 1;
         let enough = enough_m * enough_m;
-        let mut worst: f64 = 0.0;
-        for k in std::iter::once(last).chain(0..last) {
-            for (&a, &b) in self.node(k).iter().zip(d_m) {
-                worst = worst.max(norm2(minus(a, b)));
-            }
+        let furthest = |worst: f64, node: &[[f64; 3]]| {
+            node.iter().zip(d_m).fold(worst, |worst, (&a, &b)| worst.max(norm2(minus(a, b))))
+        };
+        let mut worst = self.to.iter().fold(0.0, |worst, (_, end)| furthest(worst, end));
+        worst = if worst > enough { worst } else { furthest(worst, &self.from.1) };
+        let targets = self.curve.targets;
+        let inner = &self.curve.d_m[self.inner.start * targets..self.inner.end * targets];
+        for node in inner.chunks_exact(targets.max(1)) {
             if worst > enough {
                 break;
             }
+            worst = furthest(worst, node);
         }
         worst.sqrt()
     }
 
     /// The largest distance over the stretch when the targets are right at `at_min`.
     pub(super) fn radius_at(&self, at_min: f64) -> f64 {
-        let k = self.t_min.partition_point(|&t| t <= at_min).clamp(1, self.t_min.len().max(2) - 1);
-        if self.t_min.len() < 2 {
+        let len = self.len();
+        if len < 2 {
             return 0.0;
         }
-        let s = (at_min - self.t_min[k - 1]) / (self.t_min[k] - self.t_min[k - 1]);
-        self.radius(&blend(self.node(k - 1), self.node(k), s), f64::INFINITY)
+        let k = (1..len).find(|&k| self.node(k).0 > at_min).unwrap_or(len - 1);
+        let (t_left, t_right) = (self.node(k - 1).0, self.node(k).0);
+        let mut place = Vec::with_capacity(self.curve.targets);
+        self.blend_into(k, (at_min - t_left) / (t_right - t_left), &mut place);
+        self.radius(&place, f64::INFINITY)
     }
 
     /// The minute of the stretch to be right at so that the largest distance over it is least, and that
     /// distance: `(at_min, radius_m)`.
     pub(super) fn center(&self) -> (f64, f64) {
-        let mut best = (self.t_min[0], f64::INFINITY);
-        let mut lower = Vec::with_capacity(self.t_min.len());
-        for k in 0..self.t_min.len() {
-            let radius = self.radius(self.node(k), best.1);
+        self.least((self.node(0).0, f64::INFINITY), |_| false)
+    }
+
+    /// Whether the stretch has a minute at which no target is further off than `limit_m` all over it.
+    pub(super) fn fits(&self, limit_m: f64) -> bool {
+        // Nothing above the limit is of interest, and the first minute within it is enough.
+        let above = (self.node(0).0, limit_m * (1.0 + 1e-12));
+        self.least(above, |radius_m| radius_m <= limit_m).1 <= limit_m
+    }
+
+    /// The best minute and its radius where that is under `best`'s; the first that is `enough`.
+    fn least(&self, mut best: (f64, f64), enough: impl Fn(f64) -> bool) -> (f64, f64) {
+        let len = self.len();
+        let mut lower = Vec::with_capacity(len);
+        for k in 0..len {
+            let (t_min, d_m) = self.node(k);
+            let radius = self.radius(d_m, best.1);
             lower.push(radius);
             if radius < best.1 {
-                best = (self.t_min[k], radius);
+                best = (t_min, radius);
+            }
+            if enough(best.1) {
+                return best;
             }
         }
-        for k in 1..self.t_min.len() {
+        let mut place = Vec::with_capacity(self.curve.targets);
+        for k in 1..len {
             // Within a piece the radius falls below its ends' by no more than the piece is long.
-            let length = (0..self.targets)
-                .map(|i| norm2(minus(self.node(k)[i], self.node(k - 1)[i])))
-                .fold(0.0, f64::max)
-                .sqrt();
+            let (left, right) = (self.node(k - 1).1, self.node(k).1);
+            let far = left.iter().zip(right).map(|(&a, &b)| norm2(minus(a, b)));
+            let length = far.fold(0.0, f64::max).sqrt();
             if lower[k].max(lower[k - 1]) - length < best.1 {
-                self.center_of_piece(k, &mut best);
+                self.center_of_piece(k, &mut best, &enough, &mut place);
+            }
+            if enough(best.1) {
+                return best;
             }
         }
         best
     }
 
     /// Golden-section search on the piece that ends at node `k`: the radius is convex there.
-    fn center_of_piece(&self, k: usize, best: &mut (f64, f64)) {
+    fn center_of_piece(
+        &self,
+        k: usize,
+        best: &mut (f64, f64),
+        enough: impl Fn(f64) -> bool,
+        place: &mut Vec<[f64; 3]>,
+    ) {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let value = |s: f64| self.radius(&blend(self.node(k - 1), self.node(k), s), f64::INFINITY);
+        let mut value = |s: f64| {
+            self.blend_into(k, s, place);
+            self.radius(place, f64::INFINITY)
+        };
         let (mut a, mut b) = (0.0, 1.0);
         let (mut x, mut y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
         let (mut fx, mut fy) = (value(x), value(y));
         for _ in 0..28 {
+            if enough(fx.min(fy)) {
+                break;
+            }
             if fx <= fy {
                 (b, y, fy) = (y, x, fx);
                 x = b - GOLDEN * (b - a);
@@ -284,13 +340,18 @@ impl Stretch {
         }
         let (s, f) = if fx <= fy { (x, fx) } else { (y, fy) };
         if f < best.1 {
-            *best = (self.t_min[k - 1] + s * (self.t_min[k] - self.t_min[k - 1]), f);
+            let (t_left, t_right) = (self.node(k - 1).0, self.node(k).0);
+            *best = (t_left + s * (t_right - t_left), f);
         }
     }
 }
 
+fn blended<'d>(a: &'d [[f64; 3]], b: &'d [[f64; 3]], s: f64) -> impl Iterator<Item = [f64; 3]> + 'd {
+    a.iter().zip(b).map(move |(a, b)| std::array::from_fn(|c| a[c] + s * (b[c] - a[c])))
+}
+
 fn blend(a: &[[f64; 3]], b: &[[f64; 3]], s: f64) -> Vec<[f64; 3]> {
-    a.iter().zip(b).map(|(a, b)| std::array::from_fn(|c| a[c] + s * (b[c] - a[c]))).collect()
+    blended(a, b, s).collect()
 }
 
 /// Where on the way from `a` to `b` the distance from the origin first exceeds `limit`: 0..1.

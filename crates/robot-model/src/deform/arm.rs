@@ -2,7 +2,7 @@
 
 use super::gravity::loads_at;
 use super::identified::{ArmDelta, Identified, PoseState, ThermalState};
-use crate::kinematics::{Arm, Chain, FrameOffsets, PoseAndJacobian};
+use crate::kinematics::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
@@ -37,6 +37,7 @@ pub struct DeformedArm {
 #[derive(Debug)]
 struct Terms {
     robot: Arc<Robot>,
+    frames: NominalFrames,
     nominal: Chain,
     model: Arc<Identified>,
     needs_load: bool,
@@ -48,8 +49,14 @@ impl DeformedArm {
     /// The arm with a table's offsets alone.
     #[must_use]
     pub fn of_table(robot: &Robot, offsets: &FrameOffsets) -> Self {
+        Self::of_frames(&NominalFrames::of(robot), offsets)
+    }
+
+    /// The same, where many moments of one robot are asked for.
+    #[must_use]
+    pub fn of_frames(frames: &NominalFrames, offsets: &FrameOffsets) -> Self {
         let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c: None };
-        Self { table: Chain::with_offsets(robot, offsets), terms: None, when, offsets: *offsets }
+        Self { table: frames.chain(offsets), terms: None, when, offsets: *offsets }
     }
 
     /// The arm with a table's offsets and an identified model on top.
@@ -60,14 +67,17 @@ impl DeformedArm {
         model: &Arc<Identified>,
         when: ThermalState,
     ) -> Self {
+        let frames = NominalFrames::of(robot);
+        let table = Self::of_frames(&frames, offsets);
         let terms = Terms {
-            nominal: Chain::nominal(robot),
+            nominal: frames.chain(&FrameOffsets::default()),
+            frames,
             needs_load: model.needs_load() || model.terms.iter().any(|t| t.held_above_n_m.is_some()),
             fixed_frames: model.terms.iter().all(|t| t.kind.only_turns() || !t.kind.needs_load()),
             robot: Arc::clone(robot),
             model: Arc::clone(model),
         };
-        let mut arm = Self { terms: Some(Arc::new(terms)), when, ..Self::of_table(robot, offsets) };
+        let mut arm = Self { terms: Some(Arc::new(terms)), when, ..table };
         arm.fix_frames();
         arm
     }
@@ -95,7 +105,7 @@ impl DeformedArm {
         for term in terms.model.terms.iter().filter(|t| !t.kind.only_turns()) {
             term.add(&at, &mut delta);
         }
-        self.table = Chain::with_offsets(&terms.robot, &delta.offsets);
+        self.table = terms.frames.chain(&delta.offsets);
     }
 
     /// The arm under the conditions of one pose.
@@ -143,7 +153,7 @@ impl ArmUnder<'_> {
         if terms.fixed_frames {
             return work(&self.arm.table, &really_rad, Some(&delta));
         }
-        work(&Chain::with_offsets(&terms.robot, &delta.offsets), &really_rad, Some(&delta))
+        work(&terms.frames.chain(&delta.offsets), &really_rad, Some(&delta))
     }
 
     fn delta(&self, terms: &Terms, q_rad: &[f64; 6]) -> ArmDelta {

@@ -106,6 +106,51 @@ struct Step {
     position_m: Vec3,
 }
 
+/// What the chains of one robot share whatever its frames' offsets are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NominalFrames {
+    /// Frame i in frame i-1 as the robot file says; the last is the flange.
+    steps: [Step; 7],
+    /// The turned frame of each joint in its own.
+    joint_from_turned: [Mat3; 6],
+    turned_from_joint: [Mat3; 6],
+}
+
+impl NominalFrames {
+    /// Those of `robot`.
+    #[must_use]
+    pub fn of(robot: &Robot) -> Self {
+        let joint_from_turned: [Mat3; 6] =
+            std::array::from_fn(|i| turned_to_z((*robot.joints[i].axis).into()));
+        let steps = std::array::from_fn(|i| {
+            let nominal =
+                robot.joints.get(i).map_or(&robot.joint6_from_flange, |joint| &joint.previous_from_joint);
+            Step { rotation: rows(&nominal.rotation), position_m: nominal.translation.vector.into() }
+        });
+        Self { steps, joint_from_turned, turned_from_joint: joint_from_turned.map(|t| transpose(&t)) }
+    }
+
+    /// The arm with every frame moved by its offsets.
+    #[must_use]
+    pub fn chain(&self, offsets: &FrameOffsets) -> Chain {
+        let steps = std::array::from_fn(|i| {
+            let [dx, dy, dz, rx, ry, rz] = offsets.0[i];
+            let mut rotation = mul(&rx_ry_rz(rx, ry, rz), &self.steps[i].rotation);
+            let mut position_m = add(&self.steps[i].position_m, &[dx, dy, dz]);
+            if i > 0 {
+                let previous = &self.turned_from_joint[i - 1];
+                rotation = mul(previous, &rotation);
+                position_m = apply(previous, &position_m);
+            }
+            if let Some(turned) = self.joint_from_turned.get(i) {
+                rotation = mul(&rotation, turned);
+            }
+            Step { rotation, position_m }
+        });
+        Chain { steps, turned_from_joint: self.turned_from_joint }
+    }
+}
+
 impl Chain {
     /// The arm as its robot file says.
     #[must_use]
@@ -113,27 +158,10 @@ impl Chain {
         Self::with_offsets(robot, &FrameOffsets::default())
     }
 
-    /// The arm with every frame moved by its offsets.
+    /// The arm with every frame moved by its offsets; many of one robot come cheaper from [`NominalFrames`].
     #[must_use]
     pub fn with_offsets(robot: &Robot, offsets: &FrameOffsets) -> Self {
-        let turned: [Mat3; 6] = std::array::from_fn(|i| turned_to_z((*robot.joints[i].axis).into()));
-        let steps = std::array::from_fn(|i| {
-            let nominal =
-                robot.joints.get(i).map_or(&robot.joint6_from_flange, |joint| &joint.previous_from_joint);
-            let [dx, dy, dz, rx, ry, rz] = offsets.0[i];
-            let mut rotation = mul(&rx_ry_rz(rx, ry, rz), &rows(&nominal.rotation));
-            let mut position_m = add(&nominal.translation.vector.into(), &[dx, dy, dz]);
-            if i > 0 {
-                let previous = transpose(&turned[i - 1]);
-                rotation = mul(&previous, &rotation);
-                position_m = apply(&previous, &position_m);
-            }
-            if let Some(turned) = turned.get(i) {
-                rotation = mul(&rotation, turned);
-            }
-            Step { rotation, position_m }
-        });
-        Self { steps, turned_from_joint: turned.map(|t| transpose(&t)) }
+        NominalFrames::of(robot).chain(offsets)
     }
 
     /// `base_from_flange`.

@@ -12,7 +12,7 @@ mod real;
 mod solve;
 mod structure;
 
-pub use chain::{Arm, Chain, FrameOffsets, PoseAndJacobian};
+pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 pub use closed_form::{ClosedForm, Solution};
 pub use configuration::{Configuration, Posture};
 pub use solve::{RESIDUAL_M, RESIDUAL_RAD, SolveError, Solved, solve};

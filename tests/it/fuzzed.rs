@@ -1,0 +1,129 @@
+//! A bounded run of what is fuzzed (`fuzz/targets.rs`), on bytes made from the fixtures.
+
+use crate::targets;
+use rand::seq::IndexedRandom;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Files of the fixtures that end in one of `endings`, none larger than `most` bytes.
+fn seeds(endings: &[&str], most: u64) -> Vec<Vec<u8>> {
+    fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
+        let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+        entries.sort();
+        for path in entries {
+            if path.is_dir() { walk(&path, found) } else { found.push(path) }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures"), &mut found);
+    let wanted = |path: &PathBuf| {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        endings.contains(&ending.as_str()) && fs::metadata(path).unwrap().len() <= most
+    };
+    let seeds: Vec<Vec<u8>> = found.into_iter().filter(wanted).map(|path| fs::read(path).unwrap()).collect();
+    assert!(seeds.len() > 10, "{} seeds", seeds.len());
+    seeds
+}
+
+/// Pieces that mean something to a reader of RAPID, CSV, TOML, JSON or HTML.
+const PIECES: [&[u8]; 28] = [
+    b"(",
+    b")",
+    b"[",
+    b"]",
+    b"{",
+    b"}",
+    b";",
+    b",",
+    b"\"",
+    b"\\",
+    b"!",
+    b":=",
+    b"\n",
+    b"\r\n",
+    b"\0",
+    b"\xFF",
+    b"9E9",
+    b"-1",
+    b"1E400",
+    b"nan",
+    b"MoveL ",
+    b"ENDPROC",
+    b"PROC tcK()",
+    b"</script>",
+    b"<!--",
+    b"%%%",
+    b"&#x27;",
+    b"=",
+];
+
+/// A seed with a few bytes changed, pieces put in, parts taken out, doubled, or taken from another seed.
+fn mutated(seeds: &[Vec<u8>], random: &mut ChaCha8Rng) -> Vec<u8> {
+    let mut bytes = seeds.choose(random).unwrap().clone();
+    for _ in 0..random.random_range(1..6) {
+        if bytes.is_empty() {
+            break;
+        }
+        let at = random.random_range(0..bytes.len());
+        let to = (at + random.random_range(1..60)).min(bytes.len());
+        match random.random_range(0..6) {
+            0 => bytes[at] = random.random(),
+            1 => drop(bytes.splice(at..at, PIECES.choose(random).unwrap().iter().copied())),
+            2 => drop(bytes.drain(at..to)),
+            3 => {
+                let part = bytes[at..to].to_vec();
+                drop(bytes.splice(at..at, part));
+            }
+            4 => bytes.truncate(at),
+            _ => {
+                let other = seeds.choose(random).unwrap();
+                let from = random.random_range(0..other.len().max(1));
+                let part: Vec<u8> = other[from..].iter().take(200).copied().collect();
+                drop(bytes.splice(at..at, part));
+            }
+        }
+    }
+    bytes
+}
+
+/// `count` executions of a target; what breaks it is said with its bytes.
+fn run(target: fn(&[u8]), seeds: &[Vec<u8>], count: usize, prefix: bool) {
+    let mut random = ChaCha8Rng::seed_from_u64(20_261_122);
+    for execution in 0..count {
+        let mut bytes = mutated(seeds, &mut random);
+        if prefix {
+            bytes.insert(0, random.random());
+        }
+        let caught = std::panic::catch_unwind(|| target(&bytes));
+        assert!(caught.is_ok(), "execution {execution}: {:?}", String::from_utf8_lossy(&bytes));
+    }
+}
+
+const RAPID: [&str; 3] = ["mod", "sys", "prg"];
+
+#[test]
+fn any_text_is_read() {
+    run(targets::text, &seeds(&RAPID, 30_000), 1500, false);
+}
+
+#[test]
+fn any_program_is_compensated_and_restored_or_refused() {
+    run(targets::program, &seeds(&RAPID, 6000), 150, true);
+}
+
+#[test]
+fn any_program_is_executed_or_refused() {
+    run(targets::execution, &seeds(&RAPID, 6000), 150, false);
+}
+
+#[test]
+fn any_table_is_read_or_refused() {
+    run(targets::tables, &seeds(&["csv", "toml"], 6000), 2000, false);
+}
+
+#[test]
+fn no_text_breaks_out_of_a_page() {
+    run(targets::page, &seeds(&["mod", "csv"], 6000), 60, false);
+}
