@@ -15,6 +15,8 @@ mod own_data;
 mod page;
 mod program_files;
 mod question;
+#[cfg(feature = "mcap")]
+mod recording;
 mod rehearsal;
 mod simulation;
 

@@ -137,7 +137,7 @@ enum Command {
 }
 
 /// Options that name a result, beside those that end in `-out`.
-const OUTPUTS: [&str; 6] = ["json", "csv", "diff", "joints_csv", "output", "report"];
+const OUTPUTS: [&str; 7] = ["json", "csv", "diff", "joints_csv", "mcap", "output", "report"];
 
 fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome> {
     match command {

@@ -19,6 +19,8 @@ mod motion_rows;
 mod page;
 pub mod plan;
 pub mod plots;
+#[cfg(feature = "mcap")]
+mod recording;
 mod review;
 pub mod shop;
 mod short_diff;
@@ -35,6 +37,8 @@ pub use json::{CompensationJson, messages, refusal, rounded};
 pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
 pub use page::{CompensationPage, DiagnosisPage, Page, ResultPage, SourceReview, write_page};
+#[cfg(feature = "mcap")]
+pub use recording::{LoggedCorrection, Recording, RecordingMoment, urdf};
 pub use review::{Review, write_review, write_verdict};
 pub use short_diff::{ShortDiff, write_coloured};
 pub use table::{Align, Table};

@@ -232,6 +232,11 @@ pub struct Args {
     #[arg(long, value_name = "FILE.html", help_heading = "Results")]
     pub report: Option<PathBuf>,
 
+    /// A recording of the warm-up for Foxglove and Rerun (MCAP), and the arm as URDF beside it.
+    #[cfg(feature = "mcap")]
+    #[arg(long, value_name = "FILE.mcap", help_heading = "Results")]
+    pub mcap: Option<PathBuf>,
+
     /// Show every motion and every message, however many there are.
     #[arg(long, help_heading = "Results")]
     pub all: bool,

@@ -171,7 +171,9 @@ fn write_result(
             let written = made.write_page(source, &mut out).and_then(|()| out.flush());
             written.map_err(|cause| no_output(&cause))?;
         }
-        writing.finish(&destination, &given)
+        let mut written = writing.finish(&destination, &given)?;
+        written.pending.extend(recording(args, &made)?);
+        Ok(written)
     };
     let mut written = match prepared() {
         Ok(written) => written,
@@ -277,6 +279,22 @@ fn written_line(written: &Written, warnings: usize) -> String {
             )
         }
     }
+}
+
+#[cfg(not(feature = "mcap"))]
+fn recording(_: &Args, _: &Compensated<'_>) -> Result<Vec<Pending>, Diagnostic> {
+    Ok(Vec::new())
+}
+
+/// The recording and the arm beside it, whole but not yet in their places.
+#[cfg(feature = "mcap")]
+fn recording(args: &Args, made: &Compensated<'_>) -> Result<Vec<Pending>, Diagnostic> {
+    let Some(path) = &args.mcap else { return Ok(Vec::new()) };
+    let [mut file, mut arm] = [Pending::new(path)?, Pending::new(&path.with_extension("urdf"))?];
+    let bytes = made.recording()?.mcap().map_err(|cause| no_output(&cause))?;
+    file.fill(&mut bytes.as_slice())?;
+    arm.fill(&mut report::urdf(made.robot).as_bytes())?;
+    Ok(vec![file, arm])
 }
 
 fn shown_path(path: &Path) -> String {

@@ -1,0 +1,101 @@
+//! The arm and its targets over the warm-up as a recording for the tools that roboticists have.
+
+use super::compensated::Compensated;
+use crate::report::{LoggedCorrection, Recording, RecordingMoment};
+use nalgebra::{Isometry3, Translation3, Vector3};
+use rapid_program::compensate::plan::Status;
+use rapid_program::compensate::{DriftPoint, TcpDrift, tcp_drift};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::kinematics::{Chain, FrameOffsets};
+
+/// So many moments are recorded, evenly spread over the warm-up.
+const MOMENTS: usize = 121;
+/// Of more targets than this every second, third ... is recorded.
+const MOST_TARGETS: usize = 2_000;
+
+impl Compensated<'_> {
+    /// What a recording holds: the arm at its worst target, as drawn and deformed by the table, and all targets as they are meant, missed and
+    /// corrected.
+    ///
+    /// # Errors
+    /// A plan that goes by temperature has no time to be recorded over.
+    pub fn recording(&self) -> Result<Recording<'_>, Diagnostic> {
+        self.check_joints()?;
+        let drift = tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options)
+            .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+        let step = drift.points.len().div_ceil(MOST_TARGETS).max(1);
+        let points: Vec<&DriftPoint> = drift.points.iter().step_by(step).collect();
+        let nominal = Chain::nominal(self.robot);
+        let meant: Vec<Isometry3<f64>> = points.iter().map(|point| meant(point, &nominal)).collect();
+        let last = drift.t_min.len().saturating_sub(1);
+        let settled = shares(&drift, last);
+        let size = |point: &&&DriftPoint| displaced_m(point, &settled).norm();
+        let shown = points.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
+        let q_rad = shown.map_or([0.0; 6], |point| point.q_rad);
+        let moments = (0..MOMENTS).map(|i| {
+            let at = i * last / (MOMENTS - 1);
+            let t_min = drift.t_min.get(at).copied().unwrap_or_default();
+            let now = shares(&drift, at);
+            let left = self.left(&drift, t_min, &now);
+            RecordingMoment {
+                t_min,
+                warm: Chain::with_offsets(self.robot, &offsets(&drift, &now)).frames(&q_rad),
+                missed_m: points.iter().map(|point| displaced_m(point, &now)).collect(),
+                corrected_m: left.map(|left| points.iter().map(|point| displaced_m(point, &left)).collect()),
+            }
+        });
+        Ok(Recording {
+            robot: self.robot,
+            nominal: nominal.frames(&q_rad),
+            moments: moments.collect(),
+            meant,
+            corrections: self.corrections(),
+        })
+    }
+
+    /// The shares that a corrected target is off by; `None` where corrections are not in buckets.
+    fn left(&self, drift: &TcpDrift, t_min: f64, now: &[f64]) -> Option<Vec<f64>> {
+        let buckets = &self.plan.schedule.buckets;
+        let bucket = buckets.iter().find(|bucket| bucket.to_min.is_none_or(|to_min| t_min < to_min))?;
+        let place = drift.t_min.partition_point(|&t| t < bucket.at_min).min(drift.t_min.len() - 1);
+        let (low, high) = (place.saturating_sub(1), place);
+        let (from, to) = (drift.t_min[low], drift.t_min[high]);
+        let part = if to > from { ((bucket.at_min - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+        let of = |share: &Vec<f64>| share[low] + (share[high] - share[low]) * part;
+        Some(now.iter().zip(&drift.shares).map(|(now, share)| now - of(share)).collect())
+    }
+
+    fn corrections(&self) -> Vec<LoggedCorrection<'_>> {
+        let rows = self.program.motions.iter().zip(&self.plan.motions);
+        rows.map(|(motion, planned)| LoggedCorrection {
+            file: &self.program.file(motion.file).path,
+            line: motion.line,
+            kind: motion.setup.kind,
+            status: match &planned.status {
+                Status::Compensated => Ok(planned.max_correction_m),
+                Status::Kept(why) | Status::Refused(why) => Err(&why.reason),
+            },
+        })
+        .collect()
+    }
+}
+
+fn meant(point: &DriftPoint, nominal: &Chain) -> Isometry3<f64> {
+    let rotation = nominal.forward(&point.q_rad).rotation;
+    Isometry3::from_parts(Translation3::from(Vector3::from(point.target_point_m)), rotation)
+}
+
+fn shares(drift: &TcpDrift, at: usize) -> Vec<f64> {
+    drift.shares.iter().map(|share| share.get(at).copied().unwrap_or_default()).collect()
+}
+
+fn displaced_m(point: &DriftPoint, shares: &[f64]) -> Vector3<f64> {
+    point.displacements_m.iter().zip(shares).map(|(by_m, share)| Vector3::from(*by_m) * *share).sum()
+}
+
+fn offsets(drift: &TcpDrift, shares: &[f64]) -> FrameOffsets {
+    let sum = |joint: usize, k: usize| {
+        drift.offsets.iter().zip(shares).map(|(o, share)| o.0[joint][k] * share).sum()
+    };
+    FrameOffsets(std::array::from_fn(|joint| std::array::from_fn(|k| sum(joint, k))))
+}

@@ -1,0 +1,227 @@
+//! A recording of the warm-up as MCAP with Foxglove's schemas, for Foxglove and Rerun, and the arm as URDF. SI units.
+//!
+//! One minute of warm-up is one minute of the recording.
+
+mod schemas;
+mod urdf;
+
+pub use urdf::urdf;
+
+use mcap::WriteOptions;
+use mcap::records::MessageHeader;
+use nalgebra::{Isometry3, Translation3, Vector3};
+use robot_model::robot::Robot;
+use robot_model::units::{mm_from_m, seconds_from_min};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::{self, Cursor};
+
+/// Frames of the arm from the base outward, as the URDF names its links.
+const FRAMES: [&str; 7] = ["link_1", "link_2", "link_3", "link_4", "link_5", "link_6", "flange"];
+const BASE: &str = "base_link";
+/// Levels of `foxglove.Log`.
+const INFO: u8 = 2;
+const WARNING: u8 = 3;
+const NANOSECONDS: f64 = 1e9;
+
+/// What is recorded.
+#[derive(Debug)]
+pub struct Recording<'a> {
+    /// The arm as its model says.
+    pub robot: &'a Robot,
+    /// Frames of the joints and of the flange in the base, as drawn.
+    pub nominal: [Isometry3<f64>; 7],
+    /// The warm-up.
+    pub moments: Vec<RecordingMoment>,
+    /// Where the TCP is meant to be at each target, in the base.
+    pub meant: Vec<Isometry3<f64>>,
+    /// What becomes of each motion.
+    pub corrections: Vec<LoggedCorrection<'a>>,
+}
+
+/// A moment of the warm-up.
+#[derive(Debug)]
+pub struct RecordingMoment {
+    /// Its minute.
+    pub t_min: f64,
+    /// The frames as the deformation table moves them, in the base.
+    pub warm: [Isometry3<f64>; 7],
+    /// For each target how far the TCP is from it without correction, metres.
+    pub missed_m: Vec<Vector3<f64>>,
+    /// The same as corrected; `None` where corrections are scaled at run time.
+    pub corrected_m: Option<Vec<Vector3<f64>>>,
+}
+
+/// A line of the log.
+#[derive(Debug)]
+pub struct LoggedCorrection<'a> {
+    /// The motion's file.
+    pub file: &'a str,
+    /// Its line there.
+    pub line: u32,
+    /// The instruction.
+    pub kind: &'static str,
+    /// The largest correction, metres, or why there is none.
+    pub status: Result<f64, &'a str>,
+}
+
+impl Recording<'_> {
+    /// The file, whole.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn mcap(&self) -> io::Result<Vec<u8>> {
+        let mut bytes = Cursor::new(Vec::new());
+        let library = concat!("driftpost ", env!("CARGO_PKG_VERSION"));
+        let options = WriteOptions::new().compression(None).profile("").library(library);
+        let mut writer = Topics { to: options.create(&mut bytes).map_err(io::Error::other)?, count: 0 };
+        let [transforms, log] = ["FrameTransforms", "Log"].map(|name| (name, schemas::of(name)));
+        let poses = ("PosesInFrame", schemas::of("PosesInFrame"));
+        let tf = writer.topic("/tf", &transforms)?;
+        let all: Vec<u16> = ["/targets/meant", "/targets/uncorrected", "/targets/corrected"]
+            .iter()
+            .map(|topic| writer.topic(topic, &poses))
+            .collect::<io::Result<_>>()?;
+        let told = writer.topic("/corrections", &log)?;
+        for row in &self.corrections {
+            writer.write(told, 0.0, &logged(row))?;
+        }
+        for moment in &self.moments {
+            let t_min = moment.t_min;
+            let mut list = chain(t_min, "", &self.nominal);
+            list.extend(chain(t_min, "warm/", &moment.warm));
+            writer.write(tf, t_min, &json!({ "transforms": list }))?;
+            let missed = Some(&moment.missed_m);
+            let off = [None, missed, moment.corrected_m.as_ref()];
+            for (k, (channel, off_m)) in all.iter().zip(off).enumerate() {
+                if k == 0 || off_m.is_some() {
+                    writer.write(*channel, t_min, &self.poses(t_min, off_m))?;
+                }
+            }
+        }
+        writer.to.finish().map_err(io::Error::other)?;
+        drop(writer);
+        Ok(bytes.into_inner())
+    }
+
+    fn poses(&self, t_min: f64, off_m: Option<&Vec<Vector3<f64>>>) -> Value {
+        let moved = |(i, meant): (usize, &Isometry3<f64>)| {
+            let by_m = off_m.and_then(|off_m| off_m.get(i)).copied().unwrap_or_default();
+            let pose = Translation3::from(by_m) * meant;
+            let (position, orientation) = parts(&pose);
+            json!({ "position": position, "orientation": orientation })
+        };
+        let poses: Vec<Value> = self.meant.iter().enumerate().map(moved).collect();
+        json!({ "timestamp": time(t_min), "frame_id": BASE, "poses": poses })
+    }
+}
+
+/// Transforms from frame to frame; names of the child frames begin with `prefix`.
+fn chain(t_min: f64, prefix: &str, frames: &[Isometry3<f64>; 7]) -> Vec<Value> {
+    let mut parent = (BASE.to_owned(), Isometry3::identity());
+    let one = |(name, frame): (&&str, &Isometry3<f64>)| {
+        let child = format!("{prefix}{name}");
+        let (translation, rotation) = parts(&parent.1.inv_mul(frame));
+        let transform = json!({
+            "timestamp": time(t_min), "parent_frame_id": parent.0, "child_frame_id": child,
+            "translation": translation, "rotation": rotation,
+        });
+        parent = (child, *frame);
+        transform
+    };
+    FRAMES.iter().zip(frames).map(one).collect()
+}
+
+fn parts(pose: &Isometry3<f64>) -> (Value, Value) {
+    let (p, q) = (&pose.translation.vector, pose.rotation.quaternion());
+    (json!({ "x": p.x, "y": p.y, "z": p.z }), json!({ "x": q.i, "y": q.j, "z": q.k, "w": q.w }))
+}
+
+fn logged(row: &LoggedCorrection<'_>) -> Value {
+    let LoggedCorrection { file, line, kind, .. } = row;
+    let (level, message) = match row.status {
+        Ok(by_m) => (INFO, format!("{kind}: corrected by {:.4} mm at most", mm_from_m(by_m))),
+        Err(why) => (WARNING, format!("{kind} stays as it is: {why}")),
+    };
+    json!({ "timestamp": time(0.0), "level": level, "message": message, "name": "driftpost", "file": file, "line": line })
+}
+
+fn nanoseconds(t_min: f64) -> u64 {
+    (seconds_from_min(t_min) * NANOSECONDS).round() as u64
+}
+
+fn time(t_min: f64) -> Value {
+    let all = nanoseconds(t_min);
+    json!({ "sec": all / NANOSECONDS as u64, "nsec": all % NANOSECONDS as u64 })
+}
+
+struct Topics<'b> {
+    to: mcap::Writer<&'b mut Cursor<Vec<u8>>>,
+    count: u32,
+}
+
+impl Topics<'_> {
+    fn topic(&mut self, topic: &str, (name, schema): &(&str, String)) -> io::Result<u16> {
+        let name = format!("foxglove.{name}");
+        let schema = self.to.add_schema(&name, "jsonschema", schema.as_bytes()).map_err(io::Error::other)?;
+        self.to.add_channel(schema, topic, "json", &BTreeMap::new()).map_err(io::Error::other)
+    }
+
+    fn write(&mut self, channel_id: u16, t_min: f64, message: &Value) -> io::Result<()> {
+        self.count += 1;
+        let at = nanoseconds(t_min);
+        let header = MessageHeader { channel_id, sequence: self.count, log_time: at, publish_time: at };
+        self.to.write_to_known_channel(&header, message.to_string().as_bytes()).map_err(io::Error::other)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn at(x: f64) -> Isometry3<f64> {
+        Translation3::new(x, 0.0, 0.0).into()
+    }
+
+    /// An arm of frames one metre apart whose first frame creeps by a millimetre, and one target that it misses by as much.
+    #[test]
+    fn what_is_recorded_is_read_back() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let moment = |t_min: f64, by_m: f64| RecordingMoment {
+            t_min,
+            warm: std::array::from_fn(|i| at((i + 1) as f64 + by_m)),
+            missed_m: vec![Vector3::new(by_m, 0.0, 0.0)],
+            corrected_m: None,
+        };
+        let recording = Recording {
+            robot: &robot,
+            nominal: std::array::from_fn(|i| at((i + 1) as f64)),
+            moments: vec![moment(0.0, 0.0), moment(1.5, 0.001)],
+            meant: vec![at(7.0)],
+            corrections: vec![LoggedCorrection {
+                file: "a.mod",
+                line: 3,
+                kind: "MoveL",
+                status: Ok(0.000_19),
+            }],
+        };
+        let bytes = recording.mcap().unwrap();
+        let messages: Vec<_> = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap).collect();
+        let topics: BTreeSet<&str> = messages.iter().map(|m| m.channel.topic.as_str()).collect();
+        assert_eq!(Vec::from_iter(topics), ["/corrections", "/targets/meant", "/targets/uncorrected", "/tf"]);
+        assert_eq!(messages.len(), 1 + 2 * 3);
+        let last = |topic: &str| messages.iter().rfind(|m| m.channel.topic == topic).unwrap();
+        let value = |topic: &str| serde_json::from_slice::<Value>(&last(topic).data).unwrap();
+        assert_eq!(last("/tf").log_time, 90_000_000_000);
+        assert_eq!(last("/tf").channel.schema.as_ref().unwrap().name, "foxglove.FrameTransforms");
+        let tf = value("/tf");
+        let warm = &tf["transforms"][7];
+        assert_eq!(warm["parent_frame_id"], "base_link");
+        assert_eq!(warm["child_frame_id"], "warm/link_1");
+        assert_eq!(warm["translation"]["x"], 1.001);
+        let missed = value("/targets/uncorrected");
+        assert_eq!(missed["poses"][0]["position"]["x"], 7.001);
+        assert_eq!(value("/corrections")["message"], "MoveL: corrected by 0.1900 mm at most");
+    }
+}
