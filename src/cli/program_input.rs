@@ -31,7 +31,7 @@ pub struct ProgramInput {
     pub shape: Shape,
     /// What the result is called after: a module's file, a folder or a `.pgf`.
     pub name: PathBuf,
-    /// Where each file stands, as the user knows it; [`FileId`] is the position.
+    /// Where each file stands, as the user knows it; the position in the list is its `FileId`.
     pub paths: Vec<PathBuf>,
     /// Its place in the result: relative to the folder that all stand in.
     pub places: Vec<PathBuf>,

@@ -11,7 +11,7 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 /// The robot.
 #[derive(Debug, clap::Args)]
 pub struct RobotName {
-    /// A built-in robot's name, a robot file (TOML), or a URDF description, FILE.urdf[:LINK] with the link that is the flange.
+    /// A built-in robot's name, a robot file (TOML), or a URDF description: FILE.urdf, or FILE.urdf:LINK with the link that is the flange.
     #[arg(
         id = "robot",
         long = "robot",
@@ -35,7 +35,7 @@ impl RobotName {
 /// What programs are compared or executed with; what is left out is as the header of an emitted module says.
 #[derive(Debug, clap::Args)]
 pub struct ProgramSettings {
-    /// A built-in robot's name, a robot file (TOML), or FILE.urdf[:LINK] [default: as the emitted module says, else irb140].
+    /// A built-in robot's name, a robot file (TOML), FILE.urdf or FILE.urdf:LINK [default: as the emitted module says, else irb140].
     #[arg(id = "robot", long = "robot", value_name = "NAME|FILE", help_heading = "Robot and program")]
     pub robot: Option<String>,
 

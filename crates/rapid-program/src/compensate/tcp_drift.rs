@@ -58,7 +58,7 @@ pub struct DriftPoint {
 /// The drift of every target that the plan corrects, or refuses over a limit.
 ///
 /// # Errors
-/// A robot or a model that cannot be solved, as [`plan`](super::plan) says.
+/// A robot or a model that cannot be solved, as [`plan()`](super::plan()) says.
 pub fn tcp_drift(
     program: &Program,
     plan: &Plan,
