@@ -84,12 +84,22 @@ fn next_step(d: &Diagnosis) -> String {
     match d.verdict {
         Verdict::Explained | Verdict::Several if poses.is_empty() => write.to_owned(),
         Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
+        Verdict::Ambiguous if play_or_spring(d) => {
+            "measure again with the directions of approach (dir1 to dir6): play follows them, a spring does not"
+                .to_owned()
+        }
         Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
         Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
         Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),
         _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
         _ => poses,
     }
+}
+
+/// Whether play is named in a file that has no directions.
+fn play_or_spring(d: &Diagnosis) -> bool {
+    d.causes.iter().any(|c| c.effect == EffectKind::Backlash)
+        && d.untestable_detail.iter().any(|u| u.effect == EffectKind::Backlash && u.joints.is_empty())
 }
 
 /// What the one cause means, in brackets.

@@ -37,6 +37,8 @@ const LARGE_SET: usize = 6;
 const WORTH_SAYING: f64 = 0.005;
 /// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
 const LIKELIER_THAN_NOT: f64 = 0.5;
+/// Of a bent spring that may as well be play: as likely as that.
+const AS_MUCH_PLAY: f64 = 0.5;
 /// More moments than this at which something jumped are no knocks: something was switched.
 const MOST_STEPS: usize = 2;
 
@@ -180,8 +182,10 @@ fn with_causes(
             winning_gp = structure_in(workspace, &ranking).map(|s| s.1);
             lost += 1;
         }
+        let play_too = looks_like_play(workspace, linear, first.best);
         clear += usize::from(
             near.len() == 1
+                && !play_too
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
@@ -191,6 +195,12 @@ fn with_causes(
         for cause_group in &near {
             let found = cause(model, workspace, linear, chosen, Some(i), cause_group);
             causes.push(Cause { slot: i + 1, ..found });
+        }
+        if play_too && let Some(spring) = causes.iter_mut().find(|c| c.slot == i + 1) {
+            // Of the two the file prefers neither; the spring stands first.
+            spring.posterior *= AS_MUCH_PLAY;
+            let (joint, posterior) = (spring.joint, spring.posterior);
+            causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             alternatives.push(cause_unfitted(workspace, cause_group));
@@ -301,6 +311,15 @@ fn with_causes(
         (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
     };
     Judgement { verdict, reason, causes, alternatives, place, pair, reduced_chi_square: None }
+}
+
+/// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity
+/// decides at most poses has the same shape.
+fn looks_like_play(workspace: &Workspace<'_>, linear: &Linearised, candidate: usize) -> bool {
+    let candidate = &workspace.library.candidates[candidate];
+    candidate.kind == EffectKind::JointCompliance
+        && candidate.variant.refined
+        && !linear.dataset.channels.direction
 }
 
 /// Slots in the order of their likeliest causes, without gaps.
