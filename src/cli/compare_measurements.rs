@@ -43,7 +43,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
 
-    /// The page.
+    /// Where the page for the browser goes, if one is asked for.
     #[command(flatten)]
     pub page: ReportArgs,
 }

@@ -63,7 +63,7 @@ pub struct Args {
     #[arg(long, value_name = "FOLDER")]
     pub plots: Option<PathBuf>,
 
-    /// The page.
+    /// Where the page for the browser goes, if one is asked for.
     #[command(flatten)]
     pub page: ReportArgs,
 }

@@ -118,7 +118,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE|-", help_heading = "Results")]
     pub json: Option<PathBuf>,
 
-    /// The page.
+    /// Where the page for the browser goes, if one is asked for.
     #[command(flatten)]
     pub page: ReportArgs,
 }

@@ -12,7 +12,7 @@ pub enum LinkError {
     /// No connection.
     #[error("{host} cannot be reached: {cause}")]
     Unreachable {
-        /// Where.
+        /// Host and port, as given.
         host: String,
         /// What the network says.
         cause: String,
@@ -20,7 +20,7 @@ pub enum LinkError {
     /// No answer, or only a part of one, in time.
     #[error("no whole answer to the {request} ({cause})")]
     NoAnswer {
-        /// What was asked.
+        /// The request, by what it asks of the controller.
         request: &'static str,
         /// What was seen of it.
         cause: String,
@@ -53,7 +53,7 @@ pub enum LinkError {
     /// The certificate is another than at first.
     #[error("the certificate of {host} is not the one seen first: sha256:{now}, and it was sha256:{first}")]
     Certificate {
-        /// Where.
+        /// Host and port, as given.
         host: String,
         /// The pinned one.
         first: String,
@@ -63,7 +63,7 @@ pub enum LinkError {
     /// Another controller answers at the address.
     #[error("another controller answers at {host}: system {now}, and it was {first}")]
     OtherController {
-        /// Where.
+        /// Host and port, as given.
         host: String,
         /// The pinned one.
         first: String,
@@ -84,7 +84,7 @@ pub enum LinkError {
     /// The controller says no.
     #[error("{request}: {refusal}")]
     Refused {
-        /// What was asked.
+        /// The request, by what it asks of the controller.
         request: &'static str,
         /// Its answer.
         refusal: Refusal,
@@ -92,7 +92,7 @@ pub enum LinkError {
     /// Something that is needed is missing from an answer.
     #[error("the answer to the {request} has no {what}")]
     Incomplete {
-        /// What was asked.
+        /// The request, by what it asks of the controller.
         request: &'static str,
         /// What is missing.
         what: String,
@@ -102,7 +102,7 @@ pub enum LinkError {
     NotOffered {
         /// Which.
         dialect: String,
-        /// What was asked.
+        /// The request, by what it asks of the controller.
         request: &'static str,
     },
     /// A name that could mean another resource.

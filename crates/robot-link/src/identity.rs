@@ -40,7 +40,7 @@ pub struct Identity {
     pub robot: Option<String>,
     /// Options of RobotWare.
     pub options: Vec<String>,
-    /// Operating mode.
+    /// Operating mode: automatic, or manual at reduced or full speed.
     pub mode: Mode,
     /// `motoron`, `motoroff`, `guardstop`, ...
     pub motors: String,
@@ -105,7 +105,7 @@ impl Session {
         })
     }
 
-    /// Operating mode.
+    /// Operating mode: automatic, or manual at reduced or full speed.
     ///
     /// # Errors
     /// No or an incomplete answer; a mode that is not known.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Operating mode.
+/// Operating mode: automatic, or manual at reduced or full speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Automatic.

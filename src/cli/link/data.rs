@@ -9,7 +9,7 @@ use robot_link::Session;
 /// Options of `link get`.
 #[derive(Debug, clap::Args)]
 pub struct GetArgs {
-    /// Which controller.
+    /// The host, who logs in, and how its certificate is pinned.
     #[command(flatten)]
     connection: Connection,
 
@@ -21,7 +21,7 @@ pub struct GetArgs {
 /// Options of `link set`.
 #[derive(Debug, clap::Args)]
 pub struct SetArgs {
-    /// Which controller.
+    /// The host, who logs in, and how its certificate is pinned.
     #[command(flatten)]
     connection: Connection,
 

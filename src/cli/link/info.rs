@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// Options of `link info`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Which controller.
+    /// The host, who logs in, and how its certificate is pinned.
     #[command(flatten)]
     connection: Connection,
 

@@ -24,7 +24,7 @@ pub struct Args {
     #[arg(value_name = "PROGRAM")]
     program: PathBuf,
 
-    /// Which controller.
+    /// The host, who logs in, and how its certificate is pinned.
     #[command(flatten)]
     connection: Connection,
 

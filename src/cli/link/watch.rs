@@ -16,7 +16,7 @@ const MOST_FAILURES: u32 = 5;
 /// Options of `link watch`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Which controller.
+    /// The host, who logs in, and how its certificate is pinned.
     #[command(flatten)]
     connection: Connection,
 
