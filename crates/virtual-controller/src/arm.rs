@@ -21,6 +21,10 @@ const MIN_MOTION_RAD: f64 = 1e-7;
 const SAMPLE_M: f64 = 0.02;
 const SAMPLE_RAD: f64 = 0.1;
 
+/// A search looks so often whether it touches, metres, and finds where to this share of its way.
+const SEARCH_STEP_M: f64 = 0.0005;
+const SEARCH_EXACT: f64 = 1e-9;
+
 /// A move that was executed.
 #[derive(Clone, Debug)]
 pub struct Move {
@@ -128,6 +132,11 @@ impl Arm {
     /// Lets the arm stand somewhere before its first move; joints in radians.
     pub fn stand_at(&mut self, q_rad: [f64; 6]) {
         self.q_rad = Some(q_rad);
+    }
+
+    /// The moves since they were last taken.
+    pub(super) fn moves(&self) -> &[Move] {
+        &self.moves
     }
 
     /// The moves since the last time this was asked for.
@@ -306,6 +315,46 @@ impl Arm {
         let mut solved = self.solved(via_q_rad, q_rad, setup, complaint);
         solved.length_m = tcp_path.length_m();
         Ok(Ok(solved))
+    }
+
+    /// The straight way to a target up to where `gap_m` of the joints comes to 0; `None` where it never does, or the arm
+    /// cannot go there.
+    pub(super) fn search(
+        &self,
+        target: &[f64],
+        setup: &Setup,
+        gap_m: impl Fn(&[f64; 6]) -> f64,
+    ) -> Result<Option<Solved>, Fault> {
+        let Some(start) = self.q_rad else { return Ok(None) };
+        let from = setup.object_from_tcp(&self.forward(&start));
+        let way = CartesianPath::line(from, self.displacement * frame::isometry_of(target)?);
+        let joints_at = |share: f64, near: &[f64; 6]| {
+            self.closed.nearest(&setup.base_from_flange(&way.at(share)), near).map(|s| s.q_rad)
+        };
+        let steps = (way.length_m() / SEARCH_STEP_M).ceil().clamp(1.0, 2_000.0);
+        let (mut share, mut q_rad) = (0.0, start);
+        for k in 1..=(steps as u32) {
+            let next_share = f64::from(k) / steps;
+            let Some(next) = joints_at(next_share, &q_rad) else { return Ok(None) };
+            if gap_m(&next) > 0.0 {
+                (share, q_rad) = (next_share, next);
+                continue;
+            }
+            let (mut low, mut high) = (share, next_share);
+            let mut found = next;
+            while high - low > SEARCH_EXACT {
+                let middle = 0.5 * (low + high);
+                match joints_at(middle, &q_rad) {
+                    Some(there) if gap_m(&there) <= 0.0 => (high, found) = (middle, there),
+                    Some(_) => low = middle,
+                    None => return Ok(None),
+                }
+            }
+            let mut solved = self.solved(None, found, setup, None);
+            solved.length_m = way.length_m() * high;
+            return Ok(Some(solved));
+        }
+        Ok(None)
     }
 
     fn solve_joint(

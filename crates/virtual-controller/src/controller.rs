@@ -11,9 +11,10 @@ use super::interpreter::Interpreter;
 use super::loaded::LoadedProgram;
 use super::machine::{DataRef, DataState, Disk, Machine, StepLimit};
 use super::outcome::{Fault, Message, Outcome, SimulateError};
+use super::sphere::Sphere;
 use super::value::{Type, Value};
 use rapid_syntax::tree::DataKind;
-use robot_model::deform::Payload;
+use robot_model::deform::{DeformedArm, Payload};
 use robot_model::robot::Robot;
 use std::collections::BTreeMap;
 
@@ -277,6 +278,16 @@ impl Controller {
         } else {
             self.machine.signals.units_down.remove(name.as_str());
         }
+    }
+
+    /// Puts a sphere into the cell, which searches by its signal find with the true arm.
+    pub fn put_sphere(&mut self, sphere: Sphere) {
+        self.machine.spheres.add(sphere);
+    }
+
+    /// The arm as it truly is from now on: what searches meet spheres with.
+    pub fn set_true_arm(&mut self, arm: DeformedArm) {
+        self.machine.spheres.arm = Some(arm);
     }
 
     /// What signals stand at.

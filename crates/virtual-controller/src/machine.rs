@@ -18,6 +18,7 @@ pub(super) use stack::{Binding, CallStack, Frame, Slot, StackMark};
 
 use super::calendar::Calendar;
 use super::effort::EffortMeter;
+use super::sphere::Spheres;
 use robot_model::deform::Payload;
 
 /// Everything that changes while a program runs, but for the arm.
@@ -28,6 +29,7 @@ pub(super) struct Machine {
     pub interrupts: Interrupts,
     pub calendar: Calendar,
     pub signals: Signals,
+    pub spheres: Spheres,
     pub disk: Disk,
     pub errors: ErrorNumbers,
     /// What the last GripLoad said, in the tool's frame.

@@ -40,6 +40,14 @@ impl Plant {
         self.history.rest_until(until_s, standing);
     }
 
+    /// The arm that a motion meets which begins now.
+    pub fn arm_now(&self, robot: &TrueRobot) -> DeformedArm {
+        match self.goes_by_temperature {
+            true => robot.arm_at(self.temperature_c),
+            false => robot.arm(&self.history.warmth()),
+        }
+    }
+
     /// Makes the moves of a pass that began at `begin_s` of the steady clock.
     pub fn make_moves(&mut self, moves: &[Move], begin_s: f64) -> PassStates {
         let first = moves.iter().find(|m| m.q_rad.is_some());

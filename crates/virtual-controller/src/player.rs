@@ -29,6 +29,7 @@ impl Scenario {
             let why = format!("gap_min = {gap_min}: a number of minutes, 0 or more, is asked for");
             return Err(SimulateError::Scenario(why));
         }
+        self.spheres.iter().for_each(|sphere| session.program.put_sphere(sphere.clone()));
         let mut warmth = session.truth.cold(tau_cool_min);
         if self.warm {
             warmth.settle();
@@ -69,9 +70,14 @@ impl Player<'_> {
             }
             ScenarioStep::PpToMain => self.pp_to_main(),
             ScenarioStep::Call(name) => {
+                let begin_s = self.now_s();
+                self.plant.rest_until(begin_s, false);
+                self.meet_spheres();
                 if !self.session.call_if_there(name)? {
                     return Err(SimulateError::NoRoutine(name.clone()));
                 }
+                let moves = self.session.take_search();
+                self.plant.make_moves(&moves, begin_s);
             }
             ScenarioStep::Set(name, value) => self.session.set_text(name, value)?,
             ScenarioStep::Temperature(temperature_c) => {
@@ -108,6 +114,12 @@ impl Player<'_> {
         self.session.program.calendar().steady_s()
     }
 
+    /// Searches of what is executed next meet the arm as it is now.
+    fn meet_spheres(&mut self) {
+        let arm = self.plant.arm_now(&self.session.truth);
+        self.session.program.set_true_arm(arm);
+    }
+
     fn stand(&mut self, minutes: f64) {
         self.plant.rest_until(self.now_s(), false);
         self.session.program.calendar_mut().advance_min(minutes);
@@ -124,6 +136,7 @@ impl Player<'_> {
     /// only where it was asked for: a program that asks a signal for hours passes tens of thousands of times.
     fn pass(&mut self, listed: bool) -> Result<(), SimulateError> {
         let begin_s = self.now_s();
+        self.meet_spheres();
         let pass = self.session.run()?;
         // A pass without moves and waits still takes its second.
         if self.now_s() - begin_s < 1.0 {

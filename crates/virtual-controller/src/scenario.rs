@@ -5,6 +5,7 @@
 //! the program's clock says.
 
 use super::outcome::SimulateError;
+use super::sphere::Sphere;
 use super::warming::Warming;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
@@ -29,6 +30,9 @@ pub struct Scenario {
     /// The true robot is fully warm at the beginning.
     #[serde(default)]
     pub warm: bool,
+    /// Spheres that searches find.
+    #[serde(default, rename = "sphere")]
+    pub spheres: Vec<Sphere>,
     /// What happens, in order: `run 60`, or as a table `{ run = 60 }`.
     #[serde(alias = "step", alias = "scenario", deserialize_with = "steps")]
     pub steps: Vec<String>,

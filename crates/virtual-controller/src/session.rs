@@ -144,6 +144,19 @@ impl Session {
         })
     }
 
+    /// The program's moves since the last pass, where it searched among them: the cell says where a search ends, so they
+    /// warm the robot and are not judged.
+    pub(super) fn take_search(&mut self) -> Vec<Move> {
+        let searched = |arm: &super::Arm| arm.moves().iter().any(|m| m.instruction.starts_with("search"));
+        if !self.program.arm().is_some_and(searched) {
+            return Vec::new();
+        }
+        if let Some(arm) = self.original.arm_mut() {
+            arm.take_moves();
+        }
+        self.program.arm_mut().map(super::Arm::take_moves).unwrap_or_default()
+    }
+
     /// Whether a pass has something to evaluate: moves, or a failure that is not the last pass's own.
     #[must_use]
     pub fn has_news(&self, pass: &ExecutedPass) -> bool {

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod memory;
+mod searching;
 mod stepping;
 mod warming;
 

@@ -7,12 +7,12 @@ use crate::arm::{Arm, Move, Solved};
 use crate::code::{Arg, Expr, ExprKind};
 use crate::frame::{self, Setup};
 use crate::interpreter::{Args, Interpreter};
-use crate::outcome::{Fault, fatal};
+use crate::outcome::{Fault, fatal, raise};
 use crate::path::PathKind;
 use crate::predefined;
 use crate::value::Value;
 use nalgebra::{Isometry3, Translation3};
-use robot_model::units::{m_from_mm, rad_from_deg};
+use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 
 /// What a move counts towards the steps of one call: its record stays in memory, so that a million of them is the end.
 const STEPS_OF_A_MOVE: u64 = 50;
@@ -147,7 +147,11 @@ pub(crate) fn execute(
     let setup = setup(&tool, &object, vm.machine.gripped)?;
     let start_q_rad = vm.arm.as_ref().and_then(|arm| arm.q_rad());
     let began_s = vm.machine.calendar.steady_s();
-    let solved = solve(vm, form, &targets, &setup)?;
+    let search = Search::of(vm, args, &targets, &setup)?;
+    let solved = match &search {
+        Some(Search { stops: Some(at), .. }) => Some(at.clone()),
+        _ => solve(vm, form, &targets, &setup)?,
+    };
     if let Some(solved) = &solved {
         let time_s = move_time_s(vm, args, form, solved, start_q_rad)?;
         vm.machine.calendar.advance_s(time_s);
@@ -175,12 +179,53 @@ pub(crate) fn execute(
         vm.machine.limits.steps.spend(STEPS_OF_A_MOVE);
     }
     if args.callee.starts_with("search") {
-        store_found(vm, args)?;
+        let found_q_rad = match search {
+            Some(Search { found_q_rad: None, .. }) => {
+                return raise("err_whlsearch", "the search came to its end and found nothing");
+            }
+            Some(search) => search.found_q_rad,
+            None => None,
+        };
+        store_found(vm, args, found_q_rad)?;
     }
     vm.machine.limits.count_move();
     match form.procedure {
         Some(at) => string(vm, args.at(at)?).map(Some),
         None => Ok(None),
+    }
+}
+
+/// A straight search for something that stands in the cell.
+struct Search {
+    /// Joints at which it was found, radians.
+    found_q_rad: Option<[f64; 6]>,
+    /// The move up to there, where it stops.
+    stops: Option<Solved>,
+}
+
+impl Search {
+    /// `None` for what is no straight search, or by a signal that nothing in the cell sets.
+    fn of(
+        vm: &mut Interpreter<'_>,
+        args: &Args<'_>,
+        targets: &[Vec<f64>],
+        setup: &Setup,
+    ) -> Result<Option<Self>, Fault> {
+        if args.callee != "searchl" {
+            return Ok(None);
+        }
+        let ExprKind::Name(_, signal) = &args.at(0)?.kind else { return Ok(None) };
+        let (Some(arm), Some(target)) = (vm.arm.as_deref(), targets.last()) else { return Ok(None) };
+        let Some(feeler) = vm.machine.spheres.feeler(signal, setup) else { return Ok(None) };
+        if arm.q_rad().is_some_and(|q_rad| feeler.gap_m(&q_rad) <= 0.0) {
+            return raise("err_sigsupsearch", "the signal of a search is set before it begins");
+        }
+        let found = arm.search(target, setup, |q_rad| feeler.gap_m(q_rad))?;
+        let stops = ["stop", "pstop", "sstop"].iter().any(|switch| args.has(switch));
+        Ok(Some(Self {
+            found_q_rad: found.as_ref().map(|found| found.q_rad),
+            stops: found.filter(|_| stops),
+        }))
     }
 }
 
@@ -210,10 +255,19 @@ fn routine_in_work(vm: &Interpreter<'_>) -> String {
     routine.map_or_else(String::new, |r| r.name.to_string())
 }
 
-/// Where a search stops: nothing is found here before its end.
-fn store_found(vm: &mut Interpreter<'_>, args: &Args<'_>) -> Result<(), Fault> {
+/// Stores what a search found: where the controller took the arm to be, or its end where nothing stands in the cell that
+/// sets its signal.
+fn store_found(
+    vm: &mut Interpreter<'_>,
+    args: &Args<'_>,
+    found_q_rad: Option<[f64; 6]>,
+) -> Result<(), Fault> {
     let Some(arm) = vm.arm.as_deref() else { return Ok(()) };
-    let found = arm.robtarget_of(&arm.present_joints(), &arm.last_setup(), &vm.program.types.robtarget)?;
+    let mut joints = arm.present_joints();
+    for (deg, q_rad) in joints.iter_mut().zip(found_q_rad.into_iter().flatten()) {
+        *deg = deg_from_rad(q_rad);
+    }
+    let found = arm.robtarget_of(&joints, &arm.last_setup(), &vm.program.types.robtarget)?;
     match vm.data_ref(args.at(1)?)? {
         Some((place, _)) => vm.write(&place, found),
         None => fatal("a search wants a variable for the point that it finds"),
