@@ -9,6 +9,6 @@ python3 -m venv "$work/build" "$work/use"
 "$work/build/bin/pip" install -q "maturin>=1.9,<2"
 cd "$root/python"
 PATH="$work/build/bin:$PATH" maturin build --release --out "$work/wheels" --interpreter "$work/use/bin/python"
-"$work/use/bin/pip" install -q "$work"/wheels/driftpost-*.whl -r requirements-test.txt
+"$work/use/bin/pip" install -q "$(echo "$work"/wheels/driftpost-*.whl)[fleet]" -r requirements-test.txt
 cd "$work"
 "$work/use/bin/python" -m pytest -q --rootdir "$root" -p no:cacheprovider "$root/python/tests"

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn rust_files(at: &Path, found: &mut Vec<PathBuf>) {
+fn sources(at: &Path, ending: &str, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(at).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         if path.is_dir() && name != "tests" {
-            rust_files(&path, found);
-        } else if name.ends_with(".rs") && name != "tests.rs" {
+            sources(&path, ending, found);
+        } else if name.ends_with(ending) && name != "tests.rs" {
             found.push(path);
         }
     }
@@ -30,9 +30,10 @@ fn codes(text: &str, quote: char) -> BTreeSet<String> {
 fn every_code_is_documented_and_every_documented_code_exists() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = Vec::new();
-    rust_files(&root.join("src"), &mut files);
-    rust_files(&root.join("crates"), &mut files);
-    rust_files(&root.join("python/src"), &mut files);
+    sources(&root.join("src"), ".rs", &mut files);
+    sources(&root.join("crates"), ".rs", &mut files);
+    sources(&root.join("python/src"), ".rs", &mut files);
+    sources(&root.join("python/driftpost"), ".py", &mut files);
     let mut used = BTreeSet::new();
     for path in files {
         let text = fs::read_to_string(&path).unwrap();
