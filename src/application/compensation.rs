@@ -175,16 +175,20 @@ impl Compensation {
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
-        let (mut text_bytes, mut embedded) = (0, true);
+        let (mut text_bytes, mut embedded, mut tests_itself) = (0, true, !self.emit.self_test);
         let options = EmitOptions { settings: self.settings(program.home_rad), ..self.emit.clone() };
         let emitted = emit_each(&program, &plan, &options, &mut |file| {
             embedded &= file.source.is_some();
             text_bytes += file.bytes.len();
+            tests_itself = tests_itself || memchr::memmem::find(&file.bytes, b"PROC tcSelfTest(").is_some();
             accept(&program, file).map_err(EmitFailure::Write)
         });
         if let Err(failure) = emitted {
             messages.push(LocatedDiagnostic::new(failure.into(), &program.files));
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
+        }
+        if !tests_itself {
+            messages.push(LocatedDiagnostic::new(no_self_test(), &program.files));
         }
         let totals = Totals::of(&program, &plan);
         let provenance = self.provenance(label);
@@ -336,4 +340,11 @@ fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<SkipReason>>
     };
     messages.push(Diagnostic::error(code, text));
     (messages, kept)
+}
+
+/// `--self-test` asks for a routine that the program cannot have.
+fn no_self_test() -> Diagnostic {
+    let text = "--self-test: no tcSelfTest is written; it asks the model that corrects at run time about targets that are known";
+    let help = "--form auto or --form live has that model; it needs one robtarget written out, with tool and work object by name";
+    Diagnostic::warning("emit::no-self-test", text).help(help)
 }

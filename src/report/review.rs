@@ -58,6 +58,12 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         totals.kept,
         totals.refused,
     )?;
+    if !has_known_targets(totals) {
+        return writeln!(
+            out,
+            "no target is known before the program runs, so no TCP error is worked out here; `driftpost simulate` executes the program"
+        );
+    }
     let known = if totals.by_form[2] > 0 { " whose targets are known" } else { "" };
     let after = match review.functions {
         None => format!("{} mm", mm(s.worst_after_m)),
@@ -69,6 +75,11 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         "worst TCP error of the compensated motions{known} over all minutes: {} mm before, {after} after{rounding}",
         mm(s.worst_before_m)
     )
+}
+
+/// Whether there is a compensated motion whose target is known, so that figures say something.
+fn has_known_targets(totals: &Totals) -> bool {
+    totals.by_form[2] < totals.compensated
 }
 
 fn write_provenance(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
@@ -89,7 +100,9 @@ fn write_figures(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
             writeln!(out, "largest step of the TCP from one bucket to the next: {jump} mm")?;
         }
         Some(functions) => {
-            writeln!(out, "one scaled work-object shift instead would leave {rigid} mm")?;
+            if has_known_targets(review.totals) {
+                writeln!(out, "one scaled work-object shift instead would leave {rigid} mm")?;
+            }
             writeln!(out, "corrections are scaled by {}", scale(functions))?;
         }
     }

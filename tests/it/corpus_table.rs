@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Move instructions by the text alone.
-const MOVES: [&[u8]; 30] = [
+const MOVES: [&[u8]; 31] = [
     b"movel",
     b"movej",
     b"movec",
@@ -33,6 +33,7 @@ const MOVES: [&[u8]; 30] = [
     b"arccstart",
     b"arccend",
     b"capl",
+    b"egmmovec",
     b"egmmovel",
     b"searchl",
     b"searchc",

@@ -2,7 +2,7 @@
 //! program was, or would be, wrong without a word.
 
 use driftpost::application::{Compensated, Refusal};
-use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+use driftpost::{Compensation, Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};
 use rapid_program::compensate::plan::Status;
 use rapid_program::compensate::{FormChoice, Selection};
 use robot_model::deform::GrowthLaw;
@@ -196,6 +196,8 @@ fn motions_are_left_alone_or_chosen_by_name() {
     // A name that stands for nothing is a typing error, and that would move the arm.
     let refused = refusal(&selected(&["pBroder"], &[]), &files);
     assert_eq!(error_codes(&refused), ["option::names-nothing"]);
+    let text = &refused.messages[0].diagnostic.message;
+    assert!(text.starts_with("--keep pBroder names no") && text.contains("pBorder"), "{text}");
     assert_eq!(error_codes(&refusal(&selected(&["Quadrants"], &[]), &files)), ["compensate::nothing"]);
 }
 
@@ -330,4 +332,58 @@ fn what_belongs_to_another_robot_is_refused_unless_allowed() {
         warned.is_ok_and(|n| n == 1)
             || other.run(&cube).is_err_and(|r| !error_codes(&r).contains(&"robot::other"))
     );
+}
+
+/// Cube45 with its configurations checked: at its nine targets with y = 0 the correction takes axis 1 below 0 deg while cf1 says 0.
+/// `compensate` says so beforehand and the virtual controller at the move, once the arm is warm.
+/// The source itself stands on the border.
+#[test]
+fn a_controller_tells_of_a_joint_over_its_quadrants_border() {
+    let source = include_str!("../../fixtures/robodk/irc5/Cube45.mod").replace("ConfL \\Off", "ConfL \\On");
+    let checked = ProgramFiles::one("Checked.mod", source.into_bytes());
+    let compensation = compensation();
+    let made = compensation.run(&checked).unwrap();
+    let said = messages(&made, "conf::border");
+    assert!(said[0].starts_with("line 33: the correction takes axis 1 to -0.02"), "{said:?}");
+    assert!(said[0].contains("(8 more like this in the same routine)"), "{said:?}");
+    let robot = Robot::built_in("irb140").unwrap();
+    let simulation = Simulation::new(TrueRobot::new(robot, Deformation::paper()));
+    let corrected = ProgramFiles::one("Checked.mod", made.files[0].bytes.clone());
+    let warm = Course::Minutes(vec![180.0]);
+    let report = simulation.run(&corrected, Some(&checked), &warm).unwrap();
+    let of_axis_1 =
+        |m: &&virtual_controller::Message| m.text.contains("over the border of the quadrant that cf1 = 0");
+    assert_eq!(report.messages.iter().filter(of_axis_1).count(), 9, "{:?}", report.messages);
+    assert_eq!(report.messages.len(), 9);
+    let original = simulation.run(&checked, Some(&checked), &warm).unwrap();
+    assert!(original.messages.is_empty(), "{:?}", original.messages);
+}
+
+#[test]
+fn a_self_test_that_cannot_be_written_is_told() {
+    let cube =
+        ProgramFiles::one("Cube45.mod", include_bytes!("../../fixtures/robodk/irc5/Cube45.mod").to_vec());
+    let told = |form: FormChoice| {
+        let mut compensation = compensation().in_form(form);
+        compensation.emit.self_test = true;
+        let made = compensation.run(&cube).unwrap();
+        let has_routine = String::from_utf8_lossy(&made.files[0].bytes).contains("PROC tcSelfTest()");
+        (has_routine, messages(&made, "emit::no-self-test").len())
+    };
+    assert_eq!(told(FormChoice::Schedule), (false, 1));
+    assert_eq!(told(FormChoice::Auto), (true, 0));
+}
+
+/// A tool that nobody has declared: all is asked at run time, and no figure can be given.
+#[test]
+fn no_figures_are_given_where_no_target_is_known() {
+    let source = "MODULE M\n  PROC main()\n    MoveL [[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tElsewhere;\n  \
+                  ENDPROC\nENDMODULE\n";
+    let compensation = compensation().in_form(FormChoice::Auto);
+    let made = compensation.run(&ProgramFiles::one("m.mod", source.as_bytes().to_vec())).unwrap();
+    let mut review = Vec::new();
+    made.write_review(&mut review, true).unwrap();
+    let text = String::from_utf8(review).unwrap();
+    assert!(text.contains("no target is known before the program runs"), "{text}");
+    assert!(!text.contains("worst TCP error") && !text.contains("work-object shift instead"), "{text}");
 }

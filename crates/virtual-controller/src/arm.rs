@@ -8,7 +8,7 @@ use super::path::{CartesianPath, PathKind};
 use super::value::{Type, Value};
 use nalgebra::Isometry3;
 use robot_model::deform::Conditions;
-use robot_model::kinematics::{Chain, ClosedForm, Configuration};
+use robot_model::kinematics::{Chain, ClosedForm, Configuration, outside_quadrant_rad};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 use std::collections::HashMap;
@@ -310,8 +310,7 @@ impl Arm {
                 None => return Ok(Err("the way leaves what the arm can reach".into())),
             }
         }
-        let complaint =
-            (self.conf_l && !self.closed.agrees(&conf, &q_rad)).then(|| self.mismatch(&conf, &q_rad));
+        let complaint = if self.conf_l { self.complaint(&conf, &q_rad) } else { None };
         let mut solved = self.solved(via_q_rad, q_rad, setup, complaint);
         solved.length_m = tcp_path.length_m();
         Ok(Ok(solved))
@@ -384,8 +383,7 @@ impl Arm {
         let far = |q: &[f64; 6]| -> f64 { q.iter().zip(&here).map(|(a, b)| (a - b).powi(2)).sum() };
         let best = solutions.into_iter().min_by(|a, b| far(&a.q_rad).total_cmp(&far(&b.q_rad)));
         let Some(best) = best else { return Err("the pose cannot be reached".into()) };
-        let complaint =
-            (self.conf_j && !self.closed.agrees(conf, &best.q_rad)).then(|| self.mismatch(conf, &best.q_rad));
+        let complaint = if self.conf_j { self.complaint(conf, &best.q_rad) } else { None };
         Ok(self.solved(None, best.q_rad, setup, complaint))
     }
 
@@ -411,13 +409,32 @@ impl Arm {
         }
     }
 
-    fn mismatch(&self, conf: &Configuration, q_rad: &[f64; 6]) -> String {
+    /// What a controller that checks configurations has to say about joints.
+    fn complaint(&self, conf: &Configuration, q_rad: &[f64; 6]) -> Option<String> {
+        if self.closed.agrees(conf, q_rad) {
+            return beyond_border(conf, q_rad);
+        }
         let own = self.closed.configuration(q_rad);
-        format!(
+        Some(format!(
             "the arm gets there as [{},{},{},{}], the target says [{},{},{},{}]",
             own.cf1, own.cf4, own.cf6, own.cfx, conf.cf1, conf.cf4, conf.cf6, conf.cfx
-        )
+        ))
     }
+}
+
+/// A joint that stands over the border of the quadrant that confdata name, by too little to be another configuration.
+/// What a real controller does there is not published; one that takes quadrants to the letter stops.
+fn beyond_border(conf: &Configuration, q_rad: &[f64; 6]) -> Option<String> {
+    [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
+        let q_rad = q_rad[axis - 1];
+        (outside_quadrant_rad(q_rad, quadrant) > 0.0).then(|| {
+            format!(
+                "axis {axis} stands at {:.4} deg, over the border of the quadrant that cf{axis} = {quadrant} names: a controller that takes \
+                 quadrants to the letter stops here",
+                deg_from_rad(q_rad)
+            )
+        })
+    })
 }
 
 /// confdata out of a robtarget's numbers.

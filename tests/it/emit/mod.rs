@@ -14,6 +14,7 @@ use rapid_program::emit::{
 use rapid_program::program::Program;
 use rapid_program::program::motion::Motion;
 use rapid_syntax::diagnostic::FileId;
+use rapid_syntax::tree::FileItem;
 use rapid_syntax::{SourceFile, apply, walk};
 use robot_model::deform::GrowthLaw;
 use std::path::PathBuf;
@@ -106,7 +107,7 @@ fn check_all_but_targets(name: &str, source: &[u8], program: &Program, plan: &Pl
         .flat_map(|(motion, _)| motion.targets.iter().map(|t| t.range))
         .collect();
     let expected = tokens::tokens(&tokens::replaced(source, &targets, b"TARGET"));
-    let got = tokens::tokens(&tokens::without_ours(emitted));
+    let got = tokens::tokens(&tokens::without_ours(source, emitted));
     let differ = expected.iter().zip(&got).position(|(a, b)| a != b);
     let show = |t: &[Vec<u8>], at: usize| {
         t[at.saturating_sub(3)..(at + 5).min(t.len())]
@@ -181,14 +182,21 @@ fn check_lines(name: &str, source: &[u8], file: &EmittedFile) {
     let opaque = |f: &SourceFile| walk::nodes(&f.tree).iter().filter(|n| n.what == "opaque").count();
     assert_eq!(opaque(&after), opaque(&before), "{name}");
     assert_eq!(after.warnings.len(), before.warnings.len(), "{name}");
+    // Each module of a file has its own.
     let mut names = std::collections::BTreeSet::new();
-    for text in file.edits.iter().flat_map(|e| e.text.split(|b| *b == b' ')) {
-        if let Some(at) = text.iter().position(|b| *b == b'{')
-            && text.ends_with(b":=[") | text.windows(4).any(|w| w == b"}:=[")
-        {
-            let name = &text[..at];
-            assert!(name.len() <= 32 && name.starts_with(b"tc"));
-            assert!(names.insert(name.to_ascii_lowercase()), "{}", String::from_utf8_lossy(name));
+    for edit in &file.edits {
+        let begins =
+            |item: &&FileItem| matches!(item, FileItem::Module(m) if m.range.start <= edit.range.start);
+        let module = before.tree.items.iter().filter(begins).count();
+        for text in edit.text.split(|b| *b == b' ') {
+            if let Some(at) = text.iter().position(|b| *b == b'{')
+                && text.ends_with(b":=[") | text.windows(4).any(|w| w == b"}:=[")
+            {
+                let name = &text[..at];
+                assert!(name.len() <= 32 && name.starts_with(b"tc"));
+                let is_new = names.insert((module, name.to_ascii_lowercase()));
+                assert!(is_new, "{}: {}", file.path, String::from_utf8_lossy(name));
+            }
         }
     }
 }

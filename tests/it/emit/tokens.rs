@@ -54,10 +54,14 @@ pub fn replaced(text: &[u8], ranges: &[TextRange], by: &[u8]) -> Vec<u8> {
 }
 
 /// An emitted module's text without the comment block, the data and routines whose names begin with `tc`
-/// and with `TARGET` for `tcNAME{tcK()}` and `tcAt(...)`. The source must have no such names itself.
-pub fn without_ours(emitted: &[u8]) -> Vec<u8> {
+/// and that the source does not have itself, and with `TARGET` for `tcNAME{tcK()}` and `tcAt(...)`.
+pub fn without_ours(source: &[u8], emitted: &[u8]) -> Vec<u8> {
     let (tree, _) = parse(emitted);
-    let ours = |r: TextRange| r.of(emitted).to_ascii_lowercase().starts_with(b"tc");
+    let of_source = tokens(source);
+    let ours = |r: TextRange| {
+        let name = r.of(emitted);
+        name.to_ascii_lowercase().starts_with(b"tc") && !of_source.iter().any(|token| token == name)
+    };
     let (mut gone, mut targets) = (Vec::new(), Vec::new());
     for item in &tree.items {
         let FileItem::Module(module) = item else { continue };

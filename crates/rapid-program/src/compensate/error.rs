@@ -25,12 +25,14 @@ pub enum CompensateError {
     #[error("no schedule: {0}")]
     Schedule(#[from] ScheduleError),
     /// A pattern of `--keep` or `--only` fits no target, routine or module.
-    #[error("{option} {pattern} names no target, routine or module of a motion")]
+    #[error("{option} {pattern} names no target, routine or module of a motion; there are {}", names.join(", "))]
     Selection {
         /// The option.
         option: &'static str,
         /// The pattern as written.
         pattern: String,
+        /// The first of the names that there are: modules and routines before targets.
+        names: Vec<String>,
     },
     /// The joints hint belongs to another program.
     #[error(transparent)]

@@ -6,11 +6,8 @@
 use super::messages::span_of;
 use crate::program::motion::{Motion, TargetValue};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::kinematics::outside_quadrant_rad;
 use robot_model::units::deg_from_rad;
-use std::f64::consts::FRAC_PI_2;
-
-/// A joint this little beyond a border is on it, radians.
-const ON_BORDER_RAD: f64 = 1e-9;
 
 /// A joint that a correction takes over its quadrant's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,9 +35,9 @@ impl Crossing {
         let conf = target.conf;
         [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
             let joint = axis - 1;
-            let inside = within(nominal_rad[joint], quadrant);
-            let out =
-                corrected_rad.iter().map(|q_rad| q_rad[joint]).filter(|&q_rad| !within(q_rad, quadrant));
+            let is_outside = |q_rad: f64| outside_quadrant_rad(q_rad, quadrant) > 0.0;
+            let inside = !is_outside(nominal_rad[joint]);
+            let out = corrected_rad.iter().map(|q_rad| q_rad[joint]).filter(|&q_rad| is_outside(q_rad));
             let change_rad = |q_rad: &f64| (q_rad - nominal_rad[joint]).abs();
             let farthest = out.max_by(|a, b| change_rad(a).total_cmp(&change_rad(b)));
             farthest.filter(|_| inside).map(|q_rad| Self { axis, quadrant, q_rad })
@@ -61,22 +58,5 @@ impl Crossing {
             "the target's numbers stay; a controller that takes quadrants to the letter stops at such a target: try it in manual \
              mode, or program ConfL\\Off or ConfJ\\Off there",
         )
-    }
-}
-
-/// Whether a joint stands in a quadrant or on its border.
-fn within(q_rad: f64, quadrant: i32) -> bool {
-    let from_rad = f64::from(quadrant) * FRAC_PI_2;
-    q_rad >= from_rad - ON_BORDER_RAD && q_rad <= from_rad + FRAC_PI_2 + ON_BORDER_RAD
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn both_ends_of_a_quadrant_belong_to_it() {
-        assert!(within(0.0, 0) && within(0.0, -1) && within(FRAC_PI_2, 0));
-        assert!(!within(-1e-6, 0) && !within(FRAC_PI_2 + 1e-6, 0) && within(-1e-6, -1));
     }
 }

@@ -3,7 +3,8 @@
 use super::error::CompensateError;
 use super::placement::keep;
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, SkipReason, Target};
+use crate::program::motion::{Motion, Origin, SkipReason};
+use std::collections::BTreeSet;
 use wildmatch::WildMatch;
 
 /// Names with `*` and `?`, in any case.
@@ -41,11 +42,31 @@ impl Selection {
         let all = [("--keep", keep_patterns), ("--only", only_patterns)];
         for (option, patterns) in all {
             if let Some(unused) = patterns.into_iter().find(|pattern| !pattern.used) {
-                return Err(CompensateError::Selection { option, pattern: unused.written });
+                let names = known_names(program);
+                return Err(CompensateError::Selection { option, pattern: unused.written, names });
             }
         }
         Ok(found)
     }
+}
+
+/// Names that a message lists at most.
+const MOST_NAMES: usize = 8;
+
+/// Names that motions go by: modules and routines first, then targets; an ellipsis where there are more.
+fn known_names(program: &Program) -> Vec<String> {
+    let (mut of_routines, mut of_targets) = (BTreeSet::new(), BTreeSet::new());
+    for motion in &program.motions {
+        let routine = program.routines.get(motion.setup.routine.index());
+        of_routines.extend(routine.into_iter().flat_map(|r| [r.module.as_str(), r.name.as_str()]));
+        of_targets.extend(target_names(motion));
+    }
+    let mut names: Vec<String> = of_routines.into_iter().chain(of_targets).map(str::to_owned).collect();
+    if names.len() > MOST_NAMES {
+        names.truncate(MOST_NAMES);
+        names.push("...".to_owned());
+    }
+    names
 }
 
 struct Pattern {
@@ -77,11 +98,14 @@ fn first_match(patterns: &mut [Pattern], names: &[&str]) -> Option<String> {
 
 /// The names that a motion goes by: its targets', its routine's, its module's.
 fn names<'p>(program: &'p Program, motion: &'p Motion) -> Vec<&'p str> {
-    let target = |target: &'p Target| match target.origin() {
-        Origin::Named { name, .. } => Some(name.as_str()),
-        Origin::Inline | Origin::Expression => None,
-    };
     let routine = program.routines.get(motion.setup.routine.index());
     let routine = routine.into_iter().flat_map(|routine| [routine.name.as_str(), routine.module.as_str()]);
-    motion.targets.iter().filter_map(target).chain(routine).collect()
+    target_names(motion).chain(routine).collect()
+}
+
+fn target_names(motion: &Motion) -> impl Iterator<Item = &str> {
+    motion.targets.iter().filter_map(|target| match target.origin() {
+        Origin::Named { name, .. } => Some(name.as_str()),
+        Origin::Inline | Origin::Expression => None,
+    })
 }

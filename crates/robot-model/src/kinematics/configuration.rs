@@ -88,10 +88,18 @@ fn quadrant(q_rad: f64) -> i32 {
     ((q_rad + ON_BORDER_RAD) / FRAC_PI_2).floor() as i32
 }
 
-fn in_quadrant(q_rad: f64, quadrant: i32) -> bool {
+/// How far a joint stands outside of a quadrant, radians; 0 inside and on both borders, and within what the rounding of a
+/// target's numbers (eight decimals of a quaternion, single precision) does to a joint.
+#[must_use]
+pub fn outside_quadrant_rad(q_rad: f64, quadrant: i32) -> f64 {
+    const ROUNDING_RAD: f64 = 1e-5;
     let from_rad = f64::from(quadrant) * FRAC_PI_2;
-    let play_rad = rad_from_deg(HYSTERESIS_DEG);
-    q_rad >= from_rad - play_rad && q_rad <= from_rad + FRAC_PI_2 + play_rad
+    let outside_rad = (from_rad - q_rad).max(q_rad - from_rad - FRAC_PI_2);
+    if outside_rad > ROUNDING_RAD { outside_rad } else { 0.0 }
+}
+
+fn in_quadrant(q_rad: f64, quadrant: i32) -> bool {
+    outside_quadrant_rad(q_rad, quadrant) <= rad_from_deg(HYSTERESIS_DEG)
 }
 
 #[cfg(test)]
@@ -182,5 +190,24 @@ mod tests {
         assert!(!closed.agrees(&source(0, 1), &at(-0.6)));
         assert_eq!(closed.kept(&source(0, 1), &at(-0.6)), source(-1, 1));
         assert!(!closed.agrees(&source(0, 0), &at(10.0)), "the branch has no play");
+    }
+
+    #[test]
+    fn both_ends_of_a_quadrant_belong_to_it() {
+        for (q_rad, quadrant, outside_rad) in [
+            (0.0, 0, 0.0),
+            (0.0, -1, 0.0),
+            (FRAC_PI_2, 0, 0.0),
+            (-1e-3, 0, 1e-3),
+            (-1e-3, -1, 0.0),
+            (FRAC_PI_2 + 2e-3, 0, 2e-3),
+            (7.0, 4, 0.0),
+            (-2.7e-9, 0, 0.0), // axis 1 of a RoboDK target at y = 0
+        ] {
+            assert!(
+                (outside_quadrant_rad(q_rad, quadrant) - outside_rad).abs() < 1e-12,
+                "{q_rad} {quadrant}"
+            );
+        }
     }
 }

@@ -14,6 +14,6 @@ mod structure;
 
 pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 pub use closed_form::{ClosedForm, Solution};
-pub use configuration::{Configuration, Posture};
+pub use configuration::{Configuration, Posture, outside_quadrant_rad};
 pub use solve::{RESIDUAL_M, RESIDUAL_RAD, SolveError, Solved, solve};
 pub use structure::StructureError;
