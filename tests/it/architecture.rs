@@ -253,6 +253,19 @@ fn members_depend_only_on_what_stands_before_them() {
 
 /// The Python member is thin: of the workspace it knows the root package alone.
 #[test]
+fn every_dependency_has_its_reason_in_the_documentation() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let page = fs::read_to_string(root().join("docs/ARCHITECTURE.md")).unwrap();
+    let (_, reasons) = page.split_once("\n## Dependencies\n").unwrap();
+    let (_, listed) = manifest.split_once("[workspace.dependencies]\n").unwrap();
+    let (listed, _) = listed.split_once("\n\n").unwrap();
+    let names = listed.lines().filter(|line| !line.contains("path = ")).filter_map(|l| l.split(' ').next());
+    let missing: Vec<&str> = names.clone().filter(|name| !reasons.contains(&format!("`{name}`"))).collect();
+    assert!(names.count() > 30, "the list of dependencies was not found");
+    assert!(missing.is_empty(), "no reason in docs/ARCHITECTURE.md for {missing:?}");
+}
+
+#[test]
 fn python_uses_the_front_door() {
     let manifest = fs::read_to_string(root().join("python/Cargo.toml")).unwrap();
     let manifest: toml::Table = manifest.parse().unwrap();

@@ -1,14 +1,14 @@
 //! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
 //! like to the nominal controller, and whether that may be sent.
 
-use super::model::{Model, WarmBucket};
+use super::model::{Model, Warm, WarmBucket};
 use super::nominal::{Point, Resolved};
 use super::options::Options;
 use super::placement::keep;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
-use super::warm_joints::warm_joints;
+use super::warm_joints::warm_joints_each;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
@@ -47,7 +47,7 @@ pub(super) fn correct(
     let count = resolved.q_rad().len();
     let mut made = MotionCorrection {
         planned: PlannedMotion::compensated(options.form.of_known()),
-        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.len() }],
+        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.buckets.len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
         crossing: None,
@@ -66,13 +66,13 @@ pub(super) fn correct(
         };
         made.crossing = made.crossing.or_else(|| Crossing::of(motion, &value, &point.q_rad, &joints));
         let meant = point.object_from_tcp();
-        let commanded: Vec<Isometry3<f64>> =
-            joints.iter().map(|q| point.placement.object_from_tcp(&model.nominal.forward(q))).collect();
+        let mut commanded: Vec<Isometry3<f64>> = Vec::with_capacity(joints.len());
+        model.nominal.forward_each(&joints, |there| commanded.push(point.placement.object_from_tcp(&there)));
         made.add_corrections(&meant, &commanded);
         let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
             Moments::Buckets(warm) => {
-                made.add_errors(&point, &joints, warm);
+                made.add_errors(&point, &joints, &warm.buckets);
                 Corrections::InBuckets(match by_joints {
                     true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
                     false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
@@ -103,14 +103,14 @@ pub(super) fn correct(
 /// The moments for which corrections are made.
 pub(super) enum Moments {
     /// One for each bucket of a schedule.
-    Buckets(Vec<WarmBucket>),
+    Buckets(Warm),
     /// The nodes of time functions.
     Nodes(Ramp),
 }
 
 impl Moments {
     /// The arms at these moments.
-    pub(super) fn warm(&self) -> &[WarmBucket] {
+    pub(super) fn warm(&self) -> &Warm {
         match self {
             Self::Buckets(warm) => warm,
             Self::Nodes(ramp) => &ramp.nodes,
@@ -168,12 +168,12 @@ enum NoJoints {
 }
 
 /// The deformed arm's joints for each bucket.
-fn joints_per_bucket(point: &Point, warm: &[WarmBucket], model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
+fn joints_per_bucket(point: &Point, warm: &Warm, model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);
-    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.len());
+    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.buckets.len());
     let mut refusal = None;
-    for bucket in warm {
-        let q_rad = warm_joints(point, &bucket.at, model).map_err(NoJoints::Skip)?;
+    for q_rad in warm_joints_each(point, &warm.at, model) {
+        let q_rad = q_rad.map_err(NoJoints::Skip)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));

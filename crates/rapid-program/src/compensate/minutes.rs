@@ -10,8 +10,8 @@ use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
 use rayon::prelude::*;
-use robot_model::deform::{Deformation, DeformedArm};
-use robot_model::kinematics::solve;
+use robot_model::deform::{Deformation, DeformedArm, DeformedArms};
+use robot_model::kinematics::{SolveError, Solved};
 use robot_model::robot::Robot;
 use std::borrow::Cow;
 
@@ -54,8 +54,8 @@ pub fn joints_every_minute<'a>(
     }
     let model = Model::new(robot, Cow::Borrowed(deformation), options, None)?;
     let last_min = plan.summary.until_min.clamp(0.0, f64::from(u32::MAX)).floor() as u32;
-    let minutes: Vec<(f64, DeformedArm)> =
-        (0..=last_min).map(|t| (f64::from(t), model.arm(Moment::Minute(f64::from(t))))).collect();
+    let at_minute = |t: u32| model.arm(Moment::Minute(f64::from(t)));
+    let minutes = DeformedArms::new((0..=last_min).map(at_minute).collect());
     let starts = (0..program.motions.len()).step_by(AT_ONE_GO);
     Ok(starts.flat_map(move |start| {
         let end = (start + AT_ONE_GO).min(program.motions.len());
@@ -74,7 +74,7 @@ fn of_motion(
     id: MotionId,
     motion: &Motion,
     planned: &PlannedMotion,
-    (model, minutes): (&Model<'_>, &[(f64, DeformedArm)]),
+    (model, minutes): (&Model<'_>, &DeformedArms),
 ) -> Vec<MinuteJoints> {
     let Some(placement) = Placement::of(motion).ok().filter(|_| planned.status == Status::Compensated) else {
         return Vec::new();
@@ -92,24 +92,16 @@ fn over_minutes(
     motion: MotionId,
     target: usize,
     point: &Point<'_>,
-    minutes: &[(f64, DeformedArm)],
+    minutes: &DeformedArms,
 ) -> Vec<MinuteJoints> {
-    let mut start = point.q_rad;
     let meant = point.object_from_tcp();
-    let mut rows = Vec::with_capacity(minutes.len());
-    for (t_min, arm) in minutes {
+    let solved = minutes.solve(&point.conditions, &point.base_from_flange, &point.q_rad);
+    let row = |((t, arm), solved): ((usize, &DeformedArm), Result<Solved, SolveError>)| {
+        let q_rad = solved.ok()?.q_rad;
         let arm = arm.under(&point.conditions);
-        let Ok(solved) = solve(&arm, &point.base_from_flange, &start) else { continue };
-        start = solved.q_rad;
-        let reached = point.placement.object_from_tcp(&arm.forward(&solved.q_rad)).translation.vector;
-        rows.push(MinuteJoints {
-            motion,
-            target,
-            t_min: *t_min,
-            q_rad: solved.q_rad,
-            position_m: reached.into(),
-            residual_m: (reached - meant.translation.vector).norm(),
-        });
-    }
-    rows
+        let reached = point.placement.object_from_tcp(&arm.forward(&q_rad)).translation.vector;
+        let residual_m = (reached - meant.translation.vector).norm();
+        Some(MinuteJoints { motion, target, t_min: t as f64, q_rad, position_m: reached.into(), residual_m })
+    };
+    minutes.as_slice().iter().enumerate().zip(solved).filter_map(row).collect()
 }

@@ -4,7 +4,7 @@ use super::error::CompensateError;
 use super::options::Options;
 use crate::schedule::{Bucket, Moment, Schedule};
 use robot_model::deform::identified::{Identified, ThermalState};
-use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index};
+use robot_model::deform::{Deformation, DeformedArm, DeformedArms, GrowthLaw, Index};
 use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets, NominalFrames};
 use robot_model::robot::Robot;
 use std::borrow::Cow;
@@ -122,8 +122,8 @@ impl<'a> Model<'a> {
     }
 
     /// The arms that a schedule's buckets meet.
-    pub(super) fn warm(&self, schedule: &Schedule) -> Vec<WarmBucket> {
-        schedule.buckets.iter().map(|bucket| self.warm_bucket(bucket)).collect()
+    pub(super) fn warm(&self, schedule: &Schedule) -> Warm {
+        Warm::new(schedule.buckets.iter().map(|bucket| self.warm_bucket(bucket)).collect())
     }
 
     fn warm_bucket(&self, bucket: &Bucket) -> WarmBucket {
@@ -150,4 +150,17 @@ pub(super) struct WarmBucket {
     pub(super) from: DeformedArm,
     pub(super) end: DeformedArm,
     pub(super) bends: Vec<DeformedArm>,
+}
+
+/// Buckets, or moments alone, in their order.
+pub(super) struct Warm {
+    pub(super) buckets: Vec<WarmBucket>,
+    /// Where each one's targets are computed.
+    pub(super) at: DeformedArms,
+}
+
+impl Warm {
+    pub(super) fn new(buckets: Vec<WarmBucket>) -> Self {
+        Self { at: DeformedArms::new(buckets.iter().map(|bucket| bucket.at.clone()).collect()), buckets }
+    }
 }

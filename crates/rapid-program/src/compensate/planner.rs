@@ -171,7 +171,13 @@ impl Corrector<'_> {
                 motions.push(made.planned.clone());
             }
         }
-        figures::follow_paths((program, resolved), self.at.warm(), self.model, &worst_bucket, &mut motions);
+        figures::follow_paths(
+            (program, resolved),
+            &self.at.warm().buckets,
+            self.model,
+            &worst_bucket,
+            &mut motions,
+        );
         (motions, tally, crossings)
     }
 

@@ -5,19 +5,19 @@
 
 use super::drift::{Points, furthest_m};
 use super::error::CompensateError;
-use super::model::{Model, WarmBucket};
+use super::model::{Model, Warm};
 use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
 use super::plan::Correction;
-use super::warm_joints::warm_joints;
+use super::warm_joints::warm_joints_each;
 use crate::program::data::JointTarget;
-use crate::program::motion::TargetValue;
+use crate::program::motion::{SkipReason, TargetValue};
 use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
 use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
-use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
-use robot_model::kinematics::solve;
+use robot_model::deform::{Conditions, DeformedArm, DeformedArms, GrowthLaw};
+use robot_model::kinematics::{SolveError, Solved};
 use robot_model::units::rad_from_deg;
 
 /// The functions may take this share of the tolerance: a staircase takes all of it.
@@ -42,7 +42,7 @@ pub(super) struct Sample<'r> {
 pub(super) struct Ramp {
     pub(super) functions: TimeFunctions,
     /// The arm at each node.
-    pub(super) nodes: Vec<WarmBucket>,
+    pub(super) nodes: Warm,
     /// From here on what is still to come is under the tolerance, minutes.
     pub(super) until_min: f64,
     checks: Vec<Check>,
@@ -91,7 +91,7 @@ impl Ramp {
     }
 
     fn new(model: &Model, functions: TimeFunctions, found: &Timeline, until_min: f64) -> Self {
-        let nodes = functions.nodes.iter().map(|&node| model.at_moment(node)).collect();
+        let nodes = Warm::new(functions.nodes.iter().map(|&node| model.at_moment(node)).collect());
         let moments: Vec<Moment> = match model.growth_alone() {
             Some(law) => [0.25, 0.5, 0.75, 0.95]
                 .iter()
@@ -144,13 +144,34 @@ impl Ramp {
     /// metres.
     pub(super) fn errors_m(&self, point: &Point, corrections: &[Correction], model: &Model) -> [f64; 2] {
         let mut worst = [0.0_f64; 2];
-        for check in &self.checks {
+        let commanded = self.commanded_q_rad(point, corrections, model);
+        for (check, q_rad) in self.checks.iter().zip(commanded) {
             let before = point.miss_m(&check.arm, &point.q_rad).norm();
-            let after = commanded_q_rad(point, corrections, &check.values, model)
-                .map_or(f64::INFINITY, |q_rad| point.miss_m(&check.arm, &q_rad).norm());
+            let after = q_rad.map_or(f64::INFINITY, |q_rad| point.miss_m(&check.arm, &q_rad).norm());
             worst = [worst[0].max(before), worst[1].max(after)];
         }
         worst
+    }
+
+    /// At each moment that is looked at the joints to which the corrected motion sends the controller, radians; `None` where
+    /// it cannot go.
+    fn commanded_q_rad(
+        &self,
+        point: &Point,
+        corrections: &[Correction],
+        model: &Model,
+    ) -> Vec<Option<[f64; 6]>> {
+        let mut found = Vec::with_capacity(self.checks.len());
+        if corrections.iter().any(|correction| matches!(correction, Correction::Joints { .. })) {
+            found.extend(self.checks.iter().map(|check| Some(turned(point, corrections, &check.values))));
+        } else {
+            let meant = point.object_from_tcp();
+            let commanded = |check: &Check| commanded_pose(point, &meant, corrections, &check.values);
+            let poses: Vec<Isometry3<f64>> = self.checks.iter().map(commanded).collect();
+            let solved = |solved: Result<Solved, SolveError>| found.push(solved.ok().map(|s| s.q_rad));
+            model.nominal.solve_each(&poses, &point.q_rad, solved);
+        }
+        found
     }
 
     /// The same where the model is asked at run time: it takes the arm as deformed at the nominal joints, which are a little
@@ -158,14 +179,18 @@ impl Ramp {
     pub(super) fn errors_of_model_m(&self, point: &Point, model: &Model) -> [f64; 2] {
         let nominal = model.nominal.forward(&point.q_rad);
         let mut worst = [0.0_f64; 2];
-        for check in &self.checks {
-            let before = point.miss_m(&check.arm, &point.q_rad).norm();
+        let commanded = |check: &Check| {
             let deformed = check.arm.under(&point.conditions).forward(&point.q_rad);
-            let commanded = nominal * deformed.inverse() * nominal;
-            let after = solve(&model.nominal, &commanded, &point.q_rad)
-                .map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
+            nominal * deformed.inverse() * nominal
+        };
+        let commanded: Vec<Isometry3<f64>> = self.checks.iter().map(commanded).collect();
+        let mut checks = self.checks.iter();
+        model.nominal.solve_each(&commanded, &point.q_rad, |solved| {
+            let Some(check) = checks.next() else { return };
+            let before = point.miss_m(&check.arm, &point.q_rad).norm();
+            let after = solved.map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
             worst = [worst[0].max(before), worst[1].max(after)];
-        }
+        });
         worst
     }
 
@@ -174,11 +199,12 @@ impl Ramp {
     fn worst_m(&self, model: &Model, points: &[Sample<'_>]) -> f64 {
         let one = |Sample { point, by_joints }: &Sample<'_>| {
             let joints: Option<Vec<[f64; 6]>> =
-                self.nodes.iter().map(|node| warm_joints(point, &node.at, model).ok()).collect();
+                warm_joints_each(point, &self.nodes.at, model).map(Result::ok).collect();
             let joints = joints?;
             let corrections = self.corrections(point, *by_joints, &joints, model);
-            let misses = self.checks.iter().map(|check| {
-                let q_rad = commanded_q_rad(point, &corrections, &check.values, model)?;
+            let commanded = self.commanded_q_rad(point, &corrections, model);
+            let misses = self.checks.iter().zip(commanded).map(|(check, q_rad)| {
+                let q_rad = q_rad?;
                 let there = check.arm.under(&point.conditions).forward(&q_rad);
                 let turned_rad = there.rotation.angle_to(&point.base_from_flange.rotation);
                 Some(point.miss_m(&check.arm, &q_rad).norm().max(LEVER_M * turned_rad))
@@ -207,36 +233,35 @@ fn anywhere<'p>(model: &Model, placement: &'p Placement) -> Vec<Sample<'p>> {
     poses_deg.into_iter().map(point).collect()
 }
 
-/// Where the controller goes when the corrections are scaled by `values`, radians; `None` where it cannot.
-fn commanded_q_rad(
-    point: &Point,
-    corrections: &[Correction],
-    values: &[f64],
-    model: &Model,
-) -> Option<[f64; 6]> {
-    let meant = point.object_from_tcp();
-    let (mut shift_m, mut turn, mut q_rad) = (Vector3::zeros(), Vector3::zeros(), point.q_rad);
-    let mut by_joints = false;
+/// Joints with their corrections scaled by `values`, radians.
+fn turned(point: &Point, corrections: &[Correction], values: &[f64]) -> [f64; 6] {
+    let mut q_rad = point.q_rad;
     for (correction, value) in corrections.iter().zip(values) {
-        match correction {
-            Correction::Pose { shift_m: by, turn: about } => {
-                shift_m += Vector3::from(*by) * *value;
-                turn += Vector3::from(*about) * *value;
-            }
-            Correction::Joints { turn_rad } => {
-                by_joints = true;
-                q_rad.iter_mut().zip(turn_rad).for_each(|(q_rad, by)| *q_rad += by * value);
-            }
+        if let Correction::Joints { turn_rad } = correction {
+            q_rad.iter_mut().zip(turn_rad).for_each(|(q_rad, by)| *q_rad += by * value);
         }
     }
-    if by_joints {
-        return Some(q_rad);
+    q_rad
+}
+
+/// The flange's pose that the controller is sent to when the corrections are scaled by `values`.
+fn commanded_pose(
+    point: &Point,
+    meant: &Isometry3<f64>,
+    corrections: &[Correction],
+    values: &[f64],
+) -> Isometry3<f64> {
+    let (mut shift_m, mut turn) = (Vector3::zeros(), Vector3::zeros());
+    for (correction, value) in corrections.iter().zip(values) {
+        if let Correction::Pose { shift_m: by, turn: about } = correction {
+            shift_m += Vector3::from(*by) * *value;
+            turn += Vector3::from(*about) * *value;
+        }
     }
     let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
     let commanded =
         Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
-    let base_from_flange = point.placement.base_from_flange(&commanded);
-    solve(&model.nominal, &base_from_flange, &point.q_rad).ok().map(|solved| solved.q_rad)
+    point.placement.base_from_flange(&commanded)
 }
 
 /// What the functions are worth at a moment.
@@ -254,10 +279,10 @@ fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> 
 fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
     let every = samples.len().div_ceil(FOUND_FROM).max(1);
     let moments: Vec<Moment> = found.moments().collect();
-    let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
+    let arms = DeformedArms::new(moments.iter().map(|&moment| model.arm(moment)).collect());
     let rows_of = |Sample { point, .. }: &Sample<'_>| -> Option<Vec<[f64; 6]>> {
-        let course = |arm: &DeformedArm| {
-            let q_rad = warm_joints(point, arm, model).ok()?;
+        let course = |q_rad: Result<[f64; 6], SkipReason>| {
+            let q_rad = q_rad.ok()?;
             let commanded = model.nominal.forward(&q_rad);
             let turn =
                 (commanded.rotation * point.base_from_flange.rotation.inverse()).scaled_axis() * LEVER_M;
@@ -265,7 +290,7 @@ fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance
             let shift = at(&commanded) - at(&point.base_from_flange);
             Some([shift.x, shift.y, shift.z, turn.x, turn.y, turn.z])
         };
-        arms.iter().map(course).collect()
+        warm_joints_each(point, &arms, model).map(course).collect()
     };
     let courses: Vec<Vec<[f64; 6]>> = samples.par_iter().step_by(every).filter_map(rows_of).collect();
     let mut rows: Vec<Vec<f64>> = Vec::new();

@@ -5,7 +5,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
 use robot_model::deform::{Deformation, Index};
 use robot_model::kinematics::{
-    Chain, ClosedForm, Configuration, Solution, SolveError, StructureError, solve,
+    Chain, Chains, ClosedForm, Configuration, NominalFrames, Solution, SolveError, Solved, StructureError,
 };
 use robot_model::robot::{OutOfRange, Robot};
 use thiserror::Error;
@@ -186,33 +186,48 @@ pub fn tabulate(
         })?;
         nominal.push(solution);
     }
-    let at_minute = |&t_min: &f64| -> Result<Vec<Row>, TabulateError> {
-        let chain = Chain::with_offsets(robot, &deformation.offsets_at(t_min));
-        let rows = (0..targets.len()).zip(targets).zip(&nominal).map(|((i, target), nominal)| {
-            let (q_rad, residual_m, residual_rad) =
-                corrected(robot, &chain, target, nominal).map_err(|problem| TabulateError::Minute {
-                    name: target.name.clone(),
-                    line: target.line,
-                    t_min,
-                    problem,
-                })?;
-            let (uncompensated_m, uncompensated_rad) =
-                chain.distance(&nominal.q_rad, &target.base_from_flange);
-            Ok(Row {
-                target: i,
-                t_min,
-                q_rad,
-                position_m: chain.forward(&q_rad).translation.vector.into(),
-                residual_m,
-                residual_rad,
-                uncompensated_m,
-                uncompensated_rad,
-            })
+    let frames = NominalFrames::of(robot);
+    let chains: Vec<Chain> =
+        minutes.iter().map(|&t_min| frames.chain(&deformation.offsets_at(t_min))).collect();
+    let all_minutes = Chains::new(chains.clone());
+    let of_target = |i: usize| -> Vec<Result<Row, NoJoints>> {
+        let (goal, nominal_rad) = (&targets[i].base_from_flange, &nominal[i].q_rad);
+        let mut rows = Vec::with_capacity(minutes.len());
+        let mut moments = minutes.iter().zip(&chains);
+        all_minutes.solve(goal, nominal_rad, |solved| {
+            let Some((&t_min, chain)) = moments.next() else { return };
+            rows.push(solved.map_err(NoJoints::from).and_then(
+                |Solved { q_rad, residual_m, residual_rad, .. }| {
+                    robot.within_range(&q_rad)?;
+                    let (uncompensated_m, uncompensated_rad) = chain.distance(nominal_rad, goal);
+                    Ok(Row {
+                        target: i,
+                        t_min,
+                        q_rad,
+                        position_m: chain.forward(&q_rad).translation.vector.into(),
+                        residual_m,
+                        residual_rad,
+                        uncompensated_m,
+                        uncompensated_rad,
+                    })
+                },
+            ));
         });
-        rows.collect()
+        rows
     };
-    let minutes: Vec<Result<Vec<Row>, TabulateError>> = minutes.par_iter().map(at_minute).collect();
-    let rows = minutes.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
+    let found: Vec<Vec<Result<Row, NoJoints>>> = (0..targets.len()).into_par_iter().map(of_target).collect();
+    let mut rows = Vec::with_capacity(minutes.len() * targets.len());
+    for (k, &t_min) in minutes.iter().enumerate() {
+        for (target, found) in targets.iter().zip(&found) {
+            let row = found[k].map_err(|problem| TabulateError::Minute {
+                name: target.name.clone(),
+                line: target.line,
+                t_min,
+                problem,
+            });
+            rows.push(row?);
+        }
+    }
     Ok(Table { nominal, rows })
 }
 
@@ -241,18 +256,6 @@ fn choose(
     let least = branch.iter().map(quadrants_away).min();
     let branch = branch.into_iter().filter(|s| Some(quadrants_away(s)) == least).collect();
     nearest(branch).ok_or(NoJoints::Branch(wanted.cfx))
-}
-
-/// Joints of the deformed arm on a target, and what is left in metres and radians.
-fn corrected(
-    robot: &Robot,
-    chain: &Chain,
-    target: &Target,
-    nominal: &Solution,
-) -> Result<([f64; 6], f64, f64), NoJoints> {
-    let solved = solve(chain, &target.base_from_flange, &nominal.q_rad)?;
-    robot.within_range(&solved.q_rad)?;
-    Ok((solved.q_rad, solved.residual_m, solved.residual_rad))
 }
 
 #[cfg(test)]

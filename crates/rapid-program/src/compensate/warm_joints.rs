@@ -4,8 +4,8 @@ use super::model::Model;
 use super::nominal::Point;
 use super::placement::keep;
 use crate::program::motion::SkipReason;
-use robot_model::deform::DeformedArm;
-use robot_model::kinematics::solve;
+use robot_model::deform::{DeformedArm, DeformedArms};
+use robot_model::kinematics::{SolveError, Solved, solve};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// A joint that would change by more is near a singularity, degrees.
@@ -21,7 +21,27 @@ pub(super) fn warm_joints(
     arm: &DeformedArm,
     model: &Model<'_>,
 ) -> Result<[f64; 6], SkipReason> {
-    let q_rad = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
+    let solved = solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad);
+    allowed(point, solved, model)
+}
+
+/// The same for each of several moments.
+pub(super) fn warm_joints_each(
+    point: &Point,
+    arms: &DeformedArms,
+    model: &Model<'_>,
+) -> impl Iterator<Item = Result<[f64; 6], SkipReason>> {
+    let solved = arms.solve(&point.conditions, &point.base_from_flange, &point.q_rad);
+    solved.into_iter().map(|solved| allowed(point, solved, model))
+}
+
+/// Joints that were found for a point, where a correction may go there.
+fn allowed(
+    point: &Point,
+    solved: Result<Solved, SolveError>,
+    model: &Model<'_>,
+) -> Result<[f64; 6], SkipReason> {
+    let q_rad = solved
         .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
         .q_rad;
     let (joint, change_rad) = q_rad

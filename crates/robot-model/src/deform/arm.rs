@@ -108,6 +108,11 @@ impl DeformedArm {
         self.table = terms.frames.chain(&delta.offsets);
     }
 
+    /// The arm's frames, where neither joints nor load move them.
+    pub(super) fn constant(&self) -> Option<&Chain> {
+        self.terms.is_none().then_some(&self.table)
+    }
+
     /// The arm under the conditions of one pose.
     #[must_use]
     pub fn under<'a>(&'a self, conditions: &'a Conditions) -> ArmUnder<'a> {

@@ -1,7 +1,7 @@
 //! How the model deforms with time, temperature, load and direction: deformation tables, growth laws, identified
 //! models, and the arm that all of them together make at one moment.
 //!
-//! Knows nothing of RAPID and of how the deformed arm is solved.
+//! Knows nothing of RAPID.
 
 mod arm;
 mod effect_kind;
@@ -9,6 +9,7 @@ mod error;
 pub mod gravity;
 mod growth;
 pub mod identified;
+mod moments;
 mod paper;
 mod table;
 mod warmth;
@@ -17,6 +18,7 @@ pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
 pub use effect_kind::{EffectKind, UnknownEffect};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};
+pub use moments::DeformedArms;
 pub use warmth::Warmth;
 
 use crate::kinematics::FrameOffsets;

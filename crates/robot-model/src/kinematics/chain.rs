@@ -4,9 +4,7 @@
 //! robot file and `d_i`, `rx ry rz` its offsets. Every frame is turned once, on construction, so that its joint
 //! turns about its own z: then a joint costs two products of columns instead of a general rotation.
 
-use super::matrix::{
-    self, IDENTITY, Mat3, Vec3, add, apply, column, cross, mul, rows, rx_ry_rz, sub, transpose,
-};
+use super::matrix::{self, Mat3, Vec3, add, apply, column, cross, mul, rows, rx_ry_rz, sub, transpose};
 use super::real::Real;
 use crate::robot::Robot;
 use nalgebra::Isometry3;
@@ -59,6 +57,16 @@ impl Pose {
         }
     }
 
+    pub(super) fn isometry(&self) -> Isometry3<f64> {
+        matrix::isometry(&self.rotation, &self.position_m)
+    }
+
+    /// The same in all lanes.
+    #[inline(always)]
+    pub(crate) fn splat<T: Real>(&self) -> Pose<T> {
+        Pose { rotation: matrix::splat_rows(&self.rotation), position_m: matrix::splat(&self.position_m) }
+    }
+
     /// The twist in base axes that takes `other` here: metres, then the rotation vector in radians.
     #[inline]
     pub(crate) fn twist_from(&self, other: &Self) -> [f64; 6] {
@@ -76,34 +84,79 @@ pub(crate) struct Lines<T = f64> {
 }
 
 impl<T: Real> Lines<T> {
+    /// Of frames and of the joints' sines and cosines.
+    #[inline(always)]
+    pub(super) fn of(frames: &impl Frames<T>, sin_cos: &[(T, T); 6]) -> Self {
+        let [a, b, c, d, e, f] = sin_cos;
+        let mut at = Walk::start(&frames.step(0));
+        let (axis1, origin1_m) = at.joint(a, &frames.step(1));
+        let (axis2, origin2_m) = at.joint(b, &frames.step(2));
+        let (axis3, origin3_m) = at.joint(c, &frames.step(3));
+        let (axis4, origin4_m) = at.joint(d, &frames.step(4));
+        let (axis5, origin5_m) = at.joint(e, &frames.step(5));
+        let (axis6, origin6_m) = at.joint(f, &frames.step(6));
+        Self {
+            axes: [axis1, axis2, axis3, axis4, axis5, axis6],
+            origins_m: [origin1_m, origin2_m, origin3_m, origin4_m, origin5_m, origin6_m],
+            flange: at.0,
+        }
+    }
+
     /// The geometric Jacobian at the flange: rows vx vy vz wx wy wz, columns joints.
     #[inline(always)]
     pub(crate) fn jacobian(&self) -> [[T; 6]; 6] {
-        let mut jacobian = [[T::splat(0.0); 6]; 6];
-        for (j, (axis, origin_m)) in self.axes.iter().zip(&self.origins_m).enumerate() {
-            let velocity = cross(axis, &sub(&self.flange.position_m, origin_m));
-            for k in 0..3 {
-                jacobian[k][j] = velocity[k];
-                jacobian[k + 3][j] = axis[k];
-            }
-        }
-        jacobian
+        let v = [
+            self.velocity(0),
+            self.velocity(1),
+            self.velocity(2),
+            self.velocity(3),
+            self.velocity(4),
+            self.velocity(5),
+        ];
+        [
+            across(&v, 0),
+            across(&v, 1),
+            across(&v, 2),
+            across(&self.axes, 0),
+            across(&self.axes, 1),
+            across(&self.axes, 2),
+        ]
     }
+
+    /// Of the flange's origin as joint `j` turns.
+    #[inline(always)]
+    fn velocity(&self, j: usize) -> Vec3<T> {
+        cross(&self.axes[j], &sub(&self.flange.position_m, &self.origins_m[j]))
+    }
+}
+
+/// One component of six vectors.
+#[inline(always)]
+fn across<T: Real>(v: &[Vec3<T>; 6], k: usize) -> [T; 6] {
+    [v[0][k], v[1][k], v[2][k], v[3][k], v[4][k], v[5][k]]
 }
 
 /// An arm of six joints with constant frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// Frame i in frame i-1, both turned so that joints turn about z; the last is the flange.
-    steps: [Step; 7],
+    pub(super) steps: [Step; 7],
     /// The joint's own frame in its turned one.
     turned_from_joint: [Mat3; 6],
 }
 
+/// A joint's frame, or the flange's, in the one before.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Step {
-    rotation: Mat3,
-    position_m: Vec3,
+pub(super) struct Step<T = f64> {
+    pub(super) rotation: Mat3<T>,
+    pub(super) position_m: Vec3<T>,
+}
+
+impl Step {
+    #[inline(always)]
+    fn splat<T: Real>(&self) -> Step<T> {
+        Step { rotation: matrix::splat_rows(&self.rotation), position_m: matrix::splat(&self.position_m) }
+    }
 }
 
 /// What the chains of one robot share whatever its frames' offsets are.
@@ -167,8 +220,7 @@ impl Chain {
     /// `base_from_flange`.
     #[must_use]
     pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
-        let Pose { rotation, position_m } = self.pose(q_rad);
-        matrix::isometry(&rotation, &position_m)
+        self.pose(q_rad).isometry()
     }
 
     /// `base_from_flange` and the geometric Jacobian at the flange origin in base axes: rows vx vy vz (m/rad) wx
@@ -183,10 +235,13 @@ impl Chain {
     #[must_use]
     pub fn frames(&self, q_rad: &[f64; 6]) -> [Isometry3<f64>; 7] {
         let mut frames = [Isometry3::identity(); 7];
-        self.walk(q_rad, |i, rotation, position_m| {
-            let turned_from_joint = self.turned_from_joint.get(i).unwrap_or(&IDENTITY);
-            frames[i] = matrix::isometry(&mul(rotation, turned_from_joint), position_m);
-        });
+        let mut at = Walk::start(&self.steps[0]);
+        for (i, sin_cos) in sin_cos(q_rad).iter().enumerate() {
+            at.turn(sin_cos);
+            frames[i] = matrix::isometry(&mul(&at.0.rotation, &self.turned_from_joint[i]), &at.0.position_m);
+            at.advance(&self.steps[i + 1]);
+        }
+        frames[6] = matrix::isometry(&at.0.rotation, &at.0.position_m);
         frames
     }
 
@@ -200,44 +255,80 @@ impl Chain {
     /// `base_from_flange`.
     #[inline(always)]
     pub(crate) fn pose<T: Real>(&self, q_rad: &[T; 6]) -> Pose<T> {
-        self.walk(q_rad, |_, _, _| ())
+        Walk::to_flange(self, &sin_cos(q_rad))
     }
 
     /// The joints' axes and origins.
     #[inline(always)]
     pub(crate) fn lines<T: Real>(&self, q_rad: &[T; 6]) -> Lines<T> {
-        let mut axes = [[T::splat(0.0); 3]; 6];
-        let mut origins_m = axes;
-        let flange = self.walk(q_rad, |i, rotation, position_m| {
-            if i < 6 {
-                axes[i] = column(rotation, 2);
-                origins_m[i] = *position_m;
-            }
-        });
-        Lines { axes, origins_m, flange }
+        Lines::of(self, &sin_cos(q_rad))
+    }
+}
+
+/// Where the frames of an arm are kept.
+pub(super) trait Frames<T> {
+    /// Frame `i` in frame `i - 1`, both turned so that joints turn about z; 6 is the flange.
+    fn step(&self, i: usize) -> Step<T>;
+}
+
+impl<T: Real> Frames<T> for Chain {
+    #[inline(always)]
+    fn step(&self, i: usize) -> Step<T> {
+        self.steps[i].splat()
+    }
+}
+
+/// Sines and cosines of all joints.
+#[inline(always)]
+pub(super) fn sin_cos<T: Real>(q_rad: &[T; 6]) -> [(T, T); 6] {
+    let [a, b, c, d, e, f] = q_rad;
+    [a.sin_cos(), b.sin_cos(), c.sin_cos(), d.sin_cos(), e.sin_cos(), f.sin_cos()]
+}
+
+/// The way from the base to the flange.
+pub(super) struct Walk<T>(Pose<T>);
+
+impl<T: Real> Walk<T> {
+    #[inline(always)]
+    pub(super) fn to_flange(frames: &impl Frames<T>, sin_cos: &[(T, T); 6]) -> Pose<T> {
+        let mut at = Self::start(&frames.step(0));
+        for (i, sin_cos) in sin_cos.iter().enumerate() {
+            at.turn(sin_cos);
+            at.advance(&frames.step(i + 1));
+        }
+        at.0
     }
 
-    /// Calls `visit(i, rotation, position)` with each turned frame after its joint's rotation, 6 = flange.
     #[inline(always)]
-    fn walk<T: Real>(&self, q_rad: &[T; 6], mut visit: impl FnMut(usize, &Mat3<T>, &Vec3<T>)) -> Pose<T> {
-        let mut rotation = self.steps[0].rotation.each_ref().map(matrix::splat);
-        let mut position_m = matrix::splat(&self.steps[0].position_m);
-        for (i, step) in self.steps.iter().enumerate() {
-            if i > 0 {
-                position_m = add(&position_m, &apply(&rotation, &matrix::splat(&step.position_m)));
-                rotation = mul(&rotation, &step.rotation.each_ref().map(matrix::splat));
-            }
-            if let Some(q_rad) = q_rad.get(i) {
-                let (s, c) = q_rad.sin_cos();
-                for row in &mut rotation {
-                    let [x, y, _] = *row;
-                    row[0] = x * c + y * s;
-                    row[1] = y * c - x * s;
-                }
-            }
-            visit(i, &rotation, &position_m);
+    fn start(step: &Step<T>) -> Self {
+        Self(Pose { rotation: step.rotation, position_m: step.position_m })
+    }
+
+    /// Past a joint into the frame behind it; the joint's axis and origin.
+    #[inline(always)]
+    fn joint(&mut self, sin_cos: &(T, T), next: &Step<T>) -> (Vec3<T>, Vec3<T>) {
+        let line = (column(&self.0.rotation, 2), self.0.position_m);
+        self.turn(sin_cos);
+        self.advance(next);
+        line
+    }
+
+    /// Into the next frame.
+    #[inline(always)]
+    fn advance(&mut self, step: &Step<T>) {
+        let Pose { rotation, position_m } = &mut self.0;
+        *position_m = add(position_m, &apply(rotation, &step.position_m));
+        *rotation = mul(rotation, &step.rotation);
+    }
+
+    /// Turns about z, by the angle's sine and cosine.
+    #[inline(always)]
+    fn turn(&mut self, &(s, c): &(T, T)) {
+        for row in &mut self.0.rotation {
+            let [x, y, _] = *row;
+            row[0] = x * c + y * s;
+            row[1] = y * c - x * s;
         }
-        Pose { rotation, position_m }
     }
 }
 

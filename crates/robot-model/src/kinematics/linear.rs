@@ -1,6 +1,6 @@
 //! Six equations in six unknowns, on plain arrays.
 
-use super::matrix::{Mat3, add, adjugate, apply, mul, scale, sub};
+use super::matrix::{Mat3, Vec3, add, adjugate, apply, mul, scale, sub};
 use super::real::Real;
 
 pub(crate) type Vec6 = [f64; 6];
@@ -11,25 +11,34 @@ pub(crate) type Mat6 = [[f64; 6]; 6];
 /// the flange about any axis, else the step is not finite or far too long.
 #[inline(always)]
 pub(crate) fn newton_step<T: Real>(jacobian: &[[T; 6]; 6], twist: &[T; 6]) -> ([T; 6], [T; 2]) {
-    let block = |row: usize, column: usize| -> Mat3<T> {
-        let entries = |i: usize| {
-            [jacobian[row + i][column], jacobian[row + i][column + 1], jacobian[row + i][column + 2]]
-        };
-        [entries(0), entries(1), entries(2)]
-    };
-    let (v1, v2, w1, w2) = (block(0, 0), block(0, 3), block(3, 0), block(3, 3));
-    let ([vx, vy, vz, wx, wy, wz], minus) = (*twist, T::splat(-1.0));
+    let (v1, v2) = (block(jacobian, 0, 0), block(jacobian, 0, 3));
+    let (w1, w2) = (block(jacobian, 3, 0), block(jacobian, 3, 3));
+    let ([vx, vy, vz, wx, wy, wz], minus, one) = (*twist, T::splat(-1.0), T::splat(1.0));
     let turn = [wx, wy, wz];
     let (wrist, wrist_det) = adjugate(&w2);
-    let wrist = wrist.map(|row| scale(&row, wrist_det.reciprocal()));
-    let carried = mul(&v2, &wrist).map(|row| scale(&row, minus));
+    let wrist = scale_rows(&wrist, one / wrist_det);
+    let carried = scale_rows(&mul(&v2, &wrist), minus);
     let shifted = mul(&carried, &w1);
     let arm: Mat3<T> = [add(&v1[0], &shifted[0]), add(&v1[1], &shifted[1]), add(&v1[2], &shifted[2])];
     let (inverse, arm_det) = adjugate(&arm);
-    let [q1, q2, q3] =
-        scale(&apply(&inverse, &add(&[vx, vy, vz], &apply(&carried, &turn))), arm_det.reciprocal());
+    let [q1, q2, q3] = scale(&apply(&inverse, &add(&[vx, vy, vz], &apply(&carried, &turn))), one / arm_det);
     let [q4, q5, q6] = apply(&wrist, &sub(&turn, &apply(&w1, &[q1, q2, q3])));
     ([q1, q2, q3, q4, q5, q6], [wrist_det, arm_det])
+}
+
+#[inline(always)]
+fn block<T: Real>(a: &[[T; 6]; 6], row: usize, column: usize) -> Mat3<T> {
+    [three(&a[row], column), three(&a[row + 1], column), three(&a[row + 2], column)]
+}
+
+#[inline(always)]
+fn three<T: Real>(row: &[T; 6], column: usize) -> Vec3<T> {
+    [row[column], row[column + 1], row[column + 2]]
+}
+
+#[inline(always)]
+fn scale_rows<T: Real>(a: &Mat3<T>, s: T) -> Mat3<T> {
+    [scale(&a[0], s), scale(&a[1], s), scale(&a[2], s)]
 }
 
 /// Determinants this small, of unit vectors and of metres, are nothing but rounding.

@@ -6,15 +6,21 @@ use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion};
 pub(crate) type Vec3<T = f64> = [T; 3];
 pub(crate) type Mat3<T = f64> = [[T; 3]; 3];
 
-pub(crate) const IDENTITY: Mat3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+// No closure and no adapter of the standard library stands in these functions: only what is marked `inline(always)` is sure to
+// be compiled for the vectors of its caller.
 
 #[inline(always)]
 pub(crate) fn mul<T: Real>(a: &Mat3<T>, b: &Mat3<T>) -> Mat3<T> {
-    let row = |a: &Vec3<T>| {
-        let entry = |j: usize| a[0] * b[0][j] + a[1] * b[1][j] + a[2] * b[2][j];
-        [entry(0), entry(1), entry(2)]
-    };
-    [row(&a[0]), row(&a[1]), row(&a[2])]
+    [row_times(&a[0], b), row_times(&a[1], b), row_times(&a[2], b)]
+}
+
+#[inline(always)]
+fn row_times<T: Real>(a: &Vec3<T>, b: &Mat3<T>) -> Vec3<T> {
+    [
+        a[0] * b[0][0] + a[1] * b[1][0] + a[2] * b[2][0],
+        a[0] * b[0][1] + a[1] * b[1][1] + a[2] * b[2][1],
+        a[0] * b[0][2] + a[1] * b[1][2] + a[2] * b[2][2],
+    ]
 }
 
 #[inline(always)]
@@ -59,7 +65,12 @@ pub(crate) fn scale<T: Real>(a: &Vec3<T>, s: T) -> Vec3<T> {
 
 #[inline(always)]
 pub(crate) fn splat<T: Real>(a: &Vec3) -> Vec3<T> {
-    a.map(T::splat)
+    [T::splat(a[0]), T::splat(a[1]), T::splat(a[2])]
+}
+
+#[inline(always)]
+pub(crate) fn splat_rows<T: Real>(a: &Mat3) -> Mat3<T> {
+    [splat(&a[0]), splat(&a[1]), splat(&a[2])]
 }
 
 /// Adjugate and determinant: the inverse times the determinant.
@@ -95,10 +106,12 @@ pub(crate) fn rx_ry_rz(x_rad: f64, y_rad: f64, z_rad: f64) -> Mat3 {
 pub(crate) fn rows(rotation: &UnitQuaternion<f64>) -> Mat3 {
     let m = rotation.to_rotation_matrix();
     let mut rows: Mat3 = std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)]));
-    let right_angled = rows.iter().flatten().all(|v| (v - v.round()).abs() < 1e-15);
+    // Not `f64::round`, which is a call on machines that are not asked for more than every one has.
+    let whole = |v: f64| v.rounded().copysign(v);
+    let right_angled = rows.iter().flatten().all(|v| (v - whole(*v)).abs() < 1e-15);
     if right_angled {
         for value in rows.iter_mut().flatten() {
-            *value = value.round();
+            *value = whole(*value);
         }
     }
     rows
@@ -108,12 +121,16 @@ pub(crate) fn rows(rotation: &UnitQuaternion<f64>) -> Mat3 {
 /// cosine is positive and the vector shorter than [`SMALL_RAD`]: arcsine's series. Elsewhere it is no shorter than that.
 #[inline(always)]
 pub(crate) fn small_rotation<T: Real>(to: &Mat3<T>, from: &Mat3<T>) -> (Vec3<T>, T) {
-    let r = |i: usize, j: usize| dot(&to[i], &from[j]);
-    let v = [r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)];
+    let v = [
+        dot(&to[2], &from[1]) - dot(&to[1], &from[2]),
+        dot(&to[0], &from[2]) - dot(&to[2], &from[0]),
+        dot(&to[1], &from[0]) - dot(&to[0], &from[1]),
+    ];
     let c = T::splat;
     let z = dot(&v, &v) * c(0.25);
     let half = c(0.5) + z * (c(0.5 / 6.0) + z * (c(1.5 / 40.0) + z * c(7.5 / 336.0)));
-    (scale(&v, half), c(0.5) * (r(0, 0) + r(1, 1) + r(2, 2) - c(1.0)))
+    let trace = dot(&to[0], &from[0]) + dot(&to[1], &from[1]) + dot(&to[2], &from[2]);
+    (scale(&v, half), c(0.5) * (trace - c(1.0)))
 }
 
 /// The rotation vector, radians in the outer axes, of `to fromᵀ`.

@@ -4,15 +4,22 @@
 //! are plain arrays; `nalgebra` types stand at the public edge.
 
 mod chain;
+mod chains;
 mod closed_form;
 mod configuration;
+mod dispatch;
+mod eight_branches;
+mod lanes;
 mod linear;
 mod matrix;
 mod real;
 mod solve;
+mod solve_eight;
 mod structure;
+mod wide_frames;
 
 pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
+pub use chains::Chains;
 pub use closed_form::{ClosedForm, Solution};
 pub use configuration::{Configuration, Posture, outside_quadrant_rad};
 pub use solve::{RESIDUAL_M, RESIDUAL_RAD, SolveError, Solved, solve};

@@ -1,23 +1,19 @@
-//! Numbers the kernels are written over: one `f64`, or several side by side.
+//! Numbers the kernels are written over: one `f64`, or eight side by side (`lanes`).
 //!
 //! Both give the same bits: every operation is IEEE's own, none is fused, and the sine is computed here, so that a result
 //! depends neither on the machine nor on which other poses it was computed with.
 
-use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What the kernels need of a number.
 pub(crate) trait Real:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Neg<Output = Self>
-    + AddAssign
-    + SubAssign
-    + MulAssign
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     fn splat(value: f64) -> Self;
-    fn reciprocal(self) -> Self;
+    fn square_root(self) -> Self;
+    fn size(self) -> Self;
+    /// One where `self` is at most `limit`, zero elsewhere and where either is no number.
+    fn at_most(self, limit: Self) -> Self;
     /// `yes` where `self` is more than one half, `no` elsewhere.
     fn choose(self, yes: Self, no: Self) -> Self;
 
@@ -67,6 +63,49 @@ pub(crate) trait Real:
         let cosine = low.choose(sin, cos) * (c(1.0) - c(2.0) * differ);
         (sine, cosine)
     }
+
+    /// The angle of the direction (`x`, `self`) to two units in the last place, in [-π, π]; zero where both are: fdlibm's
+    /// arctangent, Sun Microsystems, 1993, up to an eighth of a turn.
+    #[expect(clippy::excessive_precision, reason = "as published")]
+    #[inline(always)]
+    fn angle(self, x: Self) -> Self {
+        let c = Self::splat;
+        let (one, zero) = (c(1.0), c(0.0));
+        let (high, wide) = (self.size(), x.size());
+        // The smaller over the larger, or what is left of it past 22.5 degrees.
+        let steep = one - high.at_most(wide);
+        let (small, large) = (steep.choose(wide, high), steep.choose(high, wide));
+        let past = one - small.at_most(large * c(0.414_213_562_373_095_05));
+        let over = past.choose(small + large, large);
+        let t = past.choose(small - large, small) / over.at_most(zero).choose(one, over);
+        let z = t * t;
+        let w = z * z;
+        let even = z
+            * (c(3.333_333_333_333_293_180_27e-1)
+                + w * (c(1.428_571_427_250_346_637_11e-1)
+                    + w * (c(9.090_887_133_436_506_561_96e-2)
+                        + w * (c(6.661_073_137_387_531_206_69e-2)
+                            + w * (c(4.976_877_994_615_932_360_17e-2)
+                                + w * c(1.628_582_011_536_578_236_23e-2))))));
+        let odd = w
+            * (c(-1.999_999_999_987_648_324_76e-1)
+                + w * (c(-1.111_111_040_546_235_578_80e-1)
+                    + w * (c(-7.691_876_205_044_829_994_95e-2)
+                        + w * (c(-5.833_570_133_790_573_486_45e-2)
+                            + w * c(-3.653_157_274_421_691_552_70e-2)))));
+        let bend = t * (even + odd);
+        // π/4 and π/2, each with the part that one number has no room for.
+        let angle = past.choose(
+            c(std::f64::consts::FRAC_PI_4) - ((bend - c(3.061_616_997_868_383_017_93e-17)) - t),
+            t - bend,
+        );
+        let angle = steep
+            .choose(c(std::f64::consts::FRAC_PI_2) - (angle - c(6.123_233_995_736_766_035_87e-17)), angle);
+        let back = one - zero.at_most(x);
+        let angle =
+            back.choose(c(std::f64::consts::PI) - (angle - c(1.224_646_799_147_353_207_17e-16)), angle);
+        (one - zero.at_most(self)).choose(-angle, angle)
+    }
 }
 
 impl Real for f64 {
@@ -76,79 +115,23 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn reciprocal(self) -> Self {
-        1.0 / self
+    fn square_root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn at_most(self, limit: Self) -> Self {
+        if self <= limit { 1.0 } else { 0.0 }
     }
 
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
         if self > 0.5 { yes } else { no }
-    }
-}
-
-/// Several numbers side by side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Lanes<const N: usize>(pub(crate) [f64; N]);
-
-macro_rules! elementwise {
-    ($trait:ident, $method:ident, $assign_trait:ident, $assign:ident, $op:tt) => {
-        impl<const N: usize> $trait for Lanes<N> {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(mut self, other: Self) -> Self {
-                for (a, b) in self.0.iter_mut().zip(&other.0) {
-                    *a $op *b;
-                }
-                self
-            }
-        }
-        impl<const N: usize> $assign_trait for Lanes<N> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                for (a, b) in self.0.iter_mut().zip(&other.0) {
-                    *a $op *b;
-                }
-            }
-        }
-    };
-}
-
-elementwise!(Add, add, AddAssign, add_assign, +=);
-elementwise!(Sub, sub, SubAssign, sub_assign, -=);
-elementwise!(Mul, mul, MulAssign, mul_assign, *=);
-
-impl<const N: usize> Neg for Lanes<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(mut self) -> Self {
-        for a in &mut self.0 {
-            *a = -*a;
-        }
-        self
-    }
-}
-
-impl<const N: usize> Real for Lanes<N> {
-    #[inline(always)]
-    fn splat(value: f64) -> Self {
-        Self([value; N])
-    }
-
-    #[inline(always)]
-    fn reciprocal(mut self) -> Self {
-        for a in &mut self.0 {
-            *a = 1.0 / *a;
-        }
-        self
-    }
-
-    #[inline(always)]
-    fn choose(self, yes: Self, no: Self) -> Self {
-        let mut chosen = no;
-        for ((chosen, yes), which) in chosen.0.iter_mut().zip(&yes.0).zip(&self.0) {
-            *chosen = if *which > 0.5 { *yes } else { *chosen };
-        }
-        chosen
     }
 }
 
@@ -169,14 +152,27 @@ mod tests {
     }
 
     #[test]
-    fn lanes_give_the_bits_of_one_number() {
-        let x: [f64; 8] = std::array::from_fn(|i| (i as f64 - 3.3) * 1.7);
-        let (s, c) = Lanes(x).sin_cos();
-        let t = (Lanes(x) * s - c).reciprocal();
-        for (i, x) in x.into_iter().enumerate() {
-            let (one_s, one_c) = Real::sin_cos(x);
-            assert_eq!((s.0[i], c.0[i]), (one_s, one_c));
-            assert_eq!(t.0[i], 1.0 / (x * one_s - one_c));
+    fn the_angle_of_a_direction_is_the_standard_librarys_to_two_last_places() {
+        let mut worst = 0.0_f64;
+        for i in -100_000..=100_000 {
+            let (y, x) = (f64::from(i) * 3.141e-5).sin_cos();
+            for (y, x) in [(y, x), (1e-9 * y, 1e3 * x), (1e-160 * y, 1e-160 * x), (x * x, y)] {
+                let expected = y.atan2(x);
+                worst = worst.max((Real::angle(y, x) - expected).abs() / expected.abs().max(1e-300));
+            }
         }
+        assert!(worst <= 2.0 * f64::EPSILON, "{worst:e}");
+        use std::f64::consts::{FRAC_PI_2, PI};
+        for (y, x, angle) in [
+            (0.0, 0.0, 0.0),
+            (0.0, 2.0, 0.0),
+            (0.0, -2.0, PI),
+            (3.0, 0.0, FRAC_PI_2),
+            (-3.0, 0.0, -FRAC_PI_2),
+            (1.0, 1.0, PI / 4.0),
+        ] {
+            assert_eq!(Real::angle(y, x), angle, "{y} {x}");
+        }
+        assert!(Real::angle(f64::NAN, 1.0).is_nan());
     }
 }

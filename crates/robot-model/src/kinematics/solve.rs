@@ -63,7 +63,7 @@ pub enum SolveError {
 /// A step this short, radians, crosses no singularity but one that the arm stands in.
 pub(super) const SHORT_RAD: f64 = 1e-5;
 /// Newton steps before the damped search takes over.
-const NEWTON_STEPS: u32 = 8;
+pub(super) const NEWTON_STEPS: u32 = 8;
 /// A Newton step longer than this, radians, is not trusted.
 pub(super) const NEWTON_STEP_RAD: f64 = 0.1;
 /// Damped steps before giving up.

@@ -1,0 +1,202 @@
+//! Eight numbers side by side, on any machine.
+
+use super::matrix::{Mat3, Vec3};
+use super::real::Real;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// How many numbers lie side by side.
+pub(crate) const LANES: usize = 8;
+
+/// Eight numbers that the kernels take for one.
+pub(crate) trait Wide: Real {
+    fn load(values: &Lanes) -> Self;
+    fn store(self) -> Lanes;
+    /// Whether any of them is more than one half.
+    fn any(self) -> bool;
+}
+
+/// Eight numbers as they lie in memory, and what the kernels run on where a machine has nothing wider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Lanes(pub(crate) [f64; LANES]);
+
+impl Wide for Lanes {
+    #[inline(always)]
+    fn load(values: &Lanes) -> Self {
+        *values
+    }
+
+    #[inline(always)]
+    fn store(self) -> Lanes {
+        self
+    }
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.iter().any(|a| *a > 0.5)
+    }
+}
+
+macro_rules! elementwise {
+    ($trait:ident, $method:ident, $op:tt) => {
+        impl $trait for Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(std::array::from_fn(|i| self.0[i] $op other.0[i]))
+            }
+        }
+    };
+}
+
+elementwise!(Add, add, +);
+elementwise!(Sub, sub, -);
+elementwise!(Mul, mul, *);
+elementwise!(Div, div, /);
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|a| -a))
+    }
+}
+
+impl Real for Lanes {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self([value; LANES])
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        Self(self.0.map(f64::sqrt))
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        Self(self.0.map(f64::abs))
+    }
+
+    #[inline(always)]
+    fn at_most(self, limit: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i].at_most(limit.0[i])))
+    }
+
+    #[inline(always)]
+    fn choose(self, yes: Self, no: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i].choose(yes.0[i], no.0[i])))
+    }
+}
+
+#[inline(always)]
+pub(super) fn load<V: Wide>(v: &Vec3<Lanes>) -> Vec3<V> {
+    [V::load(&v[0]), V::load(&v[1]), V::load(&v[2])]
+}
+
+#[inline(always)]
+pub(super) fn load_rows<V: Wide>(a: &Mat3<Lanes>) -> Mat3<V> {
+    [load(&a[0]), load(&a[1]), load(&a[2])]
+}
+
+#[inline(always)]
+pub(super) fn store_rows<V: Wide>(a: &Mat3<V>) -> Mat3<Lanes> {
+    let [a, b, c] = a;
+    [store3(a), store3(b), store3(c)]
+}
+
+#[inline(always)]
+pub(super) fn store3<V: Wide>(v: &Vec3<V>) -> Vec3<Lanes> {
+    [v[0].store(), v[1].store(), v[2].store()]
+}
+
+#[inline(always)]
+pub(super) fn load6<V: Wide>(q: &[Lanes; 6]) -> [V; 6] {
+    [V::load(&q[0]), V::load(&q[1]), V::load(&q[2]), V::load(&q[3]), V::load(&q[4]), V::load(&q[5])]
+}
+
+#[inline(always)]
+pub(super) fn store6<V: Wide>(q: &[V; 6]) -> [Lanes; 6] {
+    [q[0].store(), q[1].store(), q[2].store(), q[3].store(), q[4].store(), q[5].store()]
+}
+
+/// Eight of something, a number of each; what is missing at the end repeats the first.
+pub(super) fn gather<T>(some: &[T], number: impl Fn(&T) -> f64) -> Lanes {
+    Lanes(std::array::from_fn(|k| some.get(k).or(some.first()).map_or(0.0, &number)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::dispatch::{Kernel, Width, on};
+    use super::*;
+
+    /// Every operation there is, on numbers of all sizes.
+    struct Everything([f64; LANES]);
+
+    impl Kernel for Everything {
+        type Output = [Lanes; 10];
+
+        #[inline(always)]
+        fn run<V: Wide>(self) -> [Lanes; 10] {
+            let x = V::load(&Lanes(self.0));
+            let (s, c) = x.sin_cos();
+            let limit = V::splat(0.75);
+            let results = [
+                s,
+                c,
+                -x,
+                x * s - c + x,
+                V::splat(1.0) / x,
+                x.size().square_root(),
+                x.at_most(limit),
+                x.rounded(),
+            ];
+            let [a, b, c, d, e, f, g, h] = results;
+            let all = [a, b, c, d, e, f, g, h, x.choose(s, e), x.angle(c)];
+            let mut stored = [Lanes([0.0; LANES]); 10];
+            for (stored, result) in stored.iter_mut().zip(&all) {
+                *stored = result.store();
+            }
+            assert!(x.any() == self.0.iter().any(|x| *x > 0.5));
+            stored
+        }
+    }
+
+    fn one(x: f64) -> [f64; 10] {
+        let (s, c) = Real::sin_cos(x);
+        let at_most = if x <= 0.75 { 1.0 } else { 0.0 };
+        let chosen = if x > 0.5 { s } else { 1.0 / x };
+        [
+            s,
+            c,
+            -x,
+            x * s - c + x,
+            1.0 / x,
+            x.abs().sqrt(),
+            at_most,
+            Real::rounded(x),
+            chosen,
+            Real::angle(x, -x),
+        ]
+    }
+
+    #[test]
+    fn lanes_of_every_width_give_the_bits_of_one_number() {
+        let rows = [
+            [0.0, -0.0, 1.0, -1.0, 0.5, 0.75, 1e-300, -1e5],
+            [0.1, -0.2, 0.3, -0.4, 0.2, -0.6, 0.1, -0.8],
+            [3.3, 1e-9, f64::INFINITY, 7.7, f64::NAN, 4e-310, -2.5, 100.0],
+        ];
+        for width in Width::all() {
+            for row in rows {
+                let found = on(width, Everything(row));
+                for (k, x) in row.into_iter().enumerate() {
+                    for (found, expected) in found.iter().zip(one(x)) {
+                        let both_none = found.0[k].is_nan() && expected.is_nan();
+                        assert!(both_none || found.0[k].to_bits() == expected.to_bits(), "{width:?} {x}");
+                    }
+                }
+            }
+        }
+    }
+}
