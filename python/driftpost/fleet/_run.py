@@ -94,7 +94,7 @@ def run(task: Task, given: str, to: str, *, ray: bool = True, workers: int | Non
     as soon as ``rows_a_task`` rows are done, so that a run that was cut off goes on where it was. Raises DriftpostError where the input
     is of another layout or nothing can be written; rows that are refused raise nothing.
     """
-    start = time.perf_counter()
+    began = time.perf_counter()
     source, store = Input(task, given), Store(to)
     keys = source.keys()
     store.prepare()
@@ -106,7 +106,8 @@ def run(task: Task, given: str, to: str, *, ray: bool = True, workers: int | Non
             from ._ray import on_ray
             spent = on_ray(task, source, store, keys, done, workers, address, rows_a_task)
         else:
-            spent = [work(task, table, store, done, _driftpost.__version__) for _, table in source.batches()]
+            spent = [work(task, table.slice(start, rows_a_task), store, done, _driftpost.__version__)
+                     for _, table in source.batches() for start in range(0, len(table), rows_a_task)]
     index = store.index()
     lost = {key: table for key, table in source.rows(set(keys) - index.keys())} if len(index.keys() & set(keys)) < len(keys) else {}
     statuses: dict[str, int] = {}
@@ -118,7 +119,7 @@ def run(task: Task, given: str, to: str, *, ray: bool = True, workers: int | Non
     files = store.collect(keys, index, lambda key: refused(task, lost[key].to_pylist()[0], key, WORKER_DIED, "failed"), task.results, count)
     store.finish({"layout_version": layout.LAYOUT_VERSION, "task": task.name, "driftpost_version": _driftpost.__version__,
                   "rows": len(keys), "statuses": dict(sorted(statuses.items())), "files": files})
-    return Summary(len(keys), len(done), len(keys) - statuses.get("done", 0), time.perf_counter() - start,
+    return Summary(len(keys), len(done), len(keys) - statuses.get("done", 0), time.perf_counter() - began,
                    sum(part["cpu_s"] for part in spent), len({part["process"] for part in spent}), files)
 
 
