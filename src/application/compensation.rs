@@ -3,10 +3,11 @@
 use super::compensated::{Compensated, EmitFailure, Refusal};
 use super::named::{Named, model_of_another_robot};
 use super::program_files::{ProgramFiles, check_modules, check_names, check_text};
+use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
 use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
-use rapid_program::emit::{Clock, EmitOptions, EmittedFile, emit_each};
+use rapid_program::emit::{Clock, EmitOptions, EmittedFile, ROOM, emit_each};
 use rapid_program::program::motion::SkipReason;
 use rapid_program::program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
@@ -45,6 +46,8 @@ pub struct Compensation {
     pub allow_other_robot: bool,
     /// The deformation was named by nobody: it is that of the paper's robot alone.
     pub default_table: bool,
+    /// A fixed point at which the program measures its thermal state.
+    pub touch: Option<TouchRequest>,
 }
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
@@ -83,6 +86,7 @@ impl Compensation {
             settings: Vec::new(),
             absolute_accuracy: false,
             self_test: false,
+            touch: None,
         };
         Self {
             robot,
@@ -93,6 +97,7 @@ impl Compensation {
             allow_non_nominal: false,
             allow_other_robot: false,
             default_table: false,
+            touch: None,
         }
     }
 
@@ -162,21 +167,33 @@ impl Compensation {
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
-        let mut plan =
-            match compensate::plan(&program, &self.robot.model, &self.deformation.model, &self.options) {
-                Ok(plan) => plan,
-                Err(error) => {
-                    let (why, kept) = why_no_plan(error);
-                    messages.extend(LocatedDiagnostic::all(why, &program.files));
-                    return Err(Box::new(Refusal { program, plan: None, kept, messages }));
-                }
-            };
+        let refuse = |program: Program, mut messages: Vec<LocatedDiagnostic>, why: Diagnostic| {
+            messages.push(LocatedDiagnostic::new(why, &program.files));
+            Err(Box::new(Refusal { program, messages, ..Refusal::default() }))
+        };
+        let models = (&self.robot.model, &self.deformation.model);
+        let touch = self.touch.as_ref().map(|touch| touch.of(&program, &self.overrides, models));
+        let touch = match touch.transpose() {
+            Ok(touch) => touch,
+            Err(why) => return refuse(program, messages, why),
+        };
+        let with_room = (touch.is_some() && self.options.form == FormChoice::Schedule)
+            .then(|| self.deformation.model.scaled(ROOM));
+        let deformation = with_room.as_ref().unwrap_or(&self.deformation.model);
+        let mut plan = match compensate::plan(&program, &self.robot.model, deformation, &self.options) {
+            Ok(plan) => plan,
+            Err(error) => {
+                let (why, kept) = why_no_plan(error);
+                messages.extend(LocatedDiagnostic::all(why, &program.files));
+                return Err(Box::new(Refusal { program, plan: None, kept, messages }));
+            }
+        };
         messages.extend(LocatedDiagnostic::all(std::mem::take(&mut plan.diagnostics), &program.files));
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
         let (mut text_bytes, mut embedded, mut tests_itself) = (0, true, !self.emit.self_test);
-        let options = EmitOptions { settings: self.settings(program.home_rad), ..self.emit.clone() };
+        let options = EmitOptions { settings: self.settings(program.home_rad), touch, ..self.emit.clone() };
         let emitted = emit_each(&program, &plan, &options, &mut |file| {
             embedded &= file.source.is_some();
             text_bytes += file.bytes.len();

@@ -19,6 +19,7 @@ mod question;
 mod recording;
 mod rehearsal;
 mod simulation;
+mod touch;
 
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use compensated::{Compensated, Refusal, write_file_diff};
@@ -34,3 +35,4 @@ pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names,
 pub use question::Question;
 pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};
 pub use simulation::{Course, Simulation};
+pub use touch::TouchRequest;

@@ -125,7 +125,7 @@ fn hint(
     Ok(())
 }
 
-fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnostic> {
+pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnostic> {
     if given.is_empty() {
         return Ok(None);
     }

@@ -21,7 +21,8 @@ mod pending;
 pub mod program_input;
 mod settings;
 pub mod shared;
-pub mod suggest;
+pub mod state;
+mod suggest;
 
 pub mod accuracy;
 pub mod closed_loop;
@@ -115,6 +116,8 @@ enum Command {
     Diagnose(diagnose::Args),
     /// Fit a deformation table to fixed points touched over a warm-up and one stop.
     Fit(fit::Args),
+    /// How warm a robot is, as touches of fixed points tell it: its amount of drift and its time constants, and how often to touch.
+    State(state::Args),
     /// Pose accuracy, repeatability and drift after ISO 9283; go or no go against limits.
     Accuracy(accuracy::Args),
     /// What has changed between two measurements of one robot, after a crash, say.
@@ -161,6 +164,7 @@ fn dispatch(command: &Command, console: &mut Console) -> anyhow::Result<Outcome>
         Command::Tabulate(args) => tabulate::run(args, console),
         Command::Diagnose(args) => diagnose::run(args, console),
         Command::Fit(args) => fit::run(args, console),
+        Command::State(args) => state::run(args, console),
         Command::Plan(args) => plan::run(args, console),
         Command::Validate(args) => validate::run(args, console),
     }

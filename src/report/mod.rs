@@ -25,6 +25,7 @@ mod review;
 pub mod shop;
 mod short_diff;
 pub mod simulation;
+pub mod state;
 mod svg;
 mod table;
 mod words;

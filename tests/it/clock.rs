@@ -97,6 +97,7 @@ fn controller_with(clock: Clock, schedule: &Schedule) -> Controller {
         settings: Vec::new(),
         absolute_accuracy: false,
         self_test: false,
+        touch: None,
     };
     let file = emit(&program, &plan, &options).unwrap().remove(0);
     let mut controller = Controller::new();

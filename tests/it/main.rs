@@ -46,5 +46,6 @@ mod simulate;
 mod tabulate;
 #[path = "../../fuzz/targets.rs"]
 mod targets;
+mod touch;
 mod tree_check;
 mod virtual_controller;

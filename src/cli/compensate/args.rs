@@ -5,6 +5,7 @@
     reason = "doc comments of options are their help texts: brackets are brackets"
 )]
 
+use super::touch::TouchArgs;
 use crate::cli::model;
 use crate::cli::number::{minutes, positive};
 use crate::cli::shared::{JointAngles, RobotName, joint_angles, name_and_value};
@@ -199,6 +200,10 @@ pub struct Args {
     #[arg(long, help_heading = "Clock in the program")]
     pub self_test: bool,
 
+    /// How tcTouch measures the thermal state.
+    #[command(flatten)]
+    pub touch: TouchArgs,
+
     /// Refuse the program where a motion would be kept.
     #[arg(long, help_heading = "What is accepted")]
     pub strict: bool,
@@ -375,6 +380,7 @@ impl Args {
             allow_non_nominal: self.allow_non_nominal,
             allow_other_robot: self.allow_other_robot,
             default_table: self.deformation.is_none() && self.model.is_none(),
+            touch: self.touch.request()?,
             robot,
             deformation,
         })
@@ -421,6 +427,7 @@ impl Args {
             settings: Vec::new(),
             absolute_accuracy: self.absolute_accuracy,
             self_test: self.self_test,
+            touch: None,
         })
     }
 

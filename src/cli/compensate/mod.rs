@@ -1,6 +1,7 @@
 //! `driftpost compensate`: the main job.
 
 mod args;
+mod touch;
 mod watch;
 
 pub(in crate::cli) use args::temperatures;

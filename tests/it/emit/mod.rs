@@ -37,6 +37,7 @@ fn options() -> EmitOptions {
         settings: Vec::new(),
         absolute_accuracy: false,
         self_test: false,
+        touch: None,
     }
 }
 

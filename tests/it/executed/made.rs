@@ -86,6 +86,7 @@ pub fn made_within(
         settings: Vec::new(),
         absolute_accuracy: false,
         self_test: false,
+        touch: None,
     };
     let mut out = source.clone();
     for emitted in emit(&program, &plan, &options).unwrap() {

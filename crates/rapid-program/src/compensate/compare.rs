@@ -10,6 +10,7 @@ use super::nominal::resolve;
 use super::options::Options;
 use super::placement::Placement;
 use crate::program::data::RobTarget;
+use crate::program::module_facts::ModuleFacts;
 use crate::program::motion::{Motion, TargetValue};
 use crate::program::{FilePairs, Program};
 use nalgebra::Isometry3;
@@ -114,6 +115,7 @@ pub fn compare(
             ));
         }
     }
+    others.retain(|key, _| !is_of_touch(after, key));
     out.only_after.extend(others.into_values().flatten());
     out.motions.sort_by_key(|m| m.before);
     out.only_before.sort_unstable();
@@ -123,6 +125,21 @@ pub fn compare(
 
 /// Pair of files, module and routine, in lower case.
 type RoutineKey = (Option<usize>, String, String);
+
+/// The routines by which `tcTouch` moves, as a program is given them; a number behind them where the name was taken.
+const OF_TOUCH: [&str; 2] = ["tcprobe", "tcsearch"];
+
+/// Whether a routine of a compensated module is one of ours: what it moves is no motion of the program's.
+fn is_of_touch(program: &Program, (_, module, routine): &RoutineKey) -> bool {
+    let ours = |name: &str| {
+        routine.strip_prefix(name).is_some_and(|rest| {
+            let number = rest.strip_prefix('_').is_some_and(|n| n.parse::<u32>().is_ok());
+            rest.is_empty() || number
+        })
+    };
+    let made = |m: &ModuleFacts| m.compensated.is_some() && m.name.eq_ignore_ascii_case(module);
+    OF_TOUCH.iter().any(|name| ours(name)) && program.facts.modules.iter().any(made)
+}
 
 /// Motions by their routine.
 fn by_routine(

@@ -31,6 +31,7 @@ mod selection;
 pub mod tabulate;
 pub mod targets;
 mod tcp_drift;
+mod touch_reference;
 mod track;
 mod unknown_branch;
 mod warm_joints;
@@ -44,6 +45,7 @@ pub use options::{FormChoice, Options};
 pub use planner::plan;
 pub use selection::Selection;
 pub use tcp_drift::{DriftPoint, TcpDrift, tcp_drift};
+pub use touch_reference::TouchReference;
 
 #[cfg(test)]
 mod tests;

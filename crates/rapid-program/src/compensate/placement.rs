@@ -32,7 +32,7 @@ impl Placement {
         }
     }
 
-    fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, SkipReason> {
+    pub(super) fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, SkipReason> {
         if !wobj.ufprog {
             return Err(keep(
                 "keep::wobj-moved",

@@ -9,8 +9,10 @@ use super::names::{MAX_NAME, Names};
 use super::number::num;
 use super::options::{Clock, EmitError, Sensor};
 use super::scale::Scaled;
+use super::touch::{ROOM, Touch};
 use crate::schedule::Schedule;
 use robot_model::deform::GrowthLaw;
+use robot_model::deform::thermal_filter::MOST_SHARE;
 
 const DATA: &str = include_str!("clock/data.mod");
 const DATA_SCHEDULE: &str = include_str!("clock/data_schedule.mod");
@@ -154,6 +156,8 @@ pub struct CoreText<'a> {
     pub choice: Choice<'a>,
     /// The controller knows data of a task's own; an S4C, which has one task, does not.
     pub task_data: bool,
+    /// The thermal state is measured, and the largest settled correction of the program, metres.
+    pub touch: Option<(&'a Touch, f64)>,
 }
 
 impl CoreText<'_> {
@@ -165,6 +169,10 @@ impl CoreText<'_> {
         match &self.choice {
             Choice::Bucket(_) => lines.extend(DATA_SCHEDULE.lines().map(str::to_owned)),
             Choice::Scale(scaled) => lines.extend(scaled.data()),
+        }
+        if let Some((touch, _)) = self.touch {
+            let numbers = self.numbers(false);
+            lines.extend(touch.data().into_iter().map(|line| filled(line, &numbers)));
         }
         let line = |line: String| {
             names.rename(&if self.task_data { line } else { line.replacen("TASK PERS", "PERS", 1) })
@@ -188,25 +196,27 @@ impl CoreText<'_> {
             Choice::Scale(scaled) => scaled.routines(),
         };
         let numbers = self.numbers(shares);
+        let touch = self.touch.map(|(touch, _)| touch.routines());
         let parts = asked.iter().map(String::as_str).chain([UPDATE]).chain(law.iter().copied());
+        let parts = parts.chain(touch.into_iter().flatten());
         let mut lines = Vec::new();
         for part in parts {
             if !lines.is_empty() {
                 lines.push(String::new());
             }
             for line in part.lines() {
+                let line = match (line.strip_prefix("touch#"), self.touch) {
+                    (Some(_), None) => continue,
+                    (Some(line), Some(_)) => line,
+                    (None, _) => line,
+                };
                 match (line, &self.choice) {
                     ("@CASES@", Choice::Bucket(schedule)) => {
                         lines.extend(cases(schedule).iter().map(|case| names.rename(case)));
                     }
                     ("@GROWN@", _) if !shares => {}
                     _ => {
-                        let mut line = line.to_owned();
-                        for (mark, text) in &numbers {
-                            if line.contains('@') {
-                                line = line.replace(mark, text);
-                            }
-                        }
+                        let line = filled(line.to_owned(), &numbers);
                         lines.extend(
                             line.lines()
                                 .map(|line| names.rename(line))
@@ -229,22 +239,38 @@ impl CoreText<'_> {
             }
             Choice::Scale(scaled) => (101, 1, scaled.settled_min(self.growth)),
         };
+        let full = if self.touch.is_some() { "tcAmount" } else { "1" };
+        let tau =
+            |tau_min: f64, name: &str| if self.touch.is_some() { name.to_owned() } else { num(tau_min) };
         let warm = match law {
+            Law::TwoStage { .. } if self.touch.is_some() => "tcAmount,tcAmount".to_owned(),
+            Law::OneLag { .. } if self.touch.is_some() => "tcAmount,0".to_owned(),
             Law::TwoStage { .. } => "1,1".to_owned(),
             Law::OneLag { .. } => "1,0".to_owned(),
             Law::Elapsed | Law::Sensor { .. } => format!("{},0", num(last_min.ceil() + 1.0)),
         };
         let start_at = match law {
             Law::TwoStage { tau_min, .. } => {
-                let lag = format!("tcLags(tcRunMinutes,{})", num(*tau_min));
-                format!("tcBegin tcPart(1-Exp(-{lag})),\n        tcPart(1-(1+{lag})*Exp(-{lag}));")
+                let lag = format!("tcLags(tcRunMinutes,{})", tau(*tau_min, "tcTau"));
+                let of = if self.touch.is_some() { "tcAmount*" } else { "" };
+                let (open, close) = if of.is_empty() { ("", "") } else { ("(", ")") };
+                format!(
+                    "tcBegin tcPart({of}{open}1-Exp(-{lag}){close}),\n        tcPart({of}{open}1-(1+{lag})*Exp(-{lag}){close});"
+                )
             }
             Law::OneLag { tau_min, .. } => {
-                format!("tcBegin tcPart(1-Exp(-tcLags(tcRunMinutes,{}))),0;", num(*tau_min))
+                let grown = format!("1-Exp(-tcLags(tcRunMinutes,{}))", tau(*tau_min, "tcTau"));
+                match self.touch {
+                    Some(_) => format!("tcBegin tcPart(tcAmount*({grown})),0;"),
+                    None => format!("tcBegin tcPart({grown}),0;"),
+                }
             }
             Law::Elapsed | Law::Sensor { .. } => "tcBegin tcRunMinutes,0;".to_owned(),
         };
         let grown = match (law, self.growth) {
+            (Law::TwoStage { .. } | Law::OneLag { .. }, _) if self.touch.is_some() => {
+                "    tcWarm:=tcHas;".to_owned()
+            }
             (Law::TwoStage { .. } | Law::OneLag { .. }, _) => "    tcWarm:=tcPart(1-tcE);".to_owned(),
             (_, Some(GrowthLaw::TwoStage { tau_min })) => {
                 let lag = format!("tcLags(tcMinute,{})", num(tau_min));
@@ -275,6 +301,9 @@ impl CoreText<'_> {
             Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
             _ => [format!("tcScaleAt {index},1"), format!("tcScaleAt {},tcMode/100", num(last_min))],
         };
+        // Buckets are chosen by the share of the amplified table, as the minute at which a cold robot has it.
+        let reached = format!("tcMinuteOf(1-tcHas/{})", num(ROOM));
+        let index = if self.touch.is_some() { &reached } else { index };
         let mut numbers = vec![
             ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),
             ("@COUNT@", count.to_string()),
@@ -288,7 +317,17 @@ impl CoreText<'_> {
             ("@CANNOT@", cannot.to_owned()),
             ("@SCALE@", scale),
             ("@FORCED@", forced),
+            ("@FULL@", full.to_owned()),
+            ("@MOST@", num(if self.touch.is_some() { MOST_SHARE } else { 1.0 })),
         ];
+        if let Some((touch, largest_m)) = self.touch {
+            let lags = match law {
+                Law::TwoStage { tau_min, tau_cool_min, .. } => (true, [*tau_min, *tau_cool_min]),
+                Law::OneLag { tau_min, tau_cool_min, .. } => (false, [*tau_min, *tau_cool_min]),
+                Law::Elapsed | Law::Sensor { .. } => (false, [1.0; 2]),
+            };
+            numbers.extend(touch.numbers(lags, largest_m));
+        }
         if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
             let beyond_c = BEYOND * (high_c - low_c);
             numbers.push(("@READ@", read.clone()));
@@ -301,12 +340,31 @@ impl CoreText<'_> {
         if let Law::TwoStage { tau_min, tau_cool_min, gap_min }
         | Law::OneLag { tau_min, tau_cool_min, gap_min } = law
         {
-            numbers.push(("@TAU@", num(*tau_min)));
-            numbers.push(("@TAU_COOL@", num(*tau_cool_min)));
+            let minute = match self.touch {
+                Some(_) => format!(
+                    "    tcHas:=tcPart(tcAmount-tcE);\n    tcMinute:=tcTau/{}*tcMinuteOf(tcE/tcAmount);",
+                    num(*tau_min)
+                ),
+                None => "    tcMinute:=tcMinuteOf(tcE);".to_owned(),
+            };
+            numbers.push(("@MINUTE@", minute));
+            numbers.push(("@TAU@", tau(*tau_min, "tcTau")));
+            numbers.push(("@TABLE_TAU@", num(*tau_min)));
+            numbers.push(("@TAU_COOL@", tau(*tau_cool_min, "tcTauCool")));
             numbers.push(("@GAP@", num(*gap_min)));
         }
         numbers
     }
+}
+
+/// A line with what stands for its marks.
+fn filled(mut line: String, numbers: &[(&'static str, String)]) -> String {
+    for (mark, text) in numbers {
+        if line.contains('@') {
+            line = line.replace(mark, text);
+        }
+    }
+    line
 }
 
 /// The CASEs of the TEST on the whole minute (or part of one), a bucket each, DEFAULT the last.
@@ -411,7 +469,7 @@ mod tests {
                 }))
             });
             for choice in scaled.chain([Choice::Bucket(&schedule)]) {
-                let core = CoreText { law: &law, growth: two, choice, task_data: true };
+                let core = CoreText { law: &law, growth: two, choice, task_data: true, touch: None };
                 let (lines, data) = (core.routines(&names), core.data(&names));
                 let text = lines.join("\n");
                 assert!(!text.contains('@') && text.is_ascii(), "{text}");

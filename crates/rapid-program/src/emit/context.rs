@@ -12,6 +12,7 @@ use crate::compensate::LiveBasis;
 use crate::compensate::plan::{Form, Plan, Totals};
 use crate::program::Program;
 use rapid_syntax::diagnostic::FileId;
+use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::FrameOffsets;
 use robot_model::units::rad_from_deg;
 
@@ -49,11 +50,18 @@ impl<'e> EmitContext<'e> {
     /// [`EmitError::PlanMismatch`] where a motion asks for a model that RAPID cannot hold.
     pub fn new(
         (program, plan): (&'e Program, &'e Plan),
-        options: &EmitOptions,
+        options: &'e EmitOptions,
         (law, core): (&'e Law, Core),
         changes: &Changes,
     ) -> Result<Self, EmitError> {
         let totals = Totals::of(program, plan);
+        if let Some(name) = options.touch.as_ref().and_then(|touch| touch.local.first())
+            && core == Core::Separate
+        {
+            let why =
+                format!("{name} is LOCAL to its module, and tcCore cannot see it: declare it without LOCAL");
+            return Err(EmitError::CannotTouch(why));
+        }
         let text = core_text((program, plan), options, law, (&totals, changes))?;
         let unnamed = Names::default();
         let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
@@ -78,7 +86,7 @@ impl<'e> EmitContext<'e> {
 /// Clock and functions for what the motions ask.
 fn core_text<'e>(
     (program, plan): (&'e Program, &'e Plan),
-    options: &EmitOptions,
+    options: &'e EmitOptions,
     law: &'e Law,
     (totals, changes): (&Totals, &Changes),
 ) -> Result<CoreText<'e>, EmitError> {
@@ -103,7 +111,34 @@ fn core_text<'e>(
             live,
         })),
     };
-    Ok(CoreText { law, growth: options.growth, choice, task_data: !s4c })
+    let touch = options.touch.as_ref().map(|touch| (touch, totals.max_correction_m));
+    if touch.is_some() {
+        can_touch((law, options.growth), &choice, s4c)
+            .map_err(|why| EmitError::CannotTouch(why.to_owned()))?;
+    }
+    Ok(CoreText { law, growth: options.growth, choice, task_data: !s4c, touch })
+}
+
+/// Why a touch would tell the clock nothing, where it would not.
+fn can_touch(
+    (law, growth): (&Law, Option<GrowthLaw>),
+    choice: &Choice<'_>,
+    s4c: bool,
+) -> Result<(), &'static str> {
+    if s4c {
+        return Err("an S4C controller has no CalcJointT, by which a touch is checked");
+    }
+    if growth.is_none() || !matches!(law, Law::TwoStage { .. } | Law::OneLag { .. }) {
+        return Err(
+            "a touch tells the lags of a growth law: use --clock warmth, and a static table with --growth",
+        );
+    }
+    match choice {
+        Choice::Scale(scaled) if !scaled.functions.course.is_of_share() => {
+            Err("the drift follows no one growth law, whose share a touch could tell")
+        }
+        Choice::Scale(_) | Choice::Bucket(_) => Ok(()),
+    }
 }
 
 /// The deformed model that motions ask at run time.

@@ -87,6 +87,18 @@ pub fn header_text(
     about.push(format!(
         "Motion that is not corrected does not ask: where the arm moves for long without, the program may call {update}"
     ));
+    if let Some(touch) = &options.touch {
+        about.push(format!(
+            "{} measures at {} ({}) how warm the arm is; {} the minutes since, {} one standard deviation in mm where the \
+             drift is largest, {} what came of it",
+            names.core("tcTouch"),
+            touch.name,
+            touch.point.join(", "),
+            names.core("tcTouchAge"),
+            names.core("tcTouchSigma"),
+            names.core("tcTouchSaid"),
+        ));
+    }
     about.push("To remove: load the original file, or get it back with `driftpost restore`".to_owned());
     about.push(match core {
         Core::Separate => {

@@ -28,6 +28,7 @@ mod point;
 mod restore;
 mod scale;
 mod target;
+mod touch;
 
 pub use digest::is_as_written;
 pub use emission::{compensated_at, emit, emit_each};
@@ -36,3 +37,4 @@ pub use identity::{Difference, differences};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};
+pub use touch::{ROOM, Touch, TouchBy};

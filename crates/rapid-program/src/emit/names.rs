@@ -10,7 +10,7 @@ use rapid_syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
 
 /// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
 /// a file declares one itself it is taken.
-const PUBLIC: [&str; 11] = [
+const PUBLIC: [&str; 18] = [
     "tcColdStart",
     "tcWarmStart",
     "tcStartAt",
@@ -22,6 +22,13 @@ const PUBLIC: [&str; 11] = [
     "tcShare",
     "tcMinute",
     "tcDegrees",
+    "tcTouch",
+    "tcTouchAge",
+    "tcTouchSigma",
+    "tcTouchSaid",
+    "tcAmount",
+    "tcTau",
+    "tcTauCool",
 ];
 
 /// The longest identifier that RAPID takes, characters.

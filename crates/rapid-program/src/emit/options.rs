@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::touch::Touch;
 use crate::compensate::FormChoice;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{Edit, EditError};
@@ -97,6 +98,8 @@ pub struct EmitOptions {
     pub absolute_accuracy: bool,
     /// A routine is added that compares the controller's kinematics with those that the corrections were made for.
     pub self_test: bool,
+    /// A routine is added that measures the thermal state at a fixed point.
+    pub touch: Option<Touch>,
 }
 
 impl EmitOptions {
@@ -180,6 +183,9 @@ pub enum EmitError {
         /// How many modules are changed.
         modules: usize,
     },
+    /// A touch tells nothing of what the clock or the drift goes by.
+    #[error("--touch: {0}")]
+    CannotTouch(String),
     /// Motion of several tasks, which are several robots.
     #[error(
         "several tasks hold motion ({}), and each moves a robot of its own: compensate one task's folder at a time, each \
@@ -238,6 +244,7 @@ impl EmitError {
             Self::BadSensor { .. } => "emit::bad-sensor",
             Self::BadTime { .. } => "emit::bad-time",
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
+            Self::CannotTouch(_) => "touch::clock",
             Self::SeveralTasks { .. } => "emit::several-tasks",
             Self::NoModule { .. } => "emit::no-module",
             Self::NotRestored { .. } => "emit::not-restored",

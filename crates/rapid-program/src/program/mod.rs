@@ -17,6 +17,7 @@ mod convert;
 mod errors;
 mod expressions;
 mod file_pairs;
+mod fixed_point;
 mod flow;
 mod functions;
 mod index;
@@ -40,6 +41,7 @@ mod value;
 mod writes;
 
 pub use file_pairs::FilePairs;
+pub use fixed_point::FixedPoint;
 pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 
 use module_facts::Facts;

@@ -12,6 +12,7 @@ pub mod identified;
 mod moments;
 mod paper;
 mod table;
+pub mod thermal_filter;
 mod warmth;
 
 pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
@@ -62,6 +63,22 @@ impl Deformation {
     #[must_use]
     pub fn from_static(offsets: FrameOffsets, growth: GrowthLaw) -> Self {
         Self(Tabulation::Static { offsets, growth })
+    }
+
+    /// The same where a static table's offsets, or those of every row, are so many times as large.
+    #[must_use]
+    pub fn scaled(&self, by: f64) -> Self {
+        let times = |row: [f64; 6]| row.map(|value| value * by);
+        Self(match &self.0 {
+            Tabulation::Static { offsets, growth } => {
+                Tabulation::Static { offsets: FrameOffsets(offsets.0.map(times)), growth: *growth }
+            }
+            Tabulation::Scheduled { index, knots } => {
+                let knot = |k: &Knot| Knot { at: k.at, offsets: times(k.offsets) };
+                let knots = knots.each_ref().map(|row| row.iter().map(knot).collect::<Vec<_>>());
+                Tabulation::Scheduled { index: *index, knots }
+            }
+        })
     }
 
     /// What [`offsets_at`](Self::offsets_at) takes: minutes or degrees Celsius.

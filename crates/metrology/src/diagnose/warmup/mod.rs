@@ -11,9 +11,13 @@ mod history;
 mod parameters;
 mod posterior;
 mod targets;
+mod thermal_state;
 
 pub use fit::{FitError, FitOptions, fit};
 pub use fitted::{TouchedPoint, WarmUp};
 pub use history::Standstill;
 pub use parameters::{PARAMETERS, signature};
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
+pub use thermal_state::{
+    PlannedInterval, PlannedPoint, RobotState, StateError, StateOptions, TouchState, thermal_state,
+};

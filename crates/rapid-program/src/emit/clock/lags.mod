@@ -7,7 +7,7 @@
 
   LOCAL FUNC num tcPart(num tcValue)
     IF tcValue<0 RETURN 0;
-    IF tcValue>1 RETURN 1;
+    IF tcValue>@MOST@ RETURN @MOST@;
     RETURN tcValue;
   ENDFUNC
 

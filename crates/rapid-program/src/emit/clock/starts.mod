@@ -23,6 +23,7 @@
       tcTime:=CTime();
     ENDIF
     tcState:=[tcFirst,tcSecond0,tcDayNumber(tcDate),tcSecond(tcTime),tcDayNumber(tcDate),tcSecond(tcTime)];
+touch#    tcForget;
     tcTimeSeen:="";
     tcUpdate;
   ENDPROC

@@ -10,16 +10,20 @@
     tcB:=tcState{2};
     tcRun:=tcSpan(tcState{3},tcState{4},tcState{5},tcState{6});
     tcGap:=tcSpan(tcState{5},tcState{6},tcDay,tcSec);
-    IF NOT (tcA>=0 AND tcA<=1 AND tcB>=0 AND tcB<=1 AND tcRun>=0) RETURN FALSE;
+    IF NOT (tcA>=0 AND tcA<=@MOST@ AND tcB>=0 AND tcB<=@MOST@ AND tcRun>=0) RETURN FALSE;
     IF tcDay<1 OR tcSec<0 OR tcState{3}<1 OR tcGap<-1500 RETURN FALSE;
     IF tcGap<0 OR tcGap>@GAP@ THEN
       ! Stood still, or clock set back: up to the last motion it worked, then it cooled
       tcS:=tcLags(tcRun,@TAU@);
       tcE:=Exp(-tcS);
-      tcB:=tcPart(1+(tcB-1+(tcA-1)*tcS)*tcE);
-      tcA:=tcPart(1+(tcA-1)*tcE);
+touch#      tcTo:=tcBy;
+touch#      tcCarry tcS,tcE,tcA,tcB,tcAmount,1;
+      tcB:=tcPart(@FULL@+(tcB-@FULL@+(tcA-@FULL@)*tcS)*tcE);
+      tcA:=tcPart(@FULL@+(tcA-@FULL@)*tcE);
       tcS:=tcLags(tcGap,@TAU_COOL@);
       tcE:=Exp(-tcS);
+touch#      tcCarry tcS,tcE,tcA,tcB,0,0;
+touch#      tcBy:=tcTo;
       tcB:=tcPart((tcB+tcA*tcS)*tcE);
       tcA:=tcA*tcE;
       tcState:=[tcA,tcB,tcDay,tcSec,tcDay,tcSec];
@@ -29,8 +33,8 @@
       tcState:=[tcA,tcB,tcState{3},tcState{4},tcDay,tcSec];
     ENDIF
     tcS:=tcLags(tcRun,@TAU@);
-    tcE:=(1-tcB+(1-tcA)*tcS)*Exp(-tcS);
-    tcMinute:=tcMinuteOf(tcE);
+    tcE:=(@FULL@-tcB+(@FULL@-tcA)*tcS)*Exp(-tcS);
+@MINUTE@
 @GROWN@
     RETURN TRUE;
   ENDFUNC
@@ -48,5 +52,5 @@
         tcS:=tcS-(tcS-tcLn(1+tcS)-tcL)*(1+tcS)/tcS;
       ENDFOR
     ENDIF
-    RETURN @TAU@*tcS;
+    RETURN @TABLE_TAU@*tcS;
   ENDFUNC

@@ -1,0 +1,14 @@
+  TASK PERS num tcTouchAge:=-1;
+  TASK PERS num tcTouchSigma:=-1;
+  TASK PERS string tcTouchSaid:="";
+  TASK PERS num tcAmount:=1;
+  TASK PERS num tcTau:=@TABLE_TAU@;
+  TASK PERS num tcTauCool:=@TABLE_TAU_COOL@;
+  LOCAL PERS num tcKnown{5,5}:=[@KNOWN@];
+  LOCAL PERS num tcBy{2,5}:=[[1,0,0,0,0],[0,1,0,0,0]];
+  LOCAL PERS num tcTouched{5}:=[0,0,0,0,0];
+  LOCAL VAR num tcTo{2,5};
+  LOCAL VAR num tcHas:=0;
+  LOCAL VAR num tcLag1:=0;
+  LOCAL VAR num tcHours:=0;
+  LOCAL VAR bool tcAlive:=FALSE;

@@ -1,0 +1,144 @@
+//! `tcTouch` as RAPID: the thermal state measured at a fixed point, and what the clock keeps for it.
+//!
+//! The filter is [`thermal_filter`](robot_model::deform::thermal_filter)'s; its RAPID stands in `clock/touch*.mod`. The clock
+//! carries on how the lags depend on what was known at the last touch, so that a touch needs no history.
+
+use super::number::num;
+use nalgebra::Vector3;
+use robot_model::deform::thermal_filter as filter;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+const DATA: &str = include_str!("clock/data_touch.mod");
+const TOUCH: &str = include_str!("clock/touch.mod");
+const SEARCH: &str = include_str!("clock/touch_search.mod");
+const ROUTINE: &str = include_str!("clock/touch_routine.mod");
+
+/// What `tcTouch` touches and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Touch {
+    /// What the point is called.
+    pub name: String,
+    /// Names of the target, the tool and the work object.
+    pub point: [String; 3],
+    /// How the point is found.
+    pub by: TouchBy,
+    /// One standard deviation of a coordinate of what is found, metres.
+    pub sigma_m: f64,
+    /// Those of the three that are LOCAL to their module.
+    pub local: Vec<String>,
+    /// Nominal joints at the point, radians.
+    pub q_rad: [f64; 6],
+    /// By how much the settled arm must be told to go elsewhere to touch it, in the work object's axes, metres.
+    pub settled_m: Vector3<f64>,
+}
+
+/// In the form `schedule` there are buckets up to so many times the table's settled drift, for what touches find.
+pub const ROOM: f64 = 1.5;
+
+/// How the point is found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TouchBy {
+    /// Three searches towards a sphere's centre.
+    Search {
+        /// The signal of a touch.
+        signal: String,
+        /// From the sphere's centre to the tip's where they touch, metres.
+        radius_m: f64,
+        /// Searches begin and end so far from there, metres.
+        margin_m: f64,
+    },
+    /// A procedure of the program: `PROC name(robtarget expected,INOUT robtarget found)`.
+    Routine(String),
+}
+
+impl Touch {
+    /// The data declarations, one a line.
+    #[must_use]
+    pub fn data(&self) -> Vec<String> {
+        DATA.lines().map(str::to_owned).collect()
+    }
+
+    /// The routines.
+    #[must_use]
+    pub fn routines(&self) -> [&'static str; 2] {
+        [TOUCH, if matches!(self.by, TouchBy::Search { .. }) { SEARCH } else { ROUTINE }]
+    }
+
+    /// What stands for each `@NAME@`: of `two` lags or one with these time constants of warming and cooling, minutes, and the
+    /// largest settled correction of the program, metres.
+    #[must_use]
+    pub fn numbers(
+        &self,
+        (two, [tau_min, tau_cool_min]): (bool, [f64; 2]),
+        largest_m: f64,
+    ) -> Vec<(&'static str, String)> {
+        let seen = if two { 2.0 } else { 1.0 };
+        let settled = self.settled_m.map(mm_from_m);
+        let square = settled.norm_squared();
+        let variance = mm_from_m(self.sigma_m).powi(2);
+        let both = filter::FIRST_CORRELATION * filter::FIRST_SIGMA[0] * filter::FIRST_SIGMA[1];
+        let first = |i: usize, j: usize| match (i, j) {
+            _ if i == j => filter::FIRST_SIGMA[i].powi(2),
+            (0, 1) | (1, 0) => both,
+            _ => 0.0,
+        };
+        let row = |i: usize| (0..5).map(|j| num(first(i, j))).collect::<Vec<_>>().join(",");
+        let known: Vec<String> = (0..5).map(|i| format!("[{}]", row(i))).collect();
+        let hour = |i: usize| num(filter::HOUR_SIGMA[i].powi(2));
+        let seen_row = |k: usize| format!("tcTo{{{seen},{k}}}");
+        let of_known = |k: usize| {
+            (1..=5).map(|j| format!("{}*tcKnown{{{k},{j}}}", seen_row(j))).collect::<Vec<_>>().join("+")
+        };
+        let sum: Vec<String> = (1..=5).map(|k| format!("{}*({})", seen_row(k), of_known(k))).collect();
+        let [point, tool, wobj] = &self.point;
+        let lag =
+            |name: &str, k: usize| format!("tcHeld({name}+tcG{{2,{k}}}*tcOff,0,{})", num(filter::MOST_SHARE));
+        let agree = filter::AGREE.powi(2) * 2.0 * variance / square;
+        let mut numbers = vec![
+            ("@POINT@", point.clone()),
+            ("@TOOL@", format!("{tool}\\WObj:={wobj}")),
+            ("@SECOND_HALF@", if two { "tcPart(tcAmount/2)".to_owned() } else { "0".to_owned() }),
+            ("@DX@", num(settled.x)),
+            ("@DY@", num(settled.y)),
+            ("@DZ@", num(settled.z)),
+            ("@SQUARE@", num(square)),
+            ("@PER_SQUARE@", num(1.0 / square)),
+            ("@R@", num(variance / square)),
+            ("@ACROSS@", num(filter::GATE_ACROSS * variance)),
+            ("@GATE@", num(filter::GATE * filter::GATE)),
+            ("@AGREE@", num(agree)),
+            ("@RHO@", num(filter::FIRST_CORRELATION)),
+            ("@LEAST@", num(-filter::GATE * (variance / square).sqrt())),
+            ("@SEEN@", num(seen)),
+            ("@LARGEST@", num(mm_from_m(largest_m.max(self.settled_m.norm())))),
+            ("@VARIANCE@", sum.join("\n      +")),
+            ("@QSEEN@", hour(if two { 1 } else { 0 })),
+            ("@KNOWN@", known.join(",")),
+            ("@LAG1@", lag("tcLag1", 1)),
+            ("@LAG2@", if two { lag("tcHas", 2) } else { "0".to_owned() }),
+            ("@P11@", num(first(0, 0))),
+            ("@P12@", num(first(0, 1))),
+            ("@P22@", num(first(1, 1))),
+            ("@AMOUNT_LEAST@", num(filter::LEAST_AMOUNT)),
+            ("@TAU_LEAST@", num(tau_min / filter::MOST_TAU)),
+            ("@TAU_MOST@", num(tau_min * filter::MOST_TAU)),
+            ("@COOL_LEAST@", num(tau_cool_min / filter::MOST_TAU)),
+            ("@COOL_MOST@", num(tau_cool_min * filter::MOST_TAU)),
+            ("@TABLE_TAU_COOL@", num(tau_cool_min)),
+            ("@TABLE_TAU@", num(tau_min)),
+        ];
+        numbers.extend(["@Q11@", "@Q22@", "@Q33@", "@Q44@", "@Q55@"].into_iter().zip((0..5).map(hour)));
+        let [q1, q2, q3, q4, q5, q6] = self.q_rad.map(|q| format!("({})", num(deg_from_rad(q))));
+        numbers.extend([("@Q1@", q1), ("@Q2@", q2), ("@Q3@", q3), ("@Q4@", q4), ("@Q5@", q5), ("@Q6@", q6)]);
+        match &self.by {
+            TouchBy::Search { signal, radius_m, margin_m } => numbers.extend([
+                ("@SIGNAL@", signal.clone()),
+                ("@RADIUS@", num(mm_from_m(*radius_m))),
+                ("@FAR@", num(mm_from_m(radius_m + margin_m))),
+                ("@NEAR@", num(mm_from_m(radius_m - margin_m))),
+            ]),
+            TouchBy::Routine(name) => numbers.push(("@ROUTINE@", name.clone())),
+        }
+        numbers
+    }
+}

@@ -1,0 +1,86 @@
+//! A target that is named from outside, with a tool and a work object: where a fixed point is touched.
+
+use super::const_eval::ConstEvaluator;
+use super::convert::{self, NotThat};
+use super::data::{RobTarget, ToolData, WobjData};
+use super::index::Index;
+use super::motion::MotionSetup;
+use super::names::lower_case;
+use super::predefined::predefined;
+use super::value::Value;
+use super::writes::Writes;
+use super::{Overrides, Program};
+use rapid_syntax::diagnostic::Diagnostic;
+
+/// A target, its tool and its work object, as the program has them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixedPoint {
+    /// The target.
+    pub target: RobTarget,
+    /// The tool that touches.
+    pub tool: ToolData,
+    /// The work object.
+    pub wobj: WobjData,
+    /// Those of the three that are LOCAL to their module.
+    pub local: Vec<String>,
+}
+
+impl Program {
+    /// The point of a target, tool and work object by their names. A tool or work object that the program assigns has
+    /// the value with which a motion uses it first.
+    ///
+    /// # Errors
+    /// `touch::point`, saying which name is not known and why.
+    pub fn fixed_point(
+        &self,
+        overrides: &Overrides,
+        [target, tool, wobj]: [&str; 3],
+    ) -> Result<FixedPoint, Diagnostic> {
+        let given = super::overrides::given(overrides, &mut Vec::new());
+        let index = Index::new(&self.files);
+        let writes = Writes::new(&index);
+        let mut evaluator = ConstEvaluator::new(&index, &writes);
+        let mut local = Vec::new();
+        let mut initial = |name: &str| -> Result<Value, String> {
+            let sym = index.names.find(name.as_bytes());
+            let declared = index.data.iter().position(|d| Some(d.name) == sym && d.ctx.routine.is_none());
+            if let Some(datum) = declared {
+                if index.data[datum].local {
+                    local.push(name.to_owned());
+                }
+                return evaluator.initial(datum).map_err(|why| why.reason.clone());
+            }
+            let lower = lower_case(name.as_bytes());
+            let known = given.get(&lower).cloned().or_else(|| predefined(&lower));
+            known.map(|(_, value)| value).ok_or_else(|| "is not declared in the given files".to_owned())
+        };
+        let used = |is: &dyn Fn(&MotionSetup) -> bool| self.motions.iter().map(|m| &m.setup).find(|s| is(s));
+        let same = |of: &Option<String>, name: &str| {
+            of.as_deref().is_some_and(|of| of.trim().eq_ignore_ascii_case(name))
+        };
+        let (at, held, on) = (initial(target), initial(tool), initial(wobj));
+        let in_use = used(&|s| s.tool.is_some() && same(&s.tool_name, tool)).and_then(|s| s.tool.clone());
+        let stands = used(&|s| s.wobj.is_some() && same(&s.wobj_name, wobj)).and_then(|s| s.wobj.clone());
+        Ok(FixedPoint {
+            target: at.and_then(|v| read(&v, convert::robtarget)).map_err(|why| unknown(target, &why))?,
+            tool: match in_use {
+                Some(tool) => tool,
+                None => held.and_then(|v| read(&v, convert::tooldata)).map_err(|why| unknown(tool, &why))?,
+            },
+            wobj: match stands {
+                Some(wobj) => wobj,
+                None => on.and_then(|v| read(&v, convert::wobjdata)).map_err(|why| unknown(wobj, &why))?,
+            },
+            local,
+        })
+    }
+}
+
+fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, NotThat>) -> Result<T, String> {
+    convert(value).map_err(|(_, reason)| reason)
+}
+
+fn unknown(name: &str, why: &str) -> Diagnostic {
+    Diagnostic::error("touch::point", format!("--touch: {name} {why}"))
+        .help("name a robtarget, a tooldata and a wobjdata of the given files: NAME=TARGET,TOOL,WOBJ")
+}

@@ -1,0 +1,120 @@
+//! `driftpost state`: the thermal state of a robot from touches of fixed points.
+
+use super::fit::stops;
+use super::measured::MeasurementArgs;
+use super::number::{minutes, positive};
+use super::shared::{RobotName, tool};
+use super::{Console, Outcome, files, model};
+use driftpost::report::state as report;
+use metrology::diagnose::warmup::{StateError, StateOptions, thermal_state};
+use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::DeformedArm;
+use robot_model::deform::identified::ThermalState;
+use robot_model::kinematics::FrameOffsets;
+use robot_model::units::m_from_mm;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Options of `state`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Touches: fixed_id, t_min, q1_deg..q6_deg; the first of each point with the arm cold.
+    #[command(flatten)]
+    pub source: MeasurementArgs,
+
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotName,
+
+    /// Place of the touching tip in the flange's frame, mm.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub tool: Option<String>,
+
+    /// Deformation table (CSV) with --growth [default: the reference paper's Table 2, built in].
+    #[arg(long, value_name = "FILE")]
+    pub deformation: Option<PathBuf>,
+
+    /// How a static table grows: exp:TAU or two-stage:TAU.
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    pub growth: Option<String>,
+
+    /// An identified model (TOML) whose terms grow by one law, instead of a deformation table.
+    #[arg(long, value_name = "FILE", conflicts_with = "deformation")]
+    pub model: Option<PathBuf>,
+
+    /// Time constant of cooling to begin with, minutes [default: the growth law's].
+    #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
+    pub tau_cool: Option<f64>,
+
+    /// One standard deviation of a coordinate of a touch.
+    #[arg(long, value_name = "MM", default_value_t = 0.02, allow_negative_numbers = true)]
+    pub sigma_mm: f64,
+
+    /// The robot stood from one minute to another; repeatable, or none [default: none].
+    #[arg(long, value_name = "FROM:TO|none")]
+    pub stop: Vec<String>,
+
+    /// How often to touch, and which point tells most.
+    #[arg(long)]
+    pub plan: bool,
+
+    /// Everything a script needs, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<PathBuf>,
+}
+
+/// Runs `state`.
+///
+/// # Errors
+/// A file that cannot be read or written, touches that say nothing.
+pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    positive(&[("--sigma-mm", Some(args.sigma_mm))])?;
+    minutes(&[("--tau-cool", args.tau_cool)])?;
+    let robot = Arc::new(args.robot.load()?);
+    let (law, [cold, settled]) = match &args.model {
+        Some(path) => {
+            let identified = model::identified(path)?;
+            let law = identified.model.growth();
+            let of = |t_min: f64| {
+                let when = ThermalState { t_min, joint_temperature_c: None };
+                let model = Arc::new(identified.model.for_programs().0);
+                DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
+            };
+            (law, [of(0.0), of(f64::INFINITY)])
+        }
+        None => {
+            let table = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
+            let of = |offsets: &FrameOffsets| DeformedArm::of_table(&robot, offsets);
+            (table.growth().copied(), [of(&FrameOffsets::default()), of(&table.settled())])
+        }
+    };
+    let law = law.ok_or_else(|| refused(&StateError::NoLaw))?;
+    let options = StateOptions {
+        tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
+        stops: stops(&args.stop)?.unwrap_or_default(),
+        sigma_m: m_from_mm(args.sigma_mm),
+        tau_cool_min: args.tau_cool.or(law.tau_min()).unwrap_or(1.0),
+    };
+    let (touches, _) = args.source.touches(console)?;
+    let json = files::Output::new(args.json.as_deref())?;
+    let state = thermal_state(&touches, &robot, (law, [&cold, &settled]), &options)
+        .map_err(|error| refused(&error))?;
+    let takes_standard_output = json.is_standard();
+    let data = report::json(&state, &touches.points);
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    to.write_all(report::text(&state, &touches.points, args.plan).as_bytes())?;
+    Ok(Outcome::Done)
+}
+
+fn refused(error: &StateError) -> Diagnostic {
+    let code = match error {
+        StateError::NoLaw => "state::no-law",
+        StateError::TooFew => "state::too-few",
+        StateError::NoDrift => "state::no-drift",
+    };
+    Diagnostic::error(code, error.to_string())
+        .help("touch a fixed point with the cold arm, and again every half hour of work or so")
+}

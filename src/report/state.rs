@@ -1,0 +1,106 @@
+//! The thermal state of a robot for people and as JSON.
+
+use metrology::diagnose::warmup::RobotState;
+use robot_model::deform::thermal_filter::TouchOutcome;
+use robot_model::units::mm_from_m;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+/// Two decimals are enough beyond this.
+fn word(outcome: Option<TouchOutcome>) -> &'static str {
+    match outcome {
+        Some(TouchOutcome::Taken) => "taken",
+        Some(TouchOutcome::TakenAnew) => "taken, the state begins anew",
+        Some(TouchOutcome::Refused) => "refused: over three sigma",
+        None => "refused: off the drift's line",
+    }
+}
+
+/// Amount and time constants in minutes, each with its standard deviation.
+fn learnt(state: &RobotState) -> [[f64; 2]; 3] {
+    let sigma = |i: usize| state.covariance[(i, i)].max(0.0).sqrt();
+    let tau = |i: usize| [state.state[i].exp(), state.state[i].exp() * sigma(i)];
+    [[state.state[2], sigma(2)], tau(3), tau(4)]
+}
+
+/// For people; `plan` adds how often to touch which point.
+#[must_use]
+pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
+    let mut out = String::new();
+    let refused = state.touches.iter().filter(|t| matches!(t.outcome, None | Some(TouchOutcome::Refused)));
+    // writing to a String cannot fail
+    let _ = writeln!(out, "{} touches, {} refused\n", state.touches.len(), refused.count());
+    let _ = writeln!(out, "   minute point         seen   off   share           smoothed");
+    for t in &state.touches {
+        let _ = writeln!(
+            out,
+            "{:9.1} {:10} {:7.3} {:5.1} {:7.3} +- {:.3} {:7.3} +- {:.3}  {}",
+            t.t_min,
+            points.get(t.point).map_or("", String::as_str),
+            t.seen,
+            t.off_sigmas,
+            t.share[0],
+            t.share[1],
+            t.smoothed[0],
+            t.smoothed[1],
+            word(t.outcome)
+        );
+    }
+    let [amount, tau, cool] = learnt(state);
+    let _ = writeln!(
+        out,
+        "\nof this robot: {:.2} +- {:.2} times the table's settled drift",
+        amount[0], amount[1]
+    );
+    let _ = writeln!(out, "  tau {:.0} +- {:.0} min", tau[0], tau[1]);
+    let _ = match state.stood {
+        true => writeln!(out, "  cooling tau {:.0} +- {:.0} min", cool[0], cool[1]),
+        false => writeln!(out, "  it never stood: nothing is known of its cooling"),
+    };
+    if plan {
+        let _ = writeln!(
+            out,
+            "\nwhat is left over a shift where the points drift most, mm (one standard deviation), by minutes between touches"
+        );
+        for point in &state.plan {
+            let cells: Vec<String> = point
+                .intervals
+                .iter()
+                .map(|i| format!("{:.0}: {:.4}", i.every_min, mm_from_m(i.rms_m)))
+                .collect();
+            let _ = writeln!(
+                out,
+                "  {:10} moves {:.3} mm; {}",
+                point.name,
+                mm_from_m(point.settled_m),
+                cells.join(", ")
+            );
+        }
+        if let Some(best) = state.plan.first() {
+            let _ = writeln!(out, "  {} tells most", best.name);
+        }
+    }
+    out
+}
+
+/// For scripts: shares, mm, minutes.
+#[must_use]
+pub fn json(state: &RobotState, points: &[String]) -> Value {
+    let [amount, tau, cool] = learnt(state);
+    json!({
+        "growth": state.law.to_string(),
+        "amount": amount[0], "amount_sigma": amount[1],
+        "tau_min": tau[0], "tau_sigma_min": tau[1],
+        "tau_cool_min": state.stood.then_some(cool[0]), "tau_cool_sigma_min": state.stood.then_some(cool[1]),
+        "touches": state.touches.iter().map(|t| json!({
+            "line": t.line, "point": points.get(t.point), "t_min": t.t_min, "seen": t.seen, "off_sigmas": t.off_sigmas,
+            "taken": matches!(t.outcome, Some(TouchOutcome::Taken | TouchOutcome::TakenAnew)), "outcome": word(t.outcome),
+            "share": t.share[0], "sigma": t.share[1], "smoothed": t.smoothed[0], "smoothed_sigma": t.smoothed[1],
+        })).collect::<Vec<_>>(),
+        "plan": state.plan.iter().map(|p| json!({
+            "point": p.name, "settled_mm": mm_from_m(p.settled_m),
+            "intervals": p.intervals.iter().map(|i| json!({ "every_min": i.every_min, "rms_mm": mm_from_m(i.rms_m) }))
+                .collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+    })
+}
