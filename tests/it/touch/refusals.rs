@@ -200,3 +200,20 @@ fn it_is_taken_out_again_and_nothing_else_differs() {
         assert_eq!(restored, super::SOURCE.as_bytes(), "{form}");
     }
 }
+
+#[test]
+fn a_motion_asks_no_more_of_the_controller_than_without_touches() {
+    let text = emitted(FormChoice::Ramp, LAW, Some((search(), 0.02)));
+    let mut cell = Cell::new(&text, &as_the_table());
+    cell.call("tcColdStart");
+    cell.call("tcTouch");
+    cell.controller.take_efforts();
+    // Work, a pause, work: an update after a pause carries two steps of the lags' dependence on.
+    for minutes in [4.0, 30.0, 4.0] {
+        cell.pass_min(minutes, minutes < 5.0);
+        cell.work();
+    }
+    let most = cell.controller.take_efforts()["tcAt"].most;
+    println!("an update with touches: {most:?}");
+    assert!(most.statements <= 200, "{most:?}");
+}
