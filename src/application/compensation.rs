@@ -272,7 +272,8 @@ impl Compensation {
 
     fn of_another_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let robot = &self.robot.model.name;
-        let other = self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model));
+        let other =
+            self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model.name));
         let mut messages: Vec<Diagnostic> = other.into_iter().collect();
         if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
             let text = format!("made for {}, and taken as one for {robot}", remark.robot);

@@ -4,7 +4,7 @@ use crate::report::{DiagnosisPage, diagnosis};
 use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify};
 use metrology::measure::Measurements;
 use robot_model::deform::identified::Identified;
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use std::io::{self, Write};
 
 /// A diagnosis that waits for its measurements.
@@ -20,8 +20,8 @@ use std::io::{self, Write};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Diagnosis {
-    /// The robot as its model says.
-    pub robot: Robot,
+    /// The robot as its model says, of four to seven joints.
+    pub robot: SerialArm,
     /// What is known of the measurement: the target's place on the flange, the noise.
     pub options: Options,
     /// What is found is made into a model as well, for [`Compensation::with_model`](super::Compensation::with_model).
@@ -35,14 +35,14 @@ pub struct Diagnosed {
     pub findings: diagnose::Diagnosis,
     /// The model, where one was asked for and can be made.
     pub model: Option<Identified>,
-    robot: Robot,
+    robot: SerialArm,
 }
 
 impl Diagnosis {
     /// A diagnosis with nothing known of the measurement.
     #[must_use]
-    pub fn new(robot: Robot) -> Self {
-        Self { robot, options: Options::default(), identify: false }
+    pub fn new(robot: impl Into<SerialArm>) -> Self {
+        Self { robot: robot.into(), options: Options::default(), identify: false }
     }
 
     /// The same, and a model of what is found.
@@ -67,7 +67,7 @@ impl Diagnosed {
     /// The report as people read it.
     #[must_use]
     pub fn text(&self) -> String {
-        diagnosis::text(&self.findings, &self.robot.name)
+        diagnosis::text(&self.findings, &self.robot)
     }
 
     /// The JSON of the contract, with a line end.
@@ -81,10 +81,11 @@ impl Diagnosed {
     /// Writes the page; `name` and `sha256` are those of the measurements.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Those of `out`; an arm of other than six turning joints, which the page does not draw.
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
         let Self { findings, robot, .. } = self;
+        let robot = &robot.clone().six_axis().map_err(io::Error::other)?;
         DiagnosisPage { title: name, findings, robot, text: &self.text(), provenance: &provenance }.write(out)
     }
 

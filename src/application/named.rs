@@ -98,16 +98,11 @@ pub fn sha256(bytes: &[u8]) -> String {
 
 /// A warning where a model was found on another robot.
 #[must_use]
-pub fn model_of_another_robot(model: &Identified, robot: &Robot) -> Option<Diagnostic> {
-    let same = model.robot.is_empty()
-        || model.robot == robot.name
-        || same_type(&model.robot, &robot.name) == Some(true);
+pub fn model_of_another_robot(model: &Identified, robot: &str) -> Option<Diagnostic> {
+    let same = model.robot.is_empty() || model.robot == robot || same_type(&model.robot, robot) == Some(true);
     (!same).then(|| {
-        Diagnostic::warning(
-            "model::robot",
-            format!("the model is of {}, the robot is {}", model.robot, robot.name),
-        )
-        .help("name the robot it was found on with --robot")
+        Diagnostic::warning("model::robot", format!("the model is of {}, the robot is {robot}", model.robot))
+            .help("name the robot it was found on with --robot")
     })
 }
 

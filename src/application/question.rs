@@ -6,7 +6,7 @@ use exam::generate::Task;
 use metrology::diagnose::Options;
 use metrology::measure::Measurements;
 use nalgebra::Vector3;
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 
 /// One set of measurements, and what is told of it.
@@ -15,7 +15,7 @@ pub struct Question {
     /// What the one who measures knows: the target's place, the noise.
     pub task: Task,
     /// The robot as its model says.
-    pub robot: Robot,
+    pub robot: SerialArm,
     /// The rows of the set, as its file holds them.
     pub measurements: Measurements,
 }

@@ -56,7 +56,7 @@ impl Rehearsal {
             )
             .help("withhold effects of the arm that stay; drift over a warm-up is `fit`'s"));
         }
-        let set = data_set(robot, &self.robot.source.name, &self.recipe, rng).ok_or_else(|| {
+        let set = data_set(&robot.into(), &self.robot.source.name, &self.recipe, rng).ok_or_else(|| {
             Diagnostic::error(
                 "synth::no-signal",
                 format!("{} cannot be made as large as asked", self.withheld),
@@ -102,7 +102,7 @@ impl Rehearsal {
         let plain: Vec<(&str, &[u8])> = program.iter().collect();
         let meant = moves(robot, &plain)?;
         let done = moves(robot, &made.loaded())?;
-        let under_test = VirtualRobot::from_truth(robot, &found.set.truth);
+        let under_test = VirtualRobot::from_truth(&robot.into(), &found.set.truth);
         let sigma_mm = self.recipe.sigma_mm;
         Ok([&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng)))
     }
@@ -154,8 +154,8 @@ fn left_at_targets(
         let (Some(meant_rad), Some(q_rad)) = (a.q_rad, b.q_rad) else { continue };
         let payload = b.setup.payload;
         let at = Commanded {
-            q_rad,
-            direction: b.direction,
+            q_rad: q_rad.into(),
+            direction: b.direction.into(),
             payload_kg: payload.mass_kg,
             payload_at_m: payload.cog_m,
         };

@@ -65,7 +65,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         ("--limit-drift-mm", args.limit_drift_mm),
     ];
     positive(&limits)?;
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
     let tool_m = args.tool.as_deref().map(tool).transpose()?;
     let compared = compared(args.register, tool_m)?;
     let json = files::Output::new(args.json.as_deref())?;
@@ -90,7 +90,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     }
     let takes_standard_output = json.is_standard();
-    let data = report::json(&found, beyond.is_empty());
+    let data = report::json(&found, beyond.is_empty(), &robot);
     let mut text = Vec::new();
     report::write(&mut text, &found)?;
     page.write("accuracy", &[(given.name, given.sha256)], &data, &String::from_utf8_lossy(&text))?;

@@ -54,7 +54,7 @@ pub struct Args {
 /// A file that cannot be read or written, too few poses in both.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--limit-mm", args.limit_mm)])?;
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
     let options = args.known.options()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;

@@ -74,7 +74,11 @@ pub struct Args {
 /// A file that cannot be read or written, an option that cannot be.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let options = args.known.options()?;
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
+    if args.page.report.is_some() || args.rapid_out.is_some() {
+        // The page draws six joints, and RAPID is for six.
+        robot.clone().six_axis().map_err(Diagnostic::from)?;
+    }
     let to_stdout = args.json.as_deref() == Some(Path::new("-"));
     let json = args.json.as_deref().filter(|_| !to_stdout).map(files::Pending::new).transpose()?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
@@ -123,7 +127,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         csv.write(found.residuals_csv().as_bytes())?;
     }
     if let Some(folder) = &args.plots {
-        for (name, picture) in plots::pictures(&found.findings, &job.robot.name) {
+        for (name, picture) in plots::pictures(&found.findings, &job.robot) {
             files::Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
         }
     }

@@ -77,7 +77,7 @@ fn open(dir: &Path) -> Result<Sealed, Diagnostic> {
 fn read(folder: &Path) -> anyhow::Result<Question> {
     let task: Task =
         toml::from_str(&String::from_utf8_lossy(&files::read(&folder.join("task.toml"), "task")?))?;
-    let robot = model::robot(&task.robot)?;
+    let robot = model::arm(&task.robot)?;
     let path = folder.join("measurements.csv");
     let measurements = Measurements::from_csv(&files::read(&path, "measurement file")?)
         .map_err(|e| Diagnostic::error("measure::file", format!("{}: {e}", path.display())))?;

@@ -6,7 +6,7 @@ use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::{BackedUp, Robot};
+use robot_model::robot::{BackedUp, Robot, SerialArm};
 use std::path::{Path, PathBuf};
 
 /// As [`robot`], with what the header of an emitted program says of it.
@@ -85,33 +85,41 @@ pub fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The robot that `--robot` names: a built-in one, or a file.
+/// The six-axis robot that `--robot` names: a built-in one, or a file.
+///
+/// # Errors
+/// What is wrong with the name or the file; `robot::six-axis` for an arm of other joints.
+pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
+    arm(name)?.six_axis().map_err(|error| in_file(name, error.into()))
+}
+
+/// The arm that `--robot` names, of four to seven joints: a built-in robot, or a file.
 ///
 /// # Errors
 /// What is wrong with the name or the file.
-pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
+pub fn arm(name: &str) -> Result<SerialArm, Diagnostic> {
     if let Some(robot) = Robot::built_in(name) {
-        return Ok(robot);
+        return Ok(robot.into());
     }
     if let Some(found) = backup(name) {
-        return Ok(found?.robot);
+        return Ok(found?.robot.into());
     }
     if let Some((path, tip)) = urdf(name) {
         let bytes = files::read(path, "URDF description")?;
-        return Robot::from_urdf(&String::from_utf8_lossy(&bytes), tip)
+        return SerialArm::from_urdf(&String::from_utf8_lossy(&bytes), tip)
             .map_err(|error| in_file(&path.display().to_string(), error.into()));
     }
     let path = Path::new(name);
     let looks_like_a_path =
         path.components().count() > 1 || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     if !path.exists() && !looks_like_a_path {
-        return Ok(Robot::by_name(name)?);
+        return Ok(Robot::by_name(name)?.into());
     }
     let bytes = files::read(path, "robot file")?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         Diagnostic::error("robot::toml", format!("{name}: not UTF-8 text after byte {}", error.valid_up_to()))
     })?;
-    Robot::from_toml(text).map_err(|error| in_file(name, error.into()))
+    SerialArm::from_toml(text).map_err(|error| in_file(name, error.into()))
 }
 
 /// What the backup says that `backup:FOLDER` or `backup:FOLDER:UNIT` names; `None` where the name is no such.
@@ -193,6 +201,8 @@ mod tests {
         assert_eq!(robot("irb121").unwrap_err().code, "robot::unknown");
         assert_eq!(robot("mine.toml").unwrap_err().code, "input::missing");
         assert_eq!(robot("IRB 2400").unwrap_err().code, "robot::coupled");
+        assert_eq!(arm("fixtures/robots/scara.toml").unwrap().joints.len(), 4);
+        assert_eq!(robot("fixtures/robots/scara.toml").unwrap_err().code, "robot::six-axis");
     }
 
     #[test]

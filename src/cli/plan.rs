@@ -96,8 +96,14 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be written, an option that cannot be, a robot without room.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
     let options = options(args)?;
+    if let Some(joint) = options.sweeps.joints.iter().find(|joint| **joint >= robot.joints.len()) {
+        let text = format!("--sweep {}: {} has {} joints", joint + 1, robot.name, robot.joints.len());
+        return Err(Diagnostic::error("option::range", text).into());
+    }
+    let six_axis =
+        args.rapid_out.as_ref().map(|_| robot.clone().six_axis()).transpose().map_err(Diagnostic::from)?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
     let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
@@ -105,16 +111,16 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let planned =
         console.while_busy("choosing poses", || plan(&robot, &options)).map_err(|error| refused(&error))?;
     if let Some(file) = csv {
-        file.write(poses_csv(&planned).as_bytes())?;
+        file.write(poses_csv(&planned, &robot).as_bytes())?;
     }
     if let Some(file) = template {
-        file.write(template_csv(&planned).as_bytes())?;
+        file.write(template_csv(&planned, &robot).as_bytes())?;
     }
-    if let Some(file) = module {
-        file.write(rapid(&planned, &robot).as_bytes())?;
+    if let (Some(file), Some(robot)) = (module, &six_axis) {
+        file.write(rapid(&planned, robot).as_bytes())?;
     }
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", report::json(&planned)).into_bytes()))?;
+    json.write(console, || Ok(format!("{:#}\n", report::json(&planned, &robot)).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     report::write(to, &planned, &robot.name)?;
     Ok(Outcome::Done)

@@ -3,7 +3,8 @@
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::units::deg_from_rad;
+use robot_model::robot::JointKind;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use std::path::PathBuf;
 
 /// Options of `robot`.
@@ -23,14 +24,21 @@ pub struct Args {
 /// # Errors
 /// What is wrong with the robot, or with where it goes.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
     let Some(path) = &args.output else {
         writeln!(console.out(), "{}\n{}", robot.name, robot.source)?;
         for (i, joint) in robot.joints.iter().enumerate() {
             let [x, y, z] = <[f64; 3]>::from(joint.axis.into_inner());
             let range = joint.range_rad.map_or_else(
                 || "without end".to_owned(),
-                |[low, high]| format!("{:.1} to {:.1} deg", deg_from_rad(low), deg_from_rad(high)),
+                |[low, high]| match joint.kind {
+                    JointKind::Revolute => {
+                        format!("{:.1} to {:.1} deg", deg_from_rad(low), deg_from_rad(high))
+                    }
+                    JointKind::Prismatic => {
+                        format!("slides, {:.1} to {:.1} mm", mm_from_m(low), mm_from_m(high))
+                    }
+                },
             );
             writeln!(console.out(), "joint {}  axis {x} {y} {z}  {range}", i + 1)?;
         }

@@ -5,7 +5,7 @@ use super::number::positive;
 use metrology::diagnose;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::Robot;
+use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
 
 /// The robot.
@@ -23,12 +23,20 @@ pub struct RobotName {
 }
 
 impl RobotName {
-    /// The robot that is named.
+    /// The six-axis robot that is named.
+    ///
+    /// # Errors
+    /// What is wrong with the name or the file; `robot::six-axis` for an arm of other joints.
+    pub fn load(&self) -> Result<Robot, Diagnostic> {
+        model::robot(&self.name)
+    }
+
+    /// The arm that is named, of four to seven joints.
     ///
     /// # Errors
     /// What is wrong with the name or the file.
-    pub fn load(&self) -> Result<Robot, Diagnostic> {
-        model::robot(&self.name)
+    pub fn load_arm(&self) -> Result<SerialArm, Diagnostic> {
+        model::arm(&self.name)
     }
 }
 

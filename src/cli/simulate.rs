@@ -11,6 +11,7 @@ use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, model, suggest};
 use driftpost::application::{Course, DeclaredNames, ProgramFiles, Simulation, check_names};
 use driftpost::report::simulation;
+use rapid_program::compensate::CompensateError;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
@@ -235,6 +236,10 @@ fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRob
     let of_modules =
         || made_with.one("temperature-c").ok().flatten().and_then(|text| temperatures(text).ok());
     let temperature_c = args.temperature_c.or_else(of_modules).map(|t| t.0);
+    if !identified.model.is_six_axis() {
+        let error = CompensateError::ModelJoints { joints: identified.model.joint_kinds.len() };
+        return Err(Diagnostic::error(error.code(), error.to_string()));
+    }
     if identified.model.needs_temperature() && temperature_c.is_none() {
         return Err(Diagnostic::error("model::temperature", "the model has terms in joint temperature")
             .help("say how warm the joints are, --temperature-c T or six values"));

@@ -13,7 +13,7 @@ use exam::{effect_spec, mixture};
 use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::GrowthLaw;
-use robot_model::robot::Robot;
+use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
@@ -125,11 +125,11 @@ impl From<SpreadName> for Spread {
 /// signal.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     check(args)?;
-    let robot = args.robot.load()?;
     let json = files::Output::new(args.json.as_deref())?;
     if let Some(points) = args.touches {
-        return touched(args, points, &robot, json, console);
+        return touched(args, points, &args.robot.load()?, json, console);
     }
+    let robot = args.robot.load_arm()?;
     let mut sealed = Sealed { seed: args.seed, sets: Vec::new() };
     let mut sets = Vec::new();
     for number in 0..args.sets {
@@ -207,7 +207,7 @@ fn check(args: &Args) -> Result<(), Diagnostic> {
 }
 
 /// One data set. The mixture draws again, from the same stream, where what it drew leaves no signal.
-fn one(args: &Args, robot: &Robot, number: u32) -> Result<DataSet, Diagnostic> {
+fn one(args: &Args, robot: &SerialArm, number: u32) -> Result<DataSet, Diagnostic> {
     const TRIES: usize = 50;
     let mut rng = Rng::new(args.seed, u64::from(number));
     for _ in 0..TRIES {

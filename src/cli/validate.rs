@@ -58,13 +58,13 @@ pub enum RefitScopeName {
 /// A file that cannot be read or written, or a registration that cannot be had.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--limit-mm", args.limit_mm)])?;
-    let robot = args.robot.load()?;
+    let robot = args.robot.load_arm()?;
     let identified = model::identified(&args.model)?;
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, _) = args.source.read(console)?;
     console.explain(
         &LocatedDiagnostic::all(
-            driftpost::application::model_of_another_robot(&identified.model, &robot),
+            driftpost::application::model_of_another_robot(&identified.model, &robot.name),
             &[],
         ),
         false,
@@ -93,6 +93,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 fn refused(error: ValidateError) -> Diagnostic {
     let code = match error {
         ValidateError::Register(_) => "measure::registration",
+        ValidateError::Joints { .. } => "measure::fault",
+        ValidateError::ModelJoints { .. } => "model::joints",
         ValidateError::NoMounting | ValidateError::Targets { .. } => "model::mounting",
     };
     Diagnostic::error(code, error.to_string())

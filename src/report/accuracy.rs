@@ -3,6 +3,7 @@
 use super::counted;
 use super::table::{Align, Table};
 use metrology::measure::{Performance, PosePerformance, Repeatability};
+use robot_model::robot::SerialArm;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -89,7 +90,7 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
 
 /// For scripts.
 #[must_use]
-pub fn json(found: &Performance, within: bool) -> Value {
+pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
     let rp = |r: Repeatability| json!({ "n": r.n, "mean_mm": mm_from_m(r.mean_m), "s_mm": mm_from_m(r.s_m), "rp_mm": mm_from_m(r.rp_m) });
     let poses: Vec<Value> = found
         .poses
@@ -104,7 +105,7 @@ pub fn json(found: &Performance, within: bool) -> Value {
                 })
                 .collect();
             json!({
-                "line": p.line, "id": p.id, "q_deg": p.q_rad.map(deg_from_rad),
+                "line": p.line, "id": p.id, "q_deg": robot.in_deg_or_mm(&p.q_rad),
                 "ap_mm": mm_from_m(p.accuracy.ap_m), "ap_xyz_mm": p.accuracy.of_axes_m.map(mm_from_m),
                 "repeatability": p.repeatability.map(rp),
                 "ap_abc_deg": p.orientation_rad.map(|o| o.0.map(deg_from_rad)),

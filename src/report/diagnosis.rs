@@ -3,6 +3,7 @@
 use super::cause_rows::{number, percent, plainly, rows};
 use metrology::diagnose::{Diagnosis, FalseRow, Verdict, describe};
 use robot_model::deform::EffectKind;
+use robot_model::robot::SerialArm;
 use robot_model::units::deg_from_rad;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.
@@ -14,7 +15,8 @@ const MOST_FALSE: usize = 12;
 
 /// The page in the terminal.
 #[must_use]
-pub fn text(d: &Diagnosis, robot: &str) -> String {
+pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
+    let robot = &arm.name;
     let mut page = String::new();
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     mostly_explained(&mut page, d);
@@ -26,7 +28,7 @@ pub fn text(d: &Diagnosis, robot: &str) -> String {
     evidence(&mut page, d);
     limits(&mut page, d);
     gain(&mut page, d);
-    next(&mut page, d);
+    next(&mut page, d, arm);
     page
 }
 
@@ -298,19 +300,22 @@ fn gain(page: &mut String, d: &Diagnosis) {
     }
 }
 
-fn next(page: &mut String, d: &Diagnosis) {
+fn next(page: &mut String, d: &Diagnosis, arm: &SerialArm) {
     if d.next_measurements.is_empty() {
         return;
     }
     line(page, "");
     line(page, "What to measure next");
-    line(page, "  approach: the way in which joints 1 to 6 turned last, + or -");
+    let joints = d.next_measurements.first().map_or(0, |pose| pose.q_deg.len());
+    line(page, &format!("  approach: the way in which joints 1 to {joints} turned last, + or -"));
+    let slides = arm.joints.iter().any(|joint| joint.kind.slides());
+    let unit = if slides { "deg or, where a joint slides, mm" } else { "deg" };
     for pose in &d.next_measurements {
         let joints: Vec<String> = pose.q_deg.iter().map(|q| format!("{q:7.1}")).collect();
         let signs: Vec<&str> = pose.dir.iter().map(|d| if *d < 0 { "-" } else { "+" }).collect();
         line(
             page,
-            &format!("  q {} deg, {} kg, approach {}", joints.join(" "), pose.payload_kg, signs.join("")),
+            &format!("  q {} {unit}, {} kg, approach {}", joints.join(" "), pose.payload_kg, signs.join("")),
         );
     }
 }

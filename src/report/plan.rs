@@ -2,7 +2,7 @@
 
 use super::table::{Align, Table};
 use metrology::plan::{Confounded, EffectName, GearLines, MeasurementPlan, MeasurementStep};
-use robot_model::units::deg_from_rad;
+use robot_model::robot::SerialArm;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -110,7 +110,7 @@ fn name(of: &EffectName) -> String {
 
 /// For scripts.
 #[must_use]
-pub fn json(plan: &MeasurementPlan) -> Value {
+pub fn json(plan: &MeasurementPlan, robot: &SerialArm) -> Value {
     let steps: Vec<Value> = plan
         .steps
         .iter()
@@ -118,7 +118,7 @@ pub fn json(plan: &MeasurementPlan) -> Value {
         .map(|(k, step)| match step {
             MeasurementStep::Nest { nest } => json!({ "id": k + 1, "nest": nest + 1 }),
             MeasurementStep::Pose { pose, q_rad, direction, payload_kg, .. } => json!({
-                "id": k + 1, "pose_id": pose + 1, "q_deg": q_rad.map(deg_from_rad), "dir": direction, "payload_kg": payload_kg,
+                "id": k + 1, "pose_id": pose + 1, "q_deg": robot.in_deg_or_mm(q_rad), "dir": direction, "payload_kg": payload_kg,
             }),
         })
         .collect();

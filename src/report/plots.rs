@@ -3,6 +3,7 @@
 
 use super::svg::{Panel, Picture};
 use metrology::diagnose::{Diagnosis, RowResidual};
+use robot_model::robot::SerialArm;
 
 /// More rows than this are thinned: a picture of them shows no more.
 const MOST_ROWS: usize = 1500;
@@ -13,14 +14,15 @@ const ARROW_SHARE: f64 = 0.04;
 
 /// Each picture's file name and text. None where no residual is known.
 #[must_use]
-pub fn pictures(d: &Diagnosis, robot: &str) -> Vec<(&'static str, String)> {
+pub fn pictures(d: &Diagnosis, arm: &SerialArm) -> Vec<(&'static str, String)> {
+    let robot = arm.name.as_str();
     let step = d.residuals.len().div_ceil(MOST_ROWS).max(1);
     let rows: Vec<&RowResidual> = d.residuals.iter().filter(|r| !r.outlier).step_by(step).collect();
     if rows.is_empty() {
         return Vec::new();
     }
     vec![
-        ("joints.svg", by_joint(&rows, robot)),
+        ("joints.svg", by_joint(&rows, arm)),
         ("time.svg", over_time(&rows, robot)),
         ("workspace.svg", in_workspace(&rows, robot)),
     ]
@@ -59,12 +61,17 @@ fn range(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     [low - room, high + room]
 }
 
-fn by_joint(rows: &[&RowResidual], robot: &str) -> String {
-    let mut picture =
-        Picture::new(1080.0, 700.0, &format!("{robot}: distance from the model by joint angle"));
+fn by_joint(rows: &[&RowResidual], arm: &SerialArm) -> String {
+    let robot = &arm.name;
+    let lines = arm.joints.len().div_ceil(3) as f64;
+    let mut picture = Picture::new(
+        1080.0,
+        100.0 + 300.0 * lines,
+        &format!("{robot}: distance from the model by joint angle"),
+    );
     legend(&mut picture, 60.0, 58.0);
     let high = 1.05 * largest(rows);
-    for j in 0..6 {
+    for (j, joint) in arm.joints.iter().enumerate() {
         let (column, line) = ((j % 3) as f64, (j / 3) as f64);
         let panel = Panel {
             left: 70.0 + 345.0 * column,
@@ -75,7 +82,8 @@ fn by_joint(rows: &[&RowResidual], robot: &str) -> String {
             y: [0.0, high],
         };
         let of = if j % 3 == 0 { "distance, mm" } else { "" };
-        picture.axes(&panel, &format!("joint {}, deg", j + 1), of);
+        let unit = if joint.kind.slides() { "mm" } else { "deg" };
+        picture.axes(&panel, &format!("joint {}, {unit}", j + 1), of);
         scatter(&mut picture, &panel, rows, |r| r.q_deg[j]);
     }
     picture.finish()

@@ -261,7 +261,7 @@ fn outside(effect: Effect, n: usize, seed: u64) -> Value {
         payloads_kg: [0.0, 3.0],
     };
     let robot = Robot::built_in("irb140").unwrap();
-    let set = data_set(&robot, "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();
+    let set = data_set(&(&robot).into(), "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();
     let (code, answer, json) = diagnose(set.csv.as_bytes(), &[]);
     assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{answer}");
     json.unwrap()

@@ -7,6 +7,7 @@
 )]
 
 mod architecture;
+mod arms;
 mod bad_measurements;
 mod cli;
 mod clock;

@@ -14,7 +14,7 @@ use metrology::diagnose::{
 };
 use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use std::fmt::Write as _;
 use std::fs;
 
@@ -25,7 +25,7 @@ const TIP_M: [f64; 3] = [0.06, -0.03, 0.11];
 
 /// A virtual robot with one effect, and poses to measure it at.
 struct Cell {
-    robot: Robot,
+    robot: SerialArm,
     robot_under_test: VirtualRobot,
     at: Vec<Commanded>,
     rng: Rng,
@@ -33,7 +33,7 @@ struct Cell {
 
 impl Cell {
     fn new(effect: Effect, n: usize, seed: u64) -> Self {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let recorded = Recorded::NOTED;
         let recipe = Recipe {
             name: "cell".into(),
@@ -94,14 +94,15 @@ impl Cell {
             }
         }
         let reached = (self.tip_m(&now, TIP_M) - goal_m).norm() < 1e-7;
-        (reached && self.robot.within_range(&now.q_rad).is_ok()).then_some(now)
+        (reached && self.robot.is_within_range(&now.q_rad)).then_some(now)
     }
 }
 
 const HEADER: &str = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,dir1,dir2,dir3,dir4,dir5,dir6,payload_kg";
 
 fn cells(at: &Commanded) -> String {
-    let mut out = at.q_rad.map(|q| format!("{:.6}", q.to_degrees())).join(",");
+    let joints: Vec<String> = at.q_rad.iter().map(|q| format!("{:.6}", q.to_degrees())).collect();
+    let mut out = joints.join(",");
     for d in at.direction {
         write!(out, ",{d}").unwrap();
     }
@@ -114,7 +115,7 @@ fn mm(p: &Vector3<f64>) -> String {
 }
 
 fn answer(csv: &str) -> Diagnosis {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let measurements = Measurements::from_csv(csv.as_bytes()).unwrap();
     diagnose(&measurements, &robot, &Options { tool_m: None, sigma_m: Some(SIGMA_M) })
 }
@@ -184,7 +185,7 @@ fn a_draw_wire_is_enough_to_see_a_gear_that_gives() {
 
 /// What a model found in one file leaves of another, and what the nominal arm leaves, mm rms.
 fn validated(learn: &str, test: &str) -> [f64; 2] {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
     let options = Options { tool_m: None, sigma_m: Some(SIGMA_M) };
     let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();

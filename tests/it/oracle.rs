@@ -12,7 +12,7 @@ use exam::poses::{RunSpec, states};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use nalgebra::{DMatrix, DVector, Isometry3, Point3, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -202,7 +202,7 @@ impl Forms<'_> {
 }
 
 /// Set number `number`: its recipe and its run, from the same draws as `synth` takes them.
-fn question(robot: &Robot, number: u64) -> (Recipe, Reading) {
+fn question(robot: &SerialArm, number: u64) -> (Recipe, Reading) {
     let arm = Arm::new(robot);
     let (mut rng, mut robot_under_test) = (Rng::new(SEED, number), Rng::new(SEED, number));
     loop {
@@ -270,7 +270,7 @@ fn ranked(
 #[test]
 #[ignore = "two minutes optimised: cargo test --release --test it oracle:: -- --ignored --nocapture"]
 fn what_could_be_known_of_weak_effects() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let (mut asked, mut first, mut two) = (0.0, 0.0, 0.0);
     for number in 0..SETS {
         let (recipe, seen) = question(&robot, number);

@@ -15,8 +15,8 @@ use metrology::plan::{
 };
 use nalgebra::{DMatrix, DVector, Vector3};
 use rayon::prelude::*;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::SerialArm;
 use virtual_controller::Controller;
 
 fn options(n: usize, repeats: usize) -> PlanOptions {
@@ -48,7 +48,7 @@ fn arm_steps(plan: &MeasurementPlan) -> Vec<CommandedRow> {
 
 #[test]
 fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let options = PlanOptions {
         nests: 2,
         space: Space { floor_m: 0.2, reach_m: Some(0.7), box_m: Some([[0.0, -0.6, 0.2], [0.8, 0.6, 1.0]]) },
@@ -63,10 +63,10 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
     let nests = planned.steps.len() - rows.len();
     // Before rows 1, 11 and 21, and at the end.
     assert_eq!(nests, 2 * 4);
-    let chain = Chain::nominal(&robot);
+    let chain = SerialChain::nominal(&robot);
     for step in &planned.steps {
         let MeasurementStep::Pose { q_rad, approach_rad, direction, .. } = step else { continue };
-        assert!(robot.within_range(q_rad).is_ok() && robot.within_range(approach_rad).is_ok());
+        assert!(robot.is_within_range(q_rad) && robot.is_within_range(approach_rad));
         for j in 0..6 {
             let moved = q_rad[j] - approach_rad[j];
             assert!((moved - f64::from(direction[j]) * 3.0_f64.to_radians()).abs() < 1e-12);
@@ -82,7 +82,7 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
     }
 
     // The sheet, filled in with what a perfect robot would show.
-    let sheet = template_csv(&planned);
+    let sheet = template_csv(&planned, &robot);
     let mut filled = String::new();
     for (k, line) in sheet.lines().enumerate() {
         let cells: Vec<&str> = line.split(',').collect();
@@ -102,9 +102,10 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
     let sheet_rows: Vec<_> = read.rows.iter().filter(|r| r.reading.involves_arm()).collect();
 
     // The module on the virtual controller: every second move ends at a row's joints, come to from its side.
-    let text = rapid(&planned, &robot);
+    let six = robot.six_axis().unwrap();
+    let text = rapid(&planned, &six);
     assert!(text.is_ascii() && text.lines().all(|l| l.len() <= 255), "{text}");
-    let mut controller = Controller::with_robot(&robot).unwrap();
+    let mut controller = Controller::with_robot(&six).unwrap();
     controller.load("DriftpostPlan.mod", text.as_bytes()).unwrap();
     controller.call("dpMeasure", 1).unwrap();
     let moves = controller.arm_mut().unwrap().take_moves();
@@ -113,13 +114,13 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
         let q_rad = made.q_rad.unwrap();
         // RAPID's numbers are single precision.
         assert!(q_rad.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < 1e-6), "line {}", row.line);
-        assert_eq!(Some(made.direction), row.direction, "line {}", row.line);
+        assert_eq!(Some(made.direction.into()), row.direction, "line {}", row.line);
     }
 }
 
 #[test]
 fn separation_is_what_a_regression_leaves() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let tool_m = Vector3::new(0.08, 0.06, 0.1);
     let planned = plan_from(&robot, &options(30, 0), 60, 0).unwrap();
     let sigma_m = 2e-5;
@@ -163,7 +164,7 @@ fn separation_is_what_a_regression_leaves() {
 /// Sweeps of two joints: equal steps of one joint, the others still, and its lines better known than without.
 #[test]
 fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let plain = plan_from(&robot, &options(24, 0), 120, 0).unwrap();
     let sweeps = Sweeps { joints: vec![1, 2], n: 40, step_rad: 0.5_f64.to_radians() };
     let swept = plan_from(&robot, &PlanOptions { sweeps, ..options(24, 0) }, 120, 0).unwrap();
@@ -179,7 +180,7 @@ fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
             assert_eq!(pair[0].direction, [1; 6]);
             assert_ne!(pair[0].pose, pair[1].pose);
         }
-        assert!(rows.iter().all(|row| robot.within_range(&row.q_rad).is_ok()));
+        assert!(rows.iter().all(|row| robot.is_within_range(&row.q_rad)));
     }
     let lines = |plan: &MeasurementPlan, joint: usize| {
         plan.outlook.lines.iter().find(|l| l.joint == joint).cloned().unwrap()
@@ -231,7 +232,7 @@ fn right(found: &Diagnosis, effect: &Effect) -> bool {
 
 /// First answers right of random and of planned poses, of how many: the same effects at the same true sizes.
 fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64) -> [usize; 3] {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let rows = arm_steps(planned);
     let effects: Vec<Effect> = (2..=5)
         .flat_map(|joint| {
@@ -285,7 +286,7 @@ fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64
 #[test]
 #[ignore = "minutes; run with --release: docs/PLAN.md has its figures"]
 fn sixty_planned_poses_beat_sixty_random_ones() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let options = options(60, 10);
     let planned = plan(&robot, &options).unwrap();
     let mut all = [0; 3];
@@ -300,7 +301,7 @@ fn sixty_planned_poses_beat_sixty_random_ones() {
 
 #[test]
 fn planned_poses_tell_more_than_random_ones() {
-    let robot = Robot::built_in("irb140").unwrap();
+    let robot = SerialArm::built_in("irb140").unwrap();
     let options = options(24, 0);
     let chance = plan_from(&robot, &options, 200, 0).unwrap();
     let planned = plan_from(&robot, &options, 200, 1).unwrap();

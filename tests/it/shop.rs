@@ -8,7 +8,7 @@ use exam::truth::{InjectedEffect, QuestionKind, Truth};
 use exam::virtual_robot::{Commanded, VirtualRobot};
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::robot::{Robot, SerialArm};
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::fs;
@@ -50,7 +50,7 @@ fn robot_under_test(effects: &[(Effect, f64)]) -> VirtualRobot {
         before_rms_mm: 0.0,
         oracle_rms_mm: 0.0,
     };
-    VirtualRobot::from_truth(&Robot::built_in("irb140").unwrap(), &truth)
+    VirtualRobot::from_truth(&SerialArm::built_in("irb140").unwrap(), &truth)
 }
 
 /// Forty poses all over, the same each time.
@@ -76,7 +76,12 @@ fn file(
     let mut rng = Rng::new(seed, 0);
     let mut csv = String::from("id,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n");
     for (k, q_rad) in poses().into_iter().enumerate() {
-        let at = Commanded { q_rad, direction: [1; 6], payload_kg: 0.0, payload_at_m: [0.0; 3] };
+        let at = Commanded {
+            q_rad: q_rad.into(),
+            direction: [1; 6].into(),
+            payload_kg: 0.0,
+            payload_at_m: [0.0; 3],
+        };
         let tip = (robot.flange(&at) * Point3::from(tip_m)).coords + Vector3::from(rng.normal3()) * SIGMA_M;
         let seen = (instrument_from_base * Point3::from(tip)).coords;
         let joints = q_rad.map(|q| format!("{:.6}", q.to_degrees())).join(",");

@@ -1,11 +1,12 @@
 //! A virtual arm by the product of exponentials (Brockett 1984; Lynch and Park 2017, eq. 4.14).
 //!
-//! `base_from_flange(q) = exp(X_1) exp(S_1 q_1) ... exp(X_6) exp(S_6 q_6) exp(X_7) M` with the screws S_i of
+//! `base_from_flange(q) = exp(X_1) exp(S_1 q_1) ... exp(X_n) exp(S_n q_n) exp(X_n+1) M` with the screws S_i (of pitch zero, or
+//! infinite where a joint slides) of
 //! the zero pose in the base frame and small displacements X_i of each joint's seat. Nothing here
 //! comes from `kinematics`.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, MOST_JOINTS, SerialArm};
 
 /// Standard gravity, m/s² (CGPM 1901).
 pub const GRAVITY_M_S2: f64 = 9.806_65;
@@ -15,6 +16,7 @@ pub const GRAVITY_M_S2: f64 = 9.806_65;
 struct Screw {
     axis: Vector3<f64>,
     point_m: Vector3<f64>,
+    slides: bool,
 }
 
 /// A load that gravity pulls on: it moves with a joint, `after` counting joints before it.
@@ -28,7 +30,7 @@ struct Mass {
 /// The arm at its zero pose.
 #[derive(Clone, Debug)]
 pub struct Arm {
-    screws: [Screw; 6],
+    screws: Vec<Screw>,
     home: Isometry3<f64>,
     masses: Vec<Mass>,
 }
@@ -36,12 +38,12 @@ pub struct Arm {
 /// What disturbs the arm in one pose. Everything zero is the nominal arm.
 #[derive(Clone, Copy, Debug)]
 pub struct Disturbance {
-    /// Added to each joint angle, radians.
-    pub joint_rad: [f64; 6],
-    /// Shift of the seat of joints 1 to 6 and of the tool, in base axes at the zero pose, metres.
-    pub seat_m: [Vector3<f64>; 7],
+    /// Added to each joint, radians; metres where it slides.
+    pub joint_rad: [f64; MOST_JOINTS],
+    /// Shift of the seat of each joint and, behind the last, of the tool, in base axes at the zero pose, metres.
+    pub seat_m: [Vector3<f64>; MOST_JOINTS + 1],
     /// Turn of the same seats about their joint's point, rotation vector, radians.
-    pub seat_rad: [Vector3<f64>; 7],
+    pub seat_rad: [Vector3<f64>; MOST_JOINTS + 1],
     /// The base moves: shift in metres and rotation vector in radians, in base axes.
     pub base_m: Vector3<f64>,
     /// Rotation vector of the base, radians, in base axes.
@@ -55,9 +57,9 @@ pub struct Disturbance {
 impl Default for Disturbance {
     fn default() -> Self {
         Self {
-            joint_rad: [0.0; 6],
-            seat_m: [Vector3::zeros(); 7],
-            seat_rad: [Vector3::zeros(); 7],
+            joint_rad: [0.0; MOST_JOINTS],
+            seat_m: [Vector3::zeros(); MOST_JOINTS + 1],
+            seat_rad: [Vector3::zeros(); MOST_JOINTS + 1],
             base_m: Vector3::zeros(),
             base_rad: Vector3::zeros(),
             point_m: Vector3::zeros(),
@@ -72,14 +74,24 @@ fn turn_about(point_m: &Vector3<f64>, rotation_rad: Vector3<f64>, shift_m: Vecto
     Isometry3::from_parts(Translation3::from(point_m - rotation * point_m + shift_m), rotation)
 }
 
+impl Screw {
+    /// `exp` of the screw times the joint's coordinate.
+    fn moved(&self, by: f64) -> Isometry3<f64> {
+        if self.slides {
+            return Isometry3::from_parts(Translation3::from(self.axis * by), UnitQuaternion::identity());
+        }
+        turn_about(&self.point_m, self.axis * by, Vector3::zeros())
+    }
+}
+
 impl Arm {
     /// The arm of a robot file, with its links' masses where the file has them.
     #[must_use]
-    pub fn new(robot: &Robot) -> Self {
+    pub fn new(robot: &SerialArm) -> Self {
         let mut zero = Isometry3::identity();
         let mut masses = Vec::new();
-        let screws = std::array::from_fn(|i| {
-            zero *= robot.joints[i].previous_from_joint;
+        let screw = |(i, joint): (usize, &robot_model::robot::Joint)| {
+            zero *= joint.previous_from_joint;
             if let Some(links) = &robot.links {
                 masses.push(Mass {
                     after: i + 1,
@@ -88,32 +100,46 @@ impl Arm {
                 });
             }
             Screw {
-                axis: zero.rotation * robot.joints[i].axis.into_inner(),
+                axis: zero.rotation * joint.axis.into_inner(),
                 point_m: zero.translation.vector,
+                slides: joint.kind.slides(),
             }
-        });
-        Self { screws, home: zero * robot.joint6_from_flange, masses }
+        };
+        let screws = robot.joints.iter().enumerate().map(screw).collect();
+        Self { screws, home: zero * robot.last_from_flange, masses }
+    }
+
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.screws.len()
+    }
+
+    /// Whether joint `i` (from 0) slides.
+    #[must_use]
+    pub fn slides(&self, i: usize) -> bool {
+        self.screws.get(i).is_some_and(|screw| screw.slides)
     }
 
     /// The base's frame to the flange's.
     #[must_use]
-    pub fn flange(&self, q_rad: &[f64; 6], disturbance: &Disturbance) -> Isometry3<f64> {
+    pub fn flange(&self, q_rad: &[f64], disturbance: &Disturbance) -> Isometry3<f64> {
         let mut pose = turn_about(&Vector3::zeros(), disturbance.base_rad, disturbance.base_m);
         for (i, screw) in self.screws.iter().enumerate() {
             pose *= turn_about(&screw.point_m, disturbance.seat_rad[i], disturbance.seat_m[i]);
-            let angle = q_rad[i] + disturbance.joint_rad[i];
-            pose *= turn_about(&screw.point_m, screw.axis * angle, Vector3::zeros());
+            pose *= screw.moved(q_rad[i] + disturbance.joint_rad[i]);
         }
         let flange_m = self.home.translation.vector;
-        pose * turn_about(&flange_m, disturbance.seat_rad[6], disturbance.seat_m[6]) * self.home
+        let tool = self.joints();
+        pose * turn_about(&flange_m, disturbance.seat_rad[tool], disturbance.seat_m[tool]) * self.home
     }
 
     /// Potential energy of links and payload in joules.
-    fn potential_j(&self, q_rad: &[f64; 6], payload_kg: f64, payload_at_m: &Point3<f64>) -> f64 {
+    fn potential_j(&self, q_rad: &[f64], payload_kg: f64, payload_at_m: &Point3<f64>) -> f64 {
         let mut pose = Isometry3::identity();
         let mut energy = 0.0;
         for (i, screw) in self.screws.iter().enumerate() {
-            pose *= turn_about(&screw.point_m, screw.axis * q_rad[i], Vector3::zeros());
+            pose *= screw.moved(q_rad[i]);
             for mass in self.masses.iter().filter(|m| m.after == i + 1) {
                 energy += mass.mass_kg * GRAVITY_M_S2 * (pose * mass.at_zero_m).z;
             }
@@ -121,19 +147,14 @@ impl Arm {
         energy + payload_kg * GRAVITY_M_S2 * (pose * self.home * payload_at_m).z
     }
 
-    /// Torque of gravity about each axis in N·m, positive where it turns the joint forward:
+    /// Torque of gravity about each axis in N·m (along one that slides: force in N), positive where it turns the joint forward:
     /// `-dU/dq`, by central differences. `payload_at_m` is the payload's centre in the flange frame.
     #[must_use]
-    pub fn gravity_torque_n_m(
-        &self,
-        q_rad: &[f64; 6],
-        payload_kg: f64,
-        payload_at_m: &Point3<f64>,
-    ) -> [f64; 6] {
+    pub fn gravity_torque_n_m(&self, q_rad: &[f64], payload_kg: f64, payload_at_m: &Point3<f64>) -> Joints {
         const STEP_RAD: f64 = 1e-4;
-        std::array::from_fn(|i| {
+        Joints::from_fn(self.joints(), |i| {
             let at = |sign: f64| {
-                let mut q = *q_rad;
+                let mut q: Joints = q_rad.iter().copied().collect();
                 q[i] += sign * STEP_RAD;
                 self.potential_j(&q, payload_kg, payload_at_m)
             };
@@ -147,7 +168,7 @@ impl Arm {
     pub fn moment_n_m(
         &self,
         i: usize,
-        q_rad: &[f64; 6],
+        q_rad: &[f64],
         payload_kg: f64,
         payload_at_m: &Point3<f64>,
     ) -> Vector3<f64> {
@@ -159,7 +180,7 @@ impl Arm {
             if k == i {
                 before = pose;
             }
-            pose *= turn_about(&screw.point_m, screw.axis * q_rad[k], Vector3::zeros());
+            pose *= screw.moved(q_rad[k]);
             if k >= i {
                 loads.extend(
                     self.masses.iter().filter(|m| m.after == k + 1).map(|m| (m.mass_kg, pose * m.at_zero_m)),
@@ -193,7 +214,7 @@ mod tests {
     use super::*;
 
     fn irb140() -> Arm {
-        Arm::new(&Robot::built_in("irb140").unwrap())
+        Arm::new(&SerialArm::built_in("irb140").unwrap())
     }
 
     #[test]
@@ -203,6 +224,20 @@ mod tests {
         let flange = irb140().flange(&q, &Disturbance::default());
         let off = flange.translation.vector - Vector3::new(0.55, 0.15, 0.55);
         assert!(off.norm() < 2e-4, "{off}");
+    }
+
+    #[test]
+    fn a_scara_stands_where_its_two_links_and_its_spindle_put_it() {
+        let arm = SerialArm::from_toml(include_str!("../../../fixtures/robots/scara.toml")).unwrap();
+        let [q1, q2, z_m]: [f64; 3] = [0.5, -1.1, -0.08];
+        let flange = Arm::new(&arm).flange(&[q1, q2, z_m, 0.7], &Disturbance::default());
+        let x = 0.325 * q1.cos() + 0.275 * (q1 + q2).cos();
+        let y = 0.325 * q1.sin() + 0.275 * (q1 + q2).sin();
+        let off = flange.translation.vector - Vector3::new(x, y, 0.34 + z_m - 0.02);
+        assert!(off.norm() < 1e-15, "{off}");
+        // The weight of spindle and payload along it: 1.5, 0.5 and 2 kg, downward.
+        let force = Arm::new(&arm).gravity_torque_n_m(&[q1, q2, z_m, 0.7], 2.0, &Point3::origin())[2];
+        assert!((force + 4.0 * GRAVITY_M_S2).abs() < 1e-6, "{force}");
     }
 
     #[test]

@@ -29,22 +29,33 @@ pub(super) fn csv(
     let has = |wanted: fn(&Effect) -> bool| effects.iter().any(|(e, _)| wanted(e));
     let rounded = has(|e| matches!(e, Effect::JointRounding));
     let swapped = has(|e| matches!(e, Effect::SwappedAxes));
+    // Writing to a String cannot fail.
     let mut out = String::from("id,pose_id");
     if recorded.time {
         out += ",t_min";
     }
-    out += ",q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm";
+    let joints = run.arm.joints();
+    for j in 0..joints {
+        let unit = if run.arm.slides(j) { "mm" } else { "deg" };
+        let _ = write!(out, ",q{}_{unit}", j + 1);
+    }
+    out += ",x_mm,y_mm,z_mm";
     if recorded.orientation {
         out += ",qw,qx,qy,qz";
     }
     if recorded.direction {
-        out += ",dir1,dir2,dir3,dir4,dir5,dir6";
+        for joint in 1..=joints {
+            let _ = write!(out, ",dir{joint}");
+        }
     }
     if recorded.payload {
         out += ",payload_kg";
     }
     if recorded.temperature {
-        out += ",temp_j1_c,temp_j2_c,temp_j3_c,temp_j4_c,temp_j5_c,temp_j6_c,temp_air_c";
+        for joint in 1..=joints {
+            let _ = write!(out, ",temp_j{joint}_c");
+        }
+        out += ",temp_air_c";
     }
     out.push('\n');
     for ((k, now), pose) in run.states.iter().enumerate().zip(poses) {
@@ -53,8 +64,8 @@ pub(super) fn csv(
         if recorded.time {
             let _ = write!(out, ",{:.2}", now.t_min);
         }
-        for q in now.q_rad {
-            let deg = deg_from_rad(q);
+        for (j, q) in now.q_rad.into_iter().enumerate() {
+            let deg = if run.arm.slides(j) { mm_from_m(q) } else { deg_from_rad(q) };
             let _ = if rounded { write!(out, ",{deg:.1}") } else { write!(out, ",{deg:.6}") };
         }
         let p = instrument_from_base * Point3::from(run.nominal_m[k] + off_m[k]);

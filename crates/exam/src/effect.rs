@@ -6,29 +6,32 @@
 use super::arm::{Arm, Disturbance};
 use super::smooth::{Moved, SmoothFunction};
 use nalgebra::{Point3, Vector3};
+use robot_model::robot::{Joints, MOST_JOINTS};
 use robot_model::units::h_from_min;
 use serde::{Deserialize, Serialize};
 
 /// Compliance of an ordinary small arm's joints, through which a wrong payload acts, rad/(N·m).
-const USUAL_COMPLIANCE_RAD_N_M: [f64; 6] = [4e-6, 6e-6, 8e-6, 50e-6, 60e-6, 80e-6];
+const USUAL_COMPLIANCE_RAD_N_M: [f64; MOST_JOINTS] = [4e-6, 6e-6, 8e-6, 50e-6, 60e-6, 80e-6, 80e-6];
+/// The same of a joint that slides, m/N.
+const USUAL_COMPLIANCE_M_N: f64 = 2e-8;
 
 /// Where the robot is and how it came there.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmState {
     /// Joint angles as commanded, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Since cold start, minutes.
     pub t_min: f64,
     /// Sign of each joint's last motion.
-    pub direction: [i8; 6],
+    pub direction: Joints<i8>,
     /// What hangs on the flange, kg.
     pub payload_kg: f64,
     /// Its centre in the flange frame, metres.
     pub payload_at_m: Point3<f64>,
     /// How much warmer each joint is than at cold start, K.
-    pub warmer_k: [f64; 6],
+    pub warmer_k: Joints,
     /// Torque of gravity about each joint, N·m.
-    pub torque_n_m: [f64; 6],
+    pub torque_n_m: Joints,
     /// Where the nominal arm's measured point stands in the base frame, metres.
     pub point_m: Vector3<f64>,
 }
@@ -274,6 +277,30 @@ impl Effect {
         }
     }
 
+    /// Whether an arm of so many joints has the joints that it names.
+    #[must_use]
+    pub fn fits(&self, joints: usize) -> bool {
+        match *self {
+            Self::JointOffset { joint }
+            | Self::LinkGeometry { joint, .. }
+            | Self::JointCompliance { joint }
+            | Self::GearEccentricity { joint, .. }
+            | Self::GearSecondHarmonic { joint, .. }
+            | Self::GearMesh { joint, .. }
+            | Self::JointGain { joint }
+            | Self::Backlash { joint, .. }
+            | Self::ThermalLinkGrowth { joint }
+            | Self::ThermalJointDrift { joint }
+            | Self::SquareWave { joint, .. } => joint <= joints,
+            Self::LinkBending { joint } => joint < joints,
+            Self::JointCoupling { joint, joint_b } => joint.max(joint_b) <= joints,
+            Self::CrossTerm { joint, a, b } => joint.max(a).max(b) <= joints,
+            // Hoses of a wrist, and functions drawn for six joints.
+            Self::CablePull { .. } | Self::SmoothFunction(_) => joints == 6,
+            _ => true,
+        }
+    }
+
     /// Adds the effect to what disturbs the arm at one moment. `amplitude` is in the effect's own SI unit.
     pub fn disturb(&self, arm: &Arm, amplitude: f64, now: &ArmState, to: &mut Disturbance) {
         let q = |joint: usize| now.q_rad[joint - 1];
@@ -324,7 +351,7 @@ impl Effect {
             }
             Self::ThermalLinkGrowth { joint } => {
                 let growth = arm.link_m(joint - 1) * (amplitude * now.warmer_k[joint - 1]);
-                to.seat_m[joint.min(6)] += growth;
+                to.seat_m[joint.min(arm.joints())] += growth;
             }
             Self::ThermalJointDrift { joint } => {
                 to.joint_rad[joint - 1] += amplitude * now.warmer_k[joint - 1] / 10.0;
@@ -341,19 +368,21 @@ impl Effect {
             }
             Self::ToolDrift { direction } => {
                 let (shift, turn) = rigid(&direction, amplitude * h_from_min(now.t_min));
-                to.seat_m[6] += shift;
-                to.seat_rad[6] += turn;
+                to.seat_m[arm.joints()] += shift;
+                to.seat_rad[arm.joints()] += turn;
             }
             Self::ToolStep { t0_min, direction } if now.t_min >= t0_min => {
                 let (shift, turn) = rigid(&direction, amplitude);
-                to.seat_m[6] += shift;
-                to.seat_rad[6] += turn;
+                to.seat_m[arm.joints()] += shift;
+                to.seat_rad[arm.joints()] += turn;
             }
             Self::InstrumentScale => to.instrument_scale += amplitude,
             Self::PayloadMass => {
                 let with = arm.gravity_torque_n_m(&now.q_rad, now.payload_kg + amplitude, &now.payload_at_m);
                 for (i, torque) in with.iter().enumerate() {
-                    to.joint_rad[i] += USUAL_COMPLIANCE_RAD_N_M[i] * (torque - now.torque_n_m[i]);
+                    let gives =
+                        if arm.slides(i) { USUAL_COMPLIANCE_M_N } else { USUAL_COMPLIANCE_RAD_N_M[i] };
+                    to.joint_rad[i] += gives * (torque - now.torque_n_m[i]);
                 }
             }
             Self::SquareWave { joint, n, phase_rad } => {
@@ -375,7 +404,7 @@ impl Effect {
                 match function.moves {
                     Moved::Joint(joint) => to.joint_rad[joint - 1] += value(0),
                     Moved::Point => to.point_m += shift(),
-                    Moved::Target => to.seat_m[6] += shift(),
+                    Moved::Target => to.seat_m[arm.joints()] += shift(),
                 }
             }
             Self::CrossTerm { joint, a, b } => {

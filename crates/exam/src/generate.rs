@@ -10,7 +10,7 @@ use super::rng::Rng;
 use super::run::MeasuredRun;
 use super::truth::{InjectedEffect, Truth};
 use nalgebra::{Point3, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use robot_model::units::{m_from_mm, mm_from_m};
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ pub struct DataSet {
 /// Makes a data set; `None` where an effect of the recipe leaves no signal over its poses, or would have to
 /// be out of all proportion to be as large as asked.
 #[must_use]
-pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, rng: &mut Rng) -> Option<DataSet> {
+pub fn data_set(robot: &SerialArm, robot_name: &str, recipe: &Recipe, rng: &mut Rng) -> Option<DataSet> {
     let arm = Arm::new(robot);
     let tool_m = Vector3::new(rng.uniform(0.03, 0.12), rng.uniform(-0.08, 0.08), rng.uniform(0.05, 0.15));
     let run = RunSpec {
@@ -59,7 +59,7 @@ pub fn data_set(robot: &Robot, robot_name: &str, recipe: &Recipe, rng: &mut Rng)
 /// recipe's own poses and sizes are not used.
 #[must_use]
 pub fn planned_set(
-    robot: &Robot,
+    robot: &SerialArm,
     robot_name: &str,
     recipe: &Recipe,
     tool_m: Vector3<f64>,
@@ -103,6 +103,9 @@ fn measured(
     let mut injected = Vec::new();
     let mut effects = Vec::new();
     for (k, (effect, rho)) in recipe.effects.iter().enumerate() {
+        if !effect.fits(arm.joints()) {
+            return None;
+        }
         let unscaled = matches!(effect, Effect::JointRounding | Effect::SwappedAxes);
         let effect = match effect {
             Effect::SmoothFunction(function) => {
@@ -128,7 +131,7 @@ fn measured(
         });
     }
     let mut background = Disturbance::default();
-    for i in 0..6 {
+    for i in 0..arm.joints() {
         background.seat_m[i] = Vector3::from(rng.normal3()) * (1.5e-4 * recipe.geometry);
         background.seat_rad[i] = Vector3::from(rng.normal3()) * (2.5e-4 * recipe.geometry);
     }
@@ -201,7 +204,7 @@ mod tests {
 
     #[test]
     fn the_effect_is_as_large_as_asked_and_the_oracle_is_left_with_the_noise() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         for seed in 0..5 {
             let wanted = 3.0;
             let recipe = recipe(vec![(Effect::JointCompliance { joint: 2 }, wanted)]);
@@ -217,14 +220,14 @@ mod tests {
 
     #[test]
     fn an_offset_of_joint_1_leaves_no_signal() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let recipe = recipe(vec![(Effect::JointOffset { joint: 1 }, 2.0)]);
         assert!(data_set(&robot, "irb140", &recipe, &mut Rng::new(3, 0)).is_none());
     }
 
     #[test]
     fn every_row_has_every_column_and_the_same_seed_the_same_bytes() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let make = || {
             let recipe = recipe(vec![(Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.3 }, 1.0)]);
             data_set(&robot, "irb140", &recipe, &mut Rng::new(11, 2)).unwrap().csv

@@ -66,7 +66,8 @@ fn library(run: &MeasuredRun<'_>) -> Vec<DMatrix<f64>> {
         all.push(units.iter().map(|&direction| Effect::BaseStep { t0_min, direction }).collect());
         all.push(units.iter().map(|&direction| Effect::ToolStep { t0_min, direction }).collect());
     }
-    for joint in 1..=6 {
+    let joints = run.arm.joints();
+    for joint in 1..=joints {
         all.push(vec![Effect::JointOffset { joint }]);
         all.push(units.iter().map(|&direction| Effect::LinkGeometry { joint, direction }).collect());
         all.push(vec![Effect::JointCompliance { joint }]);
@@ -74,8 +75,10 @@ fn library(run: &MeasuredRun<'_>) -> Vec<DMatrix<f64>> {
         all.push(vec![Effect::Backlash { joint, holding_n_m: f64::INFINITY }]);
         all.push(vec![Effect::ThermalLinkGrowth { joint }]);
         all.push(vec![Effect::ThermalJointDrift { joint }]);
-        all.extend((1..=5).filter(|link| *link == joint).map(|joint| vec![Effect::LinkBending { joint }]));
-        for joint_b in (1..=6).filter(|b| *b != joint) {
+        all.extend(
+            (1..joints).filter(|link| *link == joint).map(|joint| vec![Effect::LinkBending { joint }]),
+        );
+        for joint_b in (1..=joints).filter(|b| *b != joint) {
             all.push(vec![Effect::JointCoupling { joint, joint_b }]);
         }
         all.extend(LINES.map(|n| phases.map(|phase_rad| Effect::GearMesh { joint, n, phase_rad }).to_vec()));
@@ -95,12 +98,12 @@ mod tests {
     use crate::poses::{RunSpec, Spread, states};
     use crate::smooth::{Domain, Moved};
     use nalgebra::{Point3, Vector3};
-    use robot_model::robot::Robot;
+    use robot_model::robot::SerialArm;
 
     /// A joint's function that is so long that it is a line is its gain, and is never let through; a short one is.
     #[test]
     fn a_function_that_is_a_line_is_the_librarys_and_one_that_winds_is_not() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let arm = Arm::new(&robot);
         let tool_m = Vector3::new(0.05, 0.02, 0.1);
         let spec = RunSpec { spread: Spread::Wide, n: 60, repeats: 0, tool_m, payloads_kg: [0.0, 0.0] };

@@ -4,7 +4,7 @@ use super::arm::{Arm, Disturbance};
 use super::effect::ArmState;
 use super::rng::Rng;
 use nalgebra::{Point3, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, MOST_JOINTS, SerialArm};
 use robot_model::units::rad_from_deg;
 use serde::{Deserialize, Serialize};
 
@@ -44,26 +44,38 @@ impl Recorded {
 }
 
 /// Half the width, in degrees, that each joint moves over where its range is wider.
-const WIDEST_DEG: [f64; 6] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0];
-/// The middle of a small arm's working posture, degrees.
+const WIDEST_DEG: [f64; MOST_JOINTS] = [120.0, 90.0, 100.0, 150.0, 110.0, 180.0, 180.0];
+/// The same of a joint that slides and has no range, metres.
+const WIDEST_M: f64 = 0.1;
+/// The middle of a small six-axis arm's working posture, degrees.
 const POSTURE_DEG: [f64; 6] = [10.0, 20.0, 5.0, 25.0, 45.0, -20.0];
 
-fn joints(robot: &Robot, rng: &mut Rng, spread: Spread, k: usize, n: usize) -> [f64; 6] {
+fn joints(robot: &SerialArm, rng: &mut Rng, spread: Spread, k: usize, n: usize) -> Joints {
+    let count = robot.joints.len();
     let limit = |i: usize| {
+        if robot.joints[i].kind.slides() {
+            return robot.joints[i].range_rad.unwrap_or([-WIDEST_M, WIDEST_M]);
+        }
         let wide = rad_from_deg(WIDEST_DEG[i]);
         robot.joints[i]
             .range_rad
             .map_or([-wide, wide], |[lo, hi]| [lo.max(-wide) * 0.95, hi.min(wide) * 0.95])
     };
-    let posture = POSTURE_DEG.map(rad_from_deg);
+    let posture = Joints::from_fn(count, |i| match POSTURE_DEG.get(i).filter(|_| count == 6) {
+        Some(deg) => rad_from_deg(*deg),
+        None => limit(i).iter().sum::<f64>() / 2.0,
+    });
     match spread {
-        Spread::Wide | Spread::Cube => std::array::from_fn(|i| {
+        Spread::Wide | Spread::Cube => Joints::from_fn(count, |i| {
             let [low, high] = limit(i);
             rng.uniform(low, high)
         }),
-        Spread::Narrow => std::array::from_fn(|i| posture[i] + rng.uniform(-1.0, 1.0) * rad_from_deg(12.0)),
+        Spread::Narrow => Joints::from_fn(count, |i| {
+            let about = if robot.joints[i].kind.slides() { 0.02 } else { rad_from_deg(12.0) };
+            posture[i] + rng.uniform(-1.0, 1.0) * about
+        }),
         Spread::Sweeps => {
-            let joint = (6 * k / n.max(1)).min(5);
+            let joint = (count * k / n.max(1)).min(count - 1);
             let mut q = posture;
             let [low, high] = limit(joint);
             q[joint] = rng.uniform(low, high);
@@ -104,18 +116,18 @@ pub struct CommandedRow {
     /// Which pose: rows that repeat one share it.
     pub pose: usize,
     /// Joint angles, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Sign of each joint's last motion.
-    pub direction: [i8; 6],
+    pub direction: Joints<i8>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
 }
 
 /// The moments of a measurement run.
 #[must_use]
-pub fn states(robot: &Robot, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
+pub fn states(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
     let RunSpec { spread, n, repeats, tool_m, payloads_kg } = *run;
-    let climate = Climate::new(rng);
+    let climate = Climate::new(arm.joints(), rng);
     let mut out: Vec<ArmState> = Vec::with_capacity(n);
     let distinct = n - repeats.min(n / 2);
     for k in 0..n {
@@ -132,7 +144,7 @@ pub fn states(robot: &Robot, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<Arm
                 }
             }
         };
-        let direction = std::array::from_fn(|_| rng.sign() as i8);
+        let direction = Joints::from_fn(arm.joints(), |_| rng.sign() as i8);
         let row = CommandedRow { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
         out.push(climate.state(arm, tool_m, k, &row));
     }
@@ -142,25 +154,25 @@ pub fn states(robot: &Robot, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<Arm
 /// The moments of a run that others planned.
 #[must_use]
 pub fn states_of(arm: &Arm, rng: &mut Rng, tool_m: Vector3<f64>, rows: &[CommandedRow]) -> Vec<ArmState> {
-    let climate = Climate::new(rng);
+    let climate = Climate::new(arm.joints(), rng);
     rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, k, row)).collect()
 }
 
 /// How long a row takes and how the joints warm meanwhile: quickly by their motors, slowly by their castings.
 struct Climate {
     minutes_each: f64,
-    heat_k: [f64; 6],
-    quick_min: [f64; 6],
-    slow_min: [f64; 6],
+    heat_k: Joints,
+    quick_min: Joints,
+    slow_min: Joints,
 }
 
 impl Climate {
-    fn new(rng: &mut Rng) -> Self {
+    fn new(joints: usize, rng: &mut Rng) -> Self {
         Self {
             minutes_each: rng.uniform(0.5, 3.0),
-            heat_k: std::array::from_fn(|_| rng.uniform(5.0, 25.0)),
-            quick_min: std::array::from_fn(|_| rng.uniform(15.0, 45.0)),
-            slow_min: std::array::from_fn(|_| rng.uniform(80.0, 200.0)),
+            heat_k: Joints::from_fn(joints, |_| rng.uniform(5.0, 25.0)),
+            quick_min: Joints::from_fn(joints, |_| rng.uniform(15.0, 45.0)),
+            slow_min: Joints::from_fn(joints, |_| rng.uniform(80.0, 200.0)),
         }
     }
 
@@ -173,7 +185,7 @@ impl Climate {
             direction: row.direction,
             payload_kg: row.payload_kg,
             payload_at_m,
-            warmer_k: std::array::from_fn(|j| {
+            warmer_k: Joints::from_fn(arm.joints(), |j| {
                 let cold = 0.6 * (-t_min / self.quick_min[j]).exp() + 0.4 * (-t_min / self.slow_min[j]).exp();
                 self.heat_k[j] * (1.0 - cold)
             }),

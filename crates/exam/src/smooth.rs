@@ -90,7 +90,7 @@ impl SmoothFunction {
     /// Component `component` (0 to 2) of its value where the robot is at joints `q_rad`, its nominal point at `point_m`,
     /// `t_min` minutes after the cold start.
     #[must_use]
-    pub fn value(&self, component: u64, q_rad: &[f64; 6], point_m: &[f64; 3], t_min: f64) -> f64 {
+    pub fn value(&self, component: u64, q_rad: &[f64], point_m: &[f64; 3], t_min: f64) -> f64 {
         let at = self.inputs(q_rad, point_m, t_min);
         let mut rng = Rng::new(self.seed, component);
         let mut sum = 0.0;
@@ -103,7 +103,7 @@ impl SmoothFunction {
         sum * (2.0 / WAVES as f64).sqrt()
     }
 
-    fn inputs(&self, q_rad: &[f64; 6], point_m: &[f64; 3], t_min: f64) -> Vec<f64> {
+    fn inputs(&self, q_rad: &[f64], point_m: &[f64; 3], t_min: f64) -> Vec<f64> {
         match self.domain {
             Domain::JointAngle(joint) => vec![q_rad[joint - 1]],
             Domain::TwoJointAngles(a, b) => vec![q_rad[a - 1], q_rad[b - 1]],

@@ -45,7 +45,7 @@ const TRIES: usize = 2_000_000;
 /// The file of touches; `None` where the arm does not reach into the box.
 #[must_use]
 pub fn touches(robot: &Robot, recipe: &TouchRecipe, rng: &mut Rng) -> Option<String> {
-    let arm = Arm::new(robot);
+    let arm = Arm::new(&robot.into());
     let tool = Point3::from(Vector3::from(recipe.tool_m));
     let still = Disturbance::default();
     let mut points = Vec::new();
@@ -176,9 +176,9 @@ mod tests {
         let csv = touches(&robot, &recipe, &mut Rng::new(1, 0)).unwrap();
         let rows: Vec<Vec<f64>> =
             csv.lines().skip(1).map(|l| l.split(',').skip(1).map(|v| v.parse().unwrap()).collect()).collect();
-        let arm = Arm::new(&robot);
+        let arm = Arm::new(&(&robot).into());
         let tip = |row: &[f64]| {
-            let q_rad = std::array::from_fn(|j| rad_from_deg(row[j + 1]));
+            let q_rad: [f64; 6] = std::array::from_fn(|j| rad_from_deg(row[j + 1]));
             (arm.flange(&q_rad, &Disturbance::default()) * Point3::new(0.0, 0.0, 0.1)).coords
         };
         // A base lifted by 0.1 mm, settled after ten time constants: the nominal arm believes the point 0.1 mm lower.

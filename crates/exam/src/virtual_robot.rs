@@ -7,16 +7,16 @@ use super::rng::Rng;
 use super::smooth::{Domain, SmoothFunction};
 use super::truth::Truth;
 use nalgebra::{Isometry3, Point3, Vector3};
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::m_from_mm;
 
 /// A move's end as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Commanded {
     /// Joint angles as commanded, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Sign of each joint's last motion.
-    pub direction: [i8; 6],
+    pub direction: Joints<i8>,
     /// Load on the flange, kg.
     pub payload_kg: f64,
     /// Its centre in the flange's frame, metres.
@@ -49,7 +49,7 @@ pub fn is_lasting(effect: &Effect) -> bool {
 impl VirtualRobot {
     /// The robot of `truth`.
     #[must_use]
-    pub fn from_truth(robot: &Robot, truth: &Truth) -> Self {
+    pub fn from_truth(robot: &SerialArm, truth: &Truth) -> Self {
         let effects = truth.effects.iter().map(|put| (put.effect, put.amplitude)).collect();
         Self { arm: Arm::new(robot), effects }
     }
@@ -65,7 +65,7 @@ impl VirtualRobot {
             direction: at.direction,
             payload_kg: at.payload_kg,
             payload_at_m,
-            warmer_k: [0.0; 6],
+            warmer_k: Joints::all(self.arm.joints(), 0.0),
             torque_n_m: self.arm.gravity_torque_n_m(&at.q_rad, at.payload_kg, &payload_at_m),
             point_m: nominal.translation.vector,
         };
@@ -78,7 +78,7 @@ impl VirtualRobot {
 
     /// `base_from_flange` of the perfect robot.
     #[must_use]
-    pub fn nominal(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
+    pub fn nominal(&self, q_rad: &[f64]) -> Isometry3<f64> {
         self.arm.flange(q_rad, &Disturbance::default())
     }
 }

@@ -6,7 +6,7 @@
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index, Warmth};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, Robot};
 use std::sync::Arc;
 
 /// A robot that deforms as it warms up.
@@ -73,12 +73,13 @@ impl TrueRobot {
         match &self.model {
             None => DeformedArm::of_table(&self.robot, offsets),
             Some(model) if self.deformation.index() == Index::Temperature => {
-                let joint_temperature_c = self.joint_temperature_c.or(Some([t_min; 6]));
+                let joint_temperature_c = self.joint_temperature_c.or(Some([t_min; 6])).map(Joints::from);
                 let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c };
                 DeformedArm::of_model(&self.robot, offsets, model, when)
             }
             Some(model) => {
-                let when = ThermalState { t_min, joint_temperature_c: self.joint_temperature_c };
+                let when =
+                    ThermalState { t_min, joint_temperature_c: self.joint_temperature_c.map(Joints::from) };
                 DeformedArm::of_model(&self.robot, offsets, model, when)
             }
         }

@@ -110,7 +110,7 @@ fn terms_grow_by_the_function_that_is_their_growth() {
 #[test]
 fn what_rapid_cannot_hold_is_named() {
     let robot = Robot::built_in("irb140").unwrap();
-    let by_temperature = Growth::Temperature { from_c: [20.0; 6], to_c: [40.0; 6] };
+    let by_temperature = Growth::Temperature { from_c: [20.0; 6].into(), to_c: [40.0; 6].into() };
     let of_its_own = Growth::Law(GrowthLaw::Exp { tau_min: 7.0 });
     for (terms, names) in [
         (

@@ -9,8 +9,8 @@ use crate::measure::{
     check_rows, gather, register,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 
 /// Joints this near are the same pose.
 const SAME_RAD: f64 = 3.5e-4;
@@ -82,10 +82,10 @@ struct Pair<'a> {
 pub fn compare_measurements(
     before: &Measurements,
     after: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     options: &Options,
 ) -> Result<MeasurementComparison, CompareError> {
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let stations = |m: &Measurements| {
         let checked = check_rows(m, robot);
         match checked.fault {
@@ -165,14 +165,14 @@ fn paired<'a>(
     new: &'a Stations,
     before: &Measurements,
     after: &Measurements,
-    chain: &Chain,
+    chain: &SerialChain,
 ) -> Vec<Pair<'a>> {
     let mut free: Vec<&Station> =
         new.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).collect();
     let mut pairs = Vec::new();
     for station in old.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })) {
         let alike = |other: &&Station| {
-            let same = |a: Option<[i8; 6]>, b: Option<[i8; 6]>| a.is_none() || b.is_none() || a == b;
+            let same = |a: Option<Joints<i8>>, b: Option<Joints<i8>>| a.is_none() || b.is_none() || a == b;
             let load = |a: Option<f64>, b: Option<f64>| a.is_none() || b.is_none() || a == b;
             station.q_rad.iter().zip(&other.q_rad).all(|(a, b)| (a - b).abs() < SAME_RAD)
                 && before.targets.get(station.target) == after.targets.get(other.target)
@@ -232,6 +232,7 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
         rows,
         targets: before.targets.clone(),
         fixed_points: Vec::new(),
+        joint_kinds: before.joint_kinds,
         joint_decimals: 9,
         warnings: Vec::new(),
     }

@@ -4,8 +4,8 @@ use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
 use robot_model::deform::identified::ThermalState;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{JointKind, Joints, MOST_JOINTS, SerialArm};
 
 /// How the measured point moves: metres and radians in base axes, per unit of one parameter.
 pub type Twist = [f64; 6];
@@ -30,14 +30,18 @@ pub struct Observation {
     pub kind: ObservationKind,
     /// The fixed point that takes part.
     pub fixed_point: Option<usize>,
-    /// Joint angles, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    /// Joint angles, joint 1 first, radians; metres where a joint slides.
+    pub q_rad: Joints,
+    /// Which joints slide.
+    pub slides: Joints<bool>,
     /// Each joint's axis in the base.
-    pub axes: [Vector3<f64>; 6],
-    /// Each joint's origin, then the flange's, in the base.
-    pub origins_m: [Vector3<f64>; 7],
-    /// Axes in which the offsets of frame i count: the frame before it. 0 is the base, 6 joint 6's.
-    pub parents: [Matrix3<f64>; 7],
+    pub axes: Joints<Vector3<f64>>,
+    /// Each joint's origin before its own motion, then the flange's, in the base; zero past it.
+    pub origins_m: [Vector3<f64>; MOST_JOINTS + 1],
+    /// The same after its motion: where the link that it carries begins.
+    pub carried_m: [Vector3<f64>; MOST_JOINTS + 1],
+    /// Axes in which the offsets of frame i count: the frame before it. 0 is the base.
+    pub parents: [Matrix3<f64>; MOST_JOINTS + 1],
     /// The flange's axes in the base.
     pub flange: Matrix3<f64>,
     /// The measured point in the base, as predicted.
@@ -47,11 +51,11 @@ pub struct Observation {
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// Sign of each joint's last motion.
-    pub direction: Option<[i8; 6]>,
+    pub direction: Option<Joints<i8>>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
-    pub joint_temperature_c: Option<[f64; 6]>,
+    pub joint_temperature_c: Option<Joints>,
     /// Commanded pose; stations of one pose stay together.
     pub pose: usize,
     /// Index of the reflector or stylus.
@@ -71,25 +75,40 @@ pub struct Observation {
 impl Observation {
     /// The arm at `station`, and its pose.
     #[must_use]
-    pub fn new(robot: &Robot, chain: &Chain, registration: &Registration, station: &Station) -> Self {
+    pub fn new(
+        robot: &SerialArm,
+        chain: &SerialChain,
+        registration: &Registration,
+        station: &Station,
+    ) -> Self {
         let frames = match station.reading.involves_arm() {
             true => chain.frames(&station.q_rad),
             // No arm: all its frames are joint 1's, whose turn is the base's, and nothing else moves the nest.
-            false => [chain.frames(&[0.0; 6])[0]; 7],
+            false => vec![chain.frames(&[])[0]; chain.joints() + 1],
         };
         let rotation = |pose: &Isometry3<f64>| pose.rotation.to_rotation_matrix().into_inner();
-        let mut parents = [Matrix3::identity(); 7];
+        let joints = chain.joints();
+        let mut parents = [Matrix3::identity(); MOST_JOINTS + 1];
         for (parent, frame) in parents.iter_mut().skip(1).zip(&frames) {
             *parent = rotation(frame);
         }
-        let mut axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
-        let mut flange = rotation(&frames[6]);
+        let mut axes = Joints::from_fn(joints, |j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let mut flange = rotation(&frames[joints]);
+        let slides = Joints::from_fn(joints, |j| robot.joints[j].kind.slides());
+        let mut carried_m = [Vector3::zeros(); MOST_JOINTS + 1];
+        for (to, frame) in carried_m.iter_mut().zip(&frames) {
+            *to = frame.translation.vector;
+        }
+        let mut origins_m = carried_m;
+        for j in (0..joints).filter(|&j| slides[j] && station.reading.involves_arm()) {
+            origins_m[j] -= axes[j] * station.q_rad.get(j).copied().unwrap_or(0.0);
+        }
         let point_m = registration.predicted_m(station, &station.pose(chain));
         let mut loads = Loads::default();
         if station.reading.involves_arm() {
-            loads = loads_at(robot, &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0));
+            loads = loads_at(robot.geometry(), &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0));
         } else {
-            axes = [Vector3::zeros(); 6];
+            axes = Joints::all(joints, Vector3::zeros());
             flange = Matrix3::zeros();
             parents.iter_mut().skip(1).for_each(|parent| *parent = Matrix3::zeros());
         }
@@ -99,13 +118,15 @@ impl Observation {
                 Reading::Nest { .. } => ObservationKind::Nest,
                 Reading::Touch { .. } => ObservationKind::Touch,
                 Reading::Length { .. } => {
-                    ObservationKind::Along(registration.along(station, &frames[6]).unwrap_or_default())
+                    ObservationKind::Along(registration.along(station, &frames[joints]).unwrap_or_default())
                 }
             },
             fixed_point: station.reading.fixed_point(),
             q_rad: station.q_rad,
+            slides,
             axes,
-            origins_m: frames.map(|f| f.translation.vector),
+            origins_m,
+            carried_m,
             parents,
             flange,
             point_m,
@@ -166,9 +187,27 @@ impl Observation {
         }
     }
 
-    /// The point's motion per radian of joint `j`, counted from 0: the geometric Jacobian's column.
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.axes.len()
+    }
+
+    /// Joint `j`'s coordinate as an angle: of one that slides, [`LENGTH_PER_RAD_M`] counts as a radian. For shapes over
+    /// a joint's coordinate, whose widths are angles.
+    #[must_use]
+    pub fn as_angle(&self, j: usize) -> f64 {
+        if self.slides[j] { self.q_rad[j] / LENGTH_PER_RAD_M } else { self.q_rad[j] }
+    }
+
+    /// The point's motion per radian of joint `j`, counted from 0, or per metre where it slides: the geometric Jacobian's
+    /// column.
     #[must_use]
     pub fn jacobian_column(&self, j: usize) -> Twist {
+        if self.slides[j] {
+            let v = &self.axes[j];
+            return [v.x, v.y, v.z, 0.0, 0.0, 0.0];
+        }
         self.rotation_about(&self.axes[j], &self.origins_m[j])
     }
 
@@ -191,6 +230,9 @@ impl Observation {
     }
 }
 
+/// So much of a sliding joint's travel is as much as a radian of a turning one's, metres: spindles travel a few tenths.
+const LENGTH_PER_RAD_M: f64 = 0.1;
+
 /// The twist times a factor.
 #[must_use]
 pub fn scaled(twist: Twist, factor: f64) -> Twist {
@@ -200,6 +242,8 @@ pub fn scaled(twist: Twist, factor: f64) -> Twist {
 /// Everything the effects may look at.
 #[derive(Clone, Debug)]
 pub struct Dataset {
+    /// Which joints slide.
+    pub slides: Joints<bool>,
     /// One for each station.
     pub observations: Vec<Observation>,
     /// Optional columns that can be used.
@@ -209,9 +253,9 @@ pub struct Dataset {
     /// First and last reading of the clock: minutes, or places in the file where those tell the order; `None` where neither does.
     pub clock: Option<[f64; 2]>,
     /// Lowest and highest temperature of each joint.
-    pub joint_temperature_c: Option<[[f64; 2]; 6]>,
+    pub joint_temperature_c: Option<Joints<[f64; 2]>>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
-    pub torque_limit_n_m: [[f64; 5]; 6],
+    pub torque_limit_n_m: Joints<[f64; 5]>,
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
     /// Largest payload of the data, kg.
@@ -229,7 +273,7 @@ pub struct Dataset {
 impl Dataset {
     /// Gathers the ranges over `observations`.
     #[must_use]
-    pub fn new(robot: &Robot, observations: Vec<Observation>, channels: Channels) -> Self {
+    pub fn new(robot: &SerialArm, observations: Vec<Observation>, channels: Channels) -> Self {
         let times = observations.iter().filter_map(|s| s.t_min);
         let time_min = channels
             .time
@@ -241,17 +285,18 @@ impl Dataset {
             .filter(|[low, high]| high > low);
         let clock = time_min.or_else(|| row_clock(&observations));
         let joint_temperature_c = channels.joint_temperature.then(|| {
-            std::array::from_fn(|j| {
+            Joints::from_fn(robot.joints.len(), |j| {
                 let values = observations.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
                 [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
             })
         });
         Self {
+            slides: robot.kinds().map(JointKind::slides),
             largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
             last_row: observations.iter().map(|s| s.row).fold(0.0, f64::max),
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
-            torque_limit_n_m: torque_limits_n_m(&observations),
+            torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
             observations,
             channels,
             time_min,
@@ -262,10 +307,27 @@ impl Dataset {
         }
     }
 
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.slides.len()
+    }
+
+    /// The joints that turn, counted from 0.
+    pub fn turning(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.joints()).filter(|&j| !self.slides[j])
+    }
+
+    /// `turning` for a joint that turns, `sliding` for one that slides.
+    #[must_use]
+    pub fn by_kind<T>(&self, j: usize, turning: T, sliding: T) -> T {
+        if self.slides.get(j).copied().unwrap_or(false) { sliding } else { turning }
+    }
+
     /// A large torque about joint `j`, which an eighth of the observations exceed, N.m; 1e-9 where there is none.
     #[must_use]
     pub fn large_torque_n_m(&self, j: usize) -> f64 {
-        self.torque_limit_n_m[j.min(5)][0].max(1e-9)
+        self.torque_limit_n_m.get(j).map_or(0.0, |limits| limits[0]).max(1e-9)
     }
 
     /// Line of the first row that was measured at `t0` of the clock or later.
@@ -300,8 +362,8 @@ fn row_clock(observations: &[Observation]) -> Option<[f64; 2]> {
 const HELD_SHARES: [f64; 5] = [0.12, 0.3, 0.5, 0.7, 0.9];
 
 /// For each joint the torque above which each of [`HELD_SHARES`] of the observations lies, N.m.
-fn torque_limits_n_m(observations: &[Observation]) -> [[f64; 5]; 6] {
-    std::array::from_fn(|j| {
+fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64; 5]> {
+    Joints::from_fn(joints, |j| {
         let mut torques: Vec<f64> = observations.iter().map(|s| s.loads.torque_n_m[j].abs()).collect();
         torques.sort_by(f64::total_cmp);
         HELD_SHARES.map(|share| {

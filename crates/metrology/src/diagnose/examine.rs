@@ -20,9 +20,9 @@ use crate::measure::{
 use nalgebra::{Isometry3, Point3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
-use robot_model::units::{deg_from_rad, mm_from_m};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::SerialArm;
+use robot_model::units::mm_from_m;
 use std::borrow::Cow;
 
 /// Fewer stations or poses than these say nothing.
@@ -35,7 +35,7 @@ const INVISIBLE: f64 = 1e-7;
 
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
-pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -> Diagnosis {
+pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Options) -> Diagnosis {
     examine(measurements, robot, options, None)
 }
 
@@ -43,7 +43,7 @@ pub fn diagnose(measurements: &Measurements, robot: &Robot, options: &Options) -
 #[must_use]
 pub fn diagnose_and_identify(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     options: &Options,
 ) -> (Diagnosis, Option<Identified>) {
     let mut identified = None;
@@ -56,7 +56,7 @@ pub fn diagnose_and_identify(
 
 fn examine(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     options: &Options,
     identified: Option<&mut Option<Identified>>,
 ) -> Diagnosis {
@@ -106,7 +106,7 @@ fn examine(
         );
         return finish(Diagnosis::without_causes(Verdict::InsufficientData, reason), warnings);
     }
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
         Ok(registration) => registration,
@@ -146,8 +146,8 @@ fn examine(
 }
 
 /// Each row on its own, with the nominal arm's flange pose.
-fn each_row(measurements: &Measurements, used: &[usize], robot: &Robot) -> Vec<Row> {
-    let chain = Chain::nominal(robot);
+fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Vec<Row> {
+    let chain = SerialChain::nominal(robot);
     alone(measurements, used).into_iter().map(|station| Row { pose: station.pose(&chain), station }).collect()
 }
 
@@ -182,7 +182,7 @@ fn faulty(fault: &Fault) -> Diagnosis {
 
 fn evaluate(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     stations: &Stations,
     linear: &Linearised,
     noise: NoisePrior,
@@ -244,7 +244,7 @@ fn evaluate(
     diagnosis.detectable = detectable(&model, &workspace);
     diagnosis.false_rows = false_row::false_rows(measurements, stations, linear, &model);
     diagnosis.false_lines = diagnosis.false_rows.iter().map(|row| row.line).collect();
-    diagnosis.residuals = residuals(measurements, linear, stations, &model, &workspace);
+    diagnosis.residuals = residuals(measurements, robot, linear, stations, &model, &workspace);
     diagnosis
 }
 
@@ -322,7 +322,7 @@ fn detectable(model: &Model, workspace: &Workspace<'_>) -> Vec<Detectable> {
             let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
             let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
             let size = needed / strength * prior_sigma * candidate.display_scale;
-            seen.push(Detectable { effect: effect.kind(), joint, size, unit: effect.unit() });
+            seen.push(Detectable { effect: effect.kind(), joint, size, unit: candidate.unit() });
         }
     }
     seen
@@ -330,6 +330,7 @@ fn detectable(model: &Model, workspace: &Workspace<'_>) -> Vec<Detectable> {
 
 fn residuals(
     measurements: &Measurements,
+    robot: &SerialArm,
     linear: &Linearised,
     stations: &Stations,
     model: &Model,
@@ -346,7 +347,7 @@ fn residuals(
             all.push(RowResidual {
                 line: row.line,
                 id: row.id.clone(),
-                q_deg: row.q_rad.map(deg_from_rad),
+                q_deg: robot.in_deg_or_mm(&row.q_rad),
                 t_min: row.t_min,
                 point_mm: {
                     let point = linear.dataset.observations[i].point_m;

@@ -107,7 +107,7 @@ fn likeness(stations: &Stations, linear: &Linearised, left: &Twist, i: usize) ->
             mm_from_m(seen[k])
         ));
     }
-    (0..6).find_map(|j| {
+    (0..observation.joints()).find_map(|j| {
         let turn = observation.jacobian_column(j);
         let v = Vector3::new(turn[0], turn[1], turn[2]);
         let angle = v.dot(&place) / v.norm_squared().max(1e-12);

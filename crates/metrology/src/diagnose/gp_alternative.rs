@@ -62,32 +62,33 @@ const PAIR_RAD: f64 = 1.0;
 /// a process that may lie anywhere asks far more of the data than one place does.
 const BUMP_CENTRES: usize = 24;
 const BUMP_RADII_M: [f64; 3] = [0.07, 0.14, 0.28];
-/// Pairs of joints times joints that they turn, and features kept for each.
-const PAIRS: f64 = 90.0;
+/// Features kept for each pair of joints and joint that they turn.
 const MOST_OF_PAIR: usize = 16;
 const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
 /// Every GP alternative that these data can show, with its prior weight.
 #[must_use]
-pub fn gp_alternatives() -> Vec<(GpAlternative, f64)> {
+pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
+    // Pairs of joints times joints that they turn.
+    let pairs = (joints * (joints - 1) / 2 * joints) as f64;
     let mut all = vec![
         (GpAlternative::Workspace, 2.0),
         (GpAlternative::WorkspaceFine, 1.0),
         (GpAlternative::AllJoints, 1.0),
     ];
-    for j in 0..6 {
+    for j in 0..joints {
         all.extend([
             (GpAlternative::Joint(j), 0.5),
             (GpAlternative::JointFine(j), 0.5),
             (GpAlternative::Joints(j), 0.5),
         ]);
     }
-    for a in 0..6 {
-        all.extend((0..6).filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
+    for a in 0..joints {
+        all.extend((0..joints).filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
     }
-    for a in 0..6 {
-        for b in a + 1..6 {
-            all.extend((0..6).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / PAIRS)));
+    for a in 0..joints {
+        for b in a + 1..joints {
+            all.extend((0..joints).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
         }
     }
     all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
@@ -100,7 +101,7 @@ pub fn gp_alternatives() -> Vec<(GpAlternative, f64)> {
     }
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([(GpAlternative::Time, 2.0), (GpAlternative::TimeFine, 1.0), (GpAlternative::ToolTime, 1.0)]);
-    all.extend((0..6).map(|j| (GpAlternative::JointTime(j), 0.5)));
+    all.extend((0..joints).map(|j| (GpAlternative::JointTime(j), 0.5)));
     let total: f64 = all.iter().map(|k| k.1).sum();
     all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
 }
@@ -113,10 +114,13 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         GpAlternative::JointFine(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[1]),
         GpAlternative::Driven(a, b) => joint_columns(design, dataset, &[(a, b)], JOINT_RAD[0]),
         GpAlternative::AllJoints => {
-            joint_columns(design, dataset, &[0, 1, 2, 3, 4, 5].map(|j| (j, j)), JOINT_RAD[0])
+            let each: Vec<(usize, usize)> = (0..dataset.joints()).map(|j| (j, j)).collect();
+            joint_columns(design, dataset, &each, JOINT_RAD[0])
         }
         GpAlternative::Joints(j) => {
-            let at = |observation: &Observation| observation.q_rad.to_vec();
+            let at = |observation: &Observation| {
+                (0..observation.joints()).map(|j| observation.as_angle(j)).collect::<Vec<f64>>()
+            };
             let centres = farthest_points(dataset, at, 48);
             let features = |observation: &Observation| bumps(&at(observation), &centres, JOINTS_RAD);
             compress(design.stack(dataset, centres.len(), |_, observation, out| {
@@ -146,7 +150,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
         GpAlternative::WristCableFine => wrist_columns(design, dataset, WRIST_RAD[1]),
         GpAlternative::Pair(a, b, j) => {
-            let at = |observation: &Observation| vec![observation.q_rad[a], observation.q_rad[b]];
+            let at = |observation: &Observation| vec![observation.as_angle(a), observation.as_angle(b)];
             let centres = farthest_points(dataset, at, 25);
             let mut features = compress(design.stack(dataset, centres.len(), |_, observation, out| {
                 let features = bumps(&at(observation), &centres, PAIR_RAD);
@@ -211,7 +215,7 @@ fn periodic_columns(design: &Design, dataset: &Dataset, j: usize, n: u32, stride
     design.stack(dataset, 2 * overtones().count(), |_, observation, out| {
         for k in overtones() {
             let size_rad = PERIODIC_RAD / f64::from(k);
-            let (sin, cos) = (f64::from(k * n) * observation.q_rad[j]).sin_cos();
+            let (sin, cos) = (f64::from(k * n) * observation.as_angle(j)).sin_cos();
             out.extend([
                 scaled(observation.jacobian_column(j), size_rad * sin),
                 scaled(observation.jacobian_column(j), size_rad * cos),
@@ -233,7 +237,7 @@ fn joint_columns(
 ) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     for &(j, turned) in pairs {
-        let values = dataset.observations.iter().map(|s| s.q_rad[j]);
+        let values = dataset.observations.iter().map(|s| s.as_angle(j));
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);
         let count = (((high - low) / (0.8 * length_rad)).ceil() as usize + 1).clamp(2, 64);
@@ -242,7 +246,7 @@ fn joint_columns(
         let width = length_rad.max(0.8 * (high - low) / count as f64);
         all.extend(design.stack(dataset, count, |_, observation, out| {
             out.extend(
-                bumps(&[observation.q_rad[j]], &centres, width)
+                bumps(&[observation.as_angle(j)], &centres, width)
                     .into_iter()
                     .map(|f| scaled(observation.jacobian_column(turned), f)),
             );
@@ -284,7 +288,9 @@ fn base(_: &Observation) -> Matrix3<f64> {
 
 /// Functions of the wrist's angles that shift the target along the flange's axes.
 fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> Vec<Vec<f64>> {
-    let at = |observation: &Observation| observation.q_rad[3..].to_vec();
+    let at = |observation: &Observation| {
+        (3..observation.joints()).map(|j| observation.as_angle(j)).collect::<Vec<f64>>()
+    };
     compress(shifts(
         design,
         dataset,

@@ -18,9 +18,8 @@ use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{
     Growth, Identified, MeasuredRange, Mounting, Term, ThermalState, Value,
 };
-use robot_model::deform::{Conditions, DeformedArm, Payload};
-use robot_model::kinematics::{Chain, FrameOffsets};
-use robot_model::robot::Robot;
+use robot_model::deform::{DeformedSerialArm, Payload};
+use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::mm_from_m;
 use std::sync::Arc;
 
@@ -32,7 +31,7 @@ const ROUNDS: usize = 3;
 /// [`NoModel`]: what was found makes no model.
 pub(super) fn identify(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     stations: &Stations,
     linear: &Linearised,
     model: &Model,
@@ -40,7 +39,7 @@ pub(super) fn identify(
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Identified, NoModel> {
     let dataset = &linear.dataset;
-    let measured_range = measured_range(measurements.rows.len(), stations);
+    let measured_range = measured_range(measurements.rows.len(), stations, robot.joints.len());
     let stations = &by_the_clock(stations, dataset);
     let candidates = workspace.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
@@ -73,6 +72,7 @@ pub(super) fn identify(
     let robot = Arc::new(robot.clone());
     let mut identified = Identified {
         robot: robot.name.clone(),
+        joint_kinds: robot.kinds(),
         sigma_m: Some(sigma_m),
         measured_range,
         ..Identified::default()
@@ -226,7 +226,7 @@ const NOTHING: f64 = 1e18;
 
 /// Measured minus predicted by the model at every station, base axes, and the registration that goes with it.
 fn residuals_of(
-    robot: &Arc<Robot>,
+    robot: &Arc<SerialArm>,
     stations: &Stations,
     model: &Arc<Identified>,
     linear: &Linearised,
@@ -244,7 +244,7 @@ fn residuals_of(
 /// The stations as a true instrument would have seen them, and the flange poses of the model there, with the
 /// payload's centre at `payload_m` for each target.
 pub(super) fn predicted(
-    robot: &Arc<Robot>,
+    robot: &Arc<SerialArm>,
     stations: &[Station],
     model: &Arc<Identified>,
     payload_m: &[Vector3<f64>],
@@ -252,15 +252,14 @@ pub(super) fn predicted(
     let scale: f64 =
         model.terms.iter().filter(|t| t.kind == EffectKind::InstrumentScale).map(|t| t.value(0)).sum::<f64>()
             + 1.0;
-    let start = ThermalState { t_min: 0.0, joint_temperature_c: None };
-    let arm = DeformedArm::of_model(robot, &FrameOffsets::default(), model, start);
+    let arm = DeformedSerialArm::new(robot, model);
     // Of all this only the base's own motion moves a nest.
     let of_base = |t: &&Term| matches!(t.kind, EffectKind::BaseDrift | EffectKind::BaseStep);
     let base =
         Identified { terms: model.terms.iter().filter(of_base).cloned().collect(), ..(**model).clone() };
-    let base = DeformedArm::of_model(robot, &FrameOffsets::default(), &Arc::new(base), start);
-    let zero = [0.0; 6];
-    let flange_from_base = Chain::nominal(robot).forward(&zero).inverse();
+    let base = DeformedSerialArm::new(robot, &Arc::new(base));
+    let zero = Joints::all(robot.joints.len(), 0.0);
+    let flange_from_base = arm.nominal().forward(&zero).inverse();
     let poses = stations
         .par_iter()
         .map(|station| {
@@ -269,14 +268,11 @@ pub(super) fn predicted(
                 joint_temperature_c: station.joint_temperature_c,
             };
             let cog_m = payload_m.get(station.target).map_or([0.0; 3], |t| [t.x, t.y, t.z]);
-            let conditions = Conditions {
-                payload: Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m },
-                direction: station.direction.unwrap_or_default(),
-            };
             if !station.reading.involves_arm() {
-                return base.at(when).under(&Conditions::default()).forward(&zero) * flange_from_base;
+                return base.forward(&zero, &when, &Payload::default(), &[]) * flange_from_base;
             }
-            arm.at(when).under(&conditions).forward(&station.q_rad)
+            let payload = Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m };
+            arm.forward(&station.q_rad, &when, &payload, &station.direction.unwrap_or_default())
         })
         .collect();
     let scaled =
@@ -284,7 +280,7 @@ pub(super) fn predicted(
     (scaled, poses)
 }
 
-fn measured_range(rows: usize, stations: &Stations) -> MeasuredRange {
+fn measured_range(rows: usize, stations: &Stations, joints: usize) -> MeasuredRange {
     let all = &stations.stations;
     let range = |of: &dyn Fn(&Station) -> Option<f64>| -> Option<[f64; 2]> {
         all.iter().filter_map(of).fold(None, |range, value| match range {
@@ -295,12 +291,12 @@ fn measured_range(rows: usize, stations: &Stations) -> MeasuredRange {
     let warm = all.iter().any(|s| s.joint_temperature_c.is_some());
     MeasuredRange {
         rows,
-        q_rad: std::array::from_fn(|j| {
+        q_rad: Joints::from_fn(joints, |j| {
             range(&|s| s.reading.involves_arm().then_some(s.q_rad[j])).unwrap_or_default()
         }),
         t_min: range(&|s| s.t_min),
         joint_temperature_c: warm.then(|| {
-            std::array::from_fn(|j| range(&|s| s.joint_temperature_c.map(|t| t[j])).unwrap_or_default())
+            Joints::from_fn(joints, |j| range(&|s| s.joint_temperature_c.map(|t| t[j])).unwrap_or_default())
         }),
         payload_kg: range(&|s| s.payload_kg),
     }

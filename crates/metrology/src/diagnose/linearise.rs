@@ -4,8 +4,8 @@ use super::dataset::{Dataset, Observation, Twist};
 use super::design::Design;
 use crate::measure::{RegisterError, Registration, Stations, register};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
-use robot_model::kinematics::{Chain, FrameOffsets};
-use robot_model::robot::Robot;
+use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
+use robot_model::robot::SerialArm;
 
 /// Below this distance second-order terms are far under any instrument's noise, metres.
 const LINEAR_M: f64 = 2e-4;
@@ -28,20 +28,21 @@ pub struct Linearised {
 /// # Errors
 /// Where registration fails.
 pub fn linearise(
-    robot: &Robot,
+    robot: &SerialArm,
     stations: &Stations,
     nominal: &Registration,
     tool_m: Option<Vector3<f64>>,
     channels: crate::measure::Channels,
 ) -> Result<Linearised, RegisterError> {
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let nominal_left: Vec<Twist> =
         stations.stations.iter().map(|s| nominal.residual(s, &s.pose(&chain))).collect();
-    let mut offsets = FrameOffsets::default();
+    let frames = SerialFrames::of(robot);
+    let mut offsets = SerialOffsets::default();
     let mut registration = nominal.clone();
     let mut round = 0;
     loop {
-        let chain = Chain::with_offsets(robot, &offsets);
+        let chain = frames.chain(&offsets);
         let poses: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
         if round > 0 {
             registration = register(&stations.stations, &poses, stations.targets, tool_m)?;
@@ -61,7 +62,7 @@ pub fn linearise(
             });
         }
         let step = fit_geometry(&dataset, &residuals, stations.targets, registration.median_m);
-        for (i, row) in offsets.0.iter_mut().enumerate().skip(1).take(5) {
+        for (i, row) in offsets.0.iter_mut().enumerate().skip(1).take(dataset.joints() - 1) {
             for (k, value) in row.iter_mut().enumerate() {
                 *value = step[6 * (i - 1) + k];
             }
@@ -71,14 +72,14 @@ pub fn linearise(
 }
 
 /// The residual as the nominal arm would leave it, to first order at the fitted arm.
-fn restored(dataset: &Dataset, left: &[Twist], offsets: &FrameOffsets) -> Vec<Twist> {
+fn restored(dataset: &Dataset, left: &[Twist], offsets: &SerialOffsets) -> Vec<Twist> {
     dataset
         .observations
         .iter()
         .zip(left)
         .map(|(observation, left)| {
             let mut sum = *left;
-            for frame in 1..6 {
+            for frame in 1..dataset.joints() {
                 for k in 0..6 {
                     let offset = offsets.0[frame][k];
                     if offset != 0.0 {
@@ -96,7 +97,7 @@ fn restored(dataset: &Dataset, left: &[Twist], offsets: &FrameOffsets) -> Vec<Tw
 /// Geometry of frames 2 to 6 with a size prior, SI, robust by re-weighting.
 fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m: f64) -> Vec<f64> {
     let mut weights = vec![1.0; dataset.observations.len()];
-    let mut offsets = vec![0.0; 30];
+    let mut offsets = vec![0.0; 6 * (dataset.joints() - 1)];
     for _ in 0..4 {
         let whitening = super::design::Whitening { weights: weights.clone(), arm_m: 0.2 };
         let groups = vec![0; dataset.observations.len()];

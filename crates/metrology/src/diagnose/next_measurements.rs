@@ -9,9 +9,8 @@ use super::outcome::{NextMeasurement, Verdict};
 use super::verdict::describe_candidate;
 use crate::measure::{Reading, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
-use robot_model::units::deg_from_rad;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 use std::f64::consts::TAU;
 
 const CANDIDATES: usize = 300;
@@ -24,7 +23,7 @@ const FLOOR_M: f64 = 0.1;
 /// Poses that separate `pair` best, and what they are good for.
 #[must_use]
 pub fn next_measurements(
-    robot: &Robot,
+    robot: &SerialArm,
     workspace: &Workspace<'_>,
     linear: &Linearised,
     pair: Option<(usize, Option<usize>)>,
@@ -98,12 +97,12 @@ fn separation_m2(gram: &DMatrix<f64>, from: usize) -> f64 {
 }
 
 fn candidate_observations(
-    robot: &Robot,
+    robot: &SerialArm,
     linear: &Linearised,
     options: &Options,
 ) -> Vec<(Observation, NextMeasurement)> {
     let mut random = SplitMix64::new(0x2545_f491_4f6c_dd1d);
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let tool_m = options
         .tool_m
         .or_else(|| linear.registration.tools_m.first().copied())
@@ -128,12 +127,12 @@ fn candidate_observations(
         if all.len() == CANDIDATES {
             break;
         }
-        let mut q_rad = [0.0; 6];
+        let mut q_rad = Joints::all(robot.joints.len(), 0.0);
         for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
             let margin = MARGIN * (high - low);
             *q = low + margin + (high - low - 2.0 * margin) * random.unit();
         }
-        let direction = std::array::from_fn(|_| if random.unit() < 0.5 { -1 } else { 1 });
+        let direction = Joints::from_fn(robot.joints.len(), |_| if random.unit() < 0.5 { -1 } else { 1 });
         let payload_kg = payloads[random.below(payloads.len())];
         let station = Station {
             pose: 0,
@@ -154,17 +153,19 @@ fn candidate_observations(
             rows: vec![0],
         };
         let observation = Observation::new(robot, &chain, &registration, &station);
-        if observation.point_m.z < FLOOR_M || observation.origins_m[3..].iter().any(|o| o.z < FLOOR_M) {
+        if observation.point_m.z < FLOOR_M
+            || observation.origins_m[3..=chain.joints()].iter().any(|o| o.z < FLOOR_M)
+        {
             continue;
         }
-        let next = NextMeasurement { q_deg: q_rad.map(deg_from_rad), payload_kg, dir: direction };
+        let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
         all.push((observation, next));
     }
     all
 }
 
 /// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
-fn ranges(robot: &Robot, linear: &Linearised) -> Vec<[f64; 2]> {
+fn ranges(robot: &SerialArm, linear: &Linearised) -> Vec<[f64; 2]> {
     let measured = |j: usize| {
         let all = linear
             .dataset

@@ -13,7 +13,6 @@ use std::ops::Range;
 
 /// Lines of a gear are counted in these, radians.
 pub const LINE_RAD: f64 = 1e-4;
-const FRAMES: usize = 5;
 
 /// Which columns, in the order: registration, geometry, causes, lines joint by joint (sine and cosine in turn).
 pub struct ModelColumns<'a> {
@@ -78,7 +77,7 @@ impl ModelColumns<'_> {
     #[must_use]
     pub fn geometry(&self) -> Range<usize> {
         let start = self.registration().end;
-        start..start + 6 * FRAMES
+        start..start + 6 * (self.dataset.joints() - 1)
     }
 
     /// Columns of each cause, in prior sigmas.
@@ -108,7 +107,7 @@ impl ModelColumns<'_> {
             let observation = &self.dataset.observations[i];
             twists.clear();
             registration::twists(self.dataset, observation, self.targets, &mut twists);
-            for frame in 1..=FRAMES {
+            for frame in 1..self.dataset.joints() {
                 twists
                     .extend((0..6).map(|k| scaled(observation.frame_offset(frame, k), Design::tolerance(k))));
             }
@@ -278,12 +277,12 @@ mod tests {
     use crate::diagnose::dataset::Observation;
     use crate::measure::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, Vector3};
-    use robot_model::kinematics::Chain;
-    use robot_model::robot::Robot;
+    use robot_model::kinematics::SerialChain;
+    use robot_model::robot::{Joints, SerialArm};
 
     fn dataset() -> Dataset {
-        let robot = Robot::built_in("irb140").unwrap();
-        let chain = Chain::nominal(&robot);
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let chain = SerialChain::nominal(&robot);
         let tools_m = vec![Vector3::new(0.03, -0.02, 0.1)];
         let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
         let observation = |i: usize| {
@@ -294,7 +293,7 @@ mod tests {
                 stand: 0,
                 t_min: Some(x),
                 // Irrational steps fill the ranges evenly.
-                q_rad: std::array::from_fn(|j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
+                q_rad: Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
                 reading: Reading::Point { position_m: Vector3::zeros() },
                 orientation: None,
                 direction: None,

@@ -4,6 +4,7 @@ use super::effects;
 use crate::measure::Fault;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
+use robot_model::robot::Joints;
 use serde::Serialize;
 
 /// The answer in one word.
@@ -169,12 +170,12 @@ pub struct HeldOutBlock {
 /// A pose worth measuring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NextMeasurement {
-    /// Joint angles, joint 1 first, degrees.
-    pub q_deg: [f64; 6],
+    /// Joints, joint 1 first, degrees; mm where one slides.
+    pub q_deg: Joints,
     /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
     /// Sign of each joint's last motion.
-    pub dir: [i8; 6],
+    pub dir: Joints<i8>,
 }
 
 /// An effect, or some of its joints, that these data cannot show.
@@ -223,8 +224,8 @@ pub struct RowResidual {
     pub line: u64,
     /// `id` of the row.
     pub id: Option<String>,
-    /// Joint angles, joint 1 first, degrees.
-    pub q_deg: [f64; 6],
+    /// Joints, joint 1 first, degrees; mm where one slides.
+    pub q_deg: Joints,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// The measured point in the base, as predicted.

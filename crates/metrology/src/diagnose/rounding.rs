@@ -3,7 +3,7 @@
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
 use super::model::{Model, Workspace, solve};
-use crate::measure::{Fault, FaultKind, Measurements};
+use crate::measure::{Fault, FaultKind, MeasurementRow, Measurements};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeMap;
@@ -52,7 +52,9 @@ pub fn find(
         .observations
         .iter()
         .map(|observation| {
-            (0..6)
+            linear
+                .dataset
+                .turning()
                 .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
                 .map(|j| {
                     let v = observation.jacobian_column(j);
@@ -121,7 +123,11 @@ pub fn find(
 fn common_step_deg(measurements: &Measurements) -> Option<f64> {
     let cells_deg = || {
         let rows = measurements.rows.iter().filter(|row| row.reading.involves_arm());
-        rows.flat_map(|row| row.q_rad.map(deg_from_rad))
+        let turning = |row: &MeasurementRow| {
+            let joints = row.q_rad.into_iter().zip(measurements.joint_kinds);
+            joints.filter(|(_, kind)| !kind.slides()).map(|(q_rad, _)| deg_from_rad(q_rad))
+        };
+        rows.flat_map(turning)
     };
     let on = |step: f64, cell: f64| {
         ((cell / step) - (cell / step).round()).abs() < ON_STEP * (1.0 + cell.abs() / step)

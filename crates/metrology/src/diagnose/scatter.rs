@@ -46,7 +46,7 @@ pub fn along_joints(
     let marginal = noise.marginal_over(free);
     let (plain, sigma_m) = marginal.at(squares);
     let mut tried = Vec::new();
-    for joint in 0..6 {
+    for joint in 0..dataset.joints() {
         // (e.J)^2 and J^2 of each station, whitened.
         let along: Vec<(f64, f64)> = kept
             .iter()

@@ -5,17 +5,17 @@ use super::effects::{self, Candidate};
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::EffectKind;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 use std::collections::BTreeSet;
 
 /// A measurement that could be taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedMeasurement {
     /// Joint angles, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Sign of each joint's last motion.
-    pub direction: [i8; 6],
+    pub direction: Joints<i8>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
     /// Minute since cold start at which it is taken.
@@ -61,14 +61,18 @@ pub struct Signatures {
     /// Three rows for each measurement, metres, each of `width` numbers; effects per prior sigma.
     pub rows: Vec<f64>,
     /// How each joint moves the target at each measurement, metres per radian.
-    pub turns: Vec<[[f64; 3]; 6]>,
+    pub turns: Vec<Joints<[f64; 3]>>,
 }
 
 /// The signatures at `measurements` of a tool at `tool_m`; gear lines are left out, there are thousands: `turns` has what
 /// they are made of.
 #[must_use]
-pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMeasurement]) -> Signatures {
-    let chain = Chain::nominal(robot);
+pub fn signatures(
+    robot: &SerialArm,
+    tool_m: Vector3<f64>,
+    measurements: &[PlannedMeasurement],
+) -> Signatures {
+    let chain = SerialChain::nominal(robot);
     let nests: BTreeSet<usize> = measurements.iter().filter_map(|m| m.nest.map(|(n, _)| n)).collect();
     let nests = nests.last().map_or(0, |last| last + 1);
     let mut fixed_points_m = vec![Vector3::zeros(); nests];
@@ -108,7 +112,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
     let dataset = Dataset::new(robot, observations, channels);
     let candidates = variants(&dataset);
     let registration = 9 + 3 * nests;
-    let geometry = 30;
+    let geometry = 6 * (dataset.joints() - 1);
     let mut first = registration + geometry;
     let families: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
     let effects: Vec<Signature> = candidates
@@ -120,7 +124,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
                 joint: c.variant.joint.map(|j| j + 1),
                 joint_b: c.variant.joint_b.map(|j| j + 1),
                 in_time: c.effect().time() != "constant",
-                unit: c.effect().unit(),
+                unit: c.unit(),
                 usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,
                 first,
                 width: c.prior_sigma.len(),
@@ -143,7 +147,7 @@ pub fn signatures(robot: &Robot, tool_m: Vector3<f64>, measurements: &[PlannedMe
         .observations
         .iter()
         .map(|observation| {
-            std::array::from_fn(|j| {
+            Joints::from_fn(observation.joints(), |j| {
                 std::array::from_fn(|k| observation.observed(observation.jacobian_column(j))[k])
             })
         })
@@ -194,7 +198,7 @@ fn twists(
             out.push(shift);
         }
     }
-    for frame in 1..6 {
+    for frame in 1..observation.joints() {
         for k in 0..6 {
             out.push(scaled(observation.frame_offset(frame, k), super::design::Design::tolerance(k)));
         }

@@ -123,7 +123,7 @@ fn ends(dataset: &Dataset, kept: &[usize]) -> Vec<Vec<usize>> {
         order
     };
     let mut parts = Vec::new();
-    for j in 0..6 {
+    for j in dataset.turning() {
         let order = sorted(&|i| dataset.observations[i].q_rad[j]);
         parts.push(order[..count].to_vec());
         parts.push(order[order.len() - count..].to_vec());

@@ -2,12 +2,12 @@
 
 use super::dataset::Dataset;
 use super::design::Design;
-use super::effects::{COMPLIANCE, Candidate, EffectVariant, SOFT, held_above_n_m};
+use super::effects::{Candidate, EffectVariant, held_above_n_m, soft, usual_compliance};
 use super::normal_equations::{LINE_RAD, ModelColumns};
 use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{PayloadScaling, Term, Value};
+use robot_model::deform::identified::{PayloadScaling, Term, Value, compliance_of_link};
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
 #[must_use]
@@ -83,11 +83,11 @@ fn by_link(values: Vec<Value>, plain: usize, first: usize, all: usize) -> Vec<Va
 }
 
 /// Where a candidate's three parameters stand that move the payload's centre.
-fn centre_at(candidate: &Candidate) -> Option<std::ops::Range<usize>> {
+fn centre_at(candidate: &Candidate, joints: usize) -> Option<std::ops::Range<usize>> {
     let n = candidate.prior_sigma.len();
     let there = match candidate.kind {
         EffectKind::JointCompliance => {
-            n > 7 - candidate.variant.joint? + if candidate.variant.refined { 2 } else { 0 }
+            n > 1 + joints - candidate.variant.joint? + if candidate.variant.refined { 2 } else { 0 }
         }
         kind => kind == EffectKind::PayloadMass,
     };
@@ -98,10 +98,11 @@ fn centre_at(candidate: &Candidate) -> Option<std::ops::Range<usize>> {
 /// parameters are set to it.
 pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f64>) -> Vector3<f64> {
     const FURTHEST_M: f64 = 0.5;
+    let joints = columns.dataset.joints();
     let at: Vec<_> = columns.causes.iter().zip(columns.of_causes()).collect();
     let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
     for (candidate, range) in &at {
-        if let Some(centre) = centre_at(candidate) {
+        if let Some(centre) = centre_at(candidate, joints) {
             let size = solved[range.start];
             for (to, k) in sum.iter_mut().zip(centre) {
                 *to += size * solved[range.start + k] * candidate.prior_sigma[k] / candidate.prior_sigma[0];
@@ -113,28 +114,39 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
     let off_m = off_m.cap_magnitude(FURTHEST_M);
     for (candidate, range) in &at {
         let size = solved[range.start] * candidate.prior_sigma[0];
-        for (k, off) in centre_at(candidate).into_iter().flatten().zip(off_m.iter()) {
+        for (k, off) in centre_at(candidate, joints).into_iter().flatten().zip(off_m.iter()) {
             solved[range.start + k] = size * off / candidate.prior_sigma[k];
         }
     }
     off_m
 }
 
-/// A spring's parameters: hardening and softening in units of the torque's power, none of a linear one.
-fn bent(dataset: &Dataset, variant: &EffectVariant, mut values: Vec<Value>) -> Option<Vec<Value>> {
-    let largest = dataset.large_torque_n_m(variant.joint?);
-    for (at, unit) in [(7, 1.0 / largest), (8, largest.sqrt())] {
-        let value = values.get_mut(at)?;
-        *value = match variant.refined {
-            true => Value { value: value.value * unit, sigma: value.sigma.map(|sigma| sigma * unit) },
-            false => Value::default(),
-        };
+/// Values of a compliance in the model's order: plain, of links, hardening and softening.
+fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> Option<Vec<Value>> {
+    let joint = variant.joint?;
+    let mut out = vec![Value::default(); 10];
+    out[0] = values.first().copied()?;
+    for link in joint..dataset.joints() {
+        *out.get_mut(compliance_of_link(link))? = values.get(1 + link - joint).copied().unwrap_or_default();
     }
-    Some(values)
+    if variant.refined {
+        let first = 1 + dataset.joints() - joint;
+        let largest = dataset.large_torque_n_m(joint);
+        // Both were as large as the linear one at the largest torque.
+        for (k, unit) in [1.0 / largest, largest.sqrt()].into_iter().enumerate() {
+            let value = values.get(first + k)?;
+            out[7 + k] = Value { value: value.value * unit, sigma: value.sigma.map(|sigma| sigma * unit) };
+        }
+    }
+    Some(out)
 }
 
 /// A candidate's parameters as terms: its own, and the double frequency of a gear, which is no cause of its own.
 fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) -> Vec<Term> {
+    if candidate.kind == EffectKind::JointOffset && candidate.variant.joint.is_none() {
+        let of_joint = |(joint, value)| Term::plain(candidate.kind, Some(joint), vec![value]);
+        return values.into_iter().enumerate().map(of_joint).collect();
+    }
     let gear = matches!(candidate.kind, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic);
     let overtone = if gear && candidate.variant.refined { values.split_off(2) } else { Vec::new() };
     let double = candidate.variant.n.map(|n| 2 * n).filter(|_| !overtone.is_empty()).map(|n| {
@@ -151,8 +163,8 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
     let payload_scaling = variant.payload_scaling;
     let values = match kind {
         // Where the payload's centre lies is no part of the robot.
-        EffectKind::JointCompliance => bent(dataset, variant, by_link(values, 1, variant.joint?, 9))?,
-        EffectKind::LinkBending => by_link(values, 2, variant.joint? + 1, 8),
+        EffectKind::JointCompliance => compliance(dataset, variant, &values)?,
+        EffectKind::LinkBending => by_link(values, 2, variant.joint? + 1, 9),
         EffectKind::PayloadMass => {
             let share = if payload_scaling == PayloadScaling::PerKilogram {
                 1.0 / dataset.largest_payload_kg
@@ -161,8 +173,9 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
             };
             let kg = values.first().copied()?;
             let mut all = vec![Value { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
-            for (j, give) in COMPLIANCE.iter().enumerate() {
-                let extra = SOFT.iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
+            let soft = soft(dataset.joints());
+            for (j, give) in usual_compliance(&dataset.slides).iter().enumerate() {
+                let extra = soft.iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
                 let value = share * give * (kg.value + extra.map_or(0.0, |e| e.value));
                 all.push(Value { value, sigma: None });
             }
@@ -191,16 +204,17 @@ mod tests {
     use crate::measure::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, UnitQuaternion};
     use robot_model::deform::identified::Identified;
-    use robot_model::kinematics::Chain;
-    use robot_model::robot::Robot;
+    use robot_model::kinematics::SerialChain;
+    use robot_model::robot::{Joints, SerialArm};
     use std::collections::BTreeSet;
     use std::sync::Arc;
 
     const TOOL_M: [f64; 3] = [0.04, -0.03, 0.11];
 
     /// Sixteen postures all over the ranges, times, payloads, directions and temperatures as different.
-    fn stations(robot: &Robot, registration: &Registration) -> Vec<Station> {
-        let chain = Chain::nominal(robot);
+    fn stations(robot: &SerialArm, registration: &Registration) -> Vec<Station> {
+        let chain = SerialChain::nominal(robot);
+        let joints = robot.joints.len();
         (0..16_usize)
             .map(|k| {
                 // Equidistributed by the golden section and its powers.
@@ -210,12 +224,14 @@ mod tests {
                     target: 0,
                     stand: 0,
                     t_min: Some(7.0 * k as f64 + 3.0),
-                    q_rad: std::array::from_fn(|j| 2.4 * share(j) - 1.2),
+                    q_rad: Joints::from_fn(joints, |j| {
+                        if robot.joints[j].kind.slides() { -0.2 * share(j) } else { 2.4 * share(j) - 1.2 }
+                    }),
                     reading: Reading::Point { position_m: Vector3::zeros() },
                     orientation: Some(UnitQuaternion::identity()),
-                    direction: Some(std::array::from_fn(|j| if share(j + 1) < 0.5 { -1 } else { 1 })),
+                    direction: Some(Joints::from_fn(joints, |j| if share(j + 1) < 0.5 { -1 } else { 1 })),
                     payload_kg: Some([0.0, 2.0, 3.5][k % 3]),
-                    joint_temperature_c: Some(std::array::from_fn(|j| 20.0 + 9.0 * share(j + 2))),
+                    joint_temperature_c: Some(Joints::from_fn(joints, |j| 20.0 + 9.0 * share(j + 2))),
                     air_temperature_c: None,
                     line: 0,
                     rows: vec![k],
@@ -229,7 +245,7 @@ mod tests {
 
     /// Where a model puts the measured point against a true reading of it, and the flange.
     fn model_of(
-        robot: &Arc<Robot>,
+        robot: &Arc<SerialArm>,
         stations: &[Station],
         registration: &Registration,
         terms: Vec<Term>,
@@ -244,10 +260,10 @@ mod tests {
     }
 
     /// The parameters that a model's term holds: not where the payload's centre lies, nor how a target turns.
-    fn held(candidate: &Candidate) -> usize {
+    fn held(candidate: &Candidate, joints: usize) -> usize {
         match candidate.kind {
             EffectKind::ToolDrift | EffectKind::ToolStep => 3,
-            _ => centre_at(candidate).map_or(candidate.prior_sigma.len(), |centre| centre.start),
+            _ => centre_at(candidate, joints).map_or(candidate.prior_sigma.len(), |centre| centre.start),
         }
     }
 
@@ -255,8 +271,24 @@ mod tests {
     /// on: for every effect, joint and growth, every parameter, point and orientation.
     #[test]
     fn every_signature_is_the_derivative_of_the_same_effect_in_a_model() {
-        let robot = Arc::new(Robot::built_in("irb140").unwrap());
-        let chain = Chain::nominal(&robot);
+        check_signatures(SerialArm::built_in("irb140").unwrap());
+    }
+
+    #[test]
+    fn so_it_is_for_arms_of_four_five_and_seven_joints_and_one_that_slides() {
+        for text in [
+            include_str!("../../../../fixtures/robots/scara.toml"),
+            include_str!("../../../../fixtures/robots/palletiser.toml"),
+            include_str!("../../../../fixtures/robots/five_axes.toml"),
+            include_str!("../../../../fixtures/robots/seven_axes.toml"),
+        ] {
+            check_signatures(SerialArm::from_toml(text).unwrap());
+        }
+    }
+
+    fn check_signatures(robot: SerialArm) {
+        let robot = Arc::new(robot);
+        let chain = SerialChain::nominal(&robot);
         let registration =
             Registration::assumed(Isometry3::identity(), vec![Vector3::from(TOOL_M)], Vec::new());
         let stations = stations(&robot, &registration);
@@ -275,8 +307,7 @@ mod tests {
         let mut tried: BTreeSet<EffectKind> = BTreeSet::new();
         for candidate in candidates(&dataset).0 {
             // Offsets of all joints at once are taken apart by the search; gear lines are all alike.
-            let all_at_once = candidate.kind == EffectKind::JointOffset && candidate.variant.joint.is_none();
-            if all_at_once || candidate.variant.n.is_some_and(|n| n > 3 && n != 40) {
+            if candidate.variant.n.is_some_and(|n| n > 3 && n != 40) {
                 continue;
             }
             tried.insert(candidate.kind);
@@ -286,7 +317,7 @@ mod tests {
                 candidate.effect().signature(&candidate.variant, &dataset, observation, &mut out);
                 signatures.push(out);
             }
-            for k in 0..held(&candidate) {
+            for k in 0..held(&candidate, dataset.joints()) {
                 let step = candidate.prior_sigma[k];
                 let at = |sign: f64| {
                     let value =
@@ -306,7 +337,8 @@ mod tests {
                     for (difference, signature) in difference.iter().zip(&all[k]) {
                         assert!(
                             (difference - signature).abs() < 1e-6 * largest + 1e-9,
-                            "{:?} parameter {k}: {difference} by differences, {signature} by the signature",
+                            "{}, {:?} parameter {k}: {difference} by differences, {signature} by the signature",
+                            robot.name,
                             (candidate.kind, &candidate.variant)
                         );
                     }

@@ -2,14 +2,14 @@
 
 use super::identify::predicted;
 use crate::measure::{
-    FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather, register,
-    register_with,
+    FaultKind, FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather,
+    register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::identified::Identified;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
-use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::SerialArm;
+use robot_model::units::{mm_from_m, rad_from_deg};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -30,6 +30,20 @@ pub enum ValidateError {
     /// Too few or too alike poses.
     #[error(transparent)]
     Register(#[from] RegisterError),
+    /// The file's joints are not the arm's.
+    #[error("{reason}")]
+    Joints {
+        /// Which the file has and which the arm.
+        reason: String,
+    },
+    /// The model's joints are not the arm's.
+    #[error("the model is of an arm of {known} joints, which do not move as those of {robot} do")]
+    ModelJoints {
+        /// Joints of the model.
+        known: usize,
+        /// Name of the arm.
+        robot: String,
+    },
     /// The model does not say how the target hung on the flange.
     #[error("the model has no [mounting]: only --register base,tool can be used")]
     NoMounting,
@@ -84,6 +98,8 @@ pub struct Validation {
 
 /// A joint this far outside the range is still inside.
 const SLACK_DEG: f64 = 1.0;
+/// The same of one that slides, metres.
+const SLACK_M: f64 = 1e-3;
 
 /// Applies `model` to `measurements`, the registration that `which` names fitted again.
 ///
@@ -91,14 +107,20 @@ const SLACK_DEG: f64 = 1.0;
 /// [`ValidateError`]
 pub fn validate(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     model: &Identified,
     which: RefitScope,
 ) -> Result<Validation, ValidateError> {
     let checked = check_rows(measurements, robot);
+    if let Some(fault) = checked.fault.as_ref().filter(|fault| fault.kind == FaultKind::JointColumns) {
+        return Err(ValidateError::Joints { reason: fault.reason.clone() });
+    }
+    if model.joint_kinds != robot.kinds() {
+        return Err(ValidateError::ModelJoints { known: model.joint_kinds.len(), robot: robot.name.clone() });
+    }
     let gathered = gather(measurements, &checked.used);
     let (stations, targets) = (&gathered.stations, gathered.targets);
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let start = registered(stations, &nominal, targets, model, which)?;
     let (seen, poses) =
@@ -111,7 +133,7 @@ pub fn validate(
             weight: stations[i].rows.len(),
             model_m: fitted.residual_m(&seen[i], &poses[i]).norm(),
             nominal_m: start.residual_m(&stations[i], &nominal[i]).norm(),
-            outside: (0..6).filter(|&j| outside(model, &stations[i], j)).collect(),
+            outside: (0..robot.joints.len()).filter(|&j| outside(model, &stations[i], j)).collect(),
         };
         rows.push(place);
     }
@@ -122,7 +144,7 @@ pub fn validate(
         all: part(rows.iter()),
         inside: part(rows.iter().filter(|d| d.outside.is_empty())),
         outside: part(rows.iter().filter(|d| !d.outside.is_empty())),
-        joints_outside: (0..6)
+        joints_outside: (0..robot.joints.len())
             .map(|j| [j + 1, rows.iter().filter(|d| d.outside.contains(&j)).count()])
             .filter(|[_, n]| *n > 0)
             .collect(),
@@ -139,10 +161,11 @@ struct Distance {
 }
 
 fn outside(model: &Identified, station: &Station, j: usize) -> bool {
-    let [low, high] = model.measured_range.q_rad[j];
-    let slack_rad = rad_from_deg(SLACK_DEG);
+    let Some([low, high]) = model.measured_range.q_rad.get(j).copied() else { return false };
+    let slides = model.joint_kinds.get(j).is_some_and(|kind| kind.slides());
+    let slack_rad = if slides { SLACK_M } else { rad_from_deg(SLACK_DEG) };
     let q_rad = station.q_rad[j];
-    deg_from_rad(high - low) > 0.0 && (q_rad < low - slack_rad || q_rad > high + slack_rad)
+    high - low > 0.0 && (q_rad < low - slack_rad || q_rad > high + slack_rad)
 }
 
 fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> PoseSubset {

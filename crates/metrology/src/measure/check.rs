@@ -3,8 +3,7 @@
 use super::fault::{Fault, FaultKind};
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::Robot;
-use robot_model::units::deg_from_rad;
+use robot_model::robot::{JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
 
 /// More rows than this say no more; a part of the poses is taken.
@@ -31,9 +30,19 @@ pub struct RowCheck {
 
 /// Checks the rows of `measurements` against each other and the robot's ranges.
 #[must_use]
-pub fn check_rows(measurements: &Measurements, robot: &Robot) -> RowCheck {
+pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
     let rows = &measurements.rows;
     let mut checked = RowCheck { time_usable: true, ..RowCheck::default() };
+    if measurements.joint_kinds != robot.kinds() {
+        let reason = format!(
+            "the file has {}, the joints of {} are {}: another robot, or a column that is missing or one too many",
+            written_as(&measurements.joint_kinds),
+            robot.name,
+            robot.columns()
+        );
+        checked.fault = Some(Fault::of_all(FaultKind::JointColumns, None, reason));
+        return checked;
+    }
     checked.used = distinct(rows, &mut checked.warnings);
     in_range(rows, robot, &mut checked);
     time_order(rows, &mut checked);
@@ -49,6 +58,14 @@ pub fn check_rows(measurements: &Measurements, robot: &Robot) -> RowCheck {
         ));
     }
     checked
+}
+
+/// The joint columns of a file, as words.
+fn written_as(kinds: &Joints<JointKind>) -> String {
+    let all = kinds.iter().enumerate();
+    let all: Vec<String> =
+        all.map(|(j, kind)| format!("q{}_{}", j + 1, if kind.slides() { "mm" } else { "deg" })).collect();
+    all.join(", ")
 }
 
 fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
@@ -83,7 +100,7 @@ fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usiz
     used
 }
 
-fn in_range(rows: &[MeasurementRow], robot: &Robot, checked: &mut RowCheck) {
+fn in_range(rows: &[MeasurementRow], robot: &SerialArm, checked: &mut RowCheck) {
     let beyond = |row: &MeasurementRow| {
         robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
             joint
@@ -99,16 +116,17 @@ fn in_range(rows: &[MeasurementRow], robot: &Robot, checked: &mut RowCheck) {
         })
         .collect();
     let Some(&(row, joint)) = out.first() else { return };
-    let (line, q_deg) = rows.get(row).map_or((0, 0.0), |r| (r.line, deg_from_rad(r.q_rad[joint])));
+    let (line, q) = rows.get(row).map_or((0, 0.0), |r| (r.line, robot.in_deg_or_mm(&r.q_rad)[joint]));
+    let unit = if robot.joints[joint].kind.slides() { "mm" } else { "deg" };
     let what = format!(
-        "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q_deg:.2} deg)",
+        "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q:.2} {unit})",
         out.len(),
         checked.used.len(),
         joint + 1
     );
     if out.len() as f64 > OUT_OF_RANGE_SHARE * checked.used.len() as f64 {
         let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| joint + 1).collect();
-        let columns: Vec<String> = columns.into_iter().map(|joint| format!("q{joint}_deg")).collect();
+        let columns: Vec<String> = columns.into_iter().map(|joint| robot.column(joint - 1)).collect();
         let lines = out.iter().filter_map(|(i, _)| rows.get(*i)).map(|row| row.line).collect();
         checked.fault =
             Some(Fault::in_rows(FaultKind::JointsOutOfRange, &columns.join(", "), lines, |_, _| {
@@ -191,7 +209,7 @@ mod tests {
 
     #[test]
     fn one_step_back_is_a_warning_and_shuffled_time_is_not_used() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
         rows[10].0 = 5.5;
         let checked = check_rows(&file(&rows), &robot);
@@ -207,7 +225,7 @@ mod tests {
 
     #[test]
     fn copies_and_joints_out_of_range_are_left_out_and_many_of_those_are_a_fault() {
-        let robot = Robot::built_in("irb140").unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
         let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
         rows.push(rows[3]);
         rows[8].1 = 170.0;

@@ -3,7 +3,7 @@
 //! A map says which of their columns is which of ours, how cells are divided, and in what units and conventions the
 //! numbers are.
 
-use super::column_names::{JOINTS, POINT, QUATERNION, known};
+use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
 use super::table::{Line, Table};
 use super::timestamp::TimestampFormat;
@@ -313,7 +313,7 @@ impl ColumnMap {
         if cell.is_empty() {
             return Ok(String::new());
         }
-        let is_length = POINT.contains(&our_name) || our_name == "length_mm";
+        let is_length = POINT.contains(&our_name) || SLIDES.contains(&our_name) || our_name == "length_mm";
         let is_text = ["id", "pose_id", "target", "kind", "fixed_id"].contains(&our_name);
         if is_text {
             return Ok(cell.to_owned());

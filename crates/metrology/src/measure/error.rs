@@ -27,9 +27,7 @@ pub enum MeasureError {
         column: String,
     },
     /// More joints than the robot has.
-    #[error(
-        "column {column}: the file has more than six joints, the robot six; remove the column or take the robot's own file"
-    )]
+    #[error("column {column}: no arm has more than seven joints here; remove the column")]
     TooManyJoints {
         /// Name of the column.
         column: String,

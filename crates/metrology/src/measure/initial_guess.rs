@@ -2,6 +2,7 @@
 
 use super::{Reading, Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use std::f64::consts::PI;
 
 /// Least spread of the points that places a base, metres.
 const SPREAD_M: f64 = 3e-3;
@@ -99,18 +100,14 @@ pub(super) fn initial_guess(
     for (from, (_, _, position_m)) in model.iter().zip(&seen) {
         cross += (position_m - seen_mean) * (from - model_mean).transpose();
     }
-    let svd = cross.svd(true, true);
-    let (u, v_t) = (svd.u?, svd.v_t?);
     let spread_m2 = model.iter().map(|m| (m - model_mean).norm_squared()).sum::<f64>() / n;
-    let s = &svd.singular_values;
-    // Points alike or on a line leave a turn of the base open.
-    if spread_m2 < SPREAD_M.powi(2) || s.max() <= 0.0 || s.iter().filter(|v| **v > 1e-6 * s.max()).count() < 2
-    {
-        return None;
-    }
-    let sign = (u * v_t).determinant().signum();
-    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v_t;
-    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation));
+    let by_points = if spread_m2 < SPREAD_M.powi(2) { None } else { turn_of(cross) };
+    // Points alike or on a line leave a turn of the base open, which measured orientations close.
+    let rotation = match by_points {
+        Some(rotation) => rotation,
+        None if oriented(all) => turn_of(cross / TURN_AS_M.powi(2) + turns_together(&seen)?)?,
+        None => return None,
+    };
     let instrument_from_base =
         Isometry3::from_parts(Translation3::from(seen_mean - rotation * model_mean), rotation);
     let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
@@ -120,6 +117,41 @@ pub(super) fn initial_guess(
     }
     place_fixed_points(&mut start, all, all_poses);
     Some(start)
+}
+
+/// So many metres of spread count as much as a radian of turns.
+const TURN_AS_M: f64 = 0.2;
+/// Turns nearer than this to half a turn have an axis that may as well point the other way, radians.
+const HALF_TURN_RAD: f64 = 0.2;
+
+/// The rotation that `cross`, a sum of products of what is seen and what it is in the base, says (Arun, Huang and Blostein,
+/// 1987); `None` where it leaves a turn open.
+fn turn_of(cross: Matrix3<f64>) -> Option<UnitQuaternion<f64>> {
+    let svd = cross.svd(true, true);
+    let (u, v_t) = (svd.u?, svd.v_t?);
+    let s = &svd.singular_values;
+    if s.max() <= 0.0 || s.iter().filter(|v| **v > 1e-6 * s.max()).count() < 2 {
+        return None;
+    }
+    let sign = (u * v_t).determinant().signum();
+    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v_t;
+    Some(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation)))
+}
+
+/// The products of turns from the first pose on, as the instrument sees them and as the flange makes them: one is the other in
+/// the base's axes, whatever way the sensor is mounted (Park and Martin 1994).
+fn turns_together(seen: &[(&Station, &Isometry3<f64>, Vector3<f64>)]) -> Option<Matrix3<f64>> {
+    let (first, first_pose, _) = seen.first()?;
+    let start = first.orientation?;
+    let mut cross = Matrix3::zeros();
+    for (station, pose, _) in seen {
+        let seen_rad = (station.orientation? * start.inverse()).scaled_axis();
+        let made_rad = (pose.rotation * first_pose.rotation.inverse()).scaled_axis();
+        if made_rad.norm() < PI - HALF_TURN_RAD {
+            cross += seen_rad * made_rad.transpose();
+        }
+    }
+    Some(cross)
 }
 
 #[cfg(test)]

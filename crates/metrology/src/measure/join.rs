@@ -1,7 +1,7 @@
 //! Points and joints in two files: their rows put together.
 
 use super::MeasureError;
-use super::column_names::JOINTS;
+use super::column_names;
 use super::error::missing_column;
 use super::table::{Line, Table};
 use std::collections::BTreeMap;
@@ -34,11 +34,8 @@ pub struct Joined {
 /// # Errors
 /// A column that is needed and not there, an id that stands twice with the joints, a time that is none.
 pub fn join(points: &Table, joints: &Table, by: MatchBy, within_min: f64) -> Result<Joined, MeasureError> {
-    for name in JOINTS {
-        if joints.column(name).is_none() {
-            return Err(missing_column(name, &joints.header));
-        }
-    }
+    column_names::joints(|name| joints.column(name).is_some())
+        .map_err(|name| missing_column(name, &joints.header))?;
     let kind = points.column("kind");
     let is_nest = |line: &Line| {
         kind.and_then(|k| line.cells.get(k)).is_some_and(|cell| cell.eq_ignore_ascii_case("base"))

@@ -7,8 +7,8 @@ use super::{
     register, register_with,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 use std::collections::BTreeMap;
 
 /// Rows of one pose further apart than this are another time of the drift test.
@@ -65,7 +65,7 @@ pub struct PosePerformance {
     /// Index of the reflector or stylus.
     pub target: usize,
     /// Joint angles as commanded, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Barycentre in the base, metres.
     pub barycentre_m: Vector3<f64>,
     /// Accuracy of all rows of the pose.
@@ -112,7 +112,7 @@ pub struct Performance {
 /// [`PerformanceError`]
 pub fn performance(
     measurements: &Measurements,
-    robot: &Robot,
+    robot: &SerialArm,
     compared: ComparisonFrame,
 ) -> Result<Performance, PerformanceError> {
     let checked = check_rows(measurements, robot);
@@ -123,10 +123,10 @@ pub fn performance(
         return Err(PerformanceError::NoPoints);
     }
     let gathered = gather(measurements, &checked.used);
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let registration = registered(&gathered.stations, gathered.targets, &chain, compared)?;
     let numbers = pose_numbers(measurements, &checked.used);
-    type Side = (usize, usize, Option<[i8; 6]>, u64);
+    type Side = (usize, usize, Option<Joints<i8>>, u64);
     let mut groups: BTreeMap<Side, Vec<usize>> = BTreeMap::new();
     for (&row, &pose) in checked.used.iter().zip(&numbers) {
         let Some(r) = measurements.rows.get(row).filter(|r| matches!(r.reading, Reading::Point { .. }))
@@ -160,7 +160,7 @@ pub fn performance(
 fn registered(
     stations: &[Station],
     targets: usize,
-    chain: &Chain,
+    chain: &SerialChain,
     compared: ComparisonFrame,
 ) -> Result<Registration, RegisterError> {
     let flange: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(chain)).collect();
@@ -178,7 +178,7 @@ fn registered(
 
 fn pose_performance(
     measurements: &Measurements,
-    chain: &Chain,
+    chain: &SerialChain,
     registration: &Registration,
     pose: usize,
     rows: &[usize],

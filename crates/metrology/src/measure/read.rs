@@ -1,11 +1,12 @@
 //! Reading the measurement table: columns by name, in any order, checked cell by cell.
 
-use super::column_names::{DIRECTIONS, FIXED, JOINTS, QUATERNION, TEMPERATURES};
+use super::column_names::{FIXED, QUATERNION, SLIDES};
 use super::error::missing_column;
 use super::row_cells::{ColumnIndex, RowCells};
 use super::table::Table;
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::{JointKind, Joints};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Measurements {
@@ -76,7 +77,7 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
             let next = targets.len();
             let name = cells.text("target").unwrap_or_default().to_owned();
             target = *targets.entry(name).or_insert(next);
-            for name in JOINTS {
+            for name in columns.joints.iter().filter(|name| !SLIDES.contains(name)) {
                 decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
             }
         }
@@ -111,9 +112,16 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
         channels,
         targets: in_order(targets),
         fixed_points: in_order(fixed_points.into_iter().map(|((_, name), index)| (name, index))),
+        joint_kinds: kinds(&columns),
         joint_decimals: decimals,
         warnings,
     })
+}
+
+/// How each joint moves, by the unit of its column.
+fn kinds(columns: &ColumnIndex) -> Joints<JointKind> {
+    let kind = |name: &&str| if SLIDES.contains(name) { JointKind::Prismatic } else { JointKind::Revolute };
+    columns.joints.iter().map(kind).collect()
 }
 
 /// Names at their indices.
@@ -134,7 +142,8 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
     for row in &measurements.rows {
         let Reading::Touch { fixed_point } = row.reading else { continue };
         let t_min = row.t_min.ok_or_else(no_time)?;
-        touches.push(Touch { line: row.line, point: fixed_point, t_min, q_rad: row.q_rad, measured_m: None });
+        let q_rad = row.q_rad.array().ok_or_else(|| missing_column("q6_deg", &table.header))?;
+        touches.push(Touch { line: row.line, point: fixed_point, t_min, q_rad, measured_m: None });
     }
     if touches.is_empty() {
         return Err(MeasureError::NoRows);
@@ -173,9 +182,9 @@ fn complete_channels(
         pose_id: columns.has("pose_id"),
         time: keep(&["t_min"], any, |r| r.t_min.is_some()),
         orientation: keep(&QUATERNION, arm, |r| r.orientation.is_some()),
-        direction: keep(&DIRECTIONS, arm, |r| r.direction.is_some()),
+        direction: keep(columns.directions, arm, |r| r.direction.is_some()),
         payload: keep(&["payload_kg"], arm, |r| r.payload_kg.is_some()),
-        joint_temperature: keep(&TEMPERATURES, arm, |r| r.joint_temperature_c.is_some()),
+        joint_temperature: keep(columns.temperatures, arm, |r| r.joint_temperature_c.is_some()),
         air_temperature: keep(&["temp_air_c"], any, |r| r.air_temperature_c.is_some()),
     };
     for row in rows {
@@ -215,7 +224,7 @@ mod tests {
         let row = &m.rows[0];
         assert_eq!(row.reading, Reading::Point { position_m: Vector3::new(1.0, -2.0, 3.0) });
         assert_eq!(row.q_rad[1], std::f64::consts::FRAC_PI_2);
-        assert_eq!(row.direction, Some([1, -1, 0, 1, 1, 1]));
+        assert_eq!(row.direction.unwrap(), [1, -1, 0, 1, 1, 1]);
         assert_eq!((row.t_min, row.line), (Some(5.0), 2));
         assert!(m.channels.time && m.channels.direction && !m.channels.payload);
         assert_eq!(m.joint_decimals, 2);
@@ -228,12 +237,32 @@ mod tests {
         assert_eq!(row("0,0,0,0,0,0,1,2"), "line 2 has 8 cells, the header 9");
         assert_eq!(read(HEADER).unwrap_err(), MeasureError::NoRows);
         assert_eq!(read("").unwrap_err(), MeasureError::NoHeader);
-        let seven = read(&format!("{HEADER},q7_deg\n")).unwrap_err();
-        assert_eq!(seven, MeasureError::TooManyJoints { column: "q7_deg".to_owned() });
+        let eight = read(&format!("{HEADER},q7_deg,q8_deg\n")).unwrap_err();
+        assert_eq!(eight, MeasureError::TooManyJoints { column: "q8_deg".to_owned() });
+        let gap = read("q1_deg,q2_deg,q4_mm,x_mm,y_mm,z_mm\n").unwrap_err().to_string();
+        assert!(gap.starts_with("column q3_deg is missing"), "{gap}");
         let without = read("q1_deg,q2_deg\n1,2\n").unwrap_err().to_string();
         assert!(without.starts_with("column q3_deg is missing"), "{without}");
         let semicolons = read("q1_deg;q2_deg\n1;2\n").unwrap_err().to_string();
         assert!(semicolons.contains("separated by ';'"), "{semicolons}");
+    }
+
+    #[test]
+    fn four_to_seven_joints_are_read_and_those_that_slide_in_mm() {
+        let scara = read(
+            "q1_deg,q2_deg,q3_mm,q4_deg,dir1,dir2,dir3,dir4,temp_j1_c,temp_j2_c,temp_j3_c,temp_j4_c,x_mm,y_mm,z_mm\n\
+             90,0,-120.5,180,1,-1,0,1,20,21,22,23,1,2,3\n",
+        )
+        .unwrap();
+        assert_eq!(scara.rows[0].q_rad, [std::f64::consts::FRAC_PI_2, 0.0, -0.1205, std::f64::consts::PI]);
+        assert_eq!(scara.rows[0].direction.unwrap(), [1, -1, 0, 1]);
+        assert_eq!(scara.rows[0].joint_temperature_c.unwrap(), [20.0, 21.0, 22.0, 23.0]);
+        let names: Vec<&str> = scara.joint_kinds.iter().map(|kind| kind.name()).collect();
+        assert_eq!(names, ["revolute", "revolute", "prismatic", "revolute"]);
+        let seven = read(&format!("q7_deg,{HEADER}\n7,1,2,3,4,5,6,1,2,3\n")).unwrap();
+        assert_eq!(seven.rows[0].q_rad.len(), 7);
+        assert!((seven.rows[0].q_rad[6] - 7.0_f64.to_radians()).abs() < 1e-15);
+        assert!(seven.warnings.is_empty() && !seven.channels.direction);
     }
 
     #[test]

@@ -157,7 +157,7 @@ mod tests {
                 target: 0,
                 stand: 0,
                 t_min: None,
-                q_rad: [0.0; 6],
+                q_rad: [0.0; 6].into(),
                 reading: Reading::Point { position_m: (base * pose * Point3::from(tool)).coords },
                 orientation: turn.then(|| base.rotation * pose.rotation * sensor),
                 direction: None,
@@ -197,6 +197,24 @@ mod tests {
         assert_eq!(fit.tools_m, [tool]);
         assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-9);
         assert!(fit.rms_m < 1e-9, "{fit:?}");
+    }
+
+    #[test]
+    fn orientation_places_the_base_where_points_lie_on_a_line() {
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let tool = Vector3::new(0.08, -0.05, 0.21);
+        let along = Vector3::new(0.6, 0.0, 0.8);
+        let on_a_line = |(i, pose): (usize, &Isometry3<f64>)| {
+            let point_m = Vector3::new(0.3, 0.1, 0.2) + along * (0.02 * i as f64);
+            Isometry3::from_parts((point_m - pose.rotation * tool).into(), pose.rotation)
+        };
+        let poses: Vec<Isometry3<f64>> = poses(30).iter().enumerate().map(on_a_line).collect();
+        let fit = register(&seen(&poses, &base, tool, true), &poses, 1, None).unwrap();
+        let off = fit.instrument_from_base.inverse() * base;
+        assert!(off.translation.vector.norm() < 1e-6 && off.rotation.angle() < 1e-6, "{fit:?}");
+        assert!((fit.tools_m[0] - tool).norm() < 1e-6, "{fit:?}");
+        let without = register(&seen(&poses, &base, tool, false), &poses, 1, None).unwrap_err();
+        assert_eq!(without, RegisterError::Degenerate, "points on a line alone leave its turn open");
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! One line of a measurement table: its cells by column, checked one by one, as a row in SI units.
 
-use super::column_names::{DIRECTIONS, FIXED, JOINTS, LENGTH, POINT, QUATERNION, TEMPERATURES, known};
+use super::column_names::{self, DIRECTIONS, FIXED, LENGTH, POINT, QUATERNION, SLIDES, TEMPERATURES, known};
 use super::error::missing_column;
 use super::table::Line;
 use super::{MeasureError, MeasurementRow, Reading};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::{Joints, MOST_JOINTS};
 use robot_model::units::{m_from_mm, rad_from_deg};
 use std::collections::BTreeMap;
 
@@ -15,18 +16,23 @@ const QUATERNION_LENGTH: f64 = 0.02;
 /// Where each known column stands.
 pub(super) struct ColumnIndex {
     pub(super) at: BTreeMap<String, usize>,
+    /// The joints' columns, joint 1 first.
+    pub(super) joints: Vec<&'static str>,
+    /// Columns of their directions and temperatures, as many, there or not.
+    pub(super) directions: &'static [&'static str],
+    pub(super) temperatures: &'static [&'static str],
     pub(super) warnings: Vec<Diagnostic>,
 }
 
 impl ColumnIndex {
     pub(super) fn new(header: &[String]) -> Result<Self, MeasureError> {
         let known = known();
-        let mut at = BTreeMap::new();
+        let mut at: BTreeMap<String, usize> = BTreeMap::new();
         let mut warnings = Vec::new();
         for (index, name) in header.iter().enumerate() {
             let name = name.to_ascii_lowercase();
             let joint = name.strip_prefix('q').and_then(|rest| rest.strip_suffix("_deg"));
-            if joint.and_then(|n| n.parse::<u32>().ok()).is_some_and(|n| n > 6) {
+            if joint.and_then(|n| n.parse::<u32>().ok()).is_some_and(|n| n > MOST_JOINTS as u32) {
                 return Err(MeasureError::TooManyJoints { column: name });
             }
             if !known.contains(&name.as_str()) {
@@ -45,12 +51,15 @@ impl ColumnIndex {
         }
         let without_points = at.contains_key(FIXED) || at.contains_key(LENGTH);
         let points = POINT.iter().filter(|_| !without_points || POINT.iter().any(|p| at.contains_key(*p)));
-        for column in JOINTS.iter().chain(points) {
+        let joints = column_names::joints(|name| at.contains_key(name));
+        let joints = joints.map_err(|column| missing_column(column, header))?;
+        for column in points {
             if !at.contains_key(*column) {
                 return Err(missing_column(column, header));
             }
         }
-        let groups = [&QUATERNION[..], &DIRECTIONS, &TEMPERATURES];
+        let (directions, temperatures) = (&DIRECTIONS[..joints.len()], &TEMPERATURES[..joints.len()]);
+        let groups = [&QUATERNION[..], directions, temperatures];
         for group in groups {
             let there = group.iter().filter(|name| at.contains_key(**name)).count();
             if there > 0 && there < group.len() {
@@ -63,7 +72,7 @@ impl ColumnIndex {
                 }
             }
         }
-        Ok(Self { at, warnings })
+        Ok(Self { at, joints, directions, temperatures, warnings })
     }
 
     pub(super) fn has(&self, name: &str) -> bool {
@@ -101,14 +110,17 @@ impl RowCells<'_> {
         } else {
             POINT.into_iter().find(|name| nothing(name))
         };
-        let joints = if base { None } else { JOINTS.into_iter().find(|name| nothing(name)) };
+        let joints = if base { None } else { self.columns.joints.iter().copied().find(|name| nothing(name)) };
         joints.or(point)
     }
 
     /// Columns of what need not be there whose cell is empty.
     pub(super) fn empty_among_optional(&self) -> impl Iterator<Item = &'static str> {
         let single = ["t_min", "payload_kg", "temp_air_c"];
-        let all = single.into_iter().chain(QUATERNION).chain(DIRECTIONS).chain(TEMPERATURES);
+        let all = {
+            let per_joint = self.columns.directions.iter().chain(self.columns.temperatures).copied();
+            single.into_iter().chain(QUATERNION).chain(per_joint)
+        };
         all.filter(|name| self.text(name).is_some_and(is_nothing))
     }
 
@@ -151,6 +163,15 @@ impl RowCells<'_> {
         Ok(Some(values))
     }
 
+    /// Numbers of one column for each joint; `None` where one is empty.
+    fn per_joint(&self, names: &[&str]) -> Result<Option<Joints>, MeasureError> {
+        names
+            .iter()
+            .map(|name| self.optional(name))
+            .collect::<Result<Option<Vec<f64>>, _>>()
+            .map(|values| values.filter(|values| !values.is_empty()).map(Joints::from_iter))
+    }
+
     fn impossible(&self, column: &str, why: &'static str) -> MeasureError {
         MeasureError::Impossible {
             line: self.line.number,
@@ -160,16 +181,15 @@ impl RowCells<'_> {
         }
     }
 
-    fn joints(&self) -> Result<[f64; 6], MeasureError> {
-        let mut q_rad = [0.0; 6];
-        for (q, name) in q_rad.iter_mut().zip(JOINTS) {
-            let deg = self.number(name)?;
-            if deg.abs() > 1e5 {
-                return Err(self.impossible(name, "no joint turns that far"));
+    fn joints(&self) -> Result<Joints, MeasureError> {
+        let joint = |name: &&'static str| {
+            let written = self.number(name)?;
+            if written.abs() > 1e5 {
+                return Err(self.impossible(name, "no joint moves that far"));
             }
-            *q = rad_from_deg(deg);
-        }
-        Ok(q_rad)
+            Ok(if SLIDES.contains(name) { m_from_mm(written) } else { rad_from_deg(written) })
+        };
+        self.columns.joints.iter().map(joint).collect::<Result<Vec<f64>, _>>().map(Joints::from_iter)
     }
 
     fn empty(&self, name: &str) -> bool {
@@ -231,10 +251,10 @@ impl RowCells<'_> {
         target: usize,
         reading: Reading,
     ) -> Result<MeasurementRow, MeasureError> {
-        let q_rad = if reading.involves_arm() || JOINTS.iter().all(|name| !self.empty(name)) {
+        let q_rad = if reading.involves_arm() || self.columns.joints.iter().all(|name| !self.empty(name)) {
             self.joints()?
         } else {
-            [0.0; 6]
+            Joints::all(self.columns.joints.len(), 0.0)
         };
         let orientation = match self.optional_all(QUATERNION)? {
             None => None,
@@ -246,11 +266,11 @@ impl RowCells<'_> {
                 Some(UnitQuaternion::from_quaternion(quaternion))
             }
         };
-        let direction = match self.optional_all(DIRECTIONS)? {
+        let direction = match self.per_joint(self.columns.directions)? {
             None => None,
             Some(signs) => {
-                let mut direction = [0_i8; 6];
-                for ((to, from), name) in direction.iter_mut().zip(signs).zip(DIRECTIONS) {
+                let mut direction = signs.map(|_| 0_i8);
+                for ((to, from), name) in direction.iter_mut().zip(signs).zip(self.columns.directions) {
                     *to = match from {
                         1.0 => 1,
                         0.0 => 0,
@@ -277,7 +297,7 @@ impl RowCells<'_> {
             orientation,
             direction,
             payload_kg,
-            joint_temperature_c: self.optional_all(TEMPERATURES)?,
+            joint_temperature_c: self.per_joint(self.columns.temperatures)?,
             air_temperature_c: self.optional("temp_air_c")?,
         })
     }

@@ -3,6 +3,7 @@
 use super::Reading;
 use nalgebra::UnitQuaternion;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::{JointKind, Joints};
 
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,18 +20,18 @@ pub struct MeasurementRow {
     pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// Joints; at a nest they say nothing.
-    pub q_rad: [f64; 6],
+    /// Joints, radians, those that slide metres; at a nest they say nothing.
+    pub q_rad: Joints,
     /// What the instrument, or the touch, gave.
     pub reading: Reading,
     /// The measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion before the pose.
-    pub direction: Option<[i8; 6]>,
+    pub direction: Option<Joints<i8>>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
-    pub joint_temperature_c: Option<[f64; 6]>,
+    pub joint_temperature_c: Option<Joints>,
     /// Temperature of the air.
     pub air_temperature_c: Option<f64>,
 }
@@ -65,6 +66,8 @@ pub struct Measurements {
     pub targets: Vec<String>,
     /// Names of the fixed points: nests, points touched, ends of wires.
     pub fixed_points: Vec<String>,
+    /// How each joint moves, by the unit of its column.
+    pub joint_kinds: Joints<JointKind>,
     /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
     pub joint_decimals: usize,
     /// What a person should look at.

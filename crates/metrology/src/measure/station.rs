@@ -2,7 +2,8 @@
 
 use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use robot_model::kinematics::Chain;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::Joints;
 use std::collections::BTreeMap;
 
 /// Repeats further apart than this are different stations: drift between them is signal, not noise.
@@ -28,17 +29,17 @@ pub struct Station {
     /// Minutes since cold start.
     pub t_min: Option<f64>,
     /// Joints; at a nest they say nothing.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// What was measured, the mean of the rows.
     pub reading: Reading,
     /// Measured orientation in the instrument's frame.
     pub orientation: Option<UnitQuaternion<f64>>,
     /// Sign of each joint's last motion.
-    pub direction: Option<[i8; 6]>,
+    pub direction: Option<Joints<i8>>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
-    pub joint_temperature_c: Option<[f64; 6]>,
+    pub joint_temperature_c: Option<Joints>,
     /// Temperature of the air.
     pub air_temperature_c: Option<f64>,
     /// Line in the file of its first row.
@@ -56,7 +57,7 @@ impl Station {
 
     /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
     #[must_use]
-    pub fn pose(&self, chain: &Chain) -> Isometry3<f64> {
+    pub fn pose(&self, chain: &SerialChain) -> Isometry3<f64> {
         if self.reading.involves_arm() { chain.forward(&self.q_rad) } else { Isometry3::identity() }
     }
 }
@@ -90,7 +91,7 @@ pub struct Stations {
 }
 
 /// Pose, target, place, direction and payload (as bits): what repeats share.
-type Condition = (usize, usize, Option<usize>, Option<[i8; 6]>, u64);
+type Condition = (usize, usize, Option<usize>, Option<Joints<i8>>, u64);
 
 /// Gathers the rows that `used` names.
 ///
@@ -145,17 +146,16 @@ pub(super) fn pose_numbers(measurements: &Measurements, used: &[usize]) -> Vec<u
     if measurements.channels.pose_id {
         return rows.map(|row| row.pose).collect();
     }
-    let mut seen: BTreeMap<[u64; 6], usize> = BTreeMap::new();
+    let mut seen: BTreeMap<Joints<u64>, usize> = BTreeMap::new();
     let mut nests: BTreeMap<usize, usize> = BTreeMap::new();
-    let mut touched: BTreeMap<usize, Vec<([f64; 6], usize)>> = BTreeMap::new();
+    let mut touched: BTreeMap<usize, Vec<(Joints, usize)>> = BTreeMap::new();
     let mut next = 0;
     rows.map(|row| {
         let pose = match row.reading {
             Reading::Nest { fixed_point, .. } => *nests.entry(fixed_point).or_insert(next),
             Reading::Touch { fixed_point } => {
                 let known = touched.entry(fixed_point).or_default();
-                let near =
-                    |q: &[f64; 6]| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
+                let near = |q: &Joints| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
                 match known.iter().find(|(q, _)| near(q)) {
                     Some((_, pose)) => *pose,
                     None => {
@@ -221,8 +221,8 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
     for (j, q) in q_rad.iter_mut().enumerate() {
         *q = members.iter().map(|row| row.q_rad[j]).sum::<f64>() / n;
     }
-    let joint_temperature_c = first.joint_temperature_c.map(|_| {
-        std::array::from_fn(|j| {
+    let joint_temperature_c = first.joint_temperature_c.map(|first| {
+        Joints::from_fn(first.len(), |j| {
             members.iter().filter_map(|row| row.joint_temperature_c).map(|t| t[j]).sum::<f64>() / n
         })
     });

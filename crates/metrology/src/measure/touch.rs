@@ -40,7 +40,7 @@ impl Touches {
                 line: row.line,
                 point: row.pose,
                 t_min: row.t_min?,
-                q_rad: row.q_rad,
+                q_rad: row.q_rad.array()?,
                 measured_m: Some(position_m),
             });
         }

@@ -5,6 +5,7 @@ use super::information::{APART, NAMED_NATS};
 use crate::diagnose::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
+use robot_model::robot::Joints;
 
 /// Periods per turn, as the diagnosis tries them.
 pub const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
@@ -41,7 +42,7 @@ pub struct GearLines {
 /// The lines of every joint over measurements at `q_rad`, in the order of `signatures`' rows; a joint whose lines
 /// leave no signal is left out.
 #[must_use]
-pub fn lines(signatures: &Signatures, q_rad: &[[f64; 6]], sigma_m: f64) -> Vec<GearLines> {
+pub fn lines(signatures: &Signatures, q_rad: &[Joints], sigma_m: f64) -> Vec<GearLines> {
     let width = signatures.width;
     let nuisance = signatures.registration + signatures.geometry;
     let rows = q_rad.len() * 3;
@@ -62,7 +63,7 @@ pub fn lines(signatures: &Signatures, q_rad: &[[f64; 6]], sigma_m: f64) -> Vec<G
         let own = columns.transpose() * &columns - cross.transpose() * inner.solve(&cross);
         of_joint(j, &own)
     };
-    (0..6).filter_map(joint).collect()
+    (0..q_rad.first().map_or(0, |q| q.len())).filter_map(joint).collect()
 }
 
 /// From what base, target and tolerances leave of all lines, two columns each, per usual size over the noise.
@@ -113,9 +114,9 @@ mod tests {
     /// to 320 those from 40 on have their mirror among them, but for 180, which is its own.
     #[test]
     fn steps_of_one_degree_mirror_the_periods_at_180() {
-        let q_rad: Vec<[f64; 6]> =
-            (0..360).map(|k| [f64::from(k).to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
-        let mut turns = vec![[[0.0; 3]; 6]; 360];
+        let q_rad: Vec<Joints> =
+            (0..360).map(|k| Joints::from([f64::from(k).to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0])).collect();
+        let mut turns = vec![Joints::from([[0.0; 3]; 6]); 360];
         turns.iter_mut().for_each(|turn| turn[0] = [0.5, 0.0, 0.0]);
         let signatures = Signatures {
             registration: 1,

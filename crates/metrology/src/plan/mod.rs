@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 use pool::Pose;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, SerialArm};
 
 /// Possible poses among which the best are chosen.
 const POOL: usize = 1500;
@@ -43,11 +43,11 @@ pub enum MeasurementStep {
         /// Which pose, from 0: repeats share it.
         pose: usize,
         /// Joint angles, joint 1 first, radians.
-        q_rad: [f64; 6],
+        q_rad: Joints,
         /// Where each joint comes from.
-        approach_rad: [f64; 6],
+        approach_rad: Joints,
         /// Sign of each joint's last motion.
-        direction: [i8; 6],
+        direction: Joints<i8>,
         /// Mass of the payload as declared, kg.
         payload_kg: f64,
     },
@@ -75,7 +75,7 @@ pub struct MeasurementPlan {
 ///
 /// # Errors
 /// [`PlanError`]
-pub fn plan(robot: &Robot, options: &PlanOptions) -> Result<MeasurementPlan, PlanError> {
+pub fn plan(robot: &SerialArm, options: &PlanOptions) -> Result<MeasurementPlan, PlanError> {
     plan_from(robot, options, POOL, ROUNDS)
 }
 
@@ -84,7 +84,7 @@ pub fn plan(robot: &Robot, options: &PlanOptions) -> Result<MeasurementPlan, Pla
 /// # Errors
 /// As [`plan`].
 pub fn plan_from(
-    robot: &Robot,
+    robot: &SerialArm,
     options: &PlanOptions,
     pool: usize,
     rounds: usize,
@@ -103,10 +103,10 @@ pub fn plan_from(
     shuffle(&mut taken, &mut random);
     let swept = sweep::sweeps(robot, options, &poses)?;
     let steps = in_order(&taken, &swept, options);
-    let run = timed(&steps, options);
+    let run = timed(&steps, options, robot.joints.len());
     let signatures = signatures(robot, options.tool_m, &run);
     let mut outlook = outlook::outlook(&signatures, options.sigma_m);
-    let q_rad: Vec<[f64; 6]> = run.iter().map(|m| m.q_rad).collect();
+    let q_rad: Vec<Joints> = run.iter().map(|m| m.q_rad).collect();
     outlook.lines = lines::lines(&signatures, &q_rad, options.sigma_m);
     Ok(MeasurementPlan { steps, outlook, exchanges, pool: poses.len() })
 }
@@ -161,7 +161,7 @@ fn step(number: usize, pose: &Pose) -> MeasurementStep {
     }
 }
 
-fn timed(steps: &[MeasurementStep], options: &PlanOptions) -> Vec<PlannedMeasurement> {
+fn timed(steps: &[MeasurementStep], options: &PlanOptions, joints: usize) -> Vec<PlannedMeasurement> {
     steps
         .iter()
         .enumerate()
@@ -175,7 +175,13 @@ fn timed(steps: &[MeasurementStep], options: &PlanOptions) -> Vec<PlannedMeasure
                     let at_m = Vector3::from(NESTS_M[nest % NESTS_M.len()])
                         + Vector3::z() * (nest / NESTS_M.len()) as f64 * 0.1;
                     let nest = Some((nest, at_m));
-                    PlannedMeasurement { q_rad: [0.0; 6], direction: [0; 6], payload_kg: 0.0, t_min, nest }
+                    PlannedMeasurement {
+                        q_rad: Joints::all(joints, 0.0),
+                        direction: Joints::all(joints, 0),
+                        payload_kg: 0.0,
+                        t_min,
+                        nest,
+                    }
                 }
             }
         })

@@ -2,18 +2,23 @@
 
 use super::options::{PlanError, PlanOptions, Restriction};
 use crate::diagnose::signature::PlannedMeasurement;
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Matrix6xX, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::rad_from_deg;
 use std::f64::consts::PI;
 
 /// Each joint comes from so far away.
 const APPROACH_DEG: f64 = 3.0;
+/// The same of a joint that slides, metres.
+const APPROACH_M: f64 = 5e-3;
 /// So far from the ends of the joints' ranges.
 const MARGIN_DEG: f64 = 5.0;
+/// The same of a joint that slides, metres, and how far one without a range is taken to reach.
+const MARGIN_M: f64 = 5e-3;
+const ANY_M: f64 = 0.5;
 /// Smallest singular value of the Jacobian, lengths over the reach, that is no singularity.
 const SINGULAR: f64 = 0.03;
 /// Joint 5 nearer to zero than this has joints 4 and 6 in line, degrees.
@@ -27,11 +32,11 @@ const TRIES: usize = 400;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
     /// Joint angles, joint 1 first, radians.
-    pub q_rad: [f64; 6],
+    pub q_rad: Joints,
     /// Where they come from.
-    pub approach_rad: [f64; 6],
+    pub approach_rad: Joints,
     /// Sign of each joint's last motion.
-    pub direction: [i8; 6],
+    pub direction: Joints<i8>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: f64,
 }
@@ -52,17 +57,21 @@ impl Pose {
 
 /// `count` poses that are allowed.
 pub fn poses(
-    robot: &Robot,
+    robot: &SerialArm,
     options: &PlanOptions,
     count: usize,
     random: &mut ChaCha8Rng,
 ) -> Result<Vec<Pose>, PlanError> {
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let margin_rad = rad_from_deg(MARGIN_DEG);
     let ranges: Vec<[f64; 2]> = robot
         .joints
         .iter()
         .map(|joint| {
+            if joint.kind.slides() {
+                let [low, high] = joint.range_rad.unwrap_or([-ANY_M, ANY_M]);
+                return [low + MARGIN_M, high - MARGIN_M];
+            }
             let [low, high] = joint.range_rad.unwrap_or([-PI, PI]);
             [low.max(-PI) + margin_rad, high.min(PI) - margin_rad]
         })
@@ -72,13 +81,13 @@ pub fn poses(
     let mut tried = 0;
     while found.len() < count && tried < TRIES * count {
         tried += 1;
-        let mut q_rad = [0.0; 6];
+        let mut q_rad = Joints::all(ranges.len(), 0.0);
         for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
             *q = low + (high - low) * random.random::<f64>();
         }
-        let direction: [i8; 6] = std::array::from_fn(|_| if random.random::<bool>() { 1 } else { -1 });
+        let direction = Joints::from_fn(ranges.len(), |_| if random.random::<bool>() { 1 } else { -1 });
         let payload = random.random_range(0..options.payloads_kg.len().max(1));
-        let approach_rad = approach_rad(&q_rad, &direction);
+        let approach_rad = approach_rad(robot, &q_rad, &direction);
         match [q_rad, approach_rad].iter().find_map(|q| restriction_of(robot, &chain, options, q)) {
             Some(restriction) => refused[restriction as usize] += 1,
             None => found.push(Pose {
@@ -99,20 +108,22 @@ pub fn poses(
 }
 
 /// Where the joints come from.
-pub fn approach_rad(q_rad: &[f64; 6], direction: &[i8; 6]) -> [f64; 6] {
-    let far = rad_from_deg(APPROACH_DEG);
-    std::array::from_fn(|j| q_rad[j] - f64::from(direction[j]) * far)
+pub fn approach_rad(robot: &SerialArm, q_rad: &Joints, direction: &Joints<i8>) -> Joints {
+    Joints::from_fn(robot.joints.len(), |j| {
+        let far = if robot.joints[j].kind.slides() { APPROACH_M } else { rad_from_deg(APPROACH_DEG) };
+        q_rad[j] - f64::from(direction[j]) * far
+    })
 }
 
 /// Why a pose is not allowed.
 pub fn restriction_of(
-    robot: &Robot,
-    chain: &Chain,
+    robot: &SerialArm,
+    chain: &SerialChain,
     options: &PlanOptions,
-    q_rad: &[f64; 6],
+    q_rad: &Joints,
 ) -> Option<Restriction> {
     let frames = chain.frames(q_rad);
-    let flange = &frames[6];
+    let flange = &frames[robot.joints.len()];
     let point_m = flange.translation.vector + flange.rotation * options.tool_m;
     let moving: Vec<Vector3<f64>> =
         frames[3..].iter().map(|f| f.translation.vector).chain([point_m]).collect();
@@ -135,7 +146,12 @@ pub fn restriction_of(
     let reach_m: f64 =
         robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum();
     let (_, jacobian) = chain.forward_and_jacobian(q_rad);
-    let scaled = Matrix6::from_fn(|r, c| jacobian[r][c] / if r < 3 { reach_m.max(1e-3) } else { 1.0 });
-    let singular = scaled.singular_values().min() < SINGULAR || q_rad[4].abs() < rad_from_deg(WRIST_DEG);
+    // A slide's travel counts over the reach, too: its column has no turn.
+    let scaled = Matrix6xX::from_fn(jacobian.len(), |r, c| {
+        let length = if r < 3 { reach_m.max(1e-3) } else { 1.0 };
+        jacobian[c][r] / length * if robot.joints[c].kind.slides() { reach_m } else { 1.0 }
+    });
+    let in_line = robot.joints.len() == 6 && q_rad[4].abs() < rad_from_deg(WRIST_DEG);
+    let singular = scaled.singular_values().min() < SINGULAR || in_line;
     singular.then_some(Restriction::Singular)
 }

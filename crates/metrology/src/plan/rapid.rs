@@ -2,7 +2,7 @@
 
 use super::{MeasurementPlan, MeasurementStep};
 use rapid_program::emit::{write_num, write_robjoint};
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, Robot};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 use std::fmt::Write as _;
 
@@ -102,8 +102,9 @@ fn number(value: f64) -> String {
 }
 
 /// With the four decimals of the sheet: what is written there is what is driven.
-fn joints(q_rad: &[f64; 6]) -> String {
+fn joints(q_rad: &Joints) -> String {
     let mut out = Vec::new();
-    write_robjoint(&mut out, q_rad.map(|q| Some(rad_from_deg((deg_from_rad(q) * 1e4).round() / 1e4))));
+    let six: [f64; 6] = std::array::from_fn(|j| q_rad.get(j).copied().unwrap_or(0.0));
+    write_robjoint(&mut out, six.map(|q| Some(rad_from_deg((deg_from_rad(q) * 1e4).round() / 1e4))));
     String::from_utf8_lossy(&out).into_owned()
 }

@@ -3,17 +3,17 @@
 use super::options::{PlanError, PlanOptions};
 use super::pool::{Pose, approach_rad, restriction_of};
 use nalgebra::Vector3;
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 
 /// The poses of all sweeps, every joint come to from below; each sweep is round the pose of `pool` in which its joint
 /// moves the target furthest and all its poses are allowed.
-pub fn sweeps(robot: &Robot, options: &PlanOptions, pool: &[Pose]) -> Result<Vec<Pose>, PlanError> {
-    let chain = Chain::nominal(robot);
+pub fn sweeps(robot: &SerialArm, options: &PlanOptions, pool: &[Pose]) -> Result<Vec<Pose>, PlanError> {
+    let chain = SerialChain::nominal(robot);
     let sweeps = &options.sweeps;
     let lever_m = |pose: &Pose, j: usize| {
         let (flange, jacobian) = chain.forward_and_jacobian(&pose.q_rad);
-        let column = |k: usize| Vector3::new(jacobian[k][j], jacobian[k + 1][j], jacobian[k + 2][j]);
+        let column = |k: usize| Vector3::new(jacobian[j][k], jacobian[j][k + 1], jacobian[j][k + 2]);
         (column(0) + column(3).cross(&(flange.rotation * options.tool_m))).norm()
     };
     let mut all = Vec::new();
@@ -29,8 +29,8 @@ pub fn sweeps(robot: &Robot, options: &PlanOptions, pool: &[Pose]) -> Result<Vec
 
 /// The sweep of `joint` round `middle`; none where a pose of it is not allowed.
 fn around(
-    robot: &Robot,
-    chain: &Chain,
+    robot: &SerialArm,
+    chain: &SerialChain,
     options: &PlanOptions,
     middle: &Pose,
     joint: usize,
@@ -41,11 +41,11 @@ fn around(
         .map(|k| {
             let mut q_rad = middle.q_rad;
             q_rad[joint] += (k as f64 - 0.5 * (sweeps.n as f64 - 1.0)) * sweeps.step_rad;
-            let direction = [1; 6];
-            let approach_rad = approach_rad(&q_rad, &direction);
+            let direction = Joints::all(robot.joints.len(), 1);
+            let approach_rad = approach_rad(robot, &q_rad, &direction);
             let allowed = [q_rad, approach_rad]
                 .iter()
-                .all(|q| robot.within_range(q).is_ok() && restriction_of(robot, chain, options, q).is_none());
+                .all(|q| robot.is_within_range(q) && restriction_of(robot, chain, options, q).is_none());
             allowed.then_some(Pose { q_rad, approach_rad, direction, payload_kg })
         })
         .collect()

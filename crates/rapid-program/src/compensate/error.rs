@@ -21,6 +21,12 @@ pub enum CompensateError {
         "the model has terms in joint temperature: say how warm the joints are, --temperature-c T or six values"
     )]
     ModelTemperature,
+    /// The model is of an arm of other than six turning joints.
+    #[error("the model is of an arm of {joints} joints, not of one of six turning joints")]
+    ModelJoints {
+        /// How many the arm has.
+        joints: usize,
+    },
     /// There is no schedule that meets the request.
     #[error("no schedule: {0}")]
     Schedule(#[from] ScheduleError),
@@ -84,6 +90,7 @@ impl CompensateError {
             Self::Structure(_) => "robot::structure",
             Self::Temperature => "schedule::temperature",
             Self::ModelTemperature => "model::temperature",
+            Self::ModelJoints { .. } => "model::joints",
             Self::Schedule(error) => error.code(),
             Self::Selection { .. } => "option::names-nothing",
             Self::Hint(error) => error.code(),

@@ -6,7 +6,7 @@ use crate::schedule::{Bucket, Moment, Schedule};
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, DeformedArms, GrowthLaw, Index};
 use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets, NominalFrames};
-use robot_model::robot::Robot;
+use robot_model::robot::{Joints, Robot};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -42,6 +42,9 @@ impl<'a> Model<'a> {
             Some((model, left_out)) => (Some(Arc::new(model)), left_out),
             None => (None, Vec::new()),
         };
+        if let Some(model) = identified.as_ref().filter(|model| !model.is_six_axis()) {
+            return Err(CompensateError::ModelJoints { joints: model.joint_kinds.len() });
+        }
         let hot = identified.as_ref().is_some_and(|model| model.needs_temperature());
         if hot && options.joint_temperature_c.or(from_c.map(|c| [c; 6])).is_none() {
             return Err(CompensateError::ModelTemperature);
@@ -82,10 +85,16 @@ impl<'a> Model<'a> {
             None => DeformedArm::of_frames(&self.frames, &offsets),
             Some(model) => {
                 let when = match self.from_c {
-                    None => ThermalState { t_min, joint_temperature_c: self.joint_temperature_c },
+                    None => ThermalState {
+                        t_min,
+                        joint_temperature_c: self.joint_temperature_c.map(Joints::from),
+                    },
                     Some(from_c) => ThermalState {
                         t_min: f64::INFINITY,
-                        joint_temperature_c: self.joint_temperature_c.or(self.temperature_c(from_c, moment)),
+                        joint_temperature_c: self
+                            .joint_temperature_c
+                            .or(self.temperature_c(from_c, moment))
+                            .map(Joints::from),
                     },
                 };
                 DeformedArm::of_model(&self.shared, &offsets, model, when)

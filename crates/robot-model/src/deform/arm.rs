@@ -2,7 +2,7 @@
 
 use super::gravity::loads_at;
 use super::identified::{ArmDelta, Identified, PoseState, ThermalState};
-use crate::kinematics::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
+use crate::kinematics::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian, SerialOffsets};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
@@ -93,19 +93,19 @@ impl DeformedArm {
     /// Frames that do not depend on the joints are set once.
     fn fix_frames(&mut self) {
         let Some(terms) = self.terms.as_deref().filter(|terms| terms.fixed_frames) else { return };
-        let mut delta = ArmDelta { offsets: self.offsets, ..ArmDelta::default() };
+        let mut delta = ArmDelta { offsets: serial(&self.offsets), ..ArmDelta::default() };
         let at = PoseState {
-            robot: &terms.robot,
+            arm: terms.robot.geometry(),
             when: &self.when,
             q_rad: &[0.0; 6],
-            direction: [0; 6],
+            direction: &[0; 6],
             loads: None,
             payload_kg: 0.0,
         };
         for term in terms.model.terms.iter().filter(|t| !t.kind.only_turns()) {
             term.add(&at, &mut delta);
         }
-        self.table = terms.frames.chain(&delta.offsets);
+        self.table = terms.frames.chain(&of_six(&delta.offsets));
     }
 
     /// The arm's frames, where neither joints nor load move them.
@@ -118,6 +118,19 @@ impl DeformedArm {
     pub fn under<'a>(&'a self, conditions: &'a Conditions) -> ArmUnder<'a> {
         ArmUnder { arm: self, conditions }
     }
+}
+
+/// The offsets of six joints and the flange.
+fn serial(offsets: &FrameOffsets) -> SerialOffsets {
+    let mut all = SerialOffsets::default();
+    for (to, row) in all.0.iter_mut().zip(&offsets.0) {
+        *to = *row;
+    }
+    all
+}
+
+fn of_six(offsets: &SerialOffsets) -> FrameOffsets {
+    FrameOffsets(std::array::from_fn(|i| offsets.0[i]))
 }
 
 /// A [`DeformedArm`] under the conditions of one pose.
@@ -158,24 +171,25 @@ impl ArmUnder<'_> {
         if terms.fixed_frames {
             return work(&self.arm.table, &really_rad, Some(&delta));
         }
-        work(&terms.frames.chain(&delta.offsets), &really_rad, Some(&delta))
+        work(&terms.frames.chain(&of_six(&delta.offsets)), &really_rad, Some(&delta))
     }
 
     fn delta(&self, terms: &Terms, q_rad: &[f64; 6]) -> ArmDelta {
-        let mut delta = ArmDelta { offsets: self.arm.offsets, ..ArmDelta::default() };
+        let mut delta = ArmDelta { offsets: serial(&self.arm.offsets), ..ArmDelta::default() };
         let payload = &self.conditions.payload;
         let gravity = terms.needs_load.then(|| {
             let frames = terms.nominal.frames(q_rad);
-            let axes = std::array::from_fn(|j| frames[j].rotation * terms.robot.joints[j].axis.into_inner());
+            let axes: [_; 6] =
+                std::array::from_fn(|j| frames[j].rotation * terms.robot.joints[j].axis.into_inner());
             let at_m = frames[6] * Point3::from(Vector3::from(payload.cog_m));
-            (loads_at(&terms.robot, &frames, &axes, at_m.coords, payload.mass_kg), frames)
+            (loads_at(terms.robot.geometry(), &frames, &axes, at_m.coords, payload.mass_kg), frames)
         });
         let at = PoseState {
-            robot: &terms.robot,
+            arm: terms.robot.geometry(),
             when: &self.arm.when,
             q_rad,
-            direction: self.conditions.direction,
-            loads: gravity.as_ref().map(|(loads, frames)| (loads, frames)),
+            direction: &self.conditions.direction,
+            loads: gravity.as_ref().map(|(loads, frames)| (loads, frames.as_slice())),
             payload_kg: payload.mass_kg,
         };
         for term in &terms.model.terms {

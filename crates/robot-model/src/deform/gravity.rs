@@ -3,37 +3,51 @@
 //! Gravity points along -z of the base. Masses come from the robot file; without them a guess by size
 //! gives the shape, and effects of gravity let each link's share float.
 
-use crate::robot::{Link, Robot};
+use crate::robot::{ArmGeometry, Joints, Link, MOST_JOINTS};
 use nalgebra::{Isometry3, Vector3};
 
 /// Standard gravity, m/s2 (CGPM 1901).
 pub const GRAVITY_M_S2: f64 = 9.80665;
 /// Mass of the moving links guessed for an arm of 1 m reach, kg; it grows with the cube of the reach.
 const GUESS_KG: f64 = 100.0;
-/// How that mass is shared over the links.
+/// How that mass is shared over the links of an arm of six joints.
 const GUESS_SHARES: [f64; 6] = [0.36, 0.26, 0.2, 0.1, 0.05, 0.03];
 
-/// Loads at one station.
+/// The same for an arm of `n` joints: as much of the mass lies within the same part of the chain.
+fn guess_shares(n: usize) -> Joints {
+    if n == GUESS_SHARES.len() {
+        return Joints::from(GUESS_SHARES);
+    }
+    let within = |part: f64| {
+        let links = part * GUESS_SHARES.len() as f64;
+        let share = |(k, share): (usize, &f64)| share * (links - k as f64).clamp(0.0, 1.0);
+        GUESS_SHARES.iter().enumerate().map(share).sum::<f64>()
+    };
+    Joints::from_fn(n, |k| within((k + 1) as f64 / n as f64) - within(k as f64 / n as f64))
+}
+
+/// Loads at one station, of as many joints as the arm has; those past them are zero.
 #[derive(Clone, Debug, Default)]
 pub struct Loads {
-    /// Torque about each joint's axis from all links beyond it and the payload, N.m.
-    pub torque_n_m: [f64; 6],
+    /// Torque about each joint's axis from all links beyond it and the payload, N.m; of a joint that slides the force along
+    /// it, N, here and below.
+    pub torque_n_m: [f64; MOST_JOINTS],
     /// The part of each link k on each joint j: `parts[j][k]`, N.m.
-    pub link_torque_n_m: [[f64; 6]; 6],
+    pub link_torque_n_m: [[f64; MOST_JOINTS]; MOST_JOINTS],
     /// The payload's part on each joint, N.m.
-    pub payload_torque_n_m: [f64; 6],
+    pub payload_torque_n_m: [f64; MOST_JOINTS],
     /// What one kilogram at the payload's place would add on each joint, N.m.
-    pub unit_torque_n_m: [f64; 6],
+    pub unit_torque_n_m: [f64; MOST_JOINTS],
     /// What the same kilogram adds on joint j per metre further along the flange's axis k: `levers[j][k]`, N.
-    pub unit_lever_n: [[f64; 3]; 6],
+    pub unit_lever_n: [[f64; 3]; MOST_JOINTS],
     /// Load beyond each joint, about that joint's origin: of all links and the payload.
-    pub beyond: [Pull; 6],
+    pub beyond: [Pull; MOST_JOINTS],
     /// The part of each link k in it: `parts[j][k]`.
-    pub link_beyond: [[Pull; 6]; 6],
+    pub link_beyond: [[Pull; MOST_JOINTS]; MOST_JOINTS],
     /// Moment of the whole moving arm about the base's origin, N.m.
     pub base_moment_n_m: Vector3<f64>,
     /// The part of each link, N.m.
-    pub link_base_moment_n_m: [Vector3<f64>; 6],
+    pub link_base_moment_n_m: [Vector3<f64>; MOST_JOINTS],
 }
 
 /// A load that gravity pulls down.
@@ -77,33 +91,43 @@ impl Pull {
 }
 
 /// Length of the arm stretched out, metres.
-fn reach_m(robot: &Robot) -> f64 {
-    robot.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum::<f64>()
-        + robot.joint6_from_flange.translation.vector.norm()
+fn reach_m(arm: ArmGeometry<'_>) -> f64 {
+    arm.joints.iter().skip(1).map(|j| j.previous_from_joint.translation.vector.norm()).sum::<f64>()
+        + arm.last_from_flange.translation.vector.norm()
 }
 
-/// The robot's links, or a guess from its size.
+/// The arm's links, or a guess from its size.
 #[must_use]
-pub fn links(robot: &Robot) -> [Link; 6] {
-    robot.links.unwrap_or_else(|| {
-        let total_kg = GUESS_KG * reach_m(robot).powi(3);
-        std::array::from_fn(|i| {
-            let next = robot.joints.get(i + 1).map_or(&robot.joint6_from_flange, |j| &j.previous_from_joint);
-            let middle_m = next.translation.vector * 0.5;
-            Link { mass_kg: total_kg * GUESS_SHARES[i], com_m: middle_m.into() }
-        })
-    })
+pub fn links(arm: ArmGeometry<'_>) -> Joints<Link> {
+    match arm.links {
+        Some(links) => links.iter().copied().collect(),
+        None => {
+            let total_kg = GUESS_KG * reach_m(arm).powi(3);
+            let shares = guess_shares(arm.joints.len());
+            Joints::from_fn(arm.joints.len(), |i| {
+                let middle_m = arm.after_link(i).translation.vector * 0.5;
+                Link { mass_kg: total_kg * shares[i], com_m: middle_m.into() }
+            })
+        }
+    }
 }
 
-/// Loads of the arm whose joint frames (then flange) are `frames`, with `payload_kg` at `point_m`.
+/// Loads of the arm whose joint frames (then flange) are `frames` and whose joints' axes are `axes` in the base, with
+/// `payload_kg` at `point_m`.
 #[must_use]
 pub fn loads_at(
-    robot: &Robot,
-    frames: &[Isometry3<f64>; 7],
-    axes: &[Vector3<f64>; 6],
+    arm: ArmGeometry<'_>,
+    frames: &[Isometry3<f64>],
+    axes: &[Vector3<f64>],
     point_m: Vector3<f64>,
     payload_kg: f64,
 ) -> Loads {
+    let joints = arm.joints.len();
+    let Some(flange) = frames.get(joints) else { return Loads::default() };
+    // What a joint feels of a force: its moment about the axis, or the force along it.
+    let felt = |j: usize, moment: &Vector3<f64>, force: &Vector3<f64>| {
+        if arm.slides(j) { axes[j].dot(force) } else { axes[j].dot(moment) }
+    };
     let down = Vector3::new(0.0, 0.0, -GRAVITY_M_S2);
     let mut loads = Loads::default();
     let mut add = |k: usize, mass_kg: f64, at_m: Vector3<f64>, payload: bool| {
@@ -112,9 +136,9 @@ pub fn loads_at(
         if !payload {
             loads.link_base_moment_n_m[k] += at_m.cross(&force);
         }
-        for j in 0..=k {
-            let moment = (at_m - frames[j].translation.vector).cross(&force);
-            let torque = axes[j].dot(&moment);
+        for (j, frame) in frames.iter().enumerate().take(k + 1) {
+            let moment = (at_m - frame.translation.vector).cross(&force);
+            let torque = felt(j, &moment, &force);
             loads.torque_n_m[j] += torque;
             if payload {
                 loads.payload_torque_n_m[j] += torque;
@@ -125,20 +149,20 @@ pub fn loads_at(
             loads.beyond[j].add(&moment, mass_kg * GRAVITY_M_S2);
         }
     };
-    for (k, link) in links(robot).iter().enumerate() {
+    for (k, link) in links(arm).iter().enumerate() {
         // The centre of mass is given in the joint's frame at the zero pose: it turns with the joint.
         let at_m = frames[k].transform_point(&Vector3::from(link.com_m).into()).coords;
         add(k, link.mass_kg, at_m, false);
     }
     if payload_kg > 0.0 {
-        add(5, payload_kg, point_m, true);
+        add(joints - 1, payload_kg, point_m, true);
     }
-    for j in 0..6 {
-        let moment = (point_m - frames[j].translation.vector).cross(&down);
-        loads.unit_torque_n_m[j] = axes[j].dot(&moment);
+    for (j, frame) in frames.iter().enumerate().take(joints) {
+        let moment = (point_m - frame.translation.vector).cross(&down);
+        loads.unit_torque_n_m[j] = felt(j, &moment, &down);
         for (k, lever) in loads.unit_lever_n[j].iter_mut().enumerate() {
-            let further: Vector3<f64> = frames[6].rotation * Vector3::ith(k, 1.0);
-            *lever = axes[j].dot(&further.cross(&down));
+            let further: Vector3<f64> = flange.rotation * Vector3::ith(k, 1.0);
+            *lever = felt(j, &further.cross(&down), &Vector3::zeros());
         }
     }
     loads
@@ -147,16 +171,42 @@ pub fn loads_at(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::Chain;
+    use crate::kinematics::{Chain, SerialChain};
+    use crate::robot::{Robot, SerialArm};
+
+    #[test]
+    fn a_guess_gives_the_same_part_of_the_chain_the_same_mass() {
+        // By hand: of four links the first has all of the six's first and half of their second.
+        let four = guess_shares(4);
+        assert!(
+            (four[0] - (0.36 + 0.13)).abs() < 1e-15 && (four[3] - (0.025 + 0.03)).abs() < 1e-15,
+            "{four:?}"
+        );
+        for n in 4..=7 {
+            assert!((guess_shares(n).iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_joint_that_slides_feels_the_weight_along_it() {
+        let arm = SerialArm::from_toml(include_str!("../../../../fixtures/robots/scara.toml")).unwrap();
+        let frames = SerialChain::nominal(&arm).frames(&[0.4, 0.3, -0.1, 0.2]);
+        let axes = [Vector3::z(); 4];
+        let loads = loads_at(arm.geometry(), &frames, &axes, frames[4].translation.vector, 3.0);
+        // The spindle's two links of 1.5 and 0.5 kg and the payload, downward.
+        assert!((loads.torque_n_m[2] + 9.80665 * (1.5 + 0.5 + 3.0)).abs() < 1e-12, "{:?}", loads.torque_n_m);
+        assert_eq!((loads.torque_n_m[0], loads.unit_lever_n[2]), (0.0, [0.0; 3]));
+        assert!((loads.unit_torque_n_m[2] + 9.80665).abs() < 1e-12);
+    }
 
     #[test]
     fn a_stretched_irb140_loads_joint_2_by_its_levers() {
         let robot = Robot::built_in("irb140").unwrap();
         let q_rad = [0.0, std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
         let frames = Chain::nominal(&robot).frames(&q_rad);
-        let axes = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
+        let axes: [_; 6] = std::array::from_fn(|j| frames[j].rotation * robot.joints[j].axis.into_inner());
         let point_m = frames[6].translation.vector;
-        let loads = loads_at(&robot, &frames, &axes, point_m, 2.0);
+        let loads = loads_at(robot.geometry(), &frames, &axes, point_m, 2.0);
         // Upper arm level, forearm level: levers from joint 2 are each centre's x minus 0.07 m.
         let links = robot.links.unwrap();
         let levers_m = [0.18, 0.36 + 0.015, 0.36 + 0.24, 0.36 + 0.38 + 0.015, 0.36 + 0.38 + 0.05];

@@ -11,6 +11,7 @@ mod growth;
 pub mod identified;
 mod moments;
 mod paper;
+mod serial_arm;
 mod table;
 pub mod thermal_filter;
 mod warmth;
@@ -20,6 +21,7 @@ pub use effect_kind::{EffectKind, UnknownEffect};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};
 pub use moments::DeformedArms;
+pub use serial_arm::DeformedSerialArm;
 pub use warmth::Warmth;
 
 use crate::kinematics::FrameOffsets;

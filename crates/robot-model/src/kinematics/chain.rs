@@ -146,13 +146,32 @@ pub struct Chain {
 }
 
 /// A joint's frame, or the flange's, in the one before.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Step<T = f64> {
     pub(super) rotation: Mat3<T>,
     pub(super) position_m: Vec3<T>,
 }
 
 impl Step {
+    pub(super) fn of(nominal: &Isometry3<f64>) -> Self {
+        Self { rotation: rows(&nominal.rotation), position_m: nominal.translation.vector.into() }
+    }
+
+    /// Moved by its offsets, from the previous turned frame, to its own turned one.
+    pub(super) fn moved(&self, offsets: &[f64; 6], previous: Option<&Mat3>, turned: Option<&Mat3>) -> Self {
+        let [dx, dy, dz, rx, ry, rz] = *offsets;
+        let mut rotation = mul(&rx_ry_rz(rx, ry, rz), &self.rotation);
+        let mut position_m = add(&self.position_m, &[dx, dy, dz]);
+        if let Some(previous) = previous {
+            rotation = mul(previous, &rotation);
+            position_m = apply(previous, &position_m);
+        }
+        if let Some(turned) = turned {
+            rotation = mul(&rotation, turned);
+        }
+        Self { rotation, position_m }
+    }
+
     #[inline(always)]
     fn splat<T: Real>(&self) -> Step<T> {
         Step { rotation: matrix::splat_rows(&self.rotation), position_m: matrix::splat(&self.position_m) }
@@ -176,9 +195,9 @@ impl NominalFrames {
         let joint_from_turned: [Mat3; 6] =
             std::array::from_fn(|i| turned_to_z((*robot.joints[i].axis).into()));
         let steps = std::array::from_fn(|i| {
-            let nominal =
-                robot.joints.get(i).map_or(&robot.joint6_from_flange, |joint| &joint.previous_from_joint);
-            Step { rotation: rows(&nominal.rotation), position_m: nominal.translation.vector.into() }
+            Step::of(
+                robot.joints.get(i).map_or(&robot.joint6_from_flange, |joint| &joint.previous_from_joint),
+            )
         });
         Self { steps, joint_from_turned, turned_from_joint: joint_from_turned.map(|t| transpose(&t)) }
     }
@@ -187,18 +206,8 @@ impl NominalFrames {
     #[must_use]
     pub fn chain(&self, offsets: &FrameOffsets) -> Chain {
         let steps = std::array::from_fn(|i| {
-            let [dx, dy, dz, rx, ry, rz] = offsets.0[i];
-            let mut rotation = mul(&rx_ry_rz(rx, ry, rz), &self.steps[i].rotation);
-            let mut position_m = add(&self.steps[i].position_m, &[dx, dy, dz]);
-            if i > 0 {
-                let previous = &self.turned_from_joint[i - 1];
-                rotation = mul(previous, &rotation);
-                position_m = apply(previous, &position_m);
-            }
-            if let Some(turned) = self.joint_from_turned.get(i) {
-                rotation = mul(&rotation, turned);
-            }
-            Step { rotation, position_m }
+            let previous = i.checked_sub(1).map(|i| &self.turned_from_joint[i]);
+            self.steps[i].moved(&offsets.0[i], previous, self.joint_from_turned.get(i))
         });
         Chain { steps, turned_from_joint: self.turned_from_joint }
     }
@@ -286,7 +295,7 @@ pub(super) fn sin_cos<T: Real>(q_rad: &[T; 6]) -> [(T, T); 6] {
 }
 
 /// The way from the base to the flange.
-pub(super) struct Walk<T>(Pose<T>);
+pub(super) struct Walk<T>(pub(super) Pose<T>);
 
 impl<T: Real> Walk<T> {
     #[inline(always)]
@@ -300,7 +309,7 @@ impl<T: Real> Walk<T> {
     }
 
     #[inline(always)]
-    fn start(step: &Step<T>) -> Self {
+    pub(super) fn start(step: &Step<T>) -> Self {
         Self(Pose { rotation: step.rotation, position_m: step.position_m })
     }
 
@@ -315,7 +324,7 @@ impl<T: Real> Walk<T> {
 
     /// Into the next frame.
     #[inline(always)]
-    fn advance(&mut self, step: &Step<T>) {
+    pub(super) fn advance(&mut self, step: &Step<T>) {
         let Pose { rotation, position_m } = &mut self.0;
         *position_m = add(position_m, &apply(rotation, &step.position_m));
         *rotation = mul(rotation, &step.rotation);
@@ -323,7 +332,7 @@ impl<T: Real> Walk<T> {
 
     /// Turns about z, by the angle's sine and cosine.
     #[inline(always)]
-    fn turn(&mut self, &(s, c): &(T, T)) {
+    pub(super) fn turn(&mut self, &(s, c): &(T, T)) {
         for row in &mut self.0.rotation {
             let [x, y, _] = *row;
             row[0] = x * c + y * s;
@@ -342,7 +351,7 @@ impl Arm for Chain {
 }
 
 /// A rotation whose third column is `axis`: a permutation, so exact, where the axis is x, y or z.
-fn turned_to_z(axis: Vec3) -> Mat3 {
+pub(super) fn turned_to_z(axis: Vec3) -> Mat3 {
     let smallest = (0..3).fold(0, |best, k| if axis[k].abs() < axis[best].abs() { k } else { best });
     let mut helper = [0.0; 3];
     helper[smallest] = 1.0;

@@ -1,4 +1,5 @@
-//! Forward and inverse kinematics of a six-axis arm, its Jacobian, configuration and singularities.
+//! Forward and inverse kinematics of a six-axis arm, its Jacobian, configuration and singularities; forward kinematics of
+//! any serial arm.
 //!
 //! Pure functions over constant models; knows nothing of RAPID or of files. Inside, rotations and positions
 //! are plain arrays; `nalgebra` types stand at the public edge.
@@ -13,6 +14,7 @@ mod lanes;
 mod linear;
 mod matrix;
 mod real;
+mod serial_chain;
 mod solve;
 mod solve_eight;
 mod structure;
@@ -22,5 +24,6 @@ pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 pub use chains::Chains;
 pub use closed_form::{ClosedForm, Solution};
 pub use configuration::{Configuration, Posture, outside_quadrant_rad};
+pub use serial_chain::{SerialChain, SerialFrames, SerialOffsets};
 pub use solve::{RESIDUAL_M, RESIDUAL_RAD, SolveError, Solved, solve};
 pub use structure::StructureError;

@@ -16,7 +16,7 @@ pub enum RobotError {
         /// What the TOML reader says.
         message: String,
     },
-    /// A URDF description that is no six-axis arm.
+    /// A URDF description that is no serial arm.
     #[error("URDF, line {line}: {problem}")]
     Urdf {
         /// From 1.
@@ -39,6 +39,17 @@ pub enum RobotError {
         problem: String,
         /// What to do.
         remedy: &'static str,
+    },
+    /// An arm of other than six turning joints where no other will do.
+    #[error(
+        "`{name}` is no arm of six turning joints: {has}; programs are compensated for six-axis arms only, as a robtarget has no \
+         joints in closed form for others"
+    )]
+    NotSixAxis {
+        /// Of the robot.
+        name: String,
+        /// What it has instead.
+        has: String,
     },
     /// A robot this program refuses to guess, known by name.
     #[error("`{name}` is refused: {reason}")]
@@ -73,6 +84,7 @@ impl RobotError {
             Self::Value { .. } => "robot::value",
             Self::Urdf { .. } => "robot::urdf",
             Self::Backup { .. } => "robot::backup",
+            Self::NotSixAxis { .. } => "robot::six-axis",
             Self::Refused { .. } => "robot::coupled",
             Self::Unknown { .. } => "robot::unknown",
         }
@@ -81,6 +93,13 @@ impl RobotError {
 
 impl From<RobotError> for Diagnostic {
     fn from(error: RobotError) -> Self {
-        Self::error(error.code(), error.to_string())
+        let code = error.code();
+        let diagnostic = Self::error(code, error.to_string());
+        match error {
+            RobotError::NotSixAxis { .. } => diagnostic.help(
+                "diagnose, validate, plan, compare-measurements, accuracy and robot take arms of four to seven joints",
+            ),
+            _ => diagnostic,
+        }
     }
 }

@@ -1,21 +1,31 @@
 //! A robot from its TOML file: mm and degrees in, SI out; every number checked, every unknown key refused.
 
-use super::{Joint, Link, Robot, RobotError};
+use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
 use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 use serde::Deserialize;
 
 impl Robot {
+    /// Reads the robot file of a six-axis arm; see [`SerialArm::from_toml`].
+    ///
+    /// # Errors
+    /// Those of [`SerialArm::from_toml`] and [`SerialArm::six_axis`].
+    pub fn from_toml(text: &str) -> Result<Self, RobotError> {
+        SerialArm::from_toml(text)?.six_axis()
+    }
+}
+
+impl SerialArm {
     /// Reads a robot file.
     ///
-    /// Six `[[joint]]` tables from the base outward (`origin_mm` of this joint's frame in the previous one,
-    /// optional `rpy_deg`: fixed-axis roll, pitch, yaw as in URDF, `axis`, optional `range_deg`), one
-    /// `[flange]` (`origin_mm`, optional `rpy_deg`), and none or six `[[link]]` (`mass_kg`, `com_mm` in the
-    /// joint's frame at the zero pose).
+    /// Four to seven `[[joint]]` tables from the base outward (`origin_mm` of this joint's frame in the previous one,
+    /// optional `rpy_deg`: fixed-axis roll, pitch, yaw as in URDF, `axis`, optional `type` and `range_deg` or, where it
+    /// slides, `range_mm`), one `[flange]` (`origin_mm`, optional `rpy_deg`), and no `[[link]]` or one for each joint
+    /// (`mass_kg`, `com_mm` in the joint's frame at the zero pose).
     ///
     /// # Errors
     /// [`RobotError::Toml`] with line and column; [`RobotError::Value`] with table and key for numbers that
-    /// make no robot (not six joints, a zero axis, NaN or infinity, a reversed range, a negative mass).
+    /// make no robot (other numbers of joints, a zero axis, NaN or infinity, a reversed range, a negative mass).
     pub fn from_toml(text: &str) -> Result<Self, RobotError> {
         let file: File = toml::from_str(text).map_err(|e| toml_error(text, &e))?;
         let count = file.joint.len();
@@ -25,28 +35,33 @@ impl Robot {
             .enumerate()
             .map(|(i, joint)| joint.checked(i + 1))
             .collect::<Result<Vec<_>, _>>()?;
-        let joints = <[Joint; 6]>::try_from(joints).map_err(|_| RobotError::Value {
-            place: "[[joint]]".to_owned(),
-            problem: format!("there are {count} joints"),
-            remedy: "give exactly six [[joint]] tables, from the base outward",
-        })?;
+        if !(FEWEST_JOINTS..=MOST_JOINTS).contains(&count) {
+            return Err(RobotError::Value {
+                place: "[[joint]]".to_owned(),
+                problem: format!("there are {count} joints"),
+                remedy: "give four to seven [[joint]] tables, from the base outward",
+            });
+        }
         let links = match file.link.len() {
             0 => None,
             n => {
                 let links = file.link.iter().enumerate().map(|(i, link)| link.checked(i + 1));
                 let links = links.collect::<Result<Vec<_>, _>>()?;
-                Some(<[Link; 6]>::try_from(links).map_err(|_| RobotError::Value {
-                    place: "[[link]]".to_owned(),
-                    problem: format!("there are {n} links"),
-                    remedy: "give one [[link]] for each of the six joints, or none at all",
-                })?)
+                if n != count {
+                    return Err(RobotError::Value {
+                        place: "[[link]]".to_owned(),
+                        problem: format!("there are {n} links and {count} joints"),
+                        remedy: "give one [[link]] for each joint, or none at all",
+                    });
+                }
+                Some(links)
             }
         };
         Ok(Self {
             name: file.name,
             source: file.source,
             joints,
-            joint6_from_flange: frame("[flange]", file.flange.origin_mm, file.flange.rpy_deg)?,
+            last_from_flange: frame("[flange]", file.flange.origin_mm, file.flange.rpy_deg)?,
             links,
         })
     }
@@ -71,7 +86,10 @@ struct JointTable {
     #[serde(default)]
     rpy_deg: [f64; 3],
     axis: [f64; 3],
+    #[serde(default, rename = "type")]
+    kind: JointKind,
     range_deg: Option<[f64; 2]>,
+    range_mm: Option<[f64; 2]>,
 }
 
 #[derive(Deserialize)]
@@ -99,33 +117,53 @@ impl JointTable {
             problem: "the axis has no length".to_owned(),
             remedy: "give a direction such as [0, 0, 1]",
         })?;
-        let range_rad = match self.range_deg {
-            None => None,
-            Some(range_deg) => {
-                let [low, high] = finite(&place, "range_deg", range_deg)?;
-                if low >= high {
-                    return Err(RobotError::Value {
-                        place: format!("{place}, range_deg"),
-                        problem: format!("{low} to {high} is empty or reversed"),
-                        remedy: "write the smaller angle first",
-                    });
-                }
-                if low < -MOST_TURNS_DEG || high > MOST_TURNS_DEG {
-                    return Err(RobotError::Value {
-                        place: format!("{place}, range_deg"),
-                        problem: format!("{low} to {high} is more than {MOST_TURNS_DEG} degrees from zero"),
-                        remedy: "leave range_deg out for a joint without end",
-                    });
-                }
-                Some([rad_from_deg(low), rad_from_deg(high)])
-            }
+        let (given, other) = match self.kind {
+            JointKind::Revolute => (("range_deg", self.range_deg), ("range_mm", self.range_mm)),
+            JointKind::Prismatic => (("range_mm", self.range_mm), ("range_deg", self.range_deg)),
         };
-        Ok(Joint { previous_from_joint, axis, range_rad })
+        if other.1.is_some() {
+            return Err(RobotError::Value {
+                place: format!("{place}, {}", other.0),
+                problem: format!("the joint is {}", self.kind.name()),
+                remedy: "a revolute joint has range_deg, a prismatic one range_mm",
+            });
+        }
+        let range = given.1.map(|range| self.range(&place, given.0, range)).transpose()?;
+        Ok(Joint { previous_from_joint, axis, kind: self.kind, range_rad: range })
+    }
+
+    /// A range in radians or metres.
+    fn range(&self, place: &str, key: &str, range: [f64; 2]) -> Result<[f64; 2], RobotError> {
+        let [low, high] = finite(place, key, range)?;
+        if low >= high {
+            return Err(RobotError::Value {
+                place: format!("{place}, {key}"),
+                problem: format!("{low} to {high} is empty or reversed"),
+                remedy: "write the smaller value first",
+            });
+        }
+        let (most, unit) = match self.kind {
+            JointKind::Revolute => (MOST_TURNS_DEG, "degrees"),
+            JointKind::Prismatic => (FURTHEST_MM, "mm"),
+        };
+        if low < -most || high > most {
+            return Err(RobotError::Value {
+                place: format!("{place}, {key}"),
+                problem: format!("{low} to {high} is more than {most} {unit} from zero"),
+                remedy: "leave the range out for a joint without end",
+            });
+        }
+        Ok(match self.kind {
+            JointKind::Revolute => [low, high].map(rad_from_deg),
+            JointKind::Prismatic => [low, high].map(m_from_mm),
+        })
     }
 }
 
 /// No axis turns further from its zero: thirty turns.
 const MOST_TURNS_DEG: f64 = 10_800.0;
+/// No axis slides further from its zero: a hundred metres.
+const FURTHEST_MM: f64 = 100_000.0;
 
 impl LinkTable {
     fn checked(&self, number: usize) -> Result<Link, RobotError> {
@@ -241,15 +279,46 @@ mod tests {
         }
     }
 
+    /// An arm of `n` joints about z.
+    fn arm_of(n: usize) -> String {
+        let joint = "[[joint]]\norigin_mm = [0, 0, 100]\naxis = [0, 0, 1]\n";
+        format!("name = \"x\"\n{}[flange]\norigin_mm = [0, 0, 0]\n", joint.repeat(n))
+    }
+
     #[test]
-    fn five_joints_and_seven_joints_are_refused() {
-        let joint = "[[joint]]\norigin_mm = [0, 0, 0]\naxis = [0, 0, 1]\n";
-        let flange = "[flange]\norigin_mm = [0, 0, 0]\n";
-        for n in [0, 5, 7] {
-            let text = format!("name = \"x\"\n{}{flange}", joint.repeat(n));
-            let said = error(&text);
-            assert!(said.contains(&format!("there are {n} joints")) || n == 0, "{said}");
+    fn four_to_seven_joints_are_an_arm_and_six_that_turn_a_robot() {
+        for n in [1, 3, 8] {
+            assert!(error(&arm_of(n)).contains(&format!("there are {n} joints; give four to seven")));
         }
+        for n in [4, 5, 6, 7] {
+            assert_eq!(SerialArm::from_toml(&arm_of(n)).unwrap().joints.len(), n);
+        }
+        for n in [4, 5, 7] {
+            let refused = Robot::from_toml(&arm_of(n)).unwrap_err();
+            assert_eq!(refused.code(), "robot::six-axis");
+            assert!(refused.to_string().contains(&format!("it has {n} joints; programs are")), "{refused}");
+        }
+        assert!(Robot::from_toml(&arm_of(6)).is_ok());
+        let sliding = arm_of(6).replacen("axis =", "type = \"prismatic\"\naxis =", 1);
+        let refused = Robot::from_toml(&sliding).unwrap_err();
+        assert_eq!(refused.code(), "robot::six-axis");
+        assert!(refused.to_string().contains("joint 1 of 6 slides"), "{refused}");
+    }
+
+    #[test]
+    fn a_joint_that_slides_has_its_range_in_mm() {
+        let sliding =
+            |range: &str| arm_of(4).replacen("axis =", &format!("type = \"prismatic\"\n{range}\naxis ="), 1);
+        let arm = SerialArm::from_toml(&sliding("range_mm = [-180, 20]")).unwrap();
+        assert_eq!(
+            arm.kinds(),
+            [JointKind::Prismatic, JointKind::Revolute, JointKind::Revolute, JointKind::Revolute]
+        );
+        assert_eq!(arm.joints[0].range_rad, Some([-0.18, 0.02]));
+        assert_eq!(SerialArm::from_toml(&arm.to_toml()).unwrap(), arm);
+        let said = error(&sliding("range_deg = [-180, 20]"));
+        assert!(said.contains("[[joint]] 1, range_deg: the joint is prismatic"), "{said}");
+        assert!(error(&sliding("range_mm = [20, -180]")).contains("20 to -180 is empty or reversed"));
     }
 
     #[test]

@@ -1,20 +1,25 @@
-//! The constructive model of a six-axis arm: every joint's frame at its real place, axes, ranges, masses.
+//! The constructive model of a serial arm: every joint's frame at its real place, axes, ranges, masses.
 //!
-//! Knows nothing of RAPID. Robots come from TOML (see [`Robot::from_toml`]) or URDF ([`Robot::from_urdf`]); several are built in.
+//! Knows nothing of RAPID. Arms come from TOML (see [`SerialArm::from_toml`]) or URDF ([`SerialArm::from_urdf`]); several of
+//! six axes are built in. A [`Robot`] has six joints that turn, a [`SerialArm`] four to seven that turn or slide.
 
 mod backup;
 mod built_in;
 mod error;
 mod file;
+mod joints;
 mod kind;
 mod range;
+mod serial_arm;
 mod urdf;
 mod write;
 
 pub use backup::BackedUp;
 pub use error::RobotError;
+pub use joints::{FEWEST_JOINTS, Joints, MOST_JOINTS};
 pub use kind::same_type;
 pub use range::OutOfRange;
+pub use serial_arm::{ArmGeometry, JointKind, SerialArm};
 
 use nalgebra::{Isometry3, Unit, Vector3};
 
@@ -25,12 +30,14 @@ pub struct Joint {
     pub previous_from_joint: Isometry3<f64>,
     /// Axis in the joint's own frame.
     pub axis: Unit<Vector3<f64>>,
-    /// Range, radians; `None` where the robot file gives none.
+    /// How it moves.
+    pub kind: JointKind,
+    /// Range, radians, of a joint that slides metres; `None` where the robot file gives none.
     pub range_rad: Option<[f64; 2]>,
 }
 
 /// A moving link, for gravity effects: link i follows joint i.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Link {
     /// Mass, kg.
     pub mass_kg: f64,
@@ -38,7 +45,7 @@ pub struct Link {
     pub com_m: [f64; 3],
 }
 
-/// A six-axis arm.
+/// A six-axis arm: six joints that turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Robot {
     /// Its name.

@@ -1,6 +1,6 @@
 //! Joint ranges.
 
-use super::Robot;
+use super::{Robot, SerialArm};
 use crate::units::deg_from_rad;
 use thiserror::Error;
 
@@ -49,6 +49,16 @@ impl Robot {
                 let (below, above) = (q_rad[i] - low, high - q_rad[i]);
                 if below < above { below } else { above }
             })
+        })
+    }
+}
+
+impl SerialArm {
+    /// Whether every joint stands within its range, limits included; a joint without a range always does.
+    #[must_use]
+    pub fn is_within_range(&self, q_rad: &[f64]) -> bool {
+        self.joints.iter().zip(q_rad).all(|(joint, q)| {
+            joint.range_rad.is_none_or(|[low, high]| *q >= low - ROUNDING_RAD && *q <= high + ROUNDING_RAD)
         })
     }
 }

@@ -3,7 +3,7 @@
 //! Of the format only what moves is read: joints, their origins, axes and limits, masses. Meshes, materials and transmissions are of
 //! no matter. Read with `roxmltree`, which says line and column; `urdf-rs` brings four XML libraries for the same five elements.
 
-use super::{Joint, Link, Robot, RobotError};
+use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
 use nalgebra::{Isometry3, Point3, Translation3, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -13,11 +13,27 @@ use std::fmt::Write;
 const TIPS: [&str; 3] = ["tool0", "flange", "ee_link"];
 
 impl Robot {
-    /// Reads a URDF description: the six turning joints between its root and `tip` (a link; without it `tool0`, `flange`, or the only
+    /// Reads the URDF description of a six-axis arm; see [`SerialArm::from_urdf`].
+    ///
+    /// # Errors
+    /// Those of [`SerialArm::from_urdf`] and [`SerialArm::six_axis`].
+    pub fn from_urdf(text: &str, tip: Option<&str>) -> Result<Self, RobotError> {
+        SerialArm::from_urdf(text, tip)?.six_axis()
+    }
+
+    /// The same arm as a URDF description; see [`SerialArm::to_urdf`].
+    #[must_use]
+    pub fn to_urdf(&self) -> String {
+        SerialArm::from(self).to_urdf()
+    }
+}
+
+impl SerialArm {
+    /// Reads a URDF description: the four to seven moving joints between its root and `tip` (a link; without it `tool0`, `flange`, or the only
     /// link at an end). Joints that are fixed count into the frames of the next; what hangs on fixed joints counts into a link's mass.
     ///
     /// # Errors
-    /// [`RobotError::Urdf`], with the element and its line: no XML, not six turning joints, a joint that slides or that follows another
+    /// [`RobotError::Urdf`], with the element and its line: no XML, other numbers of moving joints, a joint that follows another
     /// (mimic: a parallelogram or a coupling), a tip that is not there or not told.
     pub fn from_urdf(text: &str, tip: Option<&str>) -> Result<Self, RobotError> {
         let document = Document::parse(text)
@@ -39,26 +55,27 @@ impl Robot {
             if joint.kind == "fixed" {
                 continue;
             }
-            joints.push(joint.turning(since_last)?);
+            joints.push(joint.moving(since_last)?);
             moving.push((joint.child, Isometry3::identity()));
             since_last = Isometry3::identity();
         }
         let count = joints.len();
-        let joints = <[Joint; 6]>::try_from(joints).map_err(|_| {
-            wrong(&root, format!("{count} joints turn on the way to the tip, six are needed"))
-        })?;
+        if !(FEWEST_JOINTS..=MOST_JOINTS).contains(&count) {
+            let problem = format!("{count} joints move on the way to the tip, four to seven are needed");
+            return Err(wrong(&root, problem));
+        }
         let links: Option<Vec<Link>> = moving.iter().map(|(link, _)| tree.mass_with_fixed(link)).collect();
         let name = root.attribute("name").unwrap_or("robot");
         Ok(Self {
             name: name.to_owned(),
             source: format!("URDF description of {name}"),
             joints,
-            joint6_from_flange: since_last,
-            links: links.and_then(|links| links.try_into().ok()),
+            last_from_flange: since_last,
+            links,
         })
     }
 
-    /// The same arm as a URDF description: links `base_link`, `link_1` to `link_6` and `tool0`.
+    /// The same arm as a URDF description: links `base_link`, `link_1` and so on, and `tool0`.
     #[must_use]
     pub fn to_urdf(&self) -> String {
         let mut text = format!(
@@ -69,7 +86,7 @@ impl Robot {
         for (i, joint) in self.joints.iter().enumerate() {
             let n = i + 1;
             let parent = if i == 0 { "base_link".to_owned() } else { format!("link_{i}") };
-            let _ = match self.links.map(|links| links[i]) {
+            let _ = match self.links.as_ref().map(|links| links[i]) {
                 None => writeln!(text, "  <link name=\"link_{n}\"/>"),
                 Some(Link { mass_kg, com_m }) => writeln!(
                     text,
@@ -78,13 +95,16 @@ impl Robot {
                     triple(com_m)
                 ),
             };
-            let (kind, limit) = match joint.range_rad {
-                Some([low, high]) => (
-                    "revolute",
-                    format!("    <limit lower=\"{low}\" upper=\"{high}\" effort=\"0\" velocity=\"0\"/>\n"),
-                ),
-                None => ("continuous", String::new()),
+            let kind = match (joint.kind, joint.range_rad) {
+                (JointKind::Prismatic, _) => "prismatic",
+                (JointKind::Revolute, Some(_)) => "revolute",
+                (JointKind::Revolute, None) => "continuous",
             };
+            // A sliding joint needs a limit; without one it gets what no arm reaches.
+            let range = joint.range_rad.or_else(|| joint.kind.slides().then_some([-ENDLESS_M, ENDLESS_M]));
+            let limit = range.map_or_else(String::new, |[low, high]| {
+                format!("    <limit lower=\"{low}\" upper=\"{high}\" effort=\"0\" velocity=\"0\"/>\n")
+            });
             let _ = write!(
                 text,
                 "  <joint name=\"joint_{n}\" type=\"{kind}\">\n{}    <parent link=\"{parent}\"/>\n    <child link=\"link_{n}\"/>\n    \
@@ -93,15 +113,19 @@ impl Robot {
                 triple(joint.axis.into_inner().into())
             );
         }
+        let n = self.joints.len();
         let _ = write!(
             text,
-            "  <link name=\"tool0\"/>\n  <joint name=\"joint_6-tool0\" type=\"fixed\">\n{}    <parent link=\"link_6\"/>\n    \
+            "  <link name=\"tool0\"/>\n  <joint name=\"joint_{n}-tool0\" type=\"fixed\">\n{}    <parent link=\"link_{n}\"/>\n    \
              <child link=\"tool0\"/>\n  </joint>\n</robot>\n",
-            origin(&self.joint6_from_flange)
+            origin(&self.last_from_flange)
         );
         text
     }
 }
+
+/// Further than any joint slides, metres: stands for a range without end.
+const ENDLESS_M: f64 = 1e3;
 
 /// A joint as the description has it.
 struct UrdfJoint<'d> {
@@ -205,7 +229,7 @@ impl<'d> Tree<'d> {
 }
 
 impl UrdfJoint<'_> {
-    fn turning(&self, previous_from_joint: Isometry3<f64>) -> Result<Joint, RobotError> {
+    fn moving(&self, previous_from_joint: Isometry3<f64>) -> Result<Joint, RobotError> {
         let name = self.node.attribute("name").unwrap_or("?");
         if self.node.children().any(|node| node.has_tag_name("mimic")) {
             let problem = format!(
@@ -215,18 +239,21 @@ impl UrdfJoint<'_> {
         }
         let range_rad = match self.kind {
             "continuous" => None,
-            "revolute" => {
+            "revolute" | "prismatic" => {
                 let limit = child(&self.node, "limit")?;
                 let [low, high] = [number(&limit, "lower", Some(0.0))?, number(&limit, "upper", Some(0.0))?];
                 if low >= high {
                     return Err(wrong(
                         &limit,
-                        format!("the range of joint `{name}`, {low} to {high} rad, is empty or reversed"),
+                        format!("the range of joint `{name}`, {low} to {high}, is empty or reversed"),
                     ));
                 }
-                Some([low, high])
+                Some([low, high]).filter(|_| low > -ENDLESS_M || high < ENDLESS_M)
             }
-            other => return Err(wrong(&self.node, format!("joint `{name}` is {other}; joints must turn"))),
+            other => {
+                let problem = format!("joint `{name}` is {other}; joints must turn or slide");
+                return Err(wrong(&self.node, problem));
+            }
         };
         let axis = match self.node.children().find(|node| node.has_tag_name("axis")) {
             Some(axis) => Vector3::from(numbers(&axis, "xyz", [1.0, 0.0, 0.0])?),
@@ -234,7 +261,8 @@ impl UrdfJoint<'_> {
         };
         let axis = Unit::try_new(axis, 1e-6)
             .ok_or_else(|| wrong(&self.node, format!("the axis of joint `{name}` has no length")))?;
-        Ok(Joint { previous_from_joint, axis, range_rad })
+        let kind = if self.kind == "prismatic" { JointKind::Prismatic } else { JointKind::Revolute };
+        Ok(Joint { previous_from_joint, axis, kind, range_rad })
     }
 }
 
@@ -373,7 +401,7 @@ mod tests {
         assert!(said("no xml", None).starts_with("URDF, line 1: "));
         assert!(said("<model/>", None).contains("the first element is <model>"));
         assert!(said(ARM, Some("hand")).contains("there is no link `hand`; its ends are"));
-        assert!(said(ARM, Some("link_3")).contains("3 joints turn"));
+        assert!(said(ARM, Some("link_3")).contains("3 joints move"));
         let camera = "<link name=\"camera\"/><joint name=\"c\" type=\"fixed\"><parent link=\"link_3\"/><child link=\"camera\"/></joint>";
         let unnamed = ARM
             .replace("tool0", "t0")
@@ -388,7 +416,9 @@ mod tests {
             ARM.replacen("<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 1 0\"/><mimic joint=\"joint_1\"/>", 1);
         assert!(said(&mimic, None).contains("joint `joint_2` follows another"));
         let slides = ARM.replacen("type=\"revolute\"", "type=\"prismatic\"", 1);
-        assert!(said(&slides, None).contains("joint `joint_1` is prismatic"));
+        assert!(said(&slides, None).contains("joint 1 of 6 slides"), "{}", said(&slides, None));
+        let floats = ARM.replacen("type=\"revolute\"", "type=\"floating\"", 1);
+        assert!(said(&floats, None).contains("joint `joint_1` is floating; joints must turn or slide"));
         assert!(
             said(&ARM.replacen("0 0 0.29", "0 0 ${length}", 1), None)
                 .contains("xacro must be expanded first")

@@ -1,12 +1,20 @@
 //! A robot as its TOML file: mm and degrees, as a person writes them.
 
-use super::Robot;
+use super::{JointKind, Robot, SerialArm};
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
 use std::fmt::Write;
 
 impl Robot {
     /// The robot file, which [`Robot::from_toml`] reads; numbers to 1e-9 mm and degrees.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        SerialArm::from(self).to_toml()
+    }
+}
+
+impl SerialArm {
+    /// The robot file, which [`SerialArm::from_toml`] reads; numbers to 1e-9 mm and degrees.
     #[must_use]
     pub fn to_toml(&self) -> String {
         let text = |value: &str| toml::Value::String(value.to_owned()).to_string();
@@ -16,11 +24,17 @@ impl Robot {
             let axis = list(joint.axis.into_inner().into());
             let _ =
                 write!(out, "\n[[joint]] # {}\n{}axis = {axis}\n", i + 1, frame(&joint.previous_from_joint));
-            if let Some(range_rad) = joint.range_rad {
-                let _ = writeln!(out, "range_deg = {}", list(range_rad.map(deg_from_rad)));
+            if joint.kind.slides() {
+                let _ = writeln!(out, "type = \"{}\"", joint.kind.name());
+            }
+            if let Some(range) = joint.range_rad {
+                let _ = match joint.kind {
+                    JointKind::Revolute => writeln!(out, "range_deg = {}", list(range.map(deg_from_rad))),
+                    JointKind::Prismatic => writeln!(out, "range_mm = {}", list(range.map(mm_from_m))),
+                };
             }
         }
-        let _ = write!(out, "\n[flange]\n{}", frame(&self.joint6_from_flange));
+        let _ = write!(out, "\n[flange]\n{}", frame(&self.last_from_flange));
         for link in self.links.iter().flatten() {
             let com_mm = list(link.com_m.map(mm_from_m));
             let _ = write!(out, "\n[[link]]\nmass_kg = {}\ncom_mm = {com_mm}\n", short(link.mass_kg));

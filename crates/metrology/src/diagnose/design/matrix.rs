@@ -91,14 +91,14 @@ impl Design {
             gram: Vec::new(),
             turns: Vec::new(),
             turn_squares: Vec::new(),
-            turn_products: vec![Vec::new(); 6],
+            turn_products: vec![Vec::new(); dataset.joints()],
         };
         let mut columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
         let flat = design.stack(dataset, registration::width(dataset, targets), |_, observation, out| {
             registration::twists(dataset, observation, targets, out);
         });
-        let geometry = design.stack(dataset, 30, |_, observation, out| {
-            for frame in 1..6 {
+        let geometry = design.stack(dataset, 6 * (dataset.joints() - 1), |_, observation, out| {
+            for frame in 1..dataset.joints() {
                 for k in 0..6 {
                     out.push(scaled(observation.frame_offset(frame, k), TOLERANCE[k / 3]));
                 }
@@ -109,8 +109,8 @@ impl Design {
         columns.extend(flat);
         columns.extend(geometry);
         design.columns = columns;
-        design.turns = design.stack(dataset, 6, |_, observation, out| {
-            out.extend((0..6).map(|j| observation.jacobian_column(j)));
+        design.turns = design.stack(dataset, dataset.joints(), |_, observation, out| {
+            out.extend((0..observation.joints()).map(|j| observation.jacobian_column(j)));
         });
         design.turn_squares = design.turns.iter().map(|t| by_observation(t, t, d)).collect();
         design.multiply_turns();

@@ -1,7 +1,7 @@
 //! Play in a joint's gear: where it stands depends on where it came from.
 
 use super::effect::{Candidate, Effect, EffectVariant, GravityHold};
-use super::rigid::turn_joint;
+use super::rigid::{of_arm, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
@@ -32,8 +32,8 @@ impl Effect for Backlash {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
-        for j in 0..6 {
-            let prior_sigma = if j < 3 { 1e-4 } else { 2e-4 };
+        for j in 0..dataset.joints() {
+            let prior_sigma = dataset.by_kind(j, if j < 3 { 1e-4 } else { 2e-4 }, 5e-5);
             let signs: Vec<i8> =
                 dataset.observations.iter().filter_map(|s| s.direction.map(|d| d[j])).collect();
             if !(signs.contains(&1) && signs.contains(&-1)) {
@@ -42,7 +42,9 @@ impl Effect for Backlash {
             let loaded = dataset.observations.iter().any(|s| s.loads.torque_n_m[j].abs() > 1.0);
             let one = |gravity_hold: GravityHold, weight: f64| {
                 let variant = EffectVariant { gravity_hold, ..EffectVariant::of_joint(j) };
-                Candidate { weight, ..Candidate::new(EffectKind::Backlash, variant, vec![prior_sigma]) }
+                let one =
+                    Candidate { weight, ..Candidate::new(EffectKind::Backlash, variant, vec![prior_sigma]) };
+                dataset.by_kind(j, one.clone(), one.of_slide("mm"))
             };
             all.push(one(GravityHold::Never, 1.0));
             let limits = dataset.torque_limit_n_m[j].len();
@@ -60,7 +62,7 @@ impl Effect for Backlash {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let j = variant.joint.unwrap_or(0).min(5);
+        let j = of_arm(variant.joint, observation);
         let mut side = f64::from(observation.direction.map_or(0, |d| d[j]));
         let torque = observation.loads.torque_n_m[j];
         if let Some(limit_n_m) = held_above_n_m(variant, dataset)
@@ -77,7 +79,6 @@ impl Effect for Backlash {
 #[must_use]
 pub(in crate::diagnose) fn held_above_n_m(variant: &EffectVariant, dataset: &Dataset) -> Option<f64> {
     let GravityHold::Above { limit, same_sign } = variant.gravity_hold else { return None };
-    let j = variant.joint.unwrap_or(0).min(5);
-    let limit_n_m = dataset.torque_limit_n_m[j].get(limit)?.max(1e-9);
+    let limit_n_m = dataset.torque_limit_n_m.get(variant.joint?)?.get(limit)?.max(1e-9);
     Some(if same_sign { limit_n_m } else { -limit_n_m })
 }

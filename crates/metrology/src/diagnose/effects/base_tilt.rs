@@ -31,7 +31,7 @@ impl Effect for BaseTilt {
         let largest_n_m = dataset.observations.iter().map(across_n_m).fold(0.0, f64::max);
         let usual = sag_per_load(TILT_RAD, largest_n_m);
         let mut sizes = vec![usual; 2];
-        sizes.extend([MASS_ERROR * usual; 6]);
+        sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, dataset.joints()));
         vec![Candidate {
             sign_constrained: true,
             n_reported: 2,
@@ -52,7 +52,7 @@ impl Effect for BaseTilt {
             ]
         };
         out.extend(about(&observation.loads.base_moment_n_m));
-        for moment in &observation.loads.link_base_moment_n_m {
+        for moment in &observation.loads.link_base_moment_n_m[..observation.joints()] {
             let [x, y] = about(moment);
             out.push(std::array::from_fn(|i| x[i] + y[i]));
         }

@@ -3,6 +3,7 @@
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
+use robot_model::units::mm_from_m;
 
 /// An effect that can open a gap between model and robot.
 pub trait Effect: Sync {
@@ -114,8 +115,10 @@ pub struct Candidate {
     pub prior_sigma: Vec<f64>,
     /// The first so many parameters make up the size that is reported.
     pub n_reported: usize,
-    /// Factor from SI to the effect's unit.
+    /// Factor from SI to its unit.
     pub display_scale: f64,
+    /// Its unit where that is not the effect's: of a joint that slides.
+    pub own_unit: Option<&'static str>,
     /// Prior weight within the effect, normalised by the library.
     pub weight: f64,
     /// Physics gives its first parameter a sign: a gear gives way to gravity, a warm link grows.
@@ -132,8 +135,15 @@ impl Candidate {
             n_reported: prior_sigma.len(),
             prior_sigma,
             display_scale: 1.0,
+            own_unit: None,
             weight: 1.0,
             sign_constrained: false,
         }
+    }
+
+    /// The same of a joint that slides: sizes in mm, or in `unit` that has mm in it.
+    #[must_use]
+    pub fn of_slide(self, unit: &'static str) -> Self {
+        Self { display_scale: mm_from_m(1.0), own_unit: Some(unit), ..self }
     }
 }

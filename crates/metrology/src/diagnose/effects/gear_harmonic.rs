@@ -2,7 +2,7 @@
 //! error: twice per turn.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::{of_arm, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
@@ -37,8 +37,9 @@ impl Effect for GearHarmonic {
     fn source(&self) -> &'static str {
         "Judd and Knasinski 1990, A technique to calibrate industrial robots with experimental verification"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
-        (0..6)
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        dataset
+            .turning()
             .flat_map(|j| {
                 [(false, 1.0 - OVERTONE_WEIGHT), (true, OVERTONE_WEIGHT)].map(|(refined, weight)| {
                     let mut sizes = vec![1e-4, 1e-4];
@@ -72,7 +73,7 @@ impl Effect for GearHarmonic {
 impl GearHarmonic {
     /// Sine and cosine of the `overtone`-th multiple of n q_j.
     fn at(&self, overtone: u32, variant: &EffectVariant, observation: &Observation) -> [f64; 2] {
-        let q_rad = observation.q_rad[variant.joint.unwrap_or(0).min(5)];
+        let q_rad = observation.q_rad[of_arm(variant.joint, observation)];
         (f64::from(overtone * variant.n.unwrap_or(self.n)) * q_rad).sin_cos().into()
     }
 }

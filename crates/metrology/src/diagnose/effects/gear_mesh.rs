@@ -1,7 +1,7 @@
 //! Teeth, rollers, waves of a gear: an error many times per turn of the joint.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::{of_arm, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use std::f64::consts::TAU;
@@ -28,7 +28,7 @@ impl Effect for GearMesh {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
-        for j in 0..6 {
+        for j in dataset.turning() {
             let values = dataset.observations.iter().map(|s| s.q_rad[j]);
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let high = values.fold(f64::NEG_INFINITY, f64::max);
@@ -47,7 +47,7 @@ impl Effect for GearMesh {
         all
     }
     fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
-        let q_rad = observation.q_rad[variant.joint.unwrap_or(0).min(5)];
+        let q_rad = observation.q_rad[of_arm(variant.joint, observation)];
         Some((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos().into())
     }
     fn signature(

@@ -1,11 +1,11 @@
 //! A joint's gear gives under gravity's torque.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{LEVER_M, MASS_ERROR, sag_per_load, turn_joint};
+use super::rigid::{LEVER_M, MASS_ERROR, of_arm, sag_per_load, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
-/// J_j times the torque about joint j; each link's share may be wrong, and the payload's centre elsewhere.
+/// J_j times the torque about joint j, or the force along one that slides; each link's share may be wrong, and the payload's centre elsewhere.
 pub struct JointCompliance;
 
 /// How wrong a mass may be that was only guessed: gears are the softest part of an arm, and so it is they that get
@@ -15,6 +15,11 @@ const GUESS_ERROR: f64 = 1.0;
 /// How far a joint usually sags under a large torque of the measurement, radians: as an angle it holds for an arm of 25 kg as
 /// for one of a ton, and whether the masses are known or guessed.
 const SAG_RAD: f64 = 5e-4;
+
+/// The same of a joint that slides, along its axis, metres.
+const SAG_M: f64 = 1e-4;
+/// No spindle or guide gives more than this, m/N, however little its load is.
+const SOFTEST_M_N: f64 = 1e-5;
 
 /// How far from linear a spring may be, over its linear part, and the share of those that are.
 const BENT: f64 = 0.5;
@@ -35,13 +40,16 @@ impl Effect for JointCompliance {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let error = if dataset.masses_known { MASS_ERROR } else { GUESS_ERROR };
-        (0..6)
+        let joints = dataset.joints();
+        (0..joints)
             .filter(|&j| dataset.observations.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6))
             .flat_map(|j| {
-                let prior_sigma = sag_per_load(SAG_RAD, dataset.large_torque_n_m(j));
+                let largest = dataset.large_torque_n_m(j);
+                let prior_sigma =
+                    dataset.by_kind(j, sag_per_load(SAG_RAD, largest), (SAG_M / largest).min(SOFTEST_M_N));
                 [(false, 1.0 - BENT_WEIGHT), (true, BENT_WEIGHT)].map(|(refined, weight)| {
                     let mut sizes = vec![prior_sigma];
-                    sizes.extend(std::iter::repeat_n(error * prior_sigma, 6 - j));
+                    sizes.extend(std::iter::repeat_n(error * prior_sigma, joints - j));
                     if refined {
                         sizes.extend([BENT * prior_sigma; 2]);
                     }
@@ -49,12 +57,13 @@ impl Effect for JointCompliance {
                         sizes.extend([LEVER_M * prior_sigma; 3]);
                     }
                     let variant = EffectVariant { refined, ..EffectVariant::of_joint(j) };
-                    Candidate {
+                    let one = Candidate {
                         sign_constrained: true,
                         n_reported: 1,
                         weight,
                         ..Candidate::new(EffectKind::JointCompliance, variant, sizes)
-                    }
+                    };
+                    dataset.by_kind(j, one.clone(), one.of_slide("mm/N"))
                 })
             })
             .collect()
@@ -66,9 +75,9 @@ impl Effect for JointCompliance {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let j = variant.joint.unwrap_or(0).min(5);
+        let j = of_arm(variant.joint, observation);
         turn_joint(observation, variant.joint, observation.loads.torque_n_m[j], out);
-        for k in j..6 {
+        for k in j..observation.joints() {
             turn_joint(observation, variant.joint, observation.loads.link_torque_n_m[j][k], out);
         }
         if variant.refined {

@@ -1,9 +1,10 @@
 //! One joint drives another a little: coupled wrist gears with a wrong ratio.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::{of_arm, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
+use robot_model::units::m_from_mm;
 
 /// The driven joint's Jacobian column J_b times the driving joint's angle q_a.
 pub struct JointCoupling;
@@ -21,10 +22,11 @@ impl Effect for JointCoupling {
     fn source(&self) -> &'static str {
         "Whitney, Lozinski, Rourke 1986"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
-        for a in 0..6_usize {
-            for b in (0..6_usize).filter(|&b| b != a) {
+        let joints = dataset.joints();
+        for a in 0..joints {
+            for b in (0..joints).filter(|&b| b != a) {
                 let variant = EffectVariant { joint_b: Some(b), ..EffectVariant::of_joint(a) };
                 // Gears couple neighbours, above all in the wrist.
                 let weight = match (a.abs_diff(b), a.min(b)) {
@@ -32,9 +34,14 @@ impl Effect for JointCoupling {
                     (1, _) | (2, 3) => 2.0,
                     _ => 0.5,
                 };
-                all.push(Candidate {
-                    weight,
-                    ..Candidate::new(EffectKind::JointCoupling, variant, vec![1e-4])
+                let one =
+                    Candidate { weight, ..Candidate::new(EffectKind::JointCoupling, variant, vec![1e-4]) };
+                all.push(match (dataset.slides[a], dataset.slides[b]) {
+                    (false, true) => one.of_slide("mm/rad"),
+                    (true, false) => {
+                        Candidate { display_scale: m_from_mm(1.0), own_unit: Some("rad/mm"), ..one }
+                    }
+                    _ => one,
                 });
             }
         }
@@ -47,6 +54,6 @@ impl Effect for JointCoupling {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        turn_joint(observation, variant.joint_b, observation.q_rad[variant.joint.unwrap_or(0).min(5)], out);
+        turn_joint(observation, variant.joint_b, observation.q_rad[of_arm(variant.joint, observation)], out);
     }
 }

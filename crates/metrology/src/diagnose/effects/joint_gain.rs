@@ -1,7 +1,7 @@
 //! A joint turns by a little more or less than it says: gear ratio, encoder scale.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::{of_arm, turn_joint};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
@@ -21,8 +21,8 @@ impl Effect for JointGain {
     fn source(&self) -> &'static str {
         "Whitney, Lozinski, Rourke 1986, Industrial robot forward calibration method and results"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
-        (0..6)
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        (0..dataset.joints())
             .map(|j| Candidate::new(EffectKind::JointGain, EffectVariant::of_joint(j), vec![6e-5]))
             .collect()
     }
@@ -33,6 +33,6 @@ impl Effect for JointGain {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        turn_joint(observation, variant.joint, observation.q_rad[variant.joint.unwrap_or(0).min(5)], out);
+        turn_joint(observation, variant.joint, observation.q_rad[of_arm(variant.joint, observation)], out);
     }
 }

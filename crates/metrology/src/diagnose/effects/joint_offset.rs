@@ -21,14 +21,20 @@ impl Effect for JointOffset {
     fn source(&self) -> &'static str {
         "Mooring, Roth, Driels, Fundamentals of Manipulator Calibration, 1991, ch. 2"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
-        let mut all: Vec<Candidate> = (0..6)
-            .map(|j| Candidate::new(EffectKind::JointOffset, EffectVariant::of_joint(j), vec![4e-4]))
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let sigmas = (0..dataset.joints()).map(|j| dataset.by_kind(j, 4e-4, 2e-4));
+        let mut all: Vec<Candidate> = sigmas
+            .clone()
+            .enumerate()
+            .map(|(j, sigma)| {
+                let one = Candidate::new(EffectKind::JointOffset, EffectVariant::of_joint(j), vec![sigma]);
+                dataset.by_kind(j, one.clone(), one.of_slide("mm"))
+            })
             .collect();
         // All at once, for an arm that was never calibrated: the search takes it apart again.
         all.push(Candidate {
             weight: 0.1,
-            ..Candidate::new(EffectKind::JointOffset, EffectVariant::PLAIN, vec![4e-4; 6])
+            ..Candidate::new(EffectKind::JointOffset, EffectVariant::PLAIN, sigmas.collect())
         });
         all
     }
@@ -41,7 +47,7 @@ impl Effect for JointOffset {
     ) {
         match variant.joint {
             Some(_) => turn_joint(observation, variant.joint, 1.0, out),
-            None => (0..6).for_each(|j| turn_joint(observation, Some(j), 1.0, out)),
+            None => (0..observation.joints()).for_each(|j| turn_joint(observation, Some(j), 1.0, out)),
         }
     }
 }

@@ -31,15 +31,18 @@ impl Effect for JointStep {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let times = step_times(dataset);
-        (0..6)
+        (0..dataset.joints())
             .flat_map(|j| {
-                times.iter().map(move |&t0_min| Candidate {
-                    n_reported: 1,
-                    ..Candidate::new(
-                        EffectKind::JointStep,
-                        EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) },
-                        vec![4e-4, 4e-4],
-                    )
+                times.iter().map(move |&t0_min| {
+                    let one = Candidate {
+                        n_reported: 1,
+                        ..Candidate::new(
+                            EffectKind::JointStep,
+                            EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) },
+                            dataset.by_kind(j, vec![4e-4; 2], vec![2e-4; 2]),
+                        )
+                    };
+                    dataset.by_kind(j, one.clone(), one.of_slide("mm"))
                 })
             })
             .collect()

@@ -47,6 +47,25 @@ impl Candidate {
         effect(self.kind).unwrap_or(LIBRARY[0])
     }
 
+    /// Unit of its size.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        self.own_unit.unwrap_or_else(|| self.effect().unit())
+    }
+
+    /// The size it usually has, in words for people.
+    #[must_use]
+    pub fn usual_size(&self) -> &'static str {
+        match self.kind {
+            _ if self.own_unit.is_none() => self.effect().usual_size(),
+            EffectKind::JointCompliance => "0.02 to 0.2 mm under the largest force",
+            EffectKind::JointCoupling => "0.01 to 1 mm or mrad over the usual travel",
+            EffectKind::Backlash => "0.01 to 0.1 mm (the full gap)",
+            EffectKind::ThermalJointDrift => "0.01 to 0.1 mm",
+            _ => "0.05 to 0.5 mm",
+        }
+    }
+
     /// The linear signature at `observation` per prior standard deviation of each parameter, pushed onto `out`.
     pub fn scaled_signature(&self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
         let from = out.len();

@@ -31,7 +31,10 @@ impl Effect for LinkBending {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
-        (0..5)
+        let joints = dataset.joints();
+        (0..joints - 1)
+            // Where a joint at its root or tip slides, how much of the link is a beam changes: left to geometry.
+            .filter(|&i| !dataset.slides[i] && !dataset.slides[i + 1])
             .map(|i| {
                 let turn_n_m = |o: &Observation| {
                     let [even, _] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
@@ -40,7 +43,7 @@ impl Effect for LinkBending {
                 let largest_n_m = dataset.observations.iter().map(turn_n_m).fold(0.0, f64::max);
                 let prior_sigma = sag_per_load(BEND_RAD, largest_n_m);
                 let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
-                sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, 5 - i));
+                sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, joints - 1 - i));
                 Candidate {
                     sign_constrained: true,
                     n_reported: 1,
@@ -56,7 +59,7 @@ impl Effect for LinkBending {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let i = variant.joint.unwrap_or(0).min(4);
+        let i = variant.joint.unwrap_or(0).min(observation.joints() - 2);
         let (from_m, to_m) = (observation.origins_m[i], observation.origins_m[i + 1]);
         let moved = |bend: &Bend| {
             let mut twist = observation.rotation_about(&bend.turn_n_m, &to_m);
@@ -64,7 +67,7 @@ impl Effect for LinkBending {
             twist
         };
         out.extend(observation.loads.beyond[i + 1].bend(&from_m, &to_m).iter().map(moved));
-        for link in &observation.loads.link_beyond[i + 1][i + 1..] {
+        for link in &observation.loads.link_beyond[i + 1][i + 1..observation.joints()] {
             let [even, _] = link.bend(&from_m, &to_m);
             out.push(moved(&even));
         }

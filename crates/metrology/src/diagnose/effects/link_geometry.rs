@@ -1,6 +1,7 @@
 //! A link is not as drawn: the next joint's frame is shifted and turned on it.
 
 use super::effect::{Candidate, Effect, EffectVariant};
+use super::rigid::of_arm;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -21,8 +22,8 @@ impl Effect for LinkGeometry {
     fn source(&self) -> &'static str {
         "Hayati and Mirmirani 1985; Mooring, Roth, Driels 1991, ch. 2"
     }
-    fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
-        (0..6)
+    fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        (0..dataset.joints())
             .map(|i| Candidate {
                 n_reported: 3,
                 display_scale: mm_from_m(1.0),
@@ -41,7 +42,7 @@ impl Effect for LinkGeometry {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let link = variant.joint.unwrap_or(0).min(5);
+        let link = of_arm(variant.joint, observation);
         for k in 0..6 {
             out.push(observation.frame_offset(link + 1, k));
         }

@@ -33,4 +33,4 @@ pub(in crate::diagnose) use backlash::held_above_n_m;
 pub use effect::{Candidate, EffectVariant};
 pub use library::{candidates, effect};
 pub use over_time::steps_too_near;
-pub(in crate::diagnose) use payload_mass::{COMPLIANCE, SOFT};
+pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};

@@ -5,14 +5,26 @@ use super::rigid::LEVER_M;
 use crate::diagnose::dataset::{Dataset, Observation, ObservationKind, Twist, scaled};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::PayloadScaling;
+use robot_model::robot::Joints;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub struct PayloadMass;
 
 /// The joints that carry most, counted from 0: they may be softer or stiffer than usual.
-pub(in crate::diagnose) const SOFT: [usize; 3] = [1, 2, 4];
+#[must_use]
+pub(in crate::diagnose) fn soft(joints: usize) -> [usize; 3] {
+    [1, 2, (joints - 2).max(3)]
+}
 /// Usual compliance of each joint, rad/(N.m).
-pub(in crate::diagnose) const COMPLIANCE: [f64; 6] = [8e-6, 8e-6, 8e-6, 8e-5, 8e-5, 8e-5];
+#[must_use]
+pub(in crate::diagnose) fn usual_compliance(slides: &[bool]) -> Joints {
+    let of = |(j, slides): (usize, &bool)| match (*slides, j) {
+        (true, _) => 2e-8,
+        (false, 0..3) => 8e-6,
+        (false, _) => 8e-5,
+    };
+    slides.iter().enumerate().map(of).collect()
+}
 
 impl Effect for PayloadMass {
     fn kind(&self) -> EffectKind {
@@ -73,24 +85,26 @@ impl Effect for PayloadMass {
             PayloadScaling::WhereLoaded | PayloadScaling::Always => 1.0,
         };
         let hangs = variant.payload_scaling.at(payload_kg) / unit_kg;
+        let compliance = usual_compliance(&observation.slides);
+        let joints = observation.joints();
         let give = |j: usize| {
             scaled(
                 observation.jacobian_column(j),
-                hangs * COMPLIANCE[j] * observation.loads.unit_torque_n_m[j],
+                hangs * compliance[j] * observation.loads.unit_torque_n_m[j],
             )
         };
         let mut all = [0.0; 6];
-        for j in 0..6 {
+        for j in 0..joints {
             for (sum, part) in all.iter_mut().zip(give(j)) {
                 *sum += part;
             }
         }
         out.push(all);
-        out.extend(SOFT.map(give));
+        out.extend(soft(joints).map(give));
         // And its weight may pull elsewhere than at the measured point.
         for k in 0..3 {
             let mut all = [0.0; 6];
-            for (j, compliance) in COMPLIANCE.iter().enumerate() {
+            for (j, compliance) in compliance.iter().enumerate() {
                 let turn = hangs * compliance * observation.loads.unit_lever_n[j][k];
                 for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
                     *sum += turn * part;

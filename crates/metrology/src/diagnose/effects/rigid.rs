@@ -18,7 +18,13 @@ pub fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
 
 /// The geometric Jacobian's column of `joint` times `angle`.
 pub fn turn_joint(observation: &Observation, joint: Option<usize>, angle: f64, out: &mut Vec<Twist>) {
-    out.push(scaled(observation.jacobian_column(joint.unwrap_or(0).min(5)), angle));
+    out.push(scaled(observation.jacobian_column(of_arm(joint, observation)), angle));
+}
+
+/// Joint `joint`, from 0, where the arm has it, else its last.
+#[must_use]
+pub fn of_arm(joint: Option<usize>, observation: &Observation) -> usize {
+    joint.unwrap_or(0).min(observation.joints() - 1)
 }
 
 /// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.

@@ -5,6 +5,7 @@ use super::over_time::no_clock;
 use crate::diagnose::dataset::Dataset;
 use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
+use robot_model::robot::Joints;
 
 /// Time constants tried where only the time is known, minutes.
 const TAUS_MIN: [f64; 6] = [8.0, 15.0, 30.0, 46.0, 80.0, 150.0];
@@ -25,7 +26,7 @@ pub(super) fn untestable(dataset: &Dataset) -> Option<String> {
 /// `candidate` with every growth that the data allow.
 pub(super) fn growths(dataset: &Dataset, candidate: &Candidate) -> Vec<Candidate> {
     let mut growths = Vec::new();
-    let warms = |ranges: &[[f64; 2]; 6]| ranges.iter().any(|[low, high]| high - low > LEAST_RISE_K);
+    let warms = |ranges: &Joints<[f64; 2]>| ranges.iter().any(|[low, high]| high - low > LEAST_RISE_K);
     if let Some(ranges) = dataset.joint_temperature_c.filter(warms) {
         growths.push((Growth::Temperature { from_c: ranges.map(|r| r[0]), to_c: ranges.map(|r| r[1]) }, 1.0));
     }

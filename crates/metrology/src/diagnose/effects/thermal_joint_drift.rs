@@ -29,16 +29,17 @@ impl Effect for ThermalJointDrift {
         thermal::untestable(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
-        (0..6)
+        (0..dataset.joints())
             .flat_map(|j| {
                 let one = Candidate {
                     n_reported: 1,
                     ..Candidate::new(
                         EffectKind::ThermalJointDrift,
                         EffectVariant::of_joint(j),
-                        vec![1.2e-4, 4e-4],
+                        dataset.by_kind(j, vec![1.2e-4, 4e-4], vec![6e-5, 2e-4]),
                     )
                 };
+                let one = dataset.by_kind(j, one.clone(), one.of_slide("mm"));
                 thermal::growths(dataset, &one)
             })
             .collect()

@@ -30,7 +30,7 @@ impl Effect for ThermalLinkGrowth {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
-        for link in [None, Some(0), Some(1), Some(2), Some(3), Some(4)] {
+        for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(Some)) {
             let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
             let whole = Candidate {
@@ -52,12 +52,12 @@ impl Effect for ThermalLinkGrowth {
         out: &mut Vec<Twist>,
     ) {
         let mut grown = [[0.0; 6]; 2];
-        for i in 0..6 {
+        for i in 0..observation.joints() {
             // Link i, counted from 0, lies between the origins i and i+1 and warms with joint i.
             if variant.joint.is_some_and(|link| link != i) {
                 continue;
             }
-            let along = observation.origins_m[i + 1] - observation.origins_m[i];
+            let along = observation.origins_m[i + 1] - observation.carried_m[i];
             let drive = variant.growth.at(&observation.thermal_state(), Some(i));
             for k in 0..3 {
                 grown[0][k] += along[k] * drive;

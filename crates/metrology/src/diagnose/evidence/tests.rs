@@ -9,8 +9,8 @@ use crate::diagnose::effects::{Candidate, candidates};
 use crate::diagnose::heldout::SplitMix64;
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
 use std::f64::consts::{LN_2, TAU};
 
 /// A data set of points with noise of `sigma_m`, and `size` prior standard deviations of `candidate` in it.
@@ -25,8 +25,8 @@ fn normal(random: &mut SplitMix64) -> f64 {
 }
 
 fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
-    let robot = Robot::built_in("irb140").unwrap();
-    let chain = Chain::nominal(&robot);
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let chain = SerialChain::nominal(&robot);
     let tool_m = Vector3::new(0.05, 0.02, 0.1);
     let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], Vec::new());
     let mut random = SplitMix64::new(seed);
@@ -37,7 +37,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
                 target: 0,
                 stand: 0,
                 t_min: None,
-                q_rad: std::array::from_fn(|_| 2.4 * random.unit() - 1.2),
+                q_rad: Joints::from_fn(6, |_| 2.4 * random.unit() - 1.2),
                 reading: Reading::Point { position_m: Vector3::zeros() },
                 orientation: None,
                 direction: None,

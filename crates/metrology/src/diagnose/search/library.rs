@@ -8,6 +8,7 @@ use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
+use robot_model::robot::Joints;
 use std::collections::BTreeSet;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
@@ -23,8 +24,8 @@ pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> Vec<Vec<f64>> + Sync + 'a;
 const SAME_ANGLE_RAD: f64 = 2e-3;
 
 /// Different angles that each joint stood at.
-fn angles(dataset: &Dataset) -> [usize; 6] {
-    std::array::from_fn(|j| {
+fn angles(dataset: &Dataset) -> Joints<usize> {
+    Joints::from_fn(dataset.joints(), |j| {
         let cell = |q_rad: f64| (q_rad / SAME_ANGLE_RAD).round() as i64;
         dataset.observations.iter().map(|s| cell(s.q_rad[j])).collect::<BTreeSet<i64>>().len()
     })
@@ -49,7 +50,7 @@ pub struct Library<'a> {
     /// GP alternatives.
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
-    pub(super) angles: [usize; 6],
+    pub(super) angles: Joints<usize>,
 }
 
 /// A GP alternative over the data.
@@ -76,7 +77,7 @@ impl<'a> Library<'a> {
     #[must_use]
     pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
         let turning: Vec<Turning> =
-            (0..6_usize).into_par_iter().map(|j| design.turning(dataset, candidates, j)).collect();
+            (0..dataset.joints()).into_par_iter().map(|j| design.turning(dataset, candidates, j)).collect();
         let mut many = vec![false; candidates.len()];
         turning.iter().flat_map(|t| &t.members).for_each(|&c| many[c] = true);
         let single = |c: usize| design.columns_of(dataset, &candidates[c]);

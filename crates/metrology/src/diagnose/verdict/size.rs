@@ -75,6 +75,8 @@ pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Ca
         t0_min: candidate.variant.t0_min().filter(|_| workspace.library.dataset.time_min.is_some()),
         from_line: candidate.variant.t0_min().and_then(|t0| workspace.library.dataset.line_from(t0)),
         evidence_nats: Some(cause_group.gain_nats),
+        unit: candidate.unit(),
+        usual: candidate.usual_size(),
         ..Cause::of(candidate.kind, cause_group.probability)
     }
 }

@@ -74,7 +74,7 @@ pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Opti
 /// Structure that no effect takes: everywhere, and round the causes that were found.
 pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, chosen: &[ChosenCause]) {
     let dataset = &linear.dataset;
-    let mut list = gp_alternative::gp_alternatives();
+    let mut list = gp_alternative::gp_alternatives(dataset.joints());
     let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
     for (joint, lines) in
         lines_by_joint(workspace, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)

@@ -43,6 +43,8 @@ pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
         n: variant.n,
         t0_min: variant.t0_min().filter(|_| dataset.time_min.is_some()),
         from_line: variant.t0_min().and_then(|t0| dataset.line_from(t0)),
+        unit: candidate.unit(),
+        usual: candidate.usual_size(),
         ..Cause::of(candidate.kind, 0.0)
     })
 }

@@ -10,7 +10,7 @@ use crate::measure::{self, RegisterError, Station, Touches, register};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
-use robot_model::kinematics::Chain;
+use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::Robot;
 
 /// A pose that moved by more than this between two touches of one point is another pose, radians.
@@ -216,7 +216,7 @@ fn observed_m(
             target: 0,
             stand: 0,
             t_min: Some(t.t_min),
-            q_rad: t.q_rad,
+            q_rad: t.q_rad.into(),
             reading: t.measured_m.map_or(measure::Reading::Touch { fixed_point: t.point }, |position_m| {
                 measure::Reading::Point { position_m }
             }),
@@ -229,7 +229,8 @@ fn observed_m(
             rows: vec![i],
         })
         .collect();
-    let poses: Vec<_> = stations.iter().map(|s| s.pose(&Chain::nominal(robot))).collect();
+    let chain = SerialChain::nominal(&robot.into());
+    let poses: Vec<_> = stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = register(&stations, &poses, 1, Some(options.tool_m))?;
     Ok(stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose)).collect())
 }

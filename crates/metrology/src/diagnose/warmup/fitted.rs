@@ -106,7 +106,7 @@ impl WarmUp {
             sigma_m: Some(self.sigma_m),
             measured_range: MeasuredRange {
                 rows: self.touches,
-                q_rad,
+                q_rad: q_rad.into(),
                 t_min: Some(self.span_min),
                 ..MeasuredRange::default()
             },

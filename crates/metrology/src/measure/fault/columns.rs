@@ -4,7 +4,7 @@
 use super::{Fault, FaultKind};
 use crate::measure::{MeasurementRow, Measurements, Reading};
 use robot_model::deform::gravity::links;
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g};
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const FEWEST_ROWS: usize = 3;
 
 /// What the cells alone contradict, of the rows that `used` names.
 #[must_use]
-pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &Robot) -> Option<Fault> {
+pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Option<Fault> {
     let rows: Vec<&MeasurementRow> = used.iter().filter_map(|&i| measurements.rows.get(i)).collect();
     frozen(&rows)
         .or_else(|| pose_names(measurements, &rows))
@@ -82,8 +82,8 @@ fn pose_names(measurements: &Measurements, rows: &[&MeasurementRow]) -> Option<F
 }
 
 /// A payload that weighs more than all that moves of the arm.
-fn payload(rows: &[&MeasurementRow], robot: &Robot) -> Option<Fault> {
-    let arm_kg: f64 = links(robot).iter().map(|link| link.mass_kg).sum();
+fn payload(rows: &[&MeasurementRow], robot: &SerialArm) -> Option<Fault> {
+    let arm_kg: f64 = links(robot.geometry()).iter().map(|link| link.mass_kg).sum();
     let heavy: Vec<&&MeasurementRow> =
         rows.iter().filter(|row| row.payload_kg.is_some_and(|kg| kg > arm_kg)).collect();
     let largest_kg = heavy.iter().filter_map(|row| row.payload_kg).fold(0.0, f64::max);
@@ -106,13 +106,14 @@ type Celsius = fn(f64) -> f64;
 fn temperatures(rows: &[&MeasurementRow]) -> Option<Fault> {
     let units: [(&str, Celsius); 2] =
         [("degrees Fahrenheit", celsius_from_fahrenheit), ("kelvin", celsius_from_kelvin)];
-    (0..6).find_map(|j| {
+    let joints = rows.iter().find_map(|row| row.joint_temperature_c).map_or(0, |all| all.len());
+    (0..joints).find_map(|j| {
         units.iter().find_map(|(name, celsius)| {
             let wrong = |row: &&&MeasurementRow| {
                 row.joint_temperature_c.is_some_and(|all| {
-                    let mut others: Vec<f64> = (0..6).filter(|k| *k != j).map(|k| all[k]).collect();
+                    let mut others: Vec<f64> = (0..joints).filter(|k| *k != j).map(|k| all[k]).collect();
                     others.sort_by(f64::total_cmp);
-                    let middle = others[2];
+                    let middle = others[others.len() / 2];
                     (all[j] - middle).abs() > APART_K && (celsius(all[j]) - middle).abs() < NEAR_K
                 })
             };

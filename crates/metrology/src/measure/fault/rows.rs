@@ -7,8 +7,8 @@ use super::whole::{Change, changes};
 use super::{Fault, FaultKind};
 use crate::measure::{FreeParameters, Reading, Registration, Station, register, register_with};
 use nalgebra::{Isometry3, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
 
 /// Further off than this, and than so many times the middle row, is no error of an arm, metres.
@@ -47,7 +47,7 @@ pub enum PartFault {
 /// Looks for a part of `rows` that does not go with the rest; `None` where all go together or nothing goes at all.
 #[must_use]
 pub fn find_in_rows(
-    robot: &Robot,
+    robot: &SerialArm,
     rows: &[Row],
     targets: usize,
     tool_m: Option<Vector3<f64>>,
@@ -119,13 +119,13 @@ fn fault(
 
 /// A unit or sign that is another in these rows.
 fn single_columns(
-    robot: &Robot,
+    robot: &SerialArm,
     rows: &[Row],
     registration: &Registration,
     far: &[usize],
     limit_m: f64,
 ) -> Option<PartFault> {
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let explained = |change: &Change| -> Vec<usize> {
         let fits = |i: &usize| {
             let mut station = rows[*i].station.clone();
@@ -134,7 +134,7 @@ fn single_columns(
         };
         far.iter().copied().filter(fits).collect()
     };
-    let tried = changes().into_iter().map(|change| (explained(&change), change));
+    let tried = changes(robot).into_iter().map(|change| (explained(&change), change));
     let (which, change) = tried.reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })?;
     (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
         fault(change.kind, &change.column, rows, &which, |count, lines| {

@@ -3,8 +3,8 @@
 use super::{Fault, FaultKind};
 use crate::measure::{Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
-use robot_model::kinematics::Chain;
-use robot_model::robot::Robot;
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use std::collections::BTreeSet;
 
@@ -36,7 +36,7 @@ pub struct Change {
 
 /// What may have happened to rows or to a column: another unit, another sign.
 #[must_use]
-pub fn changes() -> Vec<Change> {
+pub fn changes(arm: &SerialArm) -> Vec<Change> {
     let mut all = Vec::new();
     for (factor, name) in LENGTHS {
         all.push(Change {
@@ -62,8 +62,9 @@ pub fn changes() -> Vec<Change> {
             change: Box::new(move |s| on_axis(s, k, -1.0)),
         });
     }
-    for j in 0..6 {
-        let column = format!("q{}_deg", j + 1);
+    let turning: Vec<usize> = (0..arm.joints.len()).filter(|&j| !arm.joints[j].kind.slides()).collect();
+    for &j in &turning {
+        let column = arm.column(j);
         all.push(Change {
             kind: FaultKind::ColumnUnits,
             says: format!("column {column} is in radians"),
@@ -73,9 +74,9 @@ pub fn changes() -> Vec<Change> {
     }
     all.push(Change {
         kind: FaultKind::JointUnits,
-        column: "q1_deg to q6_deg".to_owned(),
+        column: arm.columns(),
         says: "the joints are in radians, the columns say degrees".to_owned(),
-        change: Box::new(|s| s.q_rad = s.q_rad.map(deg_from_rad)),
+        change: Box::new(move |s| turning.iter().for_each(|&j| s.q_rad[j] = deg_from_rad(s.q_rad[j]))),
     });
     all
 }
@@ -89,13 +90,13 @@ fn on_axis(station: &mut Station, k: usize, factor: f64) {
 /// Looks for a reason why `registration` leaves what it leaves.
 #[must_use]
 pub fn find_fault(
-    robot: &Robot,
+    robot: &SerialArm,
     stations: &[Station],
     targets: usize,
     registration: &Registration,
     tool_m: Option<Vector3<f64>>,
 ) -> Option<Fault> {
-    let chain = Chain::nominal(robot);
+    let chain = SerialChain::nominal(robot);
     let mut off_m: Vec<f64> =
         stations.iter().map(|s| registration.residual_m(s, &s.pose(&chain)).norm()).collect();
     let left_m = most_m(&mut off_m);
@@ -163,8 +164,8 @@ fn trial(stations: &[Station]) -> Vec<Station> {
 }
 
 /// What registered `stations` leave.
-fn left_m(robot: &Robot, stations: &[Station], targets: usize) -> Option<f64> {
-    let chain = Chain::nominal(robot);
+fn left_m(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<f64> {
+    let chain = SerialChain::nominal(robot);
     let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let fit = register(stations, &poses, targets, None).ok()?;
     let mut off_m: Vec<f64> =
@@ -177,7 +178,7 @@ fn explains(left_m: Option<f64>, before_m: f64) -> bool {
 }
 
 /// The points of the row before, or after.
-fn shifted(robot: &Robot, stations: &[Station], targets: usize, before_m: f64) -> Option<Fault> {
+fn shifted(robot: &SerialArm, stations: &[Station], targets: usize, before_m: f64) -> Option<Fault> {
     [(1_usize, 0_usize, "before"), (0, 1, "after")].into_iter().find_map(|(joints, points, side)| {
         let n = stations.len();
         let together = |k: usize| {
@@ -197,7 +198,7 @@ fn shifted(robot: &Robot, stations: &[Station], targets: usize, before_m: f64) -
 
 /// A part of the stations on which changes of the file are tried.
 struct Trial<'a> {
-    robot: &'a Robot,
+    robot: &'a SerialArm,
     stations: Vec<Station>,
     targets: usize,
     /// What is left without a change, metres.
@@ -211,11 +212,24 @@ impl Trial<'_> {
         left_m(self.robot, &changed, self.targets)
     }
 
+    fn turning(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.robot.joints.len()).filter(|&j| !self.robot.joints[j].kind.slides())
+    }
+
+    fn in_degrees(&self, station: &mut Station) {
+        self.turning().for_each(|j| station.q_rad[j] = deg_from_rad(station.q_rad[j]));
+    }
+
     fn units(&self) -> Option<Fault> {
-        let largest_rad = self.stations.iter().flat_map(|s| s.q_rad).fold(0.0, |a: f64, q| a.max(q.abs()));
+        let largest_rad = self
+            .stations
+            .iter()
+            .flat_map(|s| self.turning().map(|j| s.q_rad[j]))
+            .fold(0.0, |a: f64, q| a.max(q.abs()));
         let radians = largest_rad < rad_from_deg(7.0);
-        let joints = || Some("q1_deg to q6_deg");
-        if radians && explains(self.with(|s| s.q_rad = s.q_rad.map(deg_from_rad)), self.left_m) {
+        let columns = self.robot.columns();
+        let joints = || Some(columns.as_str());
+        if radians && explains(self.with(|s| self.in_degrees(s)), self.left_m) {
             return Some(Fault::of_all(
                 FaultKind::JointUnits,
                 joints(),
@@ -230,7 +244,7 @@ impl Trial<'_> {
             }
         }
         let both = self.with(|s| {
-            s.q_rad = s.q_rad.map(deg_from_rad);
+            self.in_degrees(s);
             s.reading = s.reading.scaled(1.0 / m_from_mm(1.0));
         });
         (radians && both.is_some_and(|left| left < SOUND_M)).then(|| {
@@ -256,7 +270,7 @@ impl Trial<'_> {
 
     /// One column in another unit.
     fn columns(&self) -> Option<Fault> {
-        let one = changes().into_iter().filter(|change| change.kind == FaultKind::ColumnUnits);
+        let one = changes(self.robot).into_iter().filter(|change| change.kind == FaultKind::ColumnUnits);
         let tried = one.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
         let (left_m, change) = tried.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
         explains(Some(left_m), self.left_m)
@@ -265,16 +279,17 @@ impl Trial<'_> {
 
     fn joints(&self) -> Option<Fault> {
         let mut tried: Vec<(Option<f64>, String, String)> = Vec::new();
-        for a in 0..6 {
+        let joints = self.robot.joints.len();
+        for a in 0..joints {
             let flipped = self.with(|s| s.q_rad[a] = -s.q_rad[a]);
             tried.push((
                 flipped,
                 format!("joint {} is counted the other way round", a + 1),
-                format!("q{}_deg", a + 1),
+                self.robot.column(a),
             ));
-            for b in a + 1..6 {
+            for b in (a + 1..joints).filter(|&b| self.robot.joints[a].kind == self.robot.joints[b].kind) {
                 let swapped = self.with(|s| s.q_rad.swap(a, b));
-                let columns = format!("q{}_deg, q{}_deg", a + 1, b + 1);
+                let columns = format!("{}, {}", self.robot.column(a), self.robot.column(b));
                 tried.push((
                     swapped,
                     format!("the columns of joints {} and {} are swapped", a + 1, b + 1),
@@ -282,7 +297,8 @@ impl Trial<'_> {
                 ));
             }
         }
-        for (sign, verb) in [(1.0, "added"), (-1.0, "taken off")] {
+        let elbow = self.turning().filter(|j| [1, 2].contains(j)).count() == 2;
+        for (sign, verb) in [(1.0, "added"), (-1.0, "taken off")].into_iter().filter(|_| elbow) {
             let coupled = self.with(|s| s.q_rad[2] += sign * s.q_rad[1]);
             let says = format!("joint 3 is counted from the horizontal: joint 2 has to be {verb}");
             tried.push((coupled, says, "q3_deg".to_owned()));
@@ -296,7 +312,7 @@ impl Trial<'_> {
 
     fn other_robot(&self) -> Option<Fault> {
         let others = Robot::built_in_names().iter().filter_map(|name| {
-            let other = Robot::built_in(name).filter(|other| other.name != self.robot.name)?;
+            let other = SerialArm::built_in(name).filter(|other| other.name != self.robot.name)?;
             left_m(&other, &self.stations, self.targets).map(|left_m| (left_m, name))
         });
         let (left_m, name) = others.reduce(|best, next| if next.0 < best.0 { next } else { best })?;

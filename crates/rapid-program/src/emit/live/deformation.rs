@@ -120,7 +120,7 @@ impl LiveModel {
 
     /// The links' masses (kg) and centres (metres) in the frames that are used.
     pub(super) fn links(&self) -> [(f64, Vector3<f64>); 6] {
-        let links = robot_model::deform::gravity::links(&self.robot);
+        let links = robot_model::deform::gravity::links(self.robot.geometry());
         std::array::from_fn(|k| (links[k].mass_kg, self.turned(k) * Vector3::from(links[k].com_m)))
     }
 

@@ -70,10 +70,11 @@ impl LiveModel {
             return [0.0; 6];
         }
         let frames = self.nominal.frames(q_rad);
-        let axes = std::array::from_fn(|j| frames[j].rotation * self.robot.joints[j].axis.into_inner());
+        let axes: [_; 6] =
+            std::array::from_fn(|j| frames[j].rotation * self.robot.joints[j].axis.into_inner());
         let payload = &conditions.payload;
         let at_m = (frames[6] * Point3::from(Vector3::from(payload.cog_m))).coords;
-        let loads = loads_at(&self.robot, &frames, &axes, at_m, payload.mass_kg);
+        let loads = loads_at(self.robot.geometry(), &frames, &axes, at_m, payload.mass_kg);
         std::array::from_fn(|j| {
             self.compliance[j].map_or(0.0, |own| {
                 let links: f64 = (0..6).map(|k| own.link[k] * loads.link_torque_n_m[j][k]).sum();

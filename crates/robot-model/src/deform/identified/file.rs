@@ -4,6 +4,7 @@ use super::error::ModelError;
 use super::table_reader::TableReader;
 use super::{Growth, Identified, MeasuredRange, Mounting, PayloadScaling, Term, Value};
 use crate::deform::{EffectKind, GrowthLaw};
+use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use std::fmt::Write as _;
@@ -27,8 +28,17 @@ impl Identified {
             Some(other) => return Err(top.wrong("format", format!("{other} is not known, {FORMAT} is"))),
             None => return Err(top.wrong("format", "missing: is this an identified model?".to_owned())),
         }
+        let joint_kinds = match top.texts("joints")? {
+            None => Self::default().joint_kinds,
+            Some(names) => read_kinds(&top, &names)?,
+        };
         let mut model = Self {
             robot: top.text("robot")?.unwrap_or_default(),
+            joint_kinds,
+            measured_range: MeasuredRange {
+                q_rad: joint_kinds.map(|_| [0.0; 2]),
+                ..MeasuredRange::default()
+            },
             verdict: top.text("verdict")?.unwrap_or_default(),
             ..Self::default()
         };
@@ -41,13 +51,15 @@ impl Identified {
             data.finish()?;
         }
         if let Some(range) = top.table("seen")? {
-            read_measured_range(range, &mut model.measured_range)?;
+            read_measured_range(range, &joint_kinds, &mut model.measured_range)?;
         }
         if let Some(mounting) = top.table("mounting")? {
             model.mounting = Some(read_mounting(mounting)?);
         }
         for (i, effect) in top.tables("effect")?.into_iter().enumerate() {
-            model.terms.push(read_term(TableReader::new(format!("[[effect]] {}", i + 1), effect))?);
+            model
+                .terms
+                .push(read_term(TableReader::new(format!("[[effect]] {}", i + 1), effect), &joint_kinds)?);
         }
         top.finish()?;
         Ok(model)
@@ -59,6 +71,10 @@ impl Identified {
         let mut out =
             String::from("# An identified robot: docs/MODEL.md describes this file. mm, degrees, minutes.\n");
         let _ = writeln!(out, "format = {FORMAT}\nrobot = {}", quoted(&self.robot));
+        if !self.is_six_axis() {
+            let kinds: Vec<String> = self.joint_kinds.iter().map(|kind| quoted(kind.name())).collect();
+            let _ = writeln!(out, "joints = [{}]", kinds.join(", "));
+        }
         if !self.verdict.is_empty() {
             let _ = writeln!(out, "verdict = {}", quoted(&self.verdict));
         }
@@ -69,7 +85,10 @@ impl Identified {
             let _ = writeln!(out, "sigma_mm = {}", number(mm_from_m(sigma_m)));
         }
         out += "\n[seen]  # ranges of the measurement; outside of them the model is a guess\n";
-        let _ = writeln!(out, "q_deg = {}", ranges(&self.measured_range.q_rad.map(|r| r.map(deg_from_rad))));
+        let in_file = |(kind, range): (&JointKind, &[f64; 2])| range.map(|q| from_si(*kind, q));
+        let seen: Joints<[f64; 2]> =
+            self.joint_kinds.iter().zip(&self.measured_range.q_rad).map(in_file).collect();
+        let _ = writeln!(out, "q_deg = {}", ranges(&seen));
         if let Some(range) = self.measured_range.t_min {
             let _ = writeln!(out, "t_min = {}", list(&range));
         }
@@ -83,7 +102,7 @@ impl Identified {
             write_mounting(&mut out, mounting);
         }
         for term in &self.terms {
-            write_term(&mut out, term);
+            write_term(&mut out, term, &self.joint_kinds);
         }
         out
     }
@@ -97,11 +116,36 @@ impl Identified {
     }
 }
 
-fn read_measured_range(mut keys: TableReader, range: &mut MeasuredRange) -> Result<(), ModelError> {
-    let q_deg: Option<[[f64; 2]; 6]> = keys.ranges("q_deg")?;
-    range.q_rad = q_deg.unwrap_or_default().map(|r| r.map(rad_from_deg));
+/// A joint's coordinate as the file has it: degrees, or mm where it slides.
+fn from_si(kind: JointKind, q_rad: f64) -> f64 {
+    if kind.slides() { mm_from_m(q_rad) } else { deg_from_rad(q_rad) }
+}
+
+fn read_kinds(top: &TableReader, names: &[String]) -> Result<Joints<JointKind>, ModelError> {
+    if !(FEWEST_JOINTS..=MOST_JOINTS).contains(&names.len()) {
+        let problem = format!("{} joints are none of {FEWEST_JOINTS} to {MOST_JOINTS}", names.len());
+        return Err(top.wrong("joints", problem));
+    }
+    let kind = |name: &String| {
+        let known = [JointKind::Revolute, JointKind::Prismatic].into_iter().find(|kind| kind.name() == name);
+        known.ok_or_else(|| top.wrong("joints", format!("`{name}` is neither revolute nor prismatic")))
+    };
+    names.iter().map(kind).collect::<Result<Vec<_>, _>>().map(|kinds| kinds.into_iter().collect())
+}
+
+fn read_measured_range(
+    mut keys: TableReader,
+    kinds: &Joints<JointKind>,
+    range: &mut MeasuredRange,
+) -> Result<(), ModelError> {
+    if let Some(seen) = keys.ranges("q_deg", kinds.len())? {
+        let si = |(kind, range): (&JointKind, [f64; 2])| {
+            range.map(if kind.slides() { m_from_mm } else { rad_from_deg })
+        };
+        range.q_rad = kinds.iter().zip(seen).map(si).collect();
+    }
     range.t_min = keys.numbers("t_min")?;
-    range.joint_temperature_c = keys.ranges("joint_temperature_c")?;
+    range.joint_temperature_c = keys.ranges("joint_temperature_c", kinds.len())?;
     range.payload_kg = keys.numbers("payload_kg")?;
     keys.finish()
 }
@@ -141,15 +185,15 @@ fn write_mounting(out: &mut String, mounting: &Mounting) {
 /// More teeth than this has no gear.
 const MOST_PERIODS: u32 = 1000;
 
-fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
+fn read_term(mut keys: TableReader, kinds: &Joints<JointKind>) -> Result<Term, ModelError> {
     let name = keys.text("effect")?.ok_or_else(|| keys.wrong("effect", "missing".to_owned()))?;
     let kind = name.parse().ok().filter(|kind: &EffectKind| kind.is_model_term());
     let kind = kind.ok_or_else(|| keys.wrong("effect", format!("`{name}` is not known")))?;
-    let joint = keys.joint("joint")?;
+    let joint = keys.joint("joint", kinds.len())?;
     if kind.takes_joint() && joint.is_none() && !kind.may_be_of_all() {
-        return Err(keys.wrong("joint", format!("{name} needs one, 1 to 6")));
+        return Err(keys.wrong("joint", format!("{name} needs one, 1 to {}", kinds.len())));
     }
-    let joint_b = keys.joint("joint_b")?;
+    let joint_b = keys.joint("joint_b", kinds.len())?;
     if (kind == EffectKind::JointCoupling) != joint_b.is_some() {
         return Err(keys.wrong("joint_b", "joint_coupling needs it, no other effect takes it".to_owned()));
     }
@@ -166,7 +210,7 @@ fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
         (_, n) => n,
     };
     let mut values = Vec::new();
-    for (key, unit) in kind.parameters() {
+    for (key, unit) in kind.parameters(kind_of(joint, kinds)) {
         let number = keys.number(key)?.unwrap_or(0.0);
         if kind == EffectKind::Backlash && number < 0.0 {
             return Err(keys.wrong(key, format!("{number} is no play: 0 or more is asked for")));
@@ -181,7 +225,7 @@ fn read_term(mut keys: TableReader) -> Result<Term, ModelError> {
     let cause = keys.boolean("cause")?.unwrap_or(true);
     let held_above_n_m = keys.number("held_above_n_m")?;
     let payload_scaling = read_payload_scaling(&mut keys)?;
-    let growth = read_growth(&mut keys)?;
+    let growth = read_growth(&mut keys, kinds.len())?;
     keys.finish()?;
     Ok(Term { kind, joint, joint_b, n, growth, held_above_n_m, payload_scaling, cause, values })
 }
@@ -240,7 +284,7 @@ fn read_payload_scaling(keys: &mut TableReader) -> Result<PayloadScaling, ModelE
         .ok_or_else(|| keys.wrong("hangs", format!("`{name}` is none of where-loaded, always, per-kilogram")))
 }
 
-fn read_growth(keys: &mut TableReader) -> Result<Growth, ModelError> {
+fn read_growth(keys: &mut TableReader, joints: usize) -> Result<Growth, ModelError> {
     let Some(name) = keys.text("growth")? else { return Ok(Growth::Always) };
     let positive = |keys: &mut TableReader, key: &str| match keys.number(key)? {
         Some(value) if value > 0.0 => Ok(value),
@@ -263,8 +307,8 @@ fn read_growth(keys: &mut TableReader) -> Result<Growth, ModelError> {
             Ok(Growth::Step { t0_min })
         }
         "temperature" => {
-            let from_c = keys.required("from_c")?;
-            Ok(Growth::Temperature { from_c, to_c: keys.required("to_c")? })
+            let from_c = keys.per_joint("from_c", joints)?;
+            Ok(Growth::Temperature { from_c, to_c: keys.per_joint("to_c", joints)? })
         }
         _ => {
             Err(keys
@@ -273,7 +317,12 @@ fn read_growth(keys: &mut TableReader) -> Result<Growth, ModelError> {
     }
 }
 
-fn write_term(out: &mut String, term: &Term) {
+/// How the joint of a term moves.
+fn kind_of(joint: Option<usize>, kinds: &Joints<JointKind>) -> JointKind {
+    joint.and_then(|joint| kinds.get(joint)).copied().unwrap_or_default()
+}
+
+fn write_term(out: &mut String, term: &Term, kinds: &Joints<JointKind>) {
     let _ = writeln!(out, "\n[[effect]]\neffect = {}", quoted(term.kind.name()));
     if !term.cause {
         out.push_str("cause = false\n");
@@ -286,7 +335,7 @@ fn write_term(out: &mut String, term: &Term) {
     if let (EffectKind::GearMesh, Some(n)) = (term.kind, term.n) {
         let _ = writeln!(out, "n = {n}");
     }
-    for ((key, unit), value) in term.kind.parameters().iter().zip(&term.values) {
+    for ((key, unit), value) in term.kind.parameters(kind_of(term.joint, kinds)).iter().zip(&term.values) {
         let optional = ["link", "joint", "uneven", "hardening", "softening"]
             .iter()
             .any(|correction| key.starts_with(correction));
@@ -342,7 +391,7 @@ fn list(values: &[f64]) -> String {
     format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "))
 }
 
-fn ranges(all: &[[f64; 2]; 6]) -> String {
+fn ranges(all: &[[f64; 2]]) -> String {
     format!("[{}]", all.iter().map(|r| list(r)).collect::<Vec<_>>().join(", "))
 }
 
@@ -371,6 +420,31 @@ mod tests {
         assert_eq!(model.terms[0].values[0].value, 0.057_f64.to_radians());
         assert_eq!(model.terms[2].values[0].value, 4.1e-6);
         assert!((model.terms[11].values[0].value - 1.2e-4).abs() < 1e-18);
+    }
+
+    #[test]
+    fn of_an_arm_with_a_joint_that_slides_lengths_are_mm() {
+        let text = "format = 1\nrobot = \"x\"\njoints = [\"revolute\", \"revolute\", \"prismatic\", \"revolute\"]\n\
+                    [seen]\nq_deg = [[-90, 90], [0, 45], [-180, 0], [0, 0]]\n\
+                    [[effect]]\neffect = \"joint_offset\"\njoint = 3\noffset_mm = 0.2\nsigma_offset_mm = 0.01\n\
+                    [[effect]]\neffect = \"joint_offset\"\njoint = 4\noffset_deg = 0.1\n";
+        let model = Identified::from_toml(text).unwrap();
+        assert_eq!(model.measured_range.q_rad[2], [-0.18, 0.0]);
+        assert_eq!(model.measured_range.q_rad[0][1], std::f64::consts::FRAC_PI_2);
+        assert_eq!(model.terms[0].values[0], Value { value: 2e-4, sigma: Some(1e-5) });
+        assert_eq!(model.terms[1].values[0].value, 0.1_f64.to_radians());
+        assert!(!model.is_six_axis());
+        assert_eq!(Identified::from_toml(&model.to_toml()).unwrap(), model);
+        let said = |text: &str| Identified::from_toml(text).unwrap_err().to_string();
+        assert_eq!(
+            said(&text.replace("offset_deg = 0.1", "offset_mm = 0.1")),
+            "model, [[effect]] 2, offset_mm: is not known here"
+        );
+        assert_eq!(
+            said(&text.replace("joint = 4", "joint = 5")),
+            "model, [[effect]] 2, joint: 5 is not 1 to 4"
+        );
+        assert!(said(&text.replace("\"prismatic\"", "\"linear\"")).contains("`linear` is neither"));
     }
 
     #[test]

@@ -13,9 +13,10 @@ mod term;
 pub use error::ModelError;
 pub use parameters::{Parameter, Unit};
 pub(in crate::deform) use term::{ArmDelta, PoseState};
-pub use term::{Growth, PayloadScaling, Term, Value};
+pub use term::{Growth, PayloadScaling, Term, Value, compliance_of_link};
 
 use super::{EffectKind, GrowthLaw};
+use crate::robot::{JointKind, Joints};
 use nalgebra::{Isometry3, Vector3};
 
 /// When, and how warm: what the terms of a model depend on besides the joints and the load.
@@ -24,20 +25,20 @@ pub struct ThermalState {
     /// Minutes since the cold start; infinite when everything has settled.
     pub t_min: f64,
     /// Temperature of each joint, degrees Celsius, where it is known.
-    pub joint_temperature_c: Option<[f64; 6]>,
+    pub joint_temperature_c: Option<Joints>,
 }
 
 /// The ranges in which the model was found.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredRange {
     /// Rows of the measurement.
     pub rows: usize,
-    /// Lowest and highest angle of each joint, radians.
-    pub q_rad: [[f64; 2]; 6],
+    /// Lowest and highest angle of each joint, radians; of those that slide metres.
+    pub q_rad: Joints<[f64; 2]>,
     /// Minutes since the cold start.
     pub t_min: Option<[f64; 2]>,
     /// Temperature of each joint, degrees Celsius.
-    pub joint_temperature_c: Option<[[f64; 2]; 6]>,
+    pub joint_temperature_c: Option<Joints<[f64; 2]>>,
     /// Lowest and highest payload that was declared, kg.
     pub payload_kg: Option<[f64; 2]>,
 }
@@ -52,10 +53,12 @@ pub struct Mounting {
 }
 
 /// A model of one robot, as found.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Identified {
     /// Name of the robot in its file.
     pub robot: String,
+    /// How each joint of the robot moves.
+    pub joint_kinds: Joints<JointKind>,
     /// File or set it was found from.
     pub data: String,
     /// SHA-256 of the data, hexadecimal.
@@ -72,7 +75,41 @@ pub struct Identified {
     pub terms: Vec<Term>,
 }
 
+/// Nothing measured yet, of six joints.
+impl Default for MeasuredRange {
+    fn default() -> Self {
+        let q_rad = Joints::all(SIX, [0.0; 2]);
+        Self { rows: 0, q_rad, t_min: None, joint_temperature_c: None, payload_kg: None }
+    }
+}
+
+/// An empty model of a robot with six turning joints.
+impl Default for Identified {
+    fn default() -> Self {
+        Self {
+            robot: String::new(),
+            joint_kinds: Joints::all(SIX, JointKind::Revolute),
+            data: String::new(),
+            data_sha256: String::new(),
+            verdict: String::new(),
+            sigma_m: None,
+            measured_range: MeasuredRange::default(),
+            mounting: None,
+            terms: Vec::new(),
+        }
+    }
+}
+
+/// Joints of a robot where nothing else is said.
+const SIX: usize = 6;
+
 impl Identified {
+    /// Whether it is of a robot with six turning joints, as compensation needs.
+    #[must_use]
+    pub fn is_six_axis(&self) -> bool {
+        self.joint_kinds == [JointKind::Revolute; SIX]
+    }
+
     /// The model as far as a program can use it: without the instrument's own errors, steps as having happened.
     ///
     /// The second value names what was left out or taken so, for a warning.

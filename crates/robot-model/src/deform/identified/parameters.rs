@@ -1,6 +1,7 @@
 //! The parameters that each effect has in a model, in order, with their keys and units in the file.
 
 use crate::deform::EffectKind;
+use crate::robot::JointKind;
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, ppm_from_ratio, rad_from_deg, ratio_from_ppm};
 
 /// Unit of a parameter in the model file; inside it is SI.
@@ -67,49 +68,81 @@ const JOINTS: [Parameter; 6] = [
     ("joint5_rad_per_n_m", Unit::Plain),
     ("joint6_rad_per_n_m", Unit::Plain),
 ];
+const LINK_7: Parameter = ("link7_rad_per_n_m", Unit::Plain);
 const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
 const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
 const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
-const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS);
+const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS, []);
 /// Beside the linear spring one in proportion to the torque's square, and one to its root, both with its sign.
-const PER_SPRING: [Parameter; 9] = {
-    let mut all = [HARDENING; 9];
+const PER_SPRING: [Parameter; 10] = {
+    let mut all = [HARDENING; 10];
     let mut i = 0;
     while i < PER_LINK.len() {
         all[i] = PER_LINK[i];
         i += 1;
     }
     all[8] = SOFTENING;
+    all[9] = LINK_7;
     all
 };
 const HARDENING: Parameter = ("hardening_rad_per_n_m_squared", Unit::Plain);
 const SOFTENING: Parameter = ("softening_rad_per_root_n_m", Unit::Plain);
-const PER_BEND: [Parameter; 8] = joined([COMPLIANCE, UNEVEN], LINKS);
-const PER_TILT: [Parameter; 8] = joined(TILT, LINKS);
-const PER_JOINT: [Parameter; 7] = joined([("kg", Unit::Plain)], JOINTS);
+/// The same of a joint that slides: it gives way along its axis under the force along it.
+const SLIDING_SPRING: [Parameter; 10] = [
+    ("m_per_n", Unit::Plain),
+    ("link1_m_per_n", Unit::Plain),
+    ("link2_m_per_n", Unit::Plain),
+    ("link3_m_per_n", Unit::Plain),
+    ("link4_m_per_n", Unit::Plain),
+    ("link5_m_per_n", Unit::Plain),
+    ("link6_m_per_n", Unit::Plain),
+    ("hardening_m_per_n_squared", Unit::Plain),
+    ("softening_m_per_root_n", Unit::Plain),
+    ("link7_m_per_n", Unit::Plain),
+];
+const PER_BEND: [Parameter; 9] = joined([COMPLIANCE, UNEVEN], LINKS, [LINK_7]);
+const PER_TILT: [Parameter; 9] = joined(TILT, LINKS, [LINK_7]);
+const PER_JOINT: [Parameter; 8] =
+    joined([("kg", Unit::Plain)], JOINTS, [("joint7_rad_per_n_m", Unit::Plain)]);
 const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];
 
-/// `first`, then `each`; N = A + 6.
-const fn joined<const A: usize, const N: usize>(
+/// `first`, then `each`, then `last`; N = A + 6 + B.
+const fn joined<const A: usize, const B: usize, const N: usize>(
     first: [Parameter; A],
     each: [Parameter; 6],
+    last: [Parameter; B],
 ) -> [Parameter; N] {
-    assert!(N == A + each.len());
+    assert!(N == A + each.len() + B);
     let mut all = [each[0]; N];
     let mut i = 0;
     while i < N {
-        all[i] = if i < A { first[i] } else { each[i - A] };
+        all[i] = if i < A {
+            first[i]
+        } else if i < A + each.len() {
+            each[i - A]
+        } else {
+            last[i - A - each.len()]
+        };
         i += 1;
     }
     all
 }
 
 impl EffectKind {
-    /// Its parameters in a model, in the order of a term's values; none are listed for a spectrum, which has any number
-    /// of sines and cosines in turn.
+    /// Its parameters in a model, in the order of a term's values, for a joint that turns or slides; none are listed for a
+    /// spectrum, which has any number of sines and cosines in turn.
     #[must_use]
-    pub fn parameters(self) -> &'static [Parameter] {
+    pub fn parameters(self, joint: JointKind) -> &'static [Parameter] {
         match self {
+            Self::JointOffset if joint.slides() => &[("offset_mm", Unit::Millimetre)],
+            Self::JointCompliance if joint.slides() => &SLIDING_SPRING,
+            Self::Backlash if joint.slides() => &[("gap_mm", Unit::Millimetre)],
+            Self::ThermalJointDrift if joint.slides() => {
+                &[("drift_mm", Unit::Millimetre), ("constant_mm", Unit::Millimetre)]
+            }
+            Self::JointStep if joint.slides() => {
+                &[("step_mm", Unit::Millimetre), ("constant_mm", Unit::Millimetre)]
+            }
             Self::JointOffset => &[("offset_deg", Unit::Degree)],
             Self::LinkGeometry | Self::BaseDrift | Self::BaseStep => &FRAME,
             Self::JointCompliance => &PER_SPRING,

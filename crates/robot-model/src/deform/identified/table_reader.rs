@@ -1,6 +1,7 @@
 //! A TOML table whose keys are taken one by one, with messages that name the place.
 
 use super::error::ModelError;
+use crate::robot::{Joints, MOST_JOINTS};
 
 /// A table whose keys are taken one by one; what is left at the end is not known.
 pub(super) struct TableReader {
@@ -46,12 +47,12 @@ impl TableReader {
         }
     }
 
-    /// A joint, from 1 in the file and from 0 here.
-    pub(super) fn joint(&mut self, key: &str) -> Result<Option<usize>, ModelError> {
-        match self.integer(key)? {
-            None => Ok(None),
-            Some(joint @ 1..=6) => Ok(usize::try_from(joint - 1).ok()),
-            Some(other) => Err(self.wrong(key, format!("{other} is not 1 to 6"))),
+    /// One of `joints` joints, from 1 in the file and from 0 here.
+    pub(super) fn joint(&mut self, key: &str, joints: usize) -> Result<Option<usize>, ModelError> {
+        let Some(number) = self.integer(key)? else { return Ok(None) };
+        match usize::try_from(number).ok().filter(|number| (1..=joints).contains(number)) {
+            Some(number) => Ok(Some(number - 1)),
+            None => Err(self.wrong(key, format!("{number} is not 1 to {joints}"))),
         }
     }
 
@@ -96,12 +97,37 @@ impl TableReader {
         self.numbers(key)?.ok_or_else(|| self.wrong(key, "missing".to_owned()))
     }
 
-    /// Six ranges [low, high], one for each joint.
-    pub(super) fn ranges(&mut self, key: &str) -> Result<Option<[[f64; 2]; 6]>, ModelError> {
+    /// One number for each of `joints` joints, which must be there.
+    pub(super) fn per_joint(&mut self, key: &str, joints: usize) -> Result<Joints, ModelError> {
+        let values = self.list(key)?;
+        if values.len() != joints.min(MOST_JOINTS) {
+            return Err(self.wrong(key, format!("{joints} numbers are needed, there are {}", values.len())));
+        }
+        Ok(values.into_iter().collect())
+    }
+
+    /// Texts; `None` where the key is missing.
+    pub(super) fn texts(&mut self, key: &str) -> Result<Option<Vec<String>>, ModelError> {
+        let wrong = || self.wrong(key, "must be a list of texts".to_owned());
+        match self.left.get(key) {
+            None => return Ok(None),
+            Some(toml::Value::Array(all)) if all.iter().all(toml::Value::is_str) => {}
+            Some(_) => return Err(wrong()),
+        }
+        let Some(toml::Value::Array(all)) = self.left.remove(key) else { return Ok(None) };
+        Ok(Some(all.iter().filter_map(|text| text.as_str().map(str::to_owned)).collect()))
+    }
+
+    /// Ranges [low, high], one for each of `joints` joints.
+    pub(super) fn ranges(
+        &mut self,
+        key: &str,
+        joints: usize,
+    ) -> Result<Option<Joints<[f64; 2]>>, ModelError> {
         let Some(value) = self.left.remove(key) else { return Ok(None) };
-        let wrong = || self.wrong(key, "six ranges [low, high] are needed".to_owned());
-        let rows = value.as_array().filter(|rows| rows.len() == 6).ok_or_else(wrong)?;
-        let mut ranges = [[0.0; 2]; 6];
+        let wrong = || self.wrong(key, format!("{joints} ranges [low, high] are needed"));
+        let rows = value.as_array().filter(|rows| rows.len() == joints).ok_or_else(wrong)?;
+        let mut ranges = Joints::all(joints, [0.0; 2]);
         for (range, row) in ranges.iter_mut().zip(rows) {
             let [low, high] = row.as_array().map(Vec::as_slice).unwrap_or_default() else {
                 return Err(wrong());

@@ -6,8 +6,8 @@
 use super::ThermalState;
 use crate::deform::gravity::{Bend, Loads};
 use crate::deform::{EffectKind, GrowthLaw};
-use crate::kinematics::FrameOffsets;
-use crate::robot::Robot;
+use crate::kinematics::SerialOffsets;
+use crate::robot::{ArmGeometry, Joints, MOST_JOINTS};
 use nalgebra::{Isometry3, Vector3};
 
 /// Growth in time or temperature, 0 to about 1.
@@ -33,9 +33,9 @@ pub enum Growth {
     /// A joint's temperature from `from_c` (0) to `to_c` (1), not held.
     Temperature {
         /// Temperature of each joint at which it is 0, degrees Celsius.
-        from_c: [f64; 6],
+        from_c: Joints,
         /// Temperature of each joint at which it is 1, degrees Celsius.
-        to_c: [f64; 6],
+        to_c: Joints,
     },
 }
 
@@ -62,11 +62,13 @@ impl Growth {
             Self::Step { t0_min } => f64::from(u8::from(t_min >= t0_min)),
             Self::Temperature { from_c, to_c } => {
                 let Some(here) = when.joint_temperature_c else { return 0.0 };
+                let joints = to_c.len().min(from_c.len()).min(here.len());
                 let one = |j: usize| {
                     let rise_k = to_c[j] - from_c[j];
                     if rise_k.abs() > 1e-6 { (here[j] - from_c[j]) / rise_k } else { 0.0 }
                 };
-                joint.map_or_else(|| (0..6).map(one).sum::<f64>() / 6.0, |j| one(j.min(5)))
+                let Some(last) = joints.checked_sub(1) else { return 0.0 };
+                joint.map_or_else(|| (0..joints).map(one).sum::<f64>() / joints as f64, |j| one(j.min(last)))
             }
         }
     }
@@ -149,25 +151,33 @@ impl Term {
 
 /// The arm at one place, as terms see it.
 pub(in crate::deform) struct PoseState<'a> {
-    pub robot: &'a Robot,
+    pub arm: ArmGeometry<'a>,
     pub when: &'a ThermalState,
-    pub q_rad: &'a [f64; 6],
-    pub direction: [i8; 6],
+    /// As many as the arm has joints, here and below.
+    pub q_rad: &'a [f64],
+    pub direction: &'a [i8],
     /// Loads, frames and flange of the nominal arm, where a term needs them.
-    pub loads: Option<(&'a Loads, &'a [Isometry3<f64>; 7])>,
+    pub loads: Option<(&'a Loads, &'a [Isometry3<f64>])>,
     /// What hangs on the flange as declared.
     pub payload_kg: f64,
+}
+
+/// Which value of a joint's compliance is that of link `k` (from 0): those of links 1 to 6 follow the plain one, a seventh's stands
+/// behind the spring's own two.
+#[must_use]
+pub fn compliance_of_link(k: usize) -> usize {
+    if k < 6 { k + 1 } else { k + 3 }
 }
 
 /// What the terms do together.
 #[derive(Clone, Debug, Default)]
 pub(in crate::deform) struct ArmDelta {
-    /// Added to the joints, radians.
-    pub turns_rad: [f64; 6],
+    /// Added to the joints, radians; metres where they slide.
+    pub turns_rad: [f64; MOST_JOINTS],
     /// d turn_i / d q_j of those that change fast with the joints.
-    pub slopes: [[f64; 6]; 6],
+    pub slopes: [[f64; MOST_JOINTS]; MOST_JOINTS],
     /// Added to the frames.
-    pub offsets: FrameOffsets,
+    pub offsets: SerialOffsets,
 }
 
 impl Term {
@@ -186,7 +196,8 @@ impl Term {
     /// Adds what the term does at `at`.
     pub(in crate::deform) fn add(&self, at: &PoseState<'_>, to: &mut ArmDelta) {
         let v = |i: usize| self.value(i);
-        let joint = self.joint.unwrap_or(0).min(5);
+        let joints = at.arm.joints.len();
+        let joint = self.joint.unwrap_or(0).min(joints - 1);
         let grown = self.growth.at(at.when, self.joint);
         match self.kind {
             EffectKind::JointOffset => to.turns_rad[joint] += v(0),
@@ -214,12 +225,12 @@ impl Term {
                 to.slopes[joint][joint] += v(0);
             }
             EffectKind::JointCoupling => {
-                let driven = self.joint_b.unwrap_or(0).min(5);
+                let driven = self.joint_b.unwrap_or(0).min(joints - 1);
                 to.turns_rad[driven] += v(0) * at.q_rad[joint];
                 to.slopes[driven][joint] += v(0);
             }
             EffectKind::Backlash => {
-                let mut side = f64::from(at.direction[joint]);
+                let mut side = at.direction.get(joint).map_or(0.0, |side| f64::from(*side));
                 if let (Some(limit), Some((loads, _))) = (self.held_above_n_m, at.loads)
                     && loads.torque_n_m[joint].abs() > limit.abs()
                 {
@@ -228,12 +239,8 @@ impl Term {
                 to.turns_rad[joint] += 0.5 * v(0) * side;
             }
             EffectKind::ThermalLinkGrowth => {
-                for i in (0..6).filter(|i| self.joint.is_none_or(|link| link == *i)) {
-                    let next = at
-                        .robot
-                        .joints
-                        .get(i + 1)
-                        .map_or(&at.robot.joint6_from_flange, |j| &j.previous_from_joint);
+                for i in (0..joints).filter(|i| self.joint.is_none_or(|link| link == *i)) {
+                    let next = at.arm.after_link(i);
                     let strain = v(0) * self.growth.at(at.when, Some(i)) + v(1);
                     for (to, along) in to.offsets.0[i + 1].iter_mut().zip(next.translation.vector.iter()) {
                         *to += along * strain;
@@ -244,8 +251,8 @@ impl Term {
                 to.turns_rad[joint] += v(0) * grown + v(1);
             }
             EffectKind::ToolDrift | EffectKind::ToolStep => {
-                let shift = at.robot.joint6_from_flange.rotation * Vector3::new(v(0), v(1), v(2)) * grown;
-                for (to, by) in to.offsets.0[6].iter_mut().zip(shift.iter()) {
+                let shift = at.arm.last_from_flange.rotation * Vector3::new(v(0), v(1), v(2)) * grown;
+                for (to, by) in to.offsets.0[joints].iter_mut().zip(shift.iter()) {
                     *to += by;
                 }
             }
@@ -255,12 +262,13 @@ impl Term {
             | EffectKind::BaseTilt
             | EffectKind::PayloadMass => {
                 if let Some((loads, frames)) = at.loads {
-                    self.add_load(joint, loads, frames, at.payload_kg, to);
+                    self.add_load((joint, joints), loads, frames, at.payload_kg, to);
                 }
             }
         }
     }
 
+    /// Moves one frame by the values times a factor.
     fn add_frame(&self, frame: usize, factor: f64, to: &mut ArmDelta) {
         if let Some(row) = to.offsets.0.get_mut(frame) {
             for (to, value) in row.iter_mut().zip(&self.values) {
@@ -271,36 +279,37 @@ impl Term {
 
     fn add_load(
         &self,
-        joint: usize,
+        (joint, joints): (usize, usize),
         loads: &Loads,
-        frames: &[Isometry3<f64>; 7],
+        frames: &[Isometry3<f64>],
         payload_kg: f64,
         to: &mut ArmDelta,
     ) {
         let v = |i: usize| self.value(i);
         match self.kind {
             EffectKind::JointCompliance => {
-                let links: f64 = (0..6).map(|k| v(k + 1) * loads.link_torque_n_m[joint][k]).sum();
+                let links: f64 =
+                    (0..joints).map(|k| v(compliance_of_link(k)) * loads.link_torque_n_m[joint][k]).sum();
                 let torque = loads.torque_n_m[joint];
                 let bent = v(7) * torque * torque.abs() + v(8) * torque.signum() * torque.abs().sqrt();
                 to.turns_rad[joint] += v(0) * torque + links + bent;
             }
             EffectKind::PayloadMass => {
                 let kg = self.payload_scaling.at(payload_kg);
-                for (j, turn_rad) in to.turns_rad.iter_mut().enumerate() {
+                for (j, turn_rad) in to.turns_rad.iter_mut().enumerate().take(joints) {
                     *turn_rad += kg * v(j + 1) * loads.unit_torque_n_m[j];
                 }
             }
             EffectKind::BaseTilt => {
                 let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(&loads.base_moment_n_m);
-                for (k, moment) in loads.link_base_moment_n_m.iter().enumerate() {
+                for (k, moment) in loads.link_base_moment_n_m.iter().enumerate().take(joints) {
                     turn += moment * v(k + 2);
                 }
                 to.offsets.0[0][3] += turn.x;
                 to.offsets.0[0][4] += turn.y;
             }
             EffectKind::LinkBending => {
-                let link = joint.min(4);
+                let link = joint.min(joints - 2);
                 let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
                 let (mut turn, mut sink) = (Vector3::zeros(), Vector3::zeros());
                 let mut take = |bend: &Bend, share: f64| {
@@ -310,7 +319,7 @@ impl Term {
                 for (k, bend) in loads.beyond[link + 1].bend(&ends[0], &ends[1]).iter().enumerate() {
                     take(bend, v(k));
                 }
-                for (k, part) in loads.link_beyond[link + 1].iter().enumerate() {
+                for (k, part) in loads.link_beyond[link + 1].iter().enumerate().take(joints) {
                     let [even, _] = part.bend(&ends[0], &ends[1]);
                     take(&even, v(k + 2));
                 }
