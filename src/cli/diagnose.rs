@@ -8,6 +8,7 @@ use driftpost::application::Diagnosis;
 use driftpost::report::plots;
 use driftpost::report::shop::{self, Standing};
 use metrology::diagnose::Diagnosis as Findings;
+use metrology::measure::{FaultKind, check_rows};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -84,6 +85,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
+    if let Some(fault) = check_rows(&measurements, &robot).fault.filter(|f| f.kind == FaultKind::JointColumns)
+    {
+        return Err(Diagnostic::error("measure::fault", format!("{}: {}", given.name, fault.reason)).into());
+    }
     let standing = standing(args, options.tool_m)?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;

@@ -80,7 +80,7 @@ fn a_file_that_cannot_be_read_says_what_and_where() {
         (format!("{head}1,2,3,4,5,6,NaN,8,9\n"), &["line 2", "x_mm"]),
         (format!("{head}1,2,3,4,5,6,inf,8,9\n"), &["line 2", "x_mm"]),
         (format!("{head}1,2,3,4,5,6,7,8\n"), &["line 2", "8"]),
-        (head.replace("x_mm", "q7_deg,x_mm") + "1,2,3,4,5,6,7,8,9,10\n", &["q7_deg", "six"]),
+        (head.replace("x_mm", "q7_deg,x_mm") + "1,2,3,4,5,6,7,8,9,10\n", &["q7_deg", "q1_deg to q6_deg"]),
     ];
     for (text, expected) in cases {
         let (code, answer, json) = diagnose(text.as_bytes(), &[]);

@@ -42,7 +42,10 @@ fn targets_that_only_the_running_program_knows_are_met() {
         // The search alone stays as it is, and its move to where nothing is found is the one that is not corrected.
         assert_eq!(kept, 1, "{form:?}");
         assert_eq!(report.unchanged.len(), 1, "{:?}", report.unchanged);
-        assert!(report.messages.is_empty(), "{:?}", report.messages);
+        // The fixture stands on a quadrant's border with axis 4, where configurations are checked.
+        let others =
+            report.messages.iter().filter(|m| !m.text.contains("over the border of the quadrant that cf4"));
+        assert_eq!(others.count(), 0, "{:?}", report.messages);
         let before = report.passes.last().unwrap().before.max_m;
         assert!(mm_from_m(before) > 0.1, "{before}");
         let text = String::from_utf8_lossy(&program[0].1).into_owned();
