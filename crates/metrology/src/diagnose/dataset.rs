@@ -32,7 +32,7 @@ pub struct Observation {
     pub fixed_point: Option<usize>,
     /// Joint angles, joint 1 first, radians; metres where a joint slides.
     pub q_rad: Joints,
-    /// Which joints slide.
+    /// For each joint, joint 1 first, whether it slides: what is metres and newtons there is radians and newton metres elsewhere.
     pub slides: Joints<bool>,
     /// Each joint's axis in the base.
     pub axes: Joints<Vector3<f64>>,
@@ -242,7 +242,7 @@ pub fn scaled(twist: Twist, factor: f64) -> Twist {
 /// Everything the effects may look at.
 #[derive(Clone, Debug)]
 pub struct Dataset {
-    /// Which joints slide.
+    /// For each joint, joint 1 first, whether it slides: what is metres and newtons there is radians and newton metres elsewhere.
     pub slides: Joints<bool>,
     /// One for each station.
     pub observations: Vec<Observation>,

@@ -55,7 +55,7 @@ pub struct ThermalFilter {
     table: [f64; 2],
     /// Lags, amount, logarithms of the time constants in minutes.
     pub state: State,
-    /// Their covariance.
+    /// Covariance of the state, rows and columns in its order.
     pub covariance: Covariance,
     refused: Option<f64>,
 }

@@ -52,9 +52,9 @@ pub enum StateError {
 pub struct TouchState {
     /// Line in the file.
     pub line: u64,
-    /// Which point.
+    /// The touched point, as an index into the points of the file.
     pub point: usize,
-    /// Minutes.
+    /// Minutes, as the file's `t_min` counts them.
     pub t_min: f64,
     /// What it saw: the share of the table's settled drift.
     pub seen: f64,
@@ -80,7 +80,7 @@ pub struct PlannedInterval {
 /// A point, and how well touches of it would keep the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedPoint {
-    /// Its name.
+    /// The point's `fixed_id`.
     pub name: String,
     /// By how much it moves when all has settled, metres.
     pub settled_m: f64,
@@ -95,7 +95,7 @@ pub struct RobotState {
     pub touches: Vec<TouchState>,
     /// Lags, amount, logarithms of both time constants (minutes) at the end.
     pub state: State,
-    /// Their covariance.
+    /// Covariance of the state, rows and columns in its order.
     pub covariance: Covariance,
     /// The law of growth.
     pub law: GrowthLaw,
