@@ -109,7 +109,7 @@ impl Arm {
         Self { screws, home: zero * robot.last_from_flange, masses }
     }
 
-    /// Number of joints.
+    /// Number of joints, 4 to 7.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.screws.len()

@@ -187,7 +187,7 @@ impl Observation {
         }
     }
 
-    /// Number of joints.
+    /// Number of joints of the arm, 4 to 7.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.axes.len()
@@ -307,7 +307,7 @@ impl Dataset {
         }
     }
 
-    /// Number of joints.
+    /// Number of joints of the arm, 4 to 7.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.slides.len()

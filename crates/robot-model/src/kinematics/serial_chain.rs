@@ -68,7 +68,7 @@ impl SerialChain {
         SerialFrames::of(arm).chain(&SerialOffsets::default())
     }
 
-    /// Number of joints.
+    /// Number of joints, 4 to 7.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.kinds.len()

@@ -20,7 +20,7 @@ pub enum JointKind {
 }
 
 impl JointKind {
-    /// Whether it slides.
+    /// Whether the joint moves along its axis (metres) and does not turn about it (radians).
     #[must_use]
     pub fn slides(self) -> bool {
         self == Self::Prismatic
