@@ -10,11 +10,11 @@ use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// Numbers of a row of joints, of a pose (a 4 by 4 matrix, rows first), of a Jacobian, of all branches of a pose.
 pub const JOINTS: usize = 6;
-/// As [`JOINTS`].
+/// Numbers in a pose, see [`JOINTS`].
 pub const POSE: usize = 16;
-/// As [`JOINTS`].
+/// Numbers in a Jacobian, see [`JOINTS`].
 pub const JACOBIAN: usize = 36;
-/// As [`JOINTS`].
+/// Numbers in all branches of a pose, see [`JOINTS`].
 pub const BRANCHES: usize = 48;
 /// A rotation whose columns are further from orthonormal than this is none.
 const ORTHONORMAL: f64 = 1e-6;
@@ -33,7 +33,7 @@ impl Arm {
         Self { nominal: Chain::nominal(&robot), robot }
     }
 
-    /// The robot.
+    /// Model of the robot.
     #[must_use]
     pub fn robot(&self) -> &Robot {
         &self.robot

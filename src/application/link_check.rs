@@ -58,7 +58,7 @@ pub enum LinkChecked {
     },
     /// Every target was asked for.
     Asked {
-        /// One for each.
+        /// One finding for each target and element asked for.
         found: Vec<Found>,
         /// Motions whose targets only run time knows.
         unknown: usize,

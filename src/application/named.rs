@@ -14,7 +14,7 @@ const PAPER: &[u8] = include_bytes!("../../fixtures/paper/table2_deformation.csv
 /// A model and where it comes from.
 #[derive(Clone, Debug)]
 pub struct Named<T> {
-    /// The model itself.
+    /// The model that the name stands for.
     pub model: T,
     /// Its name, and the SHA-256 of the file that it was read from.
     pub source: Provenance,

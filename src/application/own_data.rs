@@ -14,7 +14,7 @@ const SAID: &str = "tcSaid";
 /// The data of one corrected module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OwnData {
-    /// Task.
+    /// Name of the task.
     pub task: String,
     /// The module that holds them: the corrected one, or `tcCore`.
     pub module: String,

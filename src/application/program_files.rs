@@ -90,7 +90,7 @@ impl ProgramFiles {
 pub struct DeclaredNames {
     /// Procedures, functions and traps.
     pub routines: Vec<String>,
-    /// Data of modules.
+    /// Names of module data.
     pub data: Vec<String>,
 }
 

@@ -130,7 +130,7 @@ fn moves(robot: &Robot, program: &[(&str, &[u8])]) -> Result<Vec<Move>, Diagnost
 /// What is left at a program's targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftAtTargets {
-    /// Number of targets.
+    /// How many targets were judged.
     pub n: usize,
     /// Root mean square of the measured errors, base and tool fitted, mm.
     pub measured_mm: f64,

@@ -14,14 +14,14 @@ use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `accuracy`.
+/// Command line of `driftpost accuracy`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The measurements: rows that share a pose_id (or their joints) repeat one commanded pose.
     #[command(flatten)]
     pub source: MeasurementArgs,
 
-    /// The robot.
+    /// The robot that was measured.
     #[command(flatten)]
     pub robot: RobotName,
 

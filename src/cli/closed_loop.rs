@@ -12,7 +12,7 @@ use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `closed-loop`.
+/// Command line of `driftpost closed-loop`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The program: a module, several, a folder, or a .pgf.
@@ -23,11 +23,11 @@ pub struct Args {
     #[arg(long, value_name = "LIST", alias = "withhold")]
     pub inject: String,
 
-    /// The robot.
+    /// The robot that the program is for.
     #[command(flatten)]
     pub robot: RobotName,
 
-    /// Poses measured.
+    /// How many poses are measured.
     #[arg(long, default_value_t = 150, value_parser = clap::value_parser!(u32).range(12..=100_000))]
     pub n: u32,
 

@@ -12,7 +12,7 @@ use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `compare-measurements`.
+/// Command line of `driftpost compare-measurements`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Measurements before.
@@ -23,7 +23,7 @@ pub struct Args {
     #[arg(value_name = "AFTER")]
     pub after: PathBuf,
 
-    /// The robot.
+    /// The robot that was measured.
     #[command(flatten)]
     pub robot: RobotName,
 

@@ -4,7 +4,7 @@ use super::{Cli, Console, Outcome};
 use clap::CommandFactory;
 use clap_complete::Shell;
 
-/// Options of `completions`.
+/// Command line of `driftpost completions`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The shell.

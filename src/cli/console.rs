@@ -24,7 +24,7 @@ pub struct Console {
 }
 
 impl Console {
-    /// The process's own.
+    /// Streams of the process itself.
     #[must_use]
     pub fn of_process() -> Self {
         let colours = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
@@ -68,7 +68,7 @@ impl Console {
         self.is_quiet
     }
 
-    /// Where results go.
+    /// Stream that results are written to.
     pub fn out(&mut self) -> &mut dyn Write {
         &mut self.out
     }
@@ -79,7 +79,7 @@ impl Console {
         self.is_coloured
     }
 
-    /// Where messages go.
+    /// Stream that messages are written to.
     pub fn err(&mut self) -> &mut dyn Write {
         &mut self.err
     }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// For each given file, where what becomes of it goes.
 pub struct Destination {
-    /// By [`FileId`].
+    /// Path of each module, by [`FileId`].
     modules: Vec<PathBuf>,
     /// Files that are copied as they are: from, to.
     others: Vec<(PathBuf, PathBuf)>,
@@ -21,7 +21,7 @@ pub struct Destination {
     force: bool,
 }
 
-/// Standard output.
+/// Name that stands for standard output.
 const STANDARD: &str = "-";
 
 impl Destination {

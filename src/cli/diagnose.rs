@@ -13,14 +13,14 @@ use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 
-/// Options of `diagnose`.
+/// Command line of `driftpost diagnose`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The measurements.
+    /// Where measurements come from.
     #[command(flatten)]
     pub source: MeasurementArgs,
 
-    /// The robot.
+    /// The robot that was measured.
     #[command(flatten)]
     pub robot: RobotName,
 

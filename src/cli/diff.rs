@@ -24,7 +24,7 @@ use std::sync::Arc;
 /// A longer diff is cut on standard output.
 const DIFF_LINES: usize = 2000;
 
-/// Options of `diff`.
+/// Command line of `driftpost diff`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The one program: a module, a folder, or a .pgf; as a rule the original.

@@ -12,7 +12,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Options of `exam`.
+/// Command line of `driftpost exam`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// A folder that `synth` made.

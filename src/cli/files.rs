@@ -125,9 +125,9 @@ fn similar_neighbour(path: &Path) -> Option<PathBuf> {
 pub enum Output {
     /// It was not asked for.
     Nowhere,
-    /// `-`
+    /// Standard output, written `-`.
     Standard,
-    /// A file.
+    /// A file that appears when it is whole.
     File(Pending),
 }
 

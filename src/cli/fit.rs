@@ -15,14 +15,14 @@ use robot_model::robot::Robot;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `fit`.
+/// Command line of `driftpost fit`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Touches: fixed_id, t_min, q1_deg..q6_deg; or measurements of a few poses again and again, with t_min.
     #[command(flatten)]
     pub source: MeasurementArgs,
 
-    /// The robot.
+    /// The robot that was touched.
     #[command(flatten)]
     pub robot: RobotName,
 
@@ -59,7 +59,7 @@ pub struct Args {
     pub page: ReportArgs,
 }
 
-/// `FROM:TO` in minutes.
+/// Reads a standstill written `FROM:TO`, minutes.
 pub(super) fn stop(text: &str) -> Result<Standstill, String> {
     let number = |t: &str| t.trim().parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
     let (from, to) = text.split_once(':').ok_or("write FROM:TO in minutes, e.g. 120:165")?;

@@ -22,7 +22,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Options of `golden`.
+/// Command line of `driftpost golden`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Folder of cases.

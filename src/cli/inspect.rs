@@ -8,7 +8,7 @@ use driftpost::report::{self, LocatedDiagnostic};
 use rapid_program::program::{Overrides, Program};
 use std::path::PathBuf;
 
-/// Options of `inspect`.
+/// Command line of `driftpost inspect`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// RAPID modules, a folder of them, or a .pgf; names are resolved across all of them.

@@ -6,7 +6,7 @@ use clap::CommandFactory;
 use clap_mangen::Man;
 use std::path::PathBuf;
 
-/// Options of `man`.
+/// Command line of `driftpost man`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The folder for the pages: driftpost.1, driftpost-compensate.1 and so on.

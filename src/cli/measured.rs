@@ -56,7 +56,7 @@ pub enum MatchName {
 
 /// A table and where it comes from.
 pub struct MeasurementInput {
-    /// The table.
+    /// The table of measurements.
     pub table: Table,
     /// Names of its files.
     pub name: String,

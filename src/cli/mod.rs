@@ -224,11 +224,11 @@ pub fn run_with(words: Vec<OsString>) -> Outcome {
 /// What a run would have written, and the errors among it.
 #[derive(Debug)]
 pub struct Captured {
-    /// How it ended.
+    /// How the command ended.
     pub outcome: Outcome,
-    /// Standard output.
+    /// What it wrote to standard output.
     pub output: Vec<u8>,
-    /// Standard error.
+    /// What it wrote to standard error.
     pub messages: Vec<u8>,
     /// The errors that are told in `messages`.
     pub errors: Vec<LocatedDiagnostic>,

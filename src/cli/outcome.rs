@@ -5,7 +5,7 @@ use std::process::ExitCode;
 /// How a command ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Done: exit 0.
+    /// Done as asked: exit 0.
     Done,
     /// Found a difference, or out of tolerance: exit 1.
     Difference,

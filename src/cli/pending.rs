@@ -65,7 +65,7 @@ impl Pending {
         self.through
     }
 
-    /// Its path.
+    /// Path that the file will have.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path

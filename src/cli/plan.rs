@@ -11,10 +11,10 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `plan`.
+/// Command line of `driftpost plan`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The robot.
+    /// The robot that is to be measured.
     #[command(flatten)]
     pub robot: RobotName,
 

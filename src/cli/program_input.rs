@@ -9,16 +9,16 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// The controller's disk.
+/// Name of the controller's own disk.
 const DISK: &str = "HOME";
 
 /// Extensions of RAPID modules, in lower case.
 const MODULES: [&str; 5] = ["mod", "sys", "prg", "modx", "sysx"];
 
-/// What was given.
+/// What the given path is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// One module.
+    /// A single module.
     One,
     /// Several modules, a folder or a `.pgf`.
     Several,

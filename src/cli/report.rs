@@ -18,7 +18,7 @@ const KEYS: [(&str, &[&str]); 7] = [
     ("accuracy", &["poses", "within", "worst"]),
 ];
 
-/// Options of `report`.
+/// Command line of `driftpost report`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// What a command wrote with --json; - is standard input.

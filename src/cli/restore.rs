@@ -12,7 +12,7 @@ use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Options of `restore`.
+/// Command line of `driftpost restore`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Modules that `compensate` wrote; a folder or a .pgf for a whole program.

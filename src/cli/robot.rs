@@ -7,10 +7,10 @@ use robot_model::robot::JointKind;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::path::PathBuf;
 
-/// Options of `robot`.
+/// Command line of `driftpost robot`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The robot.
+    /// The robot that is shown.
     #[command(flatten)]
     pub robot: RobotName,
 

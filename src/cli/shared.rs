@@ -8,7 +8,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
 
-/// The robot.
+/// The robot, by name, file or backup.
 #[derive(Debug, clap::Args)]
 pub struct RobotName {
     /// A built-in robot's name, a robot file (TOML), or a URDF description: FILE.urdf, or FILE.urdf:LINK with the link that is the flange.

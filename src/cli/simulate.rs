@@ -21,7 +21,7 @@ use virtual_controller::scenario::STEPS;
 use virtual_controller::session::SessionOptions;
 use virtual_controller::{Scenario, SimulateError, TrueRobot, Warming};
 
-/// Options of `simulate`.
+/// Command line of `driftpost simulate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The program: a module, several, a folder, or a .pgf.

@@ -17,14 +17,14 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Options of `state`.
+/// Command line of `driftpost state`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Touches: fixed_id, t_min, q1_deg..q6_deg; the first of each point with the arm cold.
     #[command(flatten)]
     pub source: MeasurementArgs,
 
-    /// The robot.
+    /// The robot that was touched.
     #[command(flatten)]
     pub robot: RobotName,
 

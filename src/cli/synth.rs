@@ -17,7 +17,7 @@ use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
-/// Options of `synth`.
+/// Command line of `driftpost synth`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// A new or empty folder.
@@ -37,7 +37,7 @@ pub struct Args {
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub sets: u32,
 
-    /// The robot.
+    /// The robot that is measured.
     #[command(flatten)]
     pub robot: RobotName,
 
@@ -229,11 +229,11 @@ fn one(args: &Args, robot: &SerialArm, number: u32) -> Result<DataSet, Diagnosti
 
 /// What is asked of one data set.
 pub(super) struct Ask<'a> {
-    /// Effects, with commas.
+    /// Effects to inject, separated by commas.
     pub effects: &'a str,
-    /// Its name.
+    /// Name of the set.
     pub name: String,
-    /// Rows.
+    /// How many rows are made.
     pub n: usize,
     /// Noise of each coordinate.
     pub sigma_mm: f64,

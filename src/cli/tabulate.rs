@@ -21,14 +21,14 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `tabulate`.
+/// Command line of `driftpost tabulate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Targets (CSV): name,x_mm,y_mm,z_mm[,rx_deg,ry_deg,rz_deg], or RoboDK's No. point,X[mm],Y[mm],Z[mm][,Ox[deg],Oy[deg],Oz[deg]].
     #[arg(value_name = "TARGETS.csv")]
     pub targets: PathBuf,
 
-    /// The robot.
+    /// The robot that is tabulated.
     #[command(flatten)]
     pub robot: RobotName,
 

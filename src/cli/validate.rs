@@ -12,14 +12,14 @@ use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Options of `validate`.
+/// Command line of `driftpost validate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The measurements.
+    /// Where measurements come from.
     #[command(flatten)]
     pub source: MeasurementArgs,
 
-    /// The robot.
+    /// The robot that was measured.
     #[command(flatten)]
     pub robot: RobotName,
 

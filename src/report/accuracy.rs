@@ -11,11 +11,11 @@ use std::io::{self, Write};
 /// The worst of all poses, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// AP_p.
+    /// Positioning accuracy AP_p of ISO 9283, metres.
     pub ap_m: Option<f64>,
-    /// RP_l.
+    /// Repeatability RP_l of ISO 9283, metres.
     pub rp_m: Option<f64>,
-    /// dAP_p.
+    /// Drift of the accuracy, dAP_p of ISO 9283, metres.
     pub drift_m: Option<f64>,
 }
 
@@ -88,7 +88,7 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     Ok(())
 }
 
-/// For scripts.
+/// The result as the contract's JSON.
 #[must_use]
 pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
     let rp = |r: Repeatability| json!({ "n": r.n, "mean_mm": mm_from_m(r.mean_m), "s_mm": mm_from_m(r.s_m), "rp_mm": mm_from_m(r.rp_m) });

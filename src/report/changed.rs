@@ -50,7 +50,7 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
     Ok(())
 }
 
-/// For scripts.
+/// The result as the contract's JSON.
 #[must_use]
 pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     let tools: Vec<Value> = found

@@ -19,13 +19,13 @@ const SHORT: usize = 200;
 /// What is to be shown of a comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Compared<'a> {
-    /// The first program.
+    /// The program before the change.
     pub before: &'a Program,
-    /// The second.
+    /// The program after it.
     pub after: &'a Program,
     /// Which of their files stand for each other.
     pub pairs: &'a FilePairs,
-    /// Their motions.
+    /// The motions of both, side by side.
     pub comparison: &'a Comparison,
     /// For each motion of the first program how far it is corrected once all has settled, metres and radians, where the
     /// second asks the model at run time and that model is known; may be empty.

@@ -15,7 +15,7 @@ fn unit(i: usize) -> (&'static str, fn(f64) -> f64) {
     if i % 6 < 3 { ("mm", mm_from_m) } else { ("deg", deg_from_rad) }
 }
 
-/// For people.
+/// The fit as text.
 #[must_use]
 pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
     let mut out = String::new();

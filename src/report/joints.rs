@@ -29,15 +29,15 @@ const HEADER: [&str; 14] = [
 /// A target's joints at a minute.
 #[derive(Clone, Debug)]
 pub struct JointRow<'a> {
-    /// The target's name.
+    /// Name of the target.
     pub target: Cow<'a, str>,
     /// The file it stands in.
     pub file: &'a str,
-    /// Its line there.
+    /// Line of the target in its file.
     pub line: u64,
-    /// Warm-up minute.
+    /// Minutes of warm-up.
     pub t_min: f64,
-    /// Joints, radians.
+    /// Joint angles, radians.
     pub q_rad: [f64; 6],
     /// Where the arm then stands, metres.
     pub position_m: [f64; 3],

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Whether messages may be coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorMode {
-    /// Text alone.
+    /// Text without colours.
     Plain,
     /// Colours, for a terminal.
     Coloured,
@@ -28,7 +28,7 @@ const SHOWN_OF_A_CODE: usize = 5;
 /// A message with all that is needed to show it when its files are no longer at hand.
 #[derive(Clone, Debug)]
 pub struct LocatedDiagnostic {
-    /// The message.
+    /// The message and its place.
     pub diagnostic: Diagnostic,
     /// The path of the file that it is about, and the line.
     place: Option<(String, u32)>,

@@ -108,7 +108,7 @@ fn name(of: &EffectName) -> String {
     }
 }
 
-/// For scripts.
+/// The plan as the contract's JSON.
 #[must_use]
 pub fn json(plan: &MeasurementPlan, robot: &SerialArm) -> Value {
     let steps: Vec<Value> = plan

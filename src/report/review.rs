@@ -7,7 +7,7 @@ use rapid_program::schedule::{Course, Schedule, TimeFunctions};
 use robot_model::units::mm_from_m;
 use std::io::{self, Write};
 
-/// What is reviewed.
+/// What a reviewer is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Review<'a> {
     /// When which bucket is in use; without buckets where `functions` are.

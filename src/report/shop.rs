@@ -10,11 +10,11 @@ use std::fmt::Write as _;
 /// Data as they stand on the controller: name and value.
 #[derive(Clone, Debug, Default)]
 pub struct Standing {
-    /// `NAME=[TRUE,[[x,y,z],[q1,q2,q3,q4]],[...]]`
+    /// Tool as RAPID writes it: `NAME=[TRUE,[[x,y,z],[q1,q2,q3,q4]],[...]]`
     pub tool: Option<(String, String)>,
-    /// `NAME=[FALSE,TRUE,"",[[x,y,z],[q1,q2,q3,q4]],[[...],[...]]]`
+    /// Work object as RAPID writes it: `NAME=[FALSE,TRUE,"",[[x,y,z],[q1,q2,q3,q4]],[[...],[...]]]`
     pub wobj: Option<(String, String)>,
-    /// `NAME=[mass,[x,y,z],[...],ix,iy,iz]`
+    /// Load as RAPID writes it: `NAME=[mass,[x,y,z],[...],ix,iy,iz]`
     pub load: Option<(String, String)>,
     /// Where the target was believed to be on the flange, metres.
     pub tool_m: Option<Vector3<f64>>,
@@ -22,9 +22,9 @@ pub struct Standing {
 
 /// What each kind of data looks like.
 pub const TOOL: &str = "[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]";
-/// A work object.
+/// A work object as an example.
 pub const WOBJ: &str = "[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]";
-/// A load.
+/// A load as an example.
 pub const LOAD: &str = "[1,[0,0,50],[1,0,0,0],0,0,0]";
 
 /// Whether a value is built as `sample` is: lists where it has lists, numbers, TRUE or FALSE, and texts.

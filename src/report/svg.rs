@@ -10,13 +10,13 @@ pub struct Picture {
 /// A diagram's place in the picture (pixels) and what its axes span.
 #[derive(Clone, Copy, Debug)]
 pub struct Panel {
-    /// Left edge.
+    /// Left edge of the drawing area.
     pub left: f64,
-    /// Upper edge.
+    /// Upper edge of the drawing area.
     pub top: f64,
-    /// Width.
+    /// Width of the drawing area.
     pub width: f64,
-    /// Height.
+    /// Height of the drawing area.
     pub height: f64,
     /// Horizontal axis, low to high.
     pub x: [f64; 2],
@@ -61,7 +61,7 @@ impl Picture {
         ));
     }
 
-    /// A dot.
+    /// Draws a filled circle.
     pub fn dot(&mut self, x: f64, y: f64, radius: f64, colour: &str) {
         self.add(format_args!(
             "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{colour}\" fill-opacity=\"0.55\"/>"
@@ -106,7 +106,7 @@ impl Picture {
         ));
     }
 
-    /// The whole text.
+    /// The picture as SVG text.
     #[must_use]
     pub fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");

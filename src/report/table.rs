@@ -6,13 +6,13 @@ use std::io::{self, Write};
 /// On which side of its column a cell stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
-    /// Words.
+    /// Words: to the left.
     Left,
-    /// Numbers.
+    /// Numbers: to the right.
     Right,
 }
 
-/// A table.
+/// A table of aligned columns.
 #[derive(Clone, Debug)]
 pub struct Table(comfy_table::Table);
 
@@ -32,7 +32,7 @@ impl Table {
         Self(table)
     }
 
-    /// Adds a row.
+    /// Appends a row of cells.
     pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         self.0.add_row(cells.into_iter().collect::<Vec<String>>());
     }

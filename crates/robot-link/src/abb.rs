@@ -1,9 +1,9 @@
 //! The controller's own numbers, as sentences: who holds what, which right is missing, which mode is needed.
 
-/// The controller's no.
+/// What the controller answers where it refuses a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// HTTP status.
+    /// Status of the HTTP answer.
     pub status: u16,
     /// ABB's number, which decides; `None` where the answer holds none.
     pub number: Option<i64>,
@@ -152,7 +152,7 @@ impl Refusal {
         })
     }
 
-    /// Its stable code.
+    /// Stable code of the message.
     #[must_use]
     pub fn code(&self) -> &'static str {
         self.meaning().code

@@ -11,7 +11,7 @@ use serde_json::Value;
 /// Loaded, with RAPID errors of syntax or semantics.
 pub(crate) const WITH_ERRORS: [i64; 2] = [299_008, 299_009];
 
-/// A whole answer.
+/// An HTTP answer whose body was read to its end.
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub request: &'static Request,

@@ -9,11 +9,11 @@ const LONGEST_TEXT: usize = 80;
 /// What kind of data it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Keeps its value.
+    /// `PERS`: keeps its value over a restart.
     Persistent,
     /// Lives with the program.
     Variable,
-    /// Never changes.
+    /// `CONST`: never changes.
     Constant,
 }
 
@@ -22,7 +22,7 @@ pub enum Kind {
 pub struct Property {
     /// PERS, VAR or CONST.
     pub kind: Kind,
-    /// `num`, `string`, ...
+    /// Name of its RAPID type: `num`, `string`, ...
     pub data_type: String,
     /// Number of dimensions of an array.
     pub dimensions: u32,

@@ -14,7 +14,7 @@ pub enum Dialect {
 }
 
 impl Dialect {
-    /// All of them.
+    /// The three dialects, oldest first.
     pub const ALL: [Self; 3] = [Self::Rw6, Self::Rw7, Self::Rw8];
 
     /// Of a version as the controller states it, `7.21.0+229`.

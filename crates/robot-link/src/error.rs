@@ -9,7 +9,7 @@ pub enum LinkError {
     /// What was given as a host is none.
     #[error("{0} is no host: write NAME, NAME:PORT, http://NAME or https://NAME")]
     Host(String),
-    /// No connection.
+    /// The network does not reach the host.
     #[error("{host} cannot be reached: {cause}")]
     Unreachable {
         /// Host and port, as given.
@@ -30,7 +30,7 @@ pub enum LinkError {
         "no whole answer to the {request} ({cause}): whether it took effect is not known; it is not repeated"
     )]
     Uncertain {
-        /// What was sent.
+        /// The request, by what it asks of the controller.
         request: &'static str,
         /// What was seen of it.
         cause: String,
@@ -44,7 +44,7 @@ pub enum LinkError {
     /// Wrong user or password.
     #[error("the controller does not take user {user} with this password")]
     Login {
-        /// The user.
+        /// Name of the user.
         user: String,
     },
     /// A password would go over the line in the clear.
@@ -55,9 +55,9 @@ pub enum LinkError {
     Certificate {
         /// Host and port, as given.
         host: String,
-        /// The pinned one.
+        /// Digest of the certificate that was pinned, hexadecimal.
         first: String,
-        /// The one shown.
+        /// Digest of the certificate shown now, hexadecimal.
         now: String,
     },
     /// Another controller answers at the address.
@@ -65,7 +65,7 @@ pub enum LinkError {
     OtherController {
         /// Host and port, as given.
         host: String,
-        /// The pinned one.
+        /// Identity of the controller that was pinned.
         first: String,
         /// The one that answers.
         now: String,
@@ -73,9 +73,9 @@ pub enum LinkError {
     /// The file of known controllers cannot be read or written.
     #[error("{path}: {cause}")]
     Pins {
-        /// Which file.
+        /// The file of known controllers.
         path: String,
-        /// Why.
+        /// What the file system says.
         cause: String,
     },
     /// All sessions of the controller are taken.
@@ -86,7 +86,7 @@ pub enum LinkError {
     Refused {
         /// The request, by what it asks of the controller.
         request: &'static str,
-        /// Its answer.
+        /// The controller's answer, with its code.
         refusal: Refusal,
     },
     /// Something that is needed is missing from an answer.
@@ -94,13 +94,13 @@ pub enum LinkError {
     Incomplete {
         /// The request, by what it asks of the controller.
         request: &'static str,
-        /// What is missing.
+        /// The part that is missing.
         what: String,
     },
     /// This RobotWare has no such request.
     #[error("{dialect} offers no {request}")]
     NotOffered {
-        /// Which.
+        /// Dialect of the controller.
         dialect: String,
         /// The request, by what it asks of the controller.
         request: &'static str,
@@ -108,7 +108,7 @@ pub enum LinkError {
     /// A name that could mean another resource.
     #[error("{name} is no {what}")]
     Name {
-        /// As given.
+        /// The name as it was given.
         name: String,
         /// What it should have been.
         what: &'static str,
@@ -121,7 +121,7 @@ pub enum LinkError {
     Different {
         /// Which file or data.
         what: String,
-        /// What is there.
+        /// What was read back.
         found: String,
     },
     /// RAPID has to stand still, and does not.
@@ -141,7 +141,7 @@ pub enum LinkError {
     /// RAPID does not accept the module.
     #[error("{module} holds RAPID errors ({code}); {then}")]
     ModuleErrors {
-        /// The module.
+        /// Name of the module.
         module: String,
         /// 299008 syntax, 299009 semantics.
         code: i64,
@@ -151,14 +151,14 @@ pub enum LinkError {
     /// The mode changed while something was written.
     #[error("the operating mode changed from {before} to {after} meanwhile: {what}")]
     ModeChanged {
-        /// Before the write.
+        /// The value before the write.
         before: String,
-        /// After it.
+        /// The value after it.
         after: String,
         /// What that leaves open.
         what: String,
     },
-    /// Ctrl-C.
+    /// The user interrupted the command (Ctrl-C).
     #[error("interrupted")]
     Interrupted,
 }

@@ -7,7 +7,7 @@ use crate::{Dialect, LinkError, Session, names};
 /// A file in HOME.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RemoteFile {
-    /// Its name.
+    /// Its name, without the folder.
     pub name: String,
     /// Bytes, where the controller says.
     pub size: Option<u64>,

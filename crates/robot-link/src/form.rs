@@ -17,7 +17,7 @@ pub(crate) struct Filling<'a> {
 /// A request as it is sent.
 pub(crate) struct Filled {
     pub method: http::Method,
-    /// Path and query.
+    /// Path and query, with every name escaped.
     pub uri: String,
     pub form: String,
 }

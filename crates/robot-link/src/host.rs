@@ -3,7 +3,7 @@
 use crate::LinkError;
 use std::fmt;
 
-/// A controller's address.
+/// Address of a controller: scheme, name and port.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Host {
     name: String,

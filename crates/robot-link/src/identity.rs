@@ -13,13 +13,13 @@ const MOST_PAGES: usize = 500;
 /// A task of RAPID.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Task {
-    /// `T_ROB1`.
+    /// Its name, such as `T_ROB1`.
     pub name: String,
     /// Whether it moves an arm.
     pub moves: bool,
     /// Whether it is switched on.
     pub is_active: bool,
-    /// `ready`, `started`, `stopped`.
+    /// `ready`, `started` or `stopped`.
     pub state: String,
 }
 
@@ -30,15 +30,15 @@ pub struct Identity {
     pub dialect: Dialect,
     /// RobotWare as it is written, `7.21.0+229`.
     pub version: String,
-    /// Its system's name.
+    /// Name of the controller's system.
     pub system: String,
     /// The controller's own name.
     pub controller: Option<String>,
-    /// It is RobotStudio's.
+    /// It is RobotStudio's virtual controller.
     pub is_virtual: bool,
-    /// `IRB 140-6/0.8`.
+    /// Type of the robot, such as `IRB 140-6/0.8`.
     pub robot: Option<String>,
-    /// Options of RobotWare.
+    /// Options of RobotWare, as the controller names them.
     pub options: Vec<String>,
     /// Operating mode: automatic, or manual at reduced or full speed.
     pub mode: Mode,
@@ -50,7 +50,7 @@ pub struct Identity {
     pub absolute_accuracy: Option<bool>,
     /// Who holds the right to write, if anyone.
     pub writer: Option<String>,
-    /// Tasks of RAPID.
+    /// The tasks of RAPID, motion tasks and others.
     pub tasks: Vec<Task>,
 }
 

@@ -21,9 +21,9 @@ impl Unit {
 /// A frame: metres, and a unit quaternion with its real part first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Metres.
+    /// Origin in the reference frame, metres.
     pub position_m: [f64; 3],
-    /// Real part first.
+    /// Unit quaternion, real part first.
     pub orientation: [f64; 4],
 }
 
@@ -48,7 +48,7 @@ pub struct ArmPose {
 /// Joints for a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
-    /// Radians.
+    /// Joint angles, radians.
     pub q_rad: [f64; 6],
 }
 
@@ -202,7 +202,7 @@ fn numbers<const N: usize>(entry: Entry<'_>, fields: [&str; N]) -> Result<[f64; 
     Ok(out)
 }
 
-/// `[a,b,c]`, exactly.
+/// The numbers as `[a,b,c]`, in the shortest text that reads back equal.
 fn list(numbers: &[f64]) -> String {
     let texts: Vec<String> = numbers.iter().map(f64::to_string).collect();
     format!("[{}]", texts.join(","))

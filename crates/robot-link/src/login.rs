@@ -28,14 +28,14 @@ impl fmt::Debug for Credentials {
 /// How the controller wants to be convinced.
 #[derive(Debug)]
 pub(crate) enum Challenge {
-    /// RobotWare 6.
+    /// Digest of RFC 7616, as RobotWare 6 asks.
     Digest(Box<WwwAuthenticateHeader>),
     /// RobotWare 7 and 8, inside TLS.
     Basic,
 }
 
 impl Challenge {
-    /// Reads `WWW-Authenticate`.
+    /// Reads the header `WWW-Authenticate`.
     pub fn parse(header: &str, is_tls: bool) -> Result<Self, LinkError> {
         let scheme = header.split_whitespace().next().unwrap_or_default().to_ascii_lowercase();
         match scheme.as_str() {

@@ -7,9 +7,9 @@ use crate::{Execution, LinkError, Session, names};
 /// A module in a task.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadedModule {
-    /// Its name.
+    /// Name of the module.
     pub name: String,
-    /// `ProgMod` or `SysMod`.
+    /// `ProgMod` (program) or `SysMod` (system).
     pub kind: String,
 }
 

@@ -14,7 +14,7 @@ pub(crate) struct Pin {
     pub system: Option<String>,
 }
 
-/// The known controllers.
+/// The controllers that were seen before, with what they showed.
 #[derive(Clone, Debug, Default)]
 pub struct Pins {
     path: Option<PathBuf>,

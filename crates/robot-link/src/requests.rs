@@ -11,13 +11,13 @@ use crate::Dialect;
 pub enum Effect {
     /// Nothing: it is read.
     Reads,
-    /// Nothing: it calculates.
+    /// Changes nothing: the controller calculates.
     Calculates,
     /// Begins or ends what belongs to this session alone: login, subscription, register of stations.
     Session,
     /// Takes the right to write.
     TakesRight,
-    /// Gives it back.
+    /// Gives a right to write back.
     GivesRightBack,
     /// Writes a file into HOME.
     WritesFile,
@@ -42,7 +42,7 @@ impl Effect {
 pub struct Request {
     /// What it is called in messages.
     pub name: &'static str,
-    /// What it does.
+    /// What it does to the controller.
     pub effect: Effect,
     /// Its form in RobotWare 6, 7 and 8; `None` where there is none.
     pub forms: [Option<&'static str>; 3],

@@ -5,11 +5,11 @@ use std::fmt;
 /// Operating mode: automatic, or manual at reduced or full speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Automatic.
+    /// Automatic: the pendant's enabling device is not needed.
     Auto,
-    /// Manual, reduced speed.
+    /// Manual at reduced speed, at most 250 mm/s.
     ManualReduced,
-    /// Manual, full speed.
+    /// Manual at full speed.
     ManualFull,
     /// Between two modes, starting, or not known.
     Changing,
@@ -37,9 +37,9 @@ impl fmt::Display for Mode {
 /// Whether a program runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Execution {
-    /// It runs.
+    /// A RAPID program runs.
     Running,
-    /// It stands still.
+    /// All RAPID programs stand still.
     Stopped,
     /// A word that is not known: taken as running.
     Other(String),

@@ -15,7 +15,7 @@ use std::time::Duration;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
-/// Something has changed.
+/// A change that the controller reports by itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
     /// Nothing within the time.

@@ -34,7 +34,7 @@ pub(crate) enum Lost {
     Connect(String),
     /// The connection ended, or what came is no HTTP.
     Broken(String),
-    /// The deadline passed.
+    /// The deadline passed before the answer was whole.
     TimedOut,
 }
 

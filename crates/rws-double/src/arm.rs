@@ -16,7 +16,7 @@ pub struct Arm {
     pub a2: f64,
     /// From the floor to axis 2.
     pub c1: f64,
-    /// Lower arm.
+    /// Length of the lower arm.
     pub c2: f64,
     /// Upper arm to the wrist centre.
     pub c3: f64,
@@ -38,7 +38,7 @@ pub struct Planted {
     pub other_branch: bool,
 }
 
-/// `confdata`.
+/// The four numbers of `confdata`.
 pub(crate) type Quadrants = [i32; 4];
 
 /// Turned axes that the library's zero pose does not have.
@@ -53,7 +53,7 @@ pub(crate) struct Solver {
 /// Position in metres and quaternion, real part first.
 pub(crate) type Frame = ([f64; 3], [f64; 4]);
 
-/// The flange itself.
+/// The flange itself, as a tool.
 pub(crate) const NO_TOOL: Frame = ([0.0; 3], [1.0, 0.0, 0.0, 0.0]);
 
 fn pose((p, q): Frame) -> Pose {

@@ -8,7 +8,7 @@ use crate::rapid;
 use crate::resources::{NOT_KNOWN, No, found, is_home};
 use crate::rights::Asker;
 
-/// Writes a value.
+/// Writes a RAPID datum, if the rights allow.
 pub(crate) fn set(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, No> {
     let parts = request.parts();
     let (task, module, name) = match (c.personality, parts.as_slice()) {

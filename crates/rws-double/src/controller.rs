@@ -8,11 +8,11 @@ use std::time::Instant;
 /// Who holds the right to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Holder {
-    /// Nobody.
+    /// Nobody holds it.
     Nobody,
     /// A session, by its number, on a connection.
     Session(u64, u64),
-    /// The pendant.
+    /// The FlexPendant holds it.
     Pendant,
 }
 
@@ -21,20 +21,20 @@ pub enum Holder {
 pub enum Operator {
     /// Says yes at the second look.
     Grants,
-    /// Says no.
+    /// Denies what the pendant asks.
     Denies,
-    /// Is not there.
+    /// Does not answer the pendant.
     Silent,
 }
 
 /// A module in a task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Module {
-    /// Its name.
+    /// Name of the module.
     pub name: String,
     /// As it was loaded.
     pub text: String,
-    /// `ProgMod` or `SysMod`.
+    /// `ProgMod` (program) or `SysMod` (system).
     pub kind: &'static str,
     pub(crate) data: Vec<Data>,
 }
@@ -54,7 +54,7 @@ pub struct Controller {
     pub(crate) personality: Personality,
     /// `AUTO`, `MANR`, `MANF`, ...
     pub mode: &'static str,
-    /// `running` or `stopped`.
+    /// State of RAPID, `running` or `stopped`.
     pub execution: &'static str,
     /// The program pointer stands where a module cannot be taken out.
     pub pointer_is_not_reset: bool,
@@ -62,11 +62,11 @@ pub struct Controller {
     pub operator: Operator,
     /// The user's grants let it write.
     pub has_grants: bool,
-    /// Absolute Accuracy.
+    /// The arm has Absolute Accuracy.
     pub has_absolute_accuracy: bool,
     /// It calculates kinematics for others.
     pub offers_kinematics: bool,
-    /// It offers subscriptions.
+    /// The controller offers subscriptions.
     pub offers_subscriptions: bool,
     /// RAPID finds errors in every module that is loaded.
     pub finds_errors: bool,
@@ -76,15 +76,15 @@ pub struct Controller {
     pub refuses_logout: bool,
     /// Remote Access is off (RobotWare 8).
     pub remote_access_is_off: bool,
-    /// Where `Location` leads.
+    /// `Location` leads to a foreign host.
     pub foreign_location: bool,
     /// The system's own name.
     pub system_id: String,
     /// Joints with which the arm stands, degrees.
     pub joints_deg: [f64; 6],
-    /// Modules of `T_ROB1`.
+    /// The modules loaded in `T_ROB1`.
     pub modules: Vec<Module>,
-    /// Files in HOME.
+    /// Files in HOME, by path.
     pub files: BTreeMap<String, Vec<u8>>,
     /// Who holds the right to write.
     pub holder: Holder,
@@ -101,7 +101,7 @@ pub struct Controller {
 
 /// The task of the arm.
 pub(crate) const TASK: &str = "T_ROB1";
-/// Its mechanical unit.
+/// Name of its mechanical unit.
 pub(crate) const UNIT: &str = "ROB_1";
 
 const BASE: &str = "MODULE BASE(SYSMODULE)\n  PERS num baseCount:=0;\n  PERS string baseText:=\"\";\n  CONST num baseConst:=1;\n\

@@ -7,16 +7,16 @@ use crate::controller::Controller;
 pub struct Seen {
     /// Which request it is, from 0.
     pub number: usize,
-    /// `GET`, `POST`, ...
+    /// Method of HTTP: `GET`, `POST`, ...
     pub method: String,
-    /// Path and query.
+    /// Path and query of the request.
     pub uri: String,
 }
 
-/// One fault.
+/// A fault that the double commits on purpose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// 503, nothing done.
+    /// Answers 503 and does nothing.
     Unavailable,
     /// The connection ends before anything is done.
     DropBefore,

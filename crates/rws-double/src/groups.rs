@@ -4,10 +4,10 @@ use crate::http::Reply;
 use crate::resources::No;
 use std::collections::BTreeMap;
 
-/// One group.
+/// A group of subscribed resources.
 pub(crate) struct Group {
     pub session: u64,
-    /// Task, module, name.
+    /// Task, module and name of each subscribed datum.
     pub data: Vec<[String; 3]>,
     pub is_polled: bool,
 }

@@ -88,7 +88,7 @@ impl Incoming {
     }
 }
 
-/// An answer.
+/// What the double answers a request with.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reply {
     pub status: u16,

@@ -8,7 +8,7 @@ use crate::page::{self, Look, entry};
 use crate::rapid::{elements, number};
 use crate::resources::{NOT_KNOWN, No, known_unit};
 
-/// Which calculation.
+/// What a request asks the kinematics for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wanted {
     Forward,

@@ -56,7 +56,7 @@ pub(crate) fn page(look: Look, entries: &[Entry], code: i64, next: Option<&str>)
     written(look, 200, body)
 }
 
-/// The controller's no.
+/// A page of the controller's code and text.
 pub(crate) fn refusal(look: Look, status: u16, code: i64, said: &str) -> Reply {
     let message = format!("rws_double.cpp[1] {said} code:{code} icode:-1");
     let body = match look {
@@ -75,7 +75,7 @@ pub(crate) fn refusal(look: Look, status: u16, code: i64, said: &str) -> Reply {
     written(look, status, body)
 }
 
-/// All is well.
+/// The controller's code for success.
 pub(crate) const OK: i64 = 294_912;
 
 fn written(look: Look, status: u16, body: String) -> Reply {

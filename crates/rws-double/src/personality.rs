@@ -7,14 +7,14 @@ use std::fmt;
 pub enum Personality {
     /// IRC5: digest over HTTP.
     Rw6,
-    /// OmniCore: TLS, basic.
+    /// OmniCore: TLS and basic authentication.
     Rw7,
     /// OmniCore with control stations.
     Rw8,
 }
 
 impl Personality {
-    /// All three.
+    /// The three personalities, oldest first.
     pub const ALL: [Self; 3] = [Self::Rw6, Self::Rw7, Self::Rw8];
 
     /// Whether it speaks TLS.

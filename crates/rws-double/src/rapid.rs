@@ -1,10 +1,10 @@
 //! RAPID data of a module, by a reader of the double's own: declarations, not code.
 
-/// Data as declared.
+/// A RAPID datum as the module declares it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Data {
     pub name: String,
-    /// `per`, `var`, `con`.
+    /// Storage class: `per`, `var` or `con`.
     pub kind: &'static str,
     pub data_type: String,
     pub dims: Vec<usize>,
@@ -133,7 +133,7 @@ pub(crate) fn number(x: f64) -> String {
     format!("{x}")
 }
 
-/// Elements of `[a,b,[c,d]]`.
+/// Elements of an aggregate `[a,b,[c,d]]`.
 pub(crate) fn elements(value: &str) -> Option<Vec<String>> {
     let inner = value.trim().strip_prefix('[')?.strip_suffix(']')?;
     let (mut out, mut depth, mut start) = (Vec::new(), 0, 0);

@@ -162,7 +162,7 @@ fn register(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Repl
     Ok(Reply::new(204))
 }
 
-/// Who holds it.
+/// Answers who holds the right.
 pub(crate) fn status(c: &Controller, asker: Asker, request: &Incoming, look: Look) -> Result<Reply, No> {
     let entry = match (c.personality, request.parts().as_slice()) {
         (Personality::Rw6, ["rw", "mastership", "rapid"])

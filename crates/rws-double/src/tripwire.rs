@@ -7,7 +7,7 @@ use crate::Personality;
 /// A request without its host.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked<'a> {
-    /// `GET`, `POST`, ...
+    /// Method of HTTP: `GET`, `POST`, ...
     pub method: &'a str,
     /// Decoded, without the query.
     pub path: &'a str,

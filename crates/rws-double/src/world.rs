@@ -14,17 +14,17 @@ use std::time::{Duration, Instant};
 /// What a double is made with.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Which RobotWare.
+    /// RobotWare that the double plays.
     pub personality: Personality,
     /// Port on this computer; 0 for any that is free.
     pub port: u16,
     /// Requests that start sooner after the last are refused and counted.
     pub least_gap: Duration,
-    /// User and password.
+    /// The user and the password it takes.
     pub user: (String, String),
     /// Sessions at one time.
     pub sessions: usize,
-    /// The arm.
+    /// The arm that it calculates with.
     pub arm: Arm,
     /// The other of the two certificates.
     pub other_certificate: bool,

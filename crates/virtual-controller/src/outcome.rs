@@ -31,7 +31,7 @@ pub enum SimulateError {
     /// A loop waits for what nothing in the program brings about.
     #[error("{}", endless(at, names))]
     Endless {
-        /// The loop.
+        /// Where the loop stands.
         at: SourceLine,
         /// What its conditions ask for.
         names: Vec<String>,
@@ -97,7 +97,7 @@ pub enum Outcome {
     OutOfSteps,
     /// A loop that waits for what nothing in the program brings about.
     Endless {
-        /// The loop.
+        /// Where the loop stands.
         at: SourceLine,
         /// What its conditions ask for.
         names: Vec<String>,

@@ -197,7 +197,7 @@ fn days_of_month(year: u32, month: u32) -> u32 {
 /// Year, month, day; hour, minute, second.
 type DateTime = ((i64, u32, u32), (u32, u32, f64));
 
-/// `YYYY-MM-DD HH:MM:SS`
+/// Reads a date and time written `YYYY-MM-DD HH:MM:SS`.
 pub(super) fn date_time(text: &str) -> Result<DateTime, SimulateError> {
     let bad =
         || SimulateError::Scenario(format!("`{text}` is no date and time that exists, YYYY-MM-DD HH:MM:SS"));

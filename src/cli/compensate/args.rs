@@ -24,14 +24,14 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Options of `compensate`.
+/// Command line of `driftpost compensate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// RAPID modules, a folder of them, a .pgf, or - for standard input; names are resolved across all of them.
     #[arg(required = true, value_name = "PROGRAM")]
     pub program: Vec<PathBuf>,
 
-    /// The robot.
+    /// The robot that runs the program.
     #[command(flatten)]
     pub robot: RobotName,
 
@@ -254,11 +254,11 @@ pub struct Args {
 /// What the options name.
 #[derive(Clone, Debug)]
 pub struct Models {
-    /// The robot.
+    /// The robot and the name it was asked for by.
     pub robot: Named<Robot>,
     /// Its deformation; none of its own beside a model.
     pub deformation: Named<Deformation>,
-    /// Its identified model.
+    /// The identified model and its file.
     pub identified: Option<Named<Identified>>,
 }
 

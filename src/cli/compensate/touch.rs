@@ -6,7 +6,7 @@ use rapid_program::emit::TouchBy;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 
-/// Options of `--touch`.
+/// Command line of `--touch` and what belongs to it.
 #[derive(Debug, clap::Args)]
 pub struct TouchArgs {
     /// Adds tcTouch, which measures at a fixed point how warm the arm is: the point's name, the robtarget at which the cold

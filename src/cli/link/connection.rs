@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 /// The password that controllers are delivered with, as ABB's manuals print it.
 const DELIVERED: &str = "robotics";
 
-/// The environment's names.
+/// Environment variables that hold the login.
 const PASSWORD: &str = "DRIFTPOST_LINK_PASSWORD";
 const PASSWORD_COMMAND: &str = "DRIFTPOST_LINK_PASSWORD_COMMAND";
 const PINCODE: &str = "DRIFTPOST_LINK_PINCODE";

@@ -38,7 +38,7 @@ pub struct SetArgs {
     module: Option<String>,
 }
 
-/// Where data are.
+/// Where on the controller data are.
 struct Place {
     task: String,
     module: String,

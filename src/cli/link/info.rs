@@ -23,7 +23,7 @@ pub struct Args {
 /// All that is shown.
 struct Shown {
     identity: Identity,
-    /// Task by task.
+    /// The loaded modules, by task.
     modules: Vec<(String, Vec<LoadedModule>)>,
     own: Vec<OwnData>,
 }

@@ -16,7 +16,7 @@ use clap::Subcommand;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::LinkError;
 
-/// Options of `link`.
+/// Command line of `driftpost link`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[command(subcommand)]

@@ -16,7 +16,7 @@ const MOST_ROWS: usize = 6_000;
 pub struct DiagnosisPage<'a> {
     /// The measurement file's name.
     pub title: &'a str,
-    /// What was found.
+    /// Result of the diagnosis.
     pub findings: &'a Diagnosis,
     /// The robot as its model says.
     pub robot: &'a Robot,

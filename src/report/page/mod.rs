@@ -32,7 +32,7 @@ pub struct Page<D, V> {
     pub command: &'static str,
     /// What the result is about: the program's or the measurement file's name.
     pub title: String,
-    /// The command's JSON.
+    /// JSON of the command's result.
     pub data: D,
     /// What only the page needs.
     pub view: V,
@@ -43,7 +43,7 @@ pub struct Page<D, V> {
 pub struct ResultPage<'a> {
     /// Names of its inputs.
     pub title: String,
-    /// The command's JSON.
+    /// JSON of the command's result.
     pub data: &'a serde_json::Value,
     /// The report as people read it on a terminal.
     pub text: &'a str,

@@ -19,19 +19,19 @@ use std::io::{self, Cursor};
 /// Frames of the arm from the base outward, as the URDF names its links.
 const FRAMES: [&str; 7] = ["link_1", "link_2", "link_3", "link_4", "link_5", "link_6", "flange"];
 const BASE: &str = "base_link";
-/// Levels of `foxglove.Log`.
+/// Severity levels of `foxglove.Log`.
 const INFO: u8 = 2;
 const WARNING: u8 = 3;
 const NANOSECONDS: f64 = 1e9;
 
-/// What is recorded.
+/// What goes into a recording.
 #[derive(Debug)]
 pub struct Recording<'a> {
     /// The arm as its model says.
     pub robot: &'a Robot,
     /// Frames of the joints and of the flange in the base, as drawn.
     pub nominal: [Isometry3<f64>; 7],
-    /// The warm-up.
+    /// The recorded moments of the warm-up.
     pub moments: Vec<RecordingMoment>,
     /// Where the TCP is meant to be at each target, in the base.
     pub meant: Vec<Isometry3<f64>>,
@@ -42,7 +42,7 @@ pub struct Recording<'a> {
 /// A moment of the warm-up.
 #[derive(Debug)]
 pub struct RecordingMoment {
-    /// Its minute.
+    /// Minute of the warm-up.
     pub t_min: f64,
     /// The frames as the deformation table moves them, in the base.
     pub warm: [Isometry3<f64>; 7],
@@ -55,11 +55,11 @@ pub struct RecordingMoment {
 /// A line of the log.
 #[derive(Debug)]
 pub struct LoggedCorrection<'a> {
-    /// The motion's file.
+    /// File that the motion stands in.
     pub file: &'a str,
-    /// Its line there.
+    /// Line of the motion there.
     pub line: u32,
-    /// The instruction.
+    /// Name of the instruction.
     pub kind: &'static str,
     /// The largest correction, metres, or why there is none.
     pub status: Result<f64, &'a str>,

@@ -87,7 +87,7 @@ pub fn folds(dataset: &Dataset) -> Folds {
 
 /// Squared distances of the held-out stations, metres: registration only, causes, causes and geometry.
 type Squares = [f64; 3];
-/// Places in it.
+/// Index of the causes among the numbers of a fold.
 const CAUSES: usize = 1;
 const ALL: usize = 2;
 

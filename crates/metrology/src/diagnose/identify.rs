@@ -117,7 +117,7 @@ pub enum NoModel {
     Misses {
         /// What the exact arm under the model leaves, 3-D rms.
         left_mm: f64,
-        /// What noise leaves.
+        /// What the noise alone would leave, 3-D rms.
         floor_mm: f64,
         /// What registration alone leaves.
         before_mm: f64,
@@ -127,7 +127,7 @@ pub enum NoModel {
     Beyond {
         /// The term in words.
         term: String,
-        /// How many times.
+        /// How many times its usual size it came out at.
         times: f64,
     },
     /// Two terms that these poses cannot tell from each other.

@@ -20,7 +20,7 @@ const MOST_WAVES: usize = 14;
 const STATIONS_PER_WAVE: usize = 6;
 /// In a larger set a measurement of days visits one region of the arm after the other: what is slow there is mostly the arm.
 const MOST_STATIONS: usize = 2000;
-/// Columns are metres.
+/// Size of a column, metres: near the noise, so that amplitudes are near one.
 const UNIT_M: f64 = 1e-4;
 
 /// Slow noise as found.

@@ -62,9 +62,9 @@ pub enum ValidateError {
 pub struct DistanceStatistics {
     /// Root mean square distance, mm.
     pub rms_mm: f64,
-    /// Mean distance, mm.
+    /// Mean of the measured minus the predicted distances, mm.
     pub mean_mm: f64,
-    /// Largest distance, mm.
+    /// Largest difference of a distance, mm.
     pub max_mm: f64,
 }
 

@@ -31,7 +31,7 @@ pub struct Commanded {
     pub base_from_tcp: Isometry3<f64>,
     /// Nominal joints there on the branch that is meant, radians.
     pub q_rad: [f64; 6],
-    /// Their configuration.
+    /// Configuration of the commanded joints.
     pub configuration: Configuration,
 }
 

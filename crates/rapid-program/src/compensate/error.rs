@@ -33,7 +33,7 @@ pub enum CompensateError {
     /// A pattern of `--keep` or `--only` fits no target, routine or module.
     #[error("{option} {pattern} names no target, routine or module of a motion; there are {}", names.join(", "))]
     Selection {
-        /// The option.
+        /// The option, as the command line spells it.
         option: &'static str,
         /// The pattern as written.
         pattern: String,
@@ -43,7 +43,7 @@ pub enum CompensateError {
     /// The joints hint belongs to another program.
     #[error(transparent)]
     Hint(#[from] JointsHintError),
-    /// Nothing deforms.
+    /// The deformation is zero at every joint.
     #[error("there is nothing to correct: {what}")]
     NoDeformation {
         /// The table or the model, and that it holds nothing, as a clause.
@@ -57,7 +57,7 @@ pub enum CompensateError {
     NoDrift {
         /// The largest drift, mm.
         drift_mm: f64,
-        /// The tolerance, mm.
+        /// The tolerance asked for, mm.
         tolerance_mm: f64,
     },
     /// There is no motion.

@@ -45,7 +45,7 @@ pub enum JointsHintError {
     Csv {
         /// Its number, counted from 1.
         line: u64,
-        /// What is wrong.
+        /// What is wrong, as a sentence.
         message: String,
     },
     /// A column is missing.
@@ -53,7 +53,7 @@ pub enum JointsHintError {
     Header {
         /// As the file has it.
         header: String,
-        /// The missing column.
+        /// The column that the header lacks.
         column: &'static str,
     },
     /// A row that belongs to no motion.

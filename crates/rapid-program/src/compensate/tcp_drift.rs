@@ -41,11 +41,11 @@ pub struct TcpDrift {
 /// A target that drifts.
 #[derive(Clone, Debug)]
 pub struct DriftPoint {
-    /// Its motion.
+    /// The motion that drives there.
     pub motion: MotionId,
     /// Which of the motion's values, from 0.
     pub value: usize,
-    /// Nominal joints, radians.
+    /// Joints of the nominal arm there, radians.
     pub q_rad: [f64; 6],
     /// The flange's point that is meant to stand there (the TCP), in the flange's frame, metres.
     pub flange_point_m: [f64; 3],

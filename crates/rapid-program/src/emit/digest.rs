@@ -33,7 +33,7 @@ pub fn is_as_written(bytes: &[u8]) -> Option<bool> {
     Some(first == digest.as_bytes() && places.into_iter().all(|place| bytes.get(place) == Some(first)))
 }
 
-/// Where digests stand.
+/// Byte ranges of the header's digests.
 fn places(bytes: &[u8]) -> Vec<Range<usize>> {
     let mark = format!("{MARK}digest: ");
     let begins = memchr::memmem::find_iter(bytes, mark.as_bytes()).map(|at| at + mark.len());

@@ -90,7 +90,7 @@ pub struct EmitOptions {
     pub robot: Provenance,
     /// The deformation table; `None` where a model alone says how the arm deforms.
     pub deformation: Option<Provenance>,
-    /// The identified model.
+    /// Identified model that the program was corrected with.
     pub model: Option<Provenance>,
     /// What else a reviewer's tools need: options of the command line by their names, without the dashes.
     pub settings: Vec<(String, String)>,

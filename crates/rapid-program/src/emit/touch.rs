@@ -58,7 +58,7 @@ impl Touch {
         DATA.lines().map(str::to_owned).collect()
     }
 
-    /// The routines.
+    /// Names of the emitted routines: the one to call and the one it calls.
     #[must_use]
     pub fn routines(&self) -> [&'static str; 2] {
         [TOUCH, if matches!(self.by, TouchBy::Search { .. }) { SEARCH } else { ROUTINE }]

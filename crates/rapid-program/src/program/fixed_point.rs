@@ -15,11 +15,11 @@ use rapid_syntax::diagnostic::Diagnostic;
 /// A target, its tool and its work object, as the program has them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FixedPoint {
-    /// The target.
+    /// The target whose point is touched.
     pub target: RobTarget,
     /// The tool that touches.
     pub tool: ToolData,
-    /// The work object.
+    /// The work object that the target stands in.
     pub wobj: WobjData,
     /// Those of the three that are LOCAL to their module.
     pub local: Vec<String>,

@@ -13,11 +13,11 @@ use rapid_syntax::tree::{
 };
 use std::collections::{BTreeMap, HashMap};
 
-/// Position in [`Index::data`].
+/// Index into [`Index::data`].
 pub(super) type DatumId = usize;
-/// Position in [`Index::routines`].
+/// Index into [`Index::routines`].
 pub(super) type RoutineIndex = usize;
-/// Position in [`Index::modules`].
+/// Index into [`Index::modules`].
 pub(super) type ModuleId = usize;
 
 /// What kind of name for a value.

@@ -39,7 +39,7 @@ struct Places {
 /// What runs before a motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Before {
-    /// This motion.
+    /// This motion and no other.
     Motion(MotionId),
     /// Nothing: the arm stands where it stands when the program's entry is called.
     Start,
@@ -47,7 +47,7 @@ pub(super) enum Before {
     OneOf {
         /// It may be the first.
         start: bool,
-        /// In file order.
+        /// The motions, in file order.
         motions: Vec<MotionId>,
     },
     /// The text does not say it.

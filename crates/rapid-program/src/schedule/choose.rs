@@ -91,7 +91,7 @@ pub enum ScheduleError {
         /// As it was given, minutes.
         width_min: f64,
     },
-    /// More than [`MAX_BUCKETS`].
+    /// The tolerance needs more than [`MAX_BUCKETS`] buckets.
     #[error(
         "the schedule would need more than {MAX_BUCKETS} buckets; allow a larger tolerance or a wider bucket, \
          or end the schedule earlier"

@@ -10,9 +10,9 @@ use nalgebra::{SMatrix, SVector};
 
 /// Numbers of the state.
 pub const STATES: usize = 5;
-/// The state.
+/// Estimated state: lags, amount, logarithms of the time constants.
 pub type State = SVector<f64, STATES>;
-/// Its covariance.
+/// Covariance of [`State`].
 pub type Covariance = SMatrix<f64, STATES, STATES>;
 
 /// One standard deviation of the state where nothing is known yet but the table: lags, amount, logarithms.
@@ -32,7 +32,7 @@ pub const GATE_ACROSS: f64 = 11.83;
 pub const AGREE: f64 = 4.0;
 /// Lags and amount stay under this, time constants within this factor of the table's.
 pub const MOST_SHARE: f64 = 2.0;
-/// The least amount.
+/// Least amount, as a share of the table's.
 pub const LEAST_AMOUNT: f64 = 0.2;
 /// Time constants stay within this factor of the table's.
 pub const MOST_TAU: f64 = 4.0;
@@ -40,7 +40,7 @@ pub const MOST_TAU: f64 = 4.0;
 /// What a touch came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TouchOutcome {
-    /// It was taken.
+    /// The filter took the touch.
     Taken,
     /// It agrees with the one that was refused before it: the state was wrong, and begins anew with it.
     TakenAnew,
@@ -82,7 +82,7 @@ impl ThermalFilter {
         self.state[self.seen]
     }
 
-    /// Its standard deviation.
+    /// Standard deviation of the estimated share of settled drift.
     #[must_use]
     pub fn sigma(&self) -> f64 {
         self.covariance[(self.seen, self.seen)].max(0.0).sqrt()

@@ -189,7 +189,7 @@ pub struct NominalFrames {
 }
 
 impl NominalFrames {
-    /// Those of `robot`.
+    /// The constant frames between the joints of `robot`.
     #[must_use]
     pub fn of(robot: &Robot) -> Self {
         let joint_from_turned: [Mat3; 6] =
@@ -226,7 +226,7 @@ impl Chain {
         NominalFrames::of(robot).chain(offsets)
     }
 
-    /// `base_from_flange`.
+    /// Pose of the flange in the base at joints of radians.
     #[must_use]
     pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
         self.pose(q_rad).isometry()
@@ -261,7 +261,7 @@ impl Chain {
         (matrix::norm(&[vx, vy, vz]), matrix::norm(&[wx, wy, wz]))
     }
 
-    /// `base_from_flange`.
+    /// The same for lanes of several poses.
     #[inline(always)]
     pub(crate) fn pose<T: Real>(&self, q_rad: &[T; 6]) -> Pose<T> {
         Walk::to_flange(self, &sin_cos(q_rad))

@@ -5,7 +5,7 @@ use super::structure::Structure;
 use crate::units::rad_from_deg;
 use std::f64::consts::FRAC_PI_2;
 
-/// Quadrants and branch.
+/// ABB's confdata: the quadrants of axes 1, 4, 6 and the branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Configuration {
     /// floor(q1 / 90°): 0 is 0° to 90°, -1 is -90° to 0°.

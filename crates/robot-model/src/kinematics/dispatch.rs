@@ -22,12 +22,12 @@ pub(crate) trait Kernel {
 #[cfg(test)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Width {
-    /// `[f64; 8]`.
+    /// Plain arrays `[f64; 8]`.
     Portable,
-    /// Two of four.
+    /// Two registers of four.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// One of eight.
+    /// One register of eight.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }

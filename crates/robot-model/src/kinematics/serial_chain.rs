@@ -35,7 +35,7 @@ pub struct SerialChain {
 }
 
 impl SerialFrames {
-    /// Those of `arm`.
+    /// The constant frames between the joints of `arm`.
     #[must_use]
     pub fn of(arm: &SerialArm) -> Self {
         let joint_from_turned: Joints<Mat3> =

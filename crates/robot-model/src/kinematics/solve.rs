@@ -41,7 +41,7 @@ pub enum SolveError {
         residual_m: f64,
         /// What is left, radians.
         residual_rad: f64,
-        /// Steps taken.
+        /// Newton steps that were taken.
         iterations: u32,
     },
     /// The joints that reach the pose belong to another branch than the start, or are far from it.

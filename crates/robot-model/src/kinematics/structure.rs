@@ -40,13 +40,13 @@ pub(super) struct Structure {
     pub a2: f64,
     /// Of the wrist centre, to the side.
     pub b: f64,
-    /// Upper arm.
+    /// Length of the upper arm.
     pub c2: f64,
     /// Forearm along axis 4, never negative.
     pub c3: f64,
     /// θ at q = 0.
     pub zero_rad: [f64; 6],
-    /// 1 or -1.
+    /// Sense of each joint, 1 or -1.
     pub sign: [f64; 6],
     /// The wrist centre in the flange's frame.
     pub wrist_m: Vec3,

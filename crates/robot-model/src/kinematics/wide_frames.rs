@@ -5,7 +5,7 @@ use super::lanes::{self, Lanes, Wide};
 
 /// Where the frames of eight arms are kept.
 pub(super) trait WideFrames {
-    /// As [`Frames::step`].
+    /// As [`Frames::step`], for lanes.
     fn step<V: Wide>(&self, i: usize) -> Step<V>;
 }
 

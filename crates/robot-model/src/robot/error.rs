@@ -9,7 +9,7 @@ pub enum RobotError {
     /// The text is not TOML, a key is unknown or missing, or a value has the wrong type.
     #[error("robot file, line {line}, column {column}: {message}")]
     Toml {
-        /// From 1.
+        /// Line of the TOML file, from 1.
         line: usize,
         /// From 1, in characters.
         column: usize,
@@ -19,7 +19,7 @@ pub enum RobotError {
     /// A URDF description that is no serial arm.
     #[error("URDF, line {line}: {problem}")]
     Urdf {
-        /// From 1.
+        /// Line of the URDF, from 1.
         line: u32,
         /// What is wrong, and with which element.
         problem: String,
@@ -27,7 +27,7 @@ pub enum RobotError {
     /// A controller's backup that tells no robot.
     #[error("MOC.cfg: {problem}")]
     Backup {
-        /// What is wrong.
+        /// What is wrong, as a sentence.
         problem: String,
     },
     /// The numbers make no robot.
@@ -35,9 +35,9 @@ pub enum RobotError {
     Value {
         /// Which table and key, e.g. `[[joint]] 3, axis`.
         place: String,
-        /// What is wrong.
+        /// What is wrong, as a sentence.
         problem: String,
-        /// What to do.
+        /// What the user can do.
         remedy: &'static str,
     },
     /// An arm of other than six turning joints where no other will do.
@@ -46,7 +46,7 @@ pub enum RobotError {
          joints in closed form for others"
     )]
     NotSixAxis {
-        /// Of the robot.
+        /// Name of the robot.
         name: String,
         /// What it has instead.
         has: String,
@@ -54,7 +54,7 @@ pub enum RobotError {
     /// A robot this program refuses to guess, known by name.
     #[error("`{name}` is refused: {reason}")]
     Refused {
-        /// As asked for.
+        /// The name that was asked for.
         name: String,
         /// Why, and what to do.
         reason: String,
@@ -66,11 +66,11 @@ pub enum RobotError {
         known.join(", ")
     )]
     Unknown {
-        /// As asked for.
+        /// The name that was asked for.
         name: String,
         /// The built-in name that is least different, when one is near.
         nearest: Option<&'static str>,
-        /// All built-in names.
+        /// Names of all built-in robots.
         known: &'static [&'static str],
     },
 }

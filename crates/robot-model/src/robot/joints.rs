@@ -60,7 +60,7 @@ impl<T> DerefMut for Joints<T> {
     }
 }
 
-/// No joints.
+/// An arm without joints.
 impl<T: Copy + Default> Default for Joints<T> {
     fn default() -> Self {
         Self::from_fn(0, |_| T::default())

@@ -30,7 +30,7 @@ pub struct Joint {
     pub previous_from_joint: Isometry3<f64>,
     /// Axis in the joint's own frame.
     pub axis: Unit<Vector3<f64>>,
-    /// How it moves.
+    /// Whether it turns or shifts.
     pub kind: JointKind,
     /// Range, radians, of a joint that slides metres; `None` where the robot file gives none.
     pub range_rad: Option<[f64; 2]>,
@@ -39,7 +39,7 @@ pub struct Joint {
 /// A moving link, for gravity effects: link i follows joint i.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Link {
-    /// Mass, kg.
+    /// Mass that moves with the joint, kg.
     pub mass_kg: f64,
     /// Centre of mass in the joint's frame at the zero pose, metres.
     pub com_m: [f64; 3],
@@ -48,7 +48,7 @@ pub struct Link {
 /// A six-axis arm: six joints that turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Robot {
-    /// Its name.
+    /// Name shown in messages and headers.
     pub name: String,
     /// Where the numbers come from.
     pub source: String,

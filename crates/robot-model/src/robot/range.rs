@@ -13,11 +13,11 @@ use thiserror::Error;
     deg_from_rad(range_rad[1])
 )]
 pub struct OutOfRange {
-    /// From 1.
+    /// Number of the joint, from 1.
     pub joint: usize,
     /// Where it would stand, radians.
     pub q_rad: f64,
-    /// Its range, radians.
+    /// The joint's range: lower and upper end, radians.
     pub range_rad: [f64; 2],
 }
 

@@ -33,10 +33,10 @@ impl JointKind {
     }
 }
 
-/// A serial arm.
+/// An arm of four to seven joints in a row, turning or shifting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SerialArm {
-    /// Its name.
+    /// Name shown in messages and reports.
     pub name: String,
     /// Where the numbers come from.
     pub source: String,

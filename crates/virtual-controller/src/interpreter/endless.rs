@@ -19,7 +19,7 @@ const LISTED: usize = 4;
 
 /// What is known of a loop at its back jump.
 pub(super) enum Waiting {
-    /// It may end.
+    /// The loop may end.
     No,
     /// Nothing at all changes in it.
     Still,

@@ -141,7 +141,7 @@ impl Design {
         self.columns.len()
     }
 
-    /// Number of groups.
+    /// Number of cross-validation groups of rows.
     #[must_use]
     pub fn groups(&self) -> usize {
         self.groups.len()

@@ -47,7 +47,7 @@ pub struct Library<'a> {
     turning: Vec<Turning>,
     /// Columns of the other candidates, where there is room to keep them.
     columns: Vec<Option<Columns>>,
-    /// GP alternatives.
+    /// Functions outside the library that explanations are held against, as Gaussian processes.
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
     pub(super) angles: Joints<usize>,

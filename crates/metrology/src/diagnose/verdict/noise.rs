@@ -135,7 +135,7 @@ fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
 /// What slow noise means beside `chosen`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slowness {
-    /// There is none.
+    /// The residuals have no slow noise.
     None,
     /// All scatter together is no more than the repeats or the statement allow.
     WithinNoise,

@@ -111,9 +111,9 @@ pub fn missing_channels(dataset: &Dataset) -> String {
 /// Lines of one joint's gear together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearBand {
-    /// Joint, from 1.
+    /// Joint it turns with, from 1.
     pub joint: usize,
-    /// How many lines.
+    /// How many lines of the spectrum were found.
     pub lines: usize,
     /// The lowest and the highest period per turn.
     pub n: [u32; 2],

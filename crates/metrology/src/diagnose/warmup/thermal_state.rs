@@ -42,7 +42,7 @@ pub enum StateError {
         "a point is told by its first touch, with the arm cold, and those after it; there is no second touch"
     )]
     TooFew,
-    /// No point moves.
+    /// No point moves as the arm warms, so touches tell nothing.
     #[error("no point moves by more than 0.02 mm as the arm warms: they tell nothing of it")]
     NoDrift,
 }
@@ -80,7 +80,7 @@ pub struct PlannedInterval {
 /// A point, and how well touches of it would keep the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedPoint {
-    /// The point's `fixed_id`.
+    /// The point's `fixed_id` in the measurements.
     pub name: String,
     /// By how much it moves when all has settled, metres.
     pub settled_m: f64,

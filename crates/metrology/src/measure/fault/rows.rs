@@ -25,9 +25,9 @@ const FEWEST_OF_STAND: usize = 10;
 
 /// One row as a station of its own, and the flange pose of the nominal arm.
 pub struct Row {
-    /// The row.
+    /// The row as a station of its own.
     pub station: Station,
-    /// `base_from_flange`.
+    /// Pose of the flange in the base by the nominal arm.
     pub pose: Isometry3<f64>,
 }
 

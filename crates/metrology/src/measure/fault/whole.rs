@@ -30,7 +30,7 @@ pub struct Change {
     pub column: String,
     /// What is wrong, as half a sentence.
     pub says: String,
-    /// Undoes it.
+    /// Takes the suspected fault out of a row.
     pub change: Box<dyn Fn(&mut Station)>,
 }
 

@@ -50,7 +50,7 @@ impl Meant {
 #[derive(Clone, Debug)]
 enum Place {
     Pose(Vector3<f64>, UnitQuaternion<f64>),
-    /// Six joints, degrees.
+    /// Six joint angles of a jointtarget, degrees.
     Joints([f64; 6]),
 }
 

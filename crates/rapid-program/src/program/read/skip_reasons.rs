@@ -94,7 +94,7 @@ impl SkipReasons {
         self.add(keep("keep::calc-frame", text.into()));
     }
 
-    /// One more.
+    /// Adds a reason to those of the motion.
     pub(super) fn add(&mut self, reason: SkipReason) {
         self.known_at_run_time &= is_known_at_run_time(&reason);
         self.first.get_or_insert(reason);
