@@ -31,7 +31,7 @@ pub struct LinkCheck {
 
 /// What was found at one target.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct TargetCheck {
     /// File and line of the motion.
     pub at: String,
     /// Element of a scheduled target, from 1, the original first.
@@ -59,7 +59,7 @@ pub enum LinkChecked {
     /// Every target was asked for.
     Asked {
         /// One finding for each target and element asked for.
-        found: Vec<Found>,
+        found: Vec<TargetCheck>,
         /// Motions whose targets only run time knows.
         unknown: usize,
         /// Between its own display and its own calculation, mm.
@@ -101,7 +101,7 @@ impl LinkCheck {
         if display_mm > DISPLAY_MM {
             return Ok(LinkChecked::NoConclusion { apart_mm: display_mm });
         }
-        let mut answered: BTreeMap<String, Found> = BTreeMap::new();
+        let mut answered: BTreeMap<String, TargetCheck> = BTreeMap::new();
         let mut found = Vec::new();
         for target in targets.iter().filter(|target| self.is_asked(target)) {
             let at = format!("{}:{}", program.file(target.at.0).path, target.at.1);
@@ -132,7 +132,7 @@ impl LinkCheck {
         Ok(squares.sum::<f64>().sqrt())
     }
 
-    fn one(&self, session: &mut Session, target: &Commanded) -> Result<Found, LinkError> {
+    fn one(&self, session: &mut Session, target: &Commanded) -> Result<TargetCheck, LinkError> {
         let tool = frame(&target.flange_from_tcp);
         let ours = configuration(&target.configuration);
         let pose = session.forward(&self.unit, &target.q_rad, &tool)?;
@@ -160,7 +160,7 @@ impl LinkCheck {
             && is_same
             && joints_deg.is_some_and(|deg| deg <= self.tolerance_deg);
         let configurations = (!is_same).then_some((ours, pose.configuration.0));
-        Ok(Found { at: String::new(), element: 0, apart, joints_deg, configurations, agrees })
+        Ok(TargetCheck { at: String::new(), element: 0, apart, joints_deg, configurations, agrees })
     }
 }
 
@@ -212,7 +212,7 @@ impl LinkChecked {
                 for found in found.iter().filter(|found| all || !found.agrees) {
                     text += &found.line();
                 }
-                let worst = |value: fn(&Found) -> f64| found.iter().map(value).fold(0.0, f64::max);
+                let worst = |value: fn(&TargetCheck) -> f64| found.iter().map(value).fold(0.0, f64::max);
                 text += &format!(
                     "{} targets asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; display and calculation {display_mm:.4} mm apart\n",
                     found.len(),
@@ -250,13 +250,13 @@ impl LinkChecked {
                 "verdict": if self.agrees() == Some(true) { "agrees" } else { "differs" },
                 "display_mm": display_mm,
                 "not_known": unknown,
-                "targets": found.iter().map(Found::json).collect::<Vec<_>>(),
+                "targets": found.iter().map(TargetCheck::json).collect::<Vec<_>>(),
             }),
         }
     }
 }
 
-impl Found {
+impl TargetCheck {
     fn line(&self) -> String {
         let joints = match self.joints_deg {
             Some(deg) => format!("joints {deg:.4} deg apart"),

@@ -6,7 +6,7 @@ use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files};
 use driftpost::application::Diagnosis;
 use driftpost::report::plots;
-use driftpost::report::shop::{self, Standing};
+use driftpost::report::rapid_data::{self, ControllerData};
 use metrology::diagnose::Diagnosis as Findings;
 use metrology::measure::{FaultKind, check_rows};
 use nalgebra::Vector3;
@@ -89,7 +89,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     {
         return Err(Diagnostic::error("measure::fault", format!("{}: {}", given.name, fault.reason)).into());
     }
-    let standing = standing(args, options.tool_m)?;
+    let controller_data = controller_data(args, options.tool_m)?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
     let clean_out = args.clean_out.as_deref().map(files::Pending::new).transpose()?;
@@ -113,12 +113,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         (model.data, model.data_sha256) = (given.name, given.sha256);
     }
     if let Some(file) = rapid_out {
-        let text = found.model.as_ref().and_then(|model| shop::rapid(model, &standing));
+        let text = found.model.as_ref().and_then(|model| rapid_data::rapid(model, &controller_data));
         let text = text.ok_or_else(|| none(&found.findings, file.path()))?;
         file.write(text.as_bytes())?;
     }
     if let (false, Some(model)) = (to_stdout, &found.model) {
-        console.out().write_all(shop::axis_table(model).as_bytes())?;
+        console.out().write_all(rapid_data::axis_table(model).as_bytes())?;
     }
     if let Some(file) = clean_out {
         file.write(&cleaned(args, &found.findings)?)?;
@@ -155,7 +155,7 @@ fn cleaned(args: &Args, findings: &Findings) -> Result<Vec<u8>, Diagnostic> {
 }
 
 /// Data as they stand on the controller; RAPID that can be read.
-fn standing(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<Standing, Diagnostic> {
+fn controller_data(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<ControllerData, Diagnostic> {
     let named = |option: &str, text: &Option<String>, sample: &str| {
         let Some(text) = text else { return Ok(None) };
         let parts =
@@ -166,15 +166,17 @@ fn standing(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<Standing, Diagn
                 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         };
         match parts {
-            Some((name, value)) if is_name(&name) && shop::alike(&value, sample) => Ok(Some((name, value))),
+            Some((name, value)) if is_name(&name) && rapid_data::alike(&value, sample) => {
+                Ok(Some((name, value)))
+            }
             _ => Err(Diagnostic::error("override::not-read", format!("--{option} {text} cannot be read"))
                 .help(format!("write it as RAPID does: NAME={sample}"))),
         }
     };
-    Ok(Standing {
-        tool: named("tooldata", &args.tooldata, shop::TOOL)?,
-        wobj: named("wobjdata", &args.wobjdata, shop::WOBJ)?,
-        load: named("loaddata", &args.loaddata, shop::LOAD)?,
+    Ok(ControllerData {
+        tool: named("tooldata", &args.tooldata, rapid_data::TOOL)?,
+        wobj: named("wobjdata", &args.wobjdata, rapid_data::WOBJ)?,
+        load: named("loaddata", &args.loaddata, rapid_data::LOAD)?,
         tool_m,
     })
 }

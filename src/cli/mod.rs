@@ -292,8 +292,8 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
     let command = Cli::command().mut_subcommands(|command| command.allow_negative_numbers(true));
     let (matches, settings) = match parse(&command, words) {
         Ok(parsed) => parsed,
-        Err(Stop::Settings(message)) => return console.fail(&message.into()),
-        Err(Stop::Usage(error)) => {
+        Err(ParseFailure::Settings(message)) => return console.fail(&message.into()),
+        Err(ParseFailure::Usage(error)) => {
             let ended = console.usage(&error);
             if let Some(near) = near_command(&error) {
                 console.say(format_args!("did you mean '{near}'?"));
@@ -320,21 +320,21 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
 }
 
 /// Why nothing is run.
-enum Stop {
+enum ParseFailure {
     Usage(clap::Error),
     Settings(Diagnostic),
 }
 
 /// The command line, with the defaults of the settings in it.
-fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Settings), Stop> {
+fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Settings), ParseFailure> {
     // Built: only then the commands know the options that all of them have.
     let mut built = command.clone();
     built.build();
-    let usage = |words: &[OsString]| command.clone().try_get_matches_from(words).map_err(Stop::Usage);
+    let usage = |words: &[OsString]| command.clone().try_get_matches_from(words).map_err(ParseFailure::Usage);
     // What is missing may stand in the settings.
     let first = command.clone().ignore_errors(true).try_get_matches_from(words);
     let Ok(first) = first else { return Ok((usage(words)?, Settings::default())) };
-    let settings = Settings::find(&built, &first).map_err(Stop::Settings)?;
+    let settings = Settings::find(&built, &first).map_err(ParseFailure::Settings)?;
     let Some(name) = first.subcommand_name() else { return Ok((usage(words)?, settings)) };
     Ok((usage(&settings.add_to(words, name))?, settings))
 }

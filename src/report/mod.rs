@@ -19,10 +19,10 @@ mod motion_rows;
 mod page;
 pub mod plan;
 pub mod plots;
+pub mod rapid_data;
 #[cfg(feature = "mcap")]
 mod recording;
 mod review;
-pub mod shop;
 mod short_diff;
 pub mod simulation;
 pub mod state;

@@ -4,7 +4,7 @@
 //! effect of any size relative to its noise.
 
 use super::arm::{Arm, Disturbance};
-use super::smooth::{Moved, SmoothFunction};
+use super::smooth::{MovedPart, SmoothFunction};
 use nalgebra::{Point3, Vector3};
 use robot_model::robot::{Joints, MOST_JOINTS};
 use robot_model::units::h_from_min;
@@ -205,7 +205,7 @@ impl Effect {
             | Self::ThermalJointDrift { joint }
             | Self::SquareWave { joint, .. }
             | Self::CrossTerm { joint, .. }
-            | Self::SmoothFunction(SmoothFunction { moves: Moved::Joint(joint), .. }) => Some(joint),
+            | Self::SmoothFunction(SmoothFunction { moves: MovedPart::Joint(joint), .. }) => Some(joint),
             _ => None,
         }
     }
@@ -272,7 +272,7 @@ impl Effect {
             | Self::ThermalJointDrift { .. }
             | Self::SquareWave { .. }
             | Self::CrossTerm { .. }
-            | Self::SmoothFunction(SmoothFunction { moves: Moved::Joint(_), .. }) => "rad",
+            | Self::SmoothFunction(SmoothFunction { moves: MovedPart::Joint(_), .. }) => "rad",
             _ => "mm",
         }
     }
@@ -402,9 +402,9 @@ impl Effect {
                 };
                 let shift = || Vector3::new(value(0), value(1), value(2));
                 match function.moves {
-                    Moved::Joint(joint) => to.joint_rad[joint - 1] += value(0),
-                    Moved::Point => to.point_m += shift(),
-                    Moved::Target => to.seat_m[arm.joints()] += shift(),
+                    MovedPart::Joint(joint) => to.joint_rad[joint - 1] += value(0),
+                    MovedPart::Point => to.point_m += shift(),
+                    MovedPart::Target => to.seat_m[arm.joints()] += shift(),
                 }
             }
             Self::CrossTerm { joint, a, b } => {

@@ -96,7 +96,7 @@ mod tests {
     use super::*;
     use crate::arm::Arm;
     use crate::poses::{RunSpec, Spread, states};
-    use crate::smooth::{Domain, Moved};
+    use crate::smooth::{Domain, MovedPart};
     use nalgebra::{Point3, Vector3};
     use robot_model::robot::SerialArm;
 
@@ -113,7 +113,7 @@ mod tests {
         let run = MeasuredRun { arm: &arm, tool_m, states, flanges, nominal_m };
         let of = |length| SmoothFunction {
             domain: Domain::JointAngle(3),
-            moves: Moved::Joint(3),
+            moves: MovedPart::Joint(3),
             length,
             seed: 5,
         };

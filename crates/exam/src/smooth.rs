@@ -33,7 +33,7 @@ pub enum Domain {
 /// What a random function moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Moved {
+pub enum MovedPart {
     /// One joint turns, from 1.
     Joint(usize),
     /// The measured point shifts in base axes, each axis by a function of its own.
@@ -48,7 +48,7 @@ pub struct SmoothFunction {
     /// What it depends on.
     pub domain: Domain,
     /// What the function moves.
-    pub moves: Moved,
+    pub moves: MovedPart,
     /// Distance over which it changes: radians, metres or minutes.
     pub length: f64,
     /// Seed of its cosines.
@@ -65,16 +65,16 @@ impl SmoothFunction {
         let joint = 1 + rng.below(6);
         let other = |rng: &mut Rng, than: usize| 1 + (than + rng.below(5)) % 6;
         let (domain, moves, lengths) = match rng.below(6) {
-            0 => (Domain::JointAngle(joint), Moved::Joint(joint), [0.2, 0.7]),
-            1 => (Domain::JointAngle(joint), Moved::Joint(other(rng, joint)), [0.2, 0.7]),
+            0 => (Domain::JointAngle(joint), MovedPart::Joint(joint), [0.2, 0.7]),
+            1 => (Domain::JointAngle(joint), MovedPart::Joint(other(rng, joint)), [0.2, 0.7]),
             2 => {
                 let second = other(rng, joint);
-                (Domain::TwoJointAngles(joint, second), Moved::Joint(1 + rng.below(6)), [0.5, 1.5])
+                (Domain::TwoJointAngles(joint, second), MovedPart::Joint(1 + rng.below(6)), [0.5, 1.5])
             }
-            3 => (Domain::AllJointAngles, Moved::Target, [1.0, 2.5]),
-            4 => (Domain::Position, Moved::Point, [0.1, 0.35]),
-            _ if rng.chance(0.5) => (Domain::Time, Moved::Point, [0.08 * last_min, 0.3 * last_min]),
-            _ => (Domain::Time, Moved::Joint(joint), [0.08 * last_min, 0.3 * last_min]),
+            3 => (Domain::AllJointAngles, MovedPart::Target, [1.0, 2.5]),
+            4 => (Domain::Position, MovedPart::Point, [0.1, 0.35]),
+            _ if rng.chance(0.5) => (Domain::Time, MovedPart::Point, [0.08 * last_min, 0.3 * last_min]),
+            _ => (Domain::Time, MovedPart::Joint(joint), [0.08 * last_min, 0.3 * last_min]),
         };
         let length = rng.log_uniform(lengths[0], lengths[1]);
         Self { domain, moves, length, seed: 0 }.reseeded(rng)
@@ -126,8 +126,12 @@ mod tests {
         let apart_rad = 0.4;
         let (mut sum, mut square, mut product) = (0.0, 0.0, 0.0);
         for seed in 0..FUNCTIONS {
-            let function =
-                SmoothFunction { domain: Domain::JointAngle(2), moves: Moved::Joint(2), length: 0.5, seed };
+            let function = SmoothFunction {
+                domain: Domain::JointAngle(2),
+                moves: MovedPart::Joint(2),
+                length: 0.5,
+                seed,
+            };
             let at = |q2: f64| function.value(0, &[0.0, q2, 0.0, 0.0, 0.0, 0.0], &[0.0; 3], 0.0);
             let (here, there) = (at(0.3), at(0.3 + apart_rad));
             sum += here;

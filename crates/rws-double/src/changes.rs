@@ -3,13 +3,13 @@
 use crate::Personality;
 use crate::controller::{Controller, Holder, TASK};
 use crate::http::{Incoming, Reply};
-use crate::page::{self, Look};
+use crate::page::{self, MediaType};
 use crate::rapid;
-use crate::resources::{NOT_KNOWN, No, found, is_home};
+use crate::resources::{NOT_KNOWN, Rejection, found, is_home};
 use crate::rights::Asker;
 
 /// Writes a RAPID datum, if the rights allow.
-pub(crate) fn set(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, No> {
+pub(crate) fn set(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, Rejection> {
     let parts = request.parts();
     let (task, module, name) = match (c.personality, parts.as_slice()) {
         (Personality::Rw6, ["rw", "rapid", "symbol", "data", "RAPID", task, module, name]) => {
@@ -60,7 +60,7 @@ pub(crate) fn set(c: &mut Controller, asker: Asker, request: &Incoming) -> Resul
 }
 
 /// Keeps a file; `half` of it where the line breaks.
-pub(crate) fn put(c: &mut Controller, request: &Incoming, half: bool) -> Result<Reply, No> {
+pub(crate) fn put(c: &mut Controller, request: &Incoming, half: bool) -> Result<Reply, Rejection> {
     c.may_use_disk()?;
     let parts = request.parts();
     let ["fileservice", home, name] = parts.as_slice() else { return Err(NOT_KNOWN) };
@@ -74,7 +74,12 @@ pub(crate) fn put(c: &mut Controller, request: &Incoming, half: bool) -> Result<
 }
 
 /// Loads a module or takes one out.
-pub(crate) fn task(c: &mut Controller, asker: Asker, request: &Incoming, look: Look) -> Result<Reply, No> {
+pub(crate) fn task(
+    c: &mut Controller,
+    asker: Asker,
+    request: &Incoming,
+    media: MediaType,
+) -> Result<Reply, Rejection> {
     let parts = request.parts();
     let (task, what) = match (c.personality, parts.as_slice()) {
         (Personality::Rw6, ["rw", "rapid", "tasks", task]) => {
@@ -91,7 +96,7 @@ pub(crate) fn task(c: &mut Controller, asker: Asker, request: &Incoming, look: L
         return Err((404, -1_073_445_879, "task does not exist"));
     }
     match what {
-        "loadmod" => load(c, request, look),
+        "loadmod" => load(c, request, media),
         "unloadmod" => {
             let name = request.field("module").unwrap_or_default();
             let before = c.modules.len();
@@ -106,7 +111,7 @@ pub(crate) fn task(c: &mut Controller, asker: Asker, request: &Incoming, look: L
     }
 }
 
-fn load(c: &mut Controller, request: &Incoming, look: Look) -> Result<Reply, No> {
+fn load(c: &mut Controller, request: &Incoming, media: MediaType) -> Result<Reply, Rejection> {
     let path = request.field("modulepath").unwrap_or_default();
     let no_file = (400, -1_073_438_708, "file not found");
     let (home, name) = path.split_once('/').ok_or(no_file)?;
@@ -129,7 +134,7 @@ fn load(c: &mut Controller, request: &Incoming, look: Look) -> Result<Reply, No>
     let has_errors = clashes || c.finds_errors || !rapid::is_whole(&text);
     c.load(&text, "ProgMod");
     if has_errors {
-        return Ok(page::page(look, &[], 299_008, None));
+        return Ok(page::page(media, &[], 299_008, None));
     }
     Ok(Reply::new(204))
 }

@@ -19,7 +19,7 @@ pub enum Holder {
 /// What the operator does when asked on the pendant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
-    /// Says yes at the second look.
+    /// Says yes at the second question.
     Grants,
     /// Denies what the pendant asks.
     Denies,

@@ -4,10 +4,10 @@ use crate::digest;
 use crate::events;
 use crate::fault::Fault;
 use crate::http::{Incoming, Reply};
-use crate::page::{self, Look};
-use crate::resources::{self, NOT_KNOWN, No};
+use crate::page::{self, MediaType};
+use crate::resources::{self, NOT_KNOWN, Rejection};
 use crate::rights::{self, Asker};
-use crate::tripwire::{self, Asked};
+use crate::tripwire::{self, RequestParts};
 use crate::world::{Options, World};
 use crate::{Personality, changes, motion};
 use std::time::Instant;
@@ -31,7 +31,7 @@ impl World {
         let is_file = request.method == "PUT";
         let form = if is_file { Vec::new() } else { request.form() };
         let asked =
-            Asked { method: &request.method, path: &request.path, query: &request.query, form: &form };
+            RequestParts { method: &request.method, path: &request.path, query: &request.query, form: &form };
         if let Err(hit) = tripwire::judge(options.personality, &asked) {
             self.hits.push(hit);
             return Reply::new(403);
@@ -93,62 +93,63 @@ impl World {
         }
         let accept = request.header("accept").unwrap_or_default();
         let is_get = request.method == "GET";
-        let look = match page::look(options.personality, is_get, accept, request.query("json") == Some("1")) {
-            Ok(look) => look,
-            Err(status) => return Reply::new(status),
-        };
+        let media =
+            match page::negotiate(options.personality, is_get, accept, request.query("json") == Some("1")) {
+                Ok(media) => media,
+                Err(status) => return Reply::new(status),
+            };
         if !is_get && let Err(status) = media_type(options.personality, request) {
             return Reply::new(status);
         }
         if fault == Some(Fault::ErrorInside) {
-            return inside(look);
+            return inside(media);
         }
-        self.changed(request, asker, look, fault)
-            .unwrap_or_else(|(status, code, said)| page::refusal(look, status, code, said))
+        self.changed(request, asker, media, fault)
+            .unwrap_or_else(|(status, code, said)| page::refusal(media, status, code, said))
     }
 
     fn changed(
         &mut self,
         request: &Incoming,
         asker: Asker,
-        look: Look,
+        media: MediaType,
         fault: Option<Fault>,
-    ) -> Result<Reply, No> {
+    ) -> Result<Reply, Rejection> {
         let c = &mut self.controller;
         match (request.method.as_str(), request.parts().as_slice()) {
-            ("GET", ["users", "rmmp", "poll"]) => rights::operator_says(c, asker, look),
+            ("GET", ["users", "rmmp", "poll"]) => rights::operator_says(c, asker, media),
             ("GET", ["rw", "mastership", ..] | ["rw", "controlstation", ..]) => {
-                rights::status(c, asker, request, look)
+                rights::status(c, asker, request, media)
             }
-            ("GET", _) => resources::read(c, &self.solver, request, look, fault == Some(Fault::LoopingNext)),
+            ("GET", _) => resources::read(c, &self.solver, request, media, fault == Some(Fault::LoopingNext)),
             ("PUT", _) => changes::put(c, request, fault == Some(Fault::HalfFile)),
             ("DELETE", ["subscription", group]) => self.groups.end(group, asker.session),
             (_, ["subscription"]) => events::subscribe(self, request, asker.session),
-            (_, ["rw", "motionsystem", ..]) => motion::calculate(c, &self.solver, request, look),
+            (_, ["rw", "motionsystem", ..]) => motion::calculate(c, &self.solver, request, media),
             (_, ["rw", "mastership", ..] | ["rw", "controlstation", ..]) => rights::change(c, asker, request),
             (_, ["users", "rmmp", ..]) => rights::ask_operator(c, asker, request),
             (_, ["rw", "rapid", "symbol", ..]) => changes::set(c, asker, request),
-            (_, ["rw", "rapid", "tasks", ..]) => self.task(asker, request, look),
+            (_, ["rw", "rapid", "tasks", ..]) => self.task(asker, request, media),
             _ => Err(NOT_KNOWN),
         }
     }
 
-    fn task(&mut self, asker: Asker, request: &Incoming, look: Look) -> Result<Reply, No> {
+    fn task(&mut self, asker: Asker, request: &Incoming, media: MediaType) -> Result<Reply, Rejection> {
         let name = request.field("module").unwrap_or_default();
         let is_unload = request.path.ends_with("/unloadmod") || request.query("action") == Some("unloadmod");
         if is_unload && self.controller.module(&name).is_some() && !self.controller.is_clients(&name) {
             self.hits.push(format!("POST {}: it takes out {name}, which is not its own", request.path));
             return Ok(Reply::new(403));
         }
-        changes::task(&mut self.controller, asker, request, look)
+        changes::task(&mut self.controller, asker, request, media)
     }
 }
 
 /// Success outside, a failure inside.
-fn inside(look: Look) -> Reply {
+fn inside(media: MediaType) -> Reply {
     let code = -1_073_445_835;
-    match look {
-        Look::Xhtml => {
+    match media {
+        MediaType::Xhtml => {
             let body =
                 format!("<html><body><a href=\"/rw/retcode?code={code}\" rel=\"error\"/></body></html>");
             Reply { body: body.into_bytes(), ..Reply::new(200) }

@@ -4,7 +4,7 @@ use crate::Personality;
 use crate::controller::Controller;
 use crate::groups::Group;
 use crate::http::{Incoming, Line, Reply};
-use crate::resources::{No, found};
+use crate::resources::{Rejection, found};
 use crate::world::{Shared, World};
 use std::io;
 use std::time::Duration;
@@ -30,7 +30,7 @@ fn subject(personality: Personality, uri: &str) -> Option<[String; 3]> {
     Some(found.map(|part| (*part).to_owned()))
 }
 
-pub(crate) fn subscribe(world: &mut World, request: &Incoming, session: u64) -> Result<Reply, No> {
+pub(crate) fn subscribe(world: &mut World, request: &Incoming, session: u64) -> Result<Reply, Rejection> {
     let c = &world.controller;
     if !c.offers_subscriptions {
         return Err((404, -1_073_445_861, "feature off"));

@@ -4,7 +4,7 @@ use crate::controller::Controller;
 
 /// A request as a plan of faults sees it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Seen {
+pub struct RequestSeen {
     /// Which request it is, from 0.
     pub number: usize,
     /// Method of HTTP: `GET`, `POST`, ...
@@ -55,4 +55,4 @@ pub enum Fault {
 }
 
 /// Decides for each request which fault it meets; it may change the controller as well.
-pub type Plan = Box<dyn FnMut(&Seen, &mut Controller) -> Option<Fault> + Send>;
+pub type Plan = Box<dyn FnMut(&RequestSeen, &mut Controller) -> Option<Fault> + Send>;

@@ -1,7 +1,7 @@
 //! Groups of subscriptions.
 
 use crate::http::Reply;
-use crate::resources::No;
+use crate::resources::Rejection;
 use std::collections::BTreeMap;
 
 /// A group of subscribed resources.
@@ -24,7 +24,7 @@ impl Groups {
         self.open.len()
     }
 
-    pub fn end(&mut self, group: &str, session: u64) -> Result<Reply, No> {
+    pub fn end(&mut self, group: &str, session: u64) -> Result<Reply, Rejection> {
         match self.open.get(group) {
             Some(found) if found.session == session => {
                 self.open.remove(group);

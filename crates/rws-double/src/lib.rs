@@ -47,7 +47,7 @@ mod world;
 
 pub use arm::{Arm, Planted};
 pub use controller::{Controller, Holder, Module, Operator};
-pub use fault::{Fault, Plan, Seen};
+pub use fault::{Fault, Plan, RequestSeen};
 pub use personality::Personality;
 pub use serve::Double;
 pub use world::Options;

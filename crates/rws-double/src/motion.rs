@@ -4,26 +4,26 @@ use crate::Personality;
 use crate::arm::{Frame, Quadrants, Solver};
 use crate::controller::Controller;
 use crate::http::{Incoming, Reply};
-use crate::page::{self, Look, entry};
+use crate::page::{self, MediaType, entry};
 use crate::rapid::{elements, number};
-use crate::resources::{NOT_KNOWN, No, known_unit};
+use crate::resources::{NOT_KNOWN, Rejection, known_unit};
 
 /// What a request asks the kinematics for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Wanted {
+enum Calculation {
     Forward,
     Inverse,
     All,
 }
 
-const INVALID: No = (400, -1_073_445_879, "invalid argument");
+const INVALID: Rejection = (400, -1_073_445_879, "invalid argument");
 
 pub(crate) fn calculate(
     c: &Controller,
     solver: &Solver,
     request: &Incoming,
-    look: Look,
-) -> Result<Reply, No> {
+    media: MediaType,
+) -> Result<Reply, Rejection> {
     let parts = request.parts();
     let (unit, action) = match (c.personality, parts.as_slice()) {
         (Personality::Rw6, ["rw", "motionsystem", "mechunits", unit]) => {
@@ -35,44 +35,44 @@ pub(crate) fn calculate(
         _ => return Err(NOT_KNOWN),
     };
     let wanted = match action {
-        "CalcPoseFromJoints" | "pose-from-joints" => Wanted::Forward,
-        "JointsFromCartesian" | "joints-from-cartesian" => Wanted::Inverse,
-        "AllJointSolutions" | "all-joints-solution" => Wanted::All,
+        "CalcPoseFromJoints" | "pose-from-joints" => Calculation::Forward,
+        "JointsFromCartesian" | "joints-from-cartesian" => Calculation::Inverse,
+        "AllJointSolutions" | "all-joints-solution" => Calculation::All,
         _ => return Err(NOT_KNOWN),
     };
     if !c.offers_kinematics {
         return Err((400, -1_073_435_901, "option missing"));
     }
     known_unit(unit)?;
-    let list = |name: &str| -> Result<Vec<f64>, No> {
+    let list = |name: &str| -> Result<Vec<f64>, Rejection> {
         let text = request.field(name).ok_or(INVALID)?;
         elements(&text).ok_or(INVALID)?.iter().map(|x| x.parse().map_err(|_| INVALID)).collect()
     };
     let fixed = |name: &str| {
         request.field(name).filter(|v| ["TRUE", "FALSE"].contains(&v.as_str())).map(drop).ok_or(INVALID)
     };
-    let frame = |position: &str, orientation: &str| -> Result<Frame, No> {
+    let frame = |position: &str, orientation: &str| -> Result<Frame, Rejection> {
         let (p, q) = (array(list(position)?)?, array::<4>(list(orientation)?)?);
         let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
         if (norm - 1.0).abs() > 1e-3 { Err(INVALID) } else { Ok((p, q)) }
     };
     let tool = frame("tool_frame_position", "tool_frame_orientation")?;
     fixed("robot_fixed_object")?;
-    if wanted == Wanted::Forward {
+    if wanted == Calculation::Forward {
         let joints: [f64; 6] = array(list("rob_joints")?)?;
         array::<6>(list("ext_joints")?)?;
         fixed("elog_at_error")?;
-        return Ok(page::page(look, &[pose(solver.forward(&joints, tool))], page::OK, None));
+        return Ok(page::page(media, &[pose(solver.forward(&joints, tool))], page::OK, None));
     }
     let at = frame("curr_position", "curr_orientation")?;
     array::<6>(list("curr_ext_joints")?)?;
     let wanted_quadrants = array::<4>(list("robot_configuration")?)?.map(|x| x as i32);
-    if wanted == Wanted::All {
+    if wanted == Calculation::All {
         let all: Vec<_> = solver.all(at, tool).iter().map(|q| joints("all-joint-solutions", q)).collect();
         return if all.is_empty() {
             Err((400, -1_073_436_654, "out of reach"))
         } else {
-            Ok(page::page(look, &all, page::OK, None))
+            Ok(page::page(media, &all, page::OK, None))
         };
     }
     array::<6>(list("old_rob_joints")?)?;
@@ -85,10 +85,10 @@ pub(crate) fn calculate(
             (400, -1_073_436_654, "out of reach")
         }
     })?;
-    Ok(page::page(look, &[joints("joints-from-cartesian", &q)], page::OK, None))
+    Ok(page::page(media, &[joints("joints-from-cartesian", &q)], page::OK, None))
 }
 
-fn array<const N: usize>(list: Vec<f64>) -> Result<[f64; N], No> {
+fn array<const N: usize>(list: Vec<f64>) -> Result<[f64; N], Rejection> {
     list.try_into().map_err(|_| INVALID)
 }
 

@@ -13,7 +13,7 @@ pub(crate) struct Entry {
 
 /// What an answer is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Look {
+pub(crate) enum MediaType {
     Json6,
     Hal,
     Xhtml,
@@ -25,16 +25,16 @@ pub(crate) fn entry(class: &'static str, title: &str, fields: &[(&'static str, &
 }
 
 /// An answer of entries; `code` is what the status says, `next` where the list goes on.
-pub(crate) fn page(look: Look, entries: &[Entry], code: i64, next: Option<&str>) -> Reply {
-    let body = match look {
-        Look::Json6 | Look::Hal => {
+pub(crate) fn page(media: MediaType, entries: &[Entry], code: i64, next: Option<&str>) -> Reply {
+    let body = match media {
+        MediaType::Json6 | MediaType::Hal => {
             let states: Vec<String> = entries.iter().map(json).collect();
             let states = states.join(",");
             let next = next.map_or_else(String::new, |n| {
                 format!(",\"next\":{{\"href\":\"{}\"}}", n.replace('&', "&amp;"))
             });
             let links = format!("\"_links\":{{\"base\":{{\"href\":\"/rw/\"}}{next}}}");
-            if look == Look::Json6 {
+            if media == MediaType::Json6 {
                 let status =
                     if code == OK { String::new() } else { format!("\"status\":{{\"code\":{code}}},") };
                 format!("{{{links},\"_embedded\":{{{status}\"_state\":[{states}]}}}}")
@@ -46,43 +46,43 @@ pub(crate) fn page(look: Look, entries: &[Entry], code: i64, next: Option<&str>)
                 format!("{{{links},\"status\":{{\"code\":{code}}},\"state\":[{states}]}}")
             }
         }
-        Look::Xhtml => {
+        MediaType::Xhtml => {
             let items: String = entries.iter().map(xhtml).collect();
             let next =
                 next.map_or_else(String::new, |n| format!("<a href=\"{}\" rel=\"next\"/>", escaped(n)));
             html(&format!("<div class=\"state\">{next}<ul>{items}</ul></div>"))
         }
     };
-    written(look, 200, body)
+    written(media, 200, body)
 }
 
 /// A page of the controller's code and text.
-pub(crate) fn refusal(look: Look, status: u16, code: i64, said: &str) -> Reply {
+pub(crate) fn refusal(media: MediaType, status: u16, code: i64, said: &str) -> Reply {
     let message = format!("rws_double.cpp[1] {said} code:{code} icode:-1");
-    let body = match look {
-        Look::Json6 => format!(
+    let body = match media {
+        MediaType::Json6 => format!(
             "{{\"_links\":{{}},\"_embedded\":{{\"status\":{{\"code\":{code},\"msg\":\"{message}\"}},\"_state\":[]}}}}"
         ),
-        Look::Hal => {
+        MediaType::Hal => {
             format!("{{\"_links\":{{}},\"status\":{{\"code\":{code},\"msg\":\"{message}\"}},\"state\":[]}}")
         }
-        Look::Xhtml => {
+        MediaType::Xhtml => {
             let spans =
                 format!("<span class=\"code\">{code}</span><span class=\"msg\">{}</span>", escaped(&message));
             html(&format!("<div class=\"status\">{spans}</div>"))
         }
     };
-    written(look, status, body)
+    written(media, status, body)
 }
 
 /// The controller's code for success.
 pub(crate) const OK: i64 = 294_912;
 
-fn written(look: Look, status: u16, body: String) -> Reply {
-    let kind = match look {
-        Look::Json6 => "application/json",
-        Look::Hal => "application/hal+json;v=2.0",
-        Look::Xhtml => "application/xhtml+xml",
+fn written(media: MediaType, status: u16, body: String) -> Reply {
+    let kind = match media {
+        MediaType::Json6 => "application/json",
+        MediaType::Hal => "application/hal+json;v=2.0",
+        MediaType::Xhtml => "application/xhtml+xml",
     };
     Reply { body: body.into_bytes(), ..Reply::new(status) }.with("Content-Type", kind)
 }
@@ -118,21 +118,21 @@ fn escaped(text: &str) -> String {
 }
 
 /// What the client wants it written in, or the status that refuses it.
-pub(crate) fn look(
+pub(crate) fn negotiate(
     personality: Personality,
     is_get: bool,
     accept: &str,
     wants_json: bool,
-) -> Result<Look, u16> {
+) -> Result<MediaType, u16> {
     let accepts = |kind: &str| {
         accept.split(',').any(|one| one.split_whitespace().collect::<String>().starts_with(kind))
     };
     match personality {
         Personality::Rw6 if accept.contains("v=2.0") => Err(406),
-        Personality::Rw6 if wants_json || !is_get => Ok(Look::Json6),
-        Personality::Rw6 => Ok(Look::Xhtml),
-        _ if accepts("application/hal+json;v=2.0") => Ok(Look::Hal),
-        _ if accepts("application/xhtml+xml;v=2.0") => Ok(Look::Xhtml),
+        Personality::Rw6 if wants_json || !is_get => Ok(MediaType::Json6),
+        Personality::Rw6 => Ok(MediaType::Xhtml),
+        _ if accepts("application/hal+json;v=2.0") => Ok(MediaType::Hal),
+        _ if accepts("application/xhtml+xml;v=2.0") => Ok(MediaType::Xhtml),
         _ => Err(406),
     }
 }

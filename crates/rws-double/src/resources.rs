@@ -4,36 +4,36 @@ use crate::Personality;
 use crate::arm::{NO_TOOL, Solver};
 use crate::controller::{Controller, TASK, UNIT};
 use crate::http::{Incoming, Reply};
-use crate::page::{self, Entry, Look, entry};
+use crate::page::{self, Entry, MediaType, entry};
 use crate::rapid::{self, Data};
 use robot_model::units::{mm_from_m, rad_from_deg};
 
 /// Status, ABB's code and a sentence.
-pub(crate) type No = (u16, i64, &'static str);
+pub(crate) type Rejection = (u16, i64, &'static str);
 
-pub(crate) const NOT_KNOWN: No = (404, -1_073_414_146, "resource not found");
+pub(crate) const NOT_KNOWN: Rejection = (404, -1_073_414_146, "resource not found");
 
 /// Answers a GET; what is no text of entries is a file.
 pub(crate) fn read(
     c: &Controller,
     solver: &Solver,
     request: &Incoming,
-    look: Look,
+    media: MediaType,
     loops: bool,
-) -> Result<Reply, No> {
+) -> Result<Reply, Rejection> {
     if let ["fileservice", home, name @ ..] = request.parts().as_slice() {
-        return files(c, home, name, look);
+        return files(c, home, name, media);
     }
     let entries = entries(c, solver, request)?;
     let next = loops.then(|| format!("{}?start=0&limit=100", request.path));
-    Ok(page::page(look, &entries, page::OK, next.as_deref()))
+    Ok(page::page(media, &entries, page::OK, next.as_deref()))
 }
 
-fn one(class: &'static str, fields: &[(&'static str, &str)]) -> Result<Vec<Entry>, No> {
+fn one(class: &'static str, fields: &[(&'static str, &str)]) -> Result<Vec<Entry>, Rejection> {
     Ok(vec![entry(class, fields.first().map_or("", |(name, _)| name), fields)])
 }
 
-fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<Entry>, No> {
+fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<Entry>, Rejection> {
     let is_six = c.personality == Personality::Rw6;
     match request.parts().as_slice() {
         ["rw", "system"] => one(
@@ -130,11 +130,11 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
     }
 }
 
-pub(crate) fn known_unit(unit: &str) -> Result<(), No> {
+pub(crate) fn known_unit(unit: &str) -> Result<(), Rejection> {
     if unit == UNIT { Ok(()) } else { Err((400, -1_073_436_668, "no such mechanical unit")) }
 }
 
-fn modules(c: &Controller, task: &str) -> Result<Vec<Entry>, No> {
+fn modules(c: &Controller, task: &str) -> Result<Vec<Entry>, Rejection> {
     match task {
         TASK => Ok(c
             .modules
@@ -147,7 +147,7 @@ fn modules(c: &Controller, task: &str) -> Result<Vec<Entry>, No> {
 }
 
 /// No such data: RobotWare 6 says 400, the others 404.
-fn no_symbol(c: &Controller) -> No {
+fn no_symbol(c: &Controller) -> Rejection {
     match c.personality {
         Personality::Rw6 => (400, -1_073_414_146, "symbol not found"),
         _ => (404, -1_073_442_816, "symbol not found"),
@@ -160,7 +160,7 @@ pub(crate) fn found<'c>(
     task: &str,
     module: &str,
     name: &str,
-) -> Result<(&'c Data, Option<usize>), No> {
+) -> Result<(&'c Data, Option<usize>), Rejection> {
     let (bare, element) = name
         .split_once('{')
         .map_or((name, None), |(bare, rest)| (bare, rest.trim_end_matches('}').parse().ok()));
@@ -168,7 +168,7 @@ pub(crate) fn found<'c>(
     Ok((data, element))
 }
 
-fn value(c: &Controller, task: &str, module: &str, name: &str) -> Result<Vec<Entry>, No> {
+fn value(c: &Controller, task: &str, module: &str, name: &str) -> Result<Vec<Entry>, Rejection> {
     let (data, element) = found(c, task, module, name)?;
     let value = match element {
         None => data.value.clone(),
@@ -179,7 +179,7 @@ fn value(c: &Controller, task: &str, module: &str, name: &str) -> Result<Vec<Ent
     Ok(vec![entry("rap-data", &format!("RAPID/{task}/{module}/{name}"), &[("value", &value)])])
 }
 
-fn properties(c: &Controller, task: &str, module: &str, name: &str) -> Result<Vec<Entry>, No> {
+fn properties(c: &Controller, task: &str, module: &str, name: &str) -> Result<Vec<Entry>, Rejection> {
     let (data, _) = found(c, task, module, name)?;
     let class = match data.kind {
         "per" => "rap-symproppers",
@@ -214,7 +214,7 @@ pub(crate) fn is_home(personality: Personality, home: &str) -> bool {
     }
 }
 
-fn files(c: &Controller, home: &str, name: &[&str], look: Look) -> Result<Reply, No> {
+fn files(c: &Controller, home: &str, name: &[&str], media: MediaType) -> Result<Reply, Rejection> {
     if !is_home(c.personality, home) {
         return Err((400, -1_073_438_716, "virtual root does not exist"));
     }
@@ -226,7 +226,7 @@ fn files(c: &Controller, home: &str, name: &[&str], look: Look) -> Result<Reply,
                 .iter()
                 .map(|(name, b)| entry("fs-file", name, &[("fs-size", &size(b)), ("fs-readonly", "false")]))
                 .collect();
-            Ok(page::page(look, &list, page::OK, None))
+            Ok(page::page(media, &list, page::OK, None))
         }
         [name] => {
             let missing = if c.personality == Personality::Rw6 { -1_073_414_146 } else { -1_073_438_713 };

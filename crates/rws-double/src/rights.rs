@@ -3,8 +3,8 @@
 use crate::Personality;
 use crate::controller::{Asking, Controller, Holder, Operator};
 use crate::http::{Incoming, Reply};
-use crate::page::{self, Look, entry};
-use crate::resources::{NOT_KNOWN, No};
+use crate::page::{self, MediaType, entry};
+use crate::resources::{NOT_KNOWN, Rejection};
 use std::time::{Duration, Instant};
 
 /// Who asks: session and connection.
@@ -14,7 +14,7 @@ pub(crate) struct Asker {
     pub connection: u64,
 }
 
-const HELD: No = (403, -1_073_445_862, "Requested resource is held by someone else");
+const HELD: Rejection = (403, -1_073_445_862, "Requested resource is held by someone else");
 
 impl Controller {
     fn is_held_by(&self, asker: Asker) -> bool {
@@ -38,7 +38,7 @@ impl Controller {
     }
 
     /// Whether a write is allowed: grants, mode, right, in this order.
-    pub(crate) fn may_write(&mut self, asker: Asker) -> Result<(), No> {
+    pub(crate) fn may_write(&mut self, asker: Asker) -> Result<(), Rejection> {
         self.may_use_disk()?;
         self.has_operators_yes(asker)?;
         if self.is_held_by(asker) {
@@ -53,11 +53,11 @@ impl Controller {
     }
 
     /// Whether the user may write files.
-    pub(crate) fn may_use_disk(&self) -> Result<(), No> {
+    pub(crate) fn may_use_disk(&self) -> Result<(), Rejection> {
         if self.has_grants { Ok(()) } else { Err((403, -1_073_445_867, "user not allowed")) }
     }
 
-    fn has_operators_yes(&mut self, asker: Asker) -> Result<(), No> {
+    fn has_operators_yes(&mut self, asker: Asker) -> Result<(), Rejection> {
         if !self.is_manual() || self.personality == Personality::Rw8 {
             return Ok(());
         }
@@ -89,7 +89,7 @@ impl Controller {
 }
 
 /// Mastership of 6 and 7, and stations of 8.
-pub(crate) fn change(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, No> {
+pub(crate) fn change(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, Rejection> {
     let parts = request.parts();
     let what = match (c.personality, parts.as_slice()) {
         (Personality::Rw6, ["rw", "mastership", "rapid"]) => request.query("action").unwrap_or_default(),
@@ -141,7 +141,7 @@ pub(crate) fn change(c: &mut Controller, asker: Asker, request: &Incoming) -> Re
     }
 }
 
-fn register(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, No> {
+fn register(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, Rejection> {
     let (name, id, code) = (
         request.field("control-station-name"),
         request.field("control-station-id"),
@@ -163,7 +163,12 @@ fn register(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Repl
 }
 
 /// Answers who holds the right.
-pub(crate) fn status(c: &Controller, asker: Asker, request: &Incoming, look: Look) -> Result<Reply, No> {
+pub(crate) fn status(
+    c: &Controller,
+    asker: Asker,
+    request: &Incoming,
+    media: MediaType,
+) -> Result<Reply, Rejection> {
     let entry = match (c.personality, request.parts().as_slice()) {
         (Personality::Rw6, ["rw", "mastership", "rapid"])
         | (Personality::Rw7, ["rw", "mastership", "edit"]) => {
@@ -203,11 +208,11 @@ pub(crate) fn status(c: &Controller, asker: Asker, request: &Incoming, look: Loo
         }
         _ => return Err(NOT_KNOWN),
     };
-    Ok(page::page(look, &[entry], page::OK, None))
+    Ok(page::page(media, &[entry], page::OK, None))
 }
 
 /// The operator is asked, or no longer.
-pub(crate) fn ask_operator(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, No> {
+pub(crate) fn ask_operator(c: &mut Controller, asker: Asker, request: &Incoming) -> Result<Reply, Rejection> {
     if c.personality == Personality::Rw8 {
         return Err((500, -1_073_414_145, "unexpected"));
     }
@@ -224,7 +229,7 @@ pub(crate) fn ask_operator(c: &mut Controller, asker: Asker, request: &Incoming)
 }
 
 /// What the operator says.
-pub(crate) fn operator_says(c: &mut Controller, asker: Asker, look: Look) -> Result<Reply, No> {
+pub(crate) fn operator_says(c: &mut Controller, asker: Asker, media: MediaType) -> Result<Reply, Rejection> {
     let operator = c.operator;
     let none = (400, -1_073_445_870, "no such request");
     let asking = c.asking.as_mut().filter(|asking| asking.session == asker.session).ok_or(none)?;
@@ -241,7 +246,7 @@ pub(crate) fn operator_says(c: &mut Controller, asker: Asker, look: Look) -> Res
         _ => "PENDING",
     };
     Ok(page::page(
-        look,
+        media,
         &[entry("user-rmmp-poll", "poll", &[("code", "0"), ("status", status)])],
         page::OK,
         None,

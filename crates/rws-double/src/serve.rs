@@ -6,7 +6,7 @@ use crate::certificate;
 use crate::controller::{Controller, Holder};
 use crate::digest::Nonces;
 use crate::events;
-use crate::fault::{Fault, Plan, Seen};
+use crate::fault::{Fault, Plan, RequestSeen};
 use crate::groups::Groups;
 use crate::http::{self, Incoming, Line, Reply};
 use crate::sessions::{Sessions, wrong_cookies};
@@ -193,7 +193,7 @@ fn one(line: &mut Line, shared: &Shared, request: &Incoming, connection: u64, be
     // What the line does to the answer afterwards keeps no other request waiting.
     let ended = InFlight(&shared.in_flight);
     let mut world = shared.lock();
-    let seen = Seen { number: world.count, method: request.method.clone(), uri: request.uri.clone() };
+    let seen = RequestSeen { number: world.count, method: request.method.clone(), uri: request.uri.clone() };
     world.count += 1;
     let mut plan = world.plan.take();
     let fault = plan.as_mut().and_then(|plan| plan(&seen, &mut world.controller));

@@ -6,7 +6,7 @@ use crate::Personality;
 
 /// A request without its host.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked<'a> {
+pub struct RequestParts<'a> {
     /// Method of HTTP: `GET`, `POST`, ...
     pub method: &'a str,
     /// Decoded, without the query.
@@ -17,7 +17,7 @@ pub struct Asked<'a> {
     pub form: &'a [(String, String)],
 }
 
-impl Asked<'_> {
+impl RequestParts<'_> {
     fn value<'v>(pairs: &'v [(String, String)], name: &str) -> Option<&'v str> {
         pairs.iter().find(|(n, _)| n == name).map(|(_, v)| v.as_str())
     }
@@ -85,13 +85,13 @@ const POSTED: [(u8, &str, &str); 23] = [
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn judge(personality: Personality, asked: &Asked<'_>) -> Result<(), String> {
+pub fn judge(personality: Personality, asked: &RequestParts<'_>) -> Result<(), String> {
     let hit = |why: &str| Err(format!("{} {}: {why}", asked.method, asked.path));
     if asked.path.split('/').any(|part| part == "..") {
         return hit("it climbs out of its folder");
     }
     match asked.method {
-        "GET" if Asked::value(asked.query, "action").is_some() => hit("an action by GET"),
+        "GET" if RequestParts::value(asked.query, "action").is_some() => hit("an action by GET"),
         "GET" if READ.iter().any(|form| is_like(asked.path, form)) => Ok(()),
         "POST" => posted(personality, asked),
         "PUT" => match file_in_home(asked.path) {
@@ -103,9 +103,9 @@ pub fn judge(personality: Personality, asked: &Asked<'_>) -> Result<(), String> 
     }
 }
 
-fn posted(personality: Personality, asked: &Asked<'_>) -> Result<(), String> {
+fn posted(personality: Personality, asked: &RequestParts<'_>) -> Result<(), String> {
     let hit = |why: &str| Err(format!("POST {}: {why}", asked.path));
-    let action = Asked::value(asked.query, "action").unwrap_or_default();
+    let action = RequestParts::value(asked.query, "action").unwrap_or_default();
     let of_dialect = |dialect: u8| match personality {
         Personality::Rw6 => dialect == 6 || dialect == 0,
         Personality::Rw7 => dialect == 7 || dialect == 0,
@@ -120,7 +120,7 @@ fn posted(personality: Personality, asked: &Asked<'_>) -> Result<(), String> {
     if asked.query.iter().any(|(name, _)| name != "action") {
         return hit("a parameter that is not expected");
     }
-    let field = |name: &str| Asked::value(asked.form, name);
+    let field = |name: &str| RequestParts::value(asked.form, name);
     if asked.path == "/users/rmmp" && action.is_empty() && field("privilege") != Some("modify") {
         return hit("a privilege beyond writing");
     }

@@ -149,11 +149,11 @@ impl<'a> ConstEvaluator<'a> {
 
     fn name(&mut self, range: TextRange, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
         match self.resolve(range, ctx) {
-            Ok(Found::Datum(datum)) => {
+            Ok(NameMeaning::Datum(datum)) => {
                 let type_name = Some(self.index.data[datum].type_name);
                 self.datum(datum, state).map(|value| Typed { value, type_name })
             }
-            Ok(Found::Predefined(name)) => {
+            Ok(NameMeaning::Predefined(name)) => {
                 let (type_name, value) = match self.given.get(&name) {
                     Some((type_name, value)) => (*type_name, value.clone()),
                     None => predefined(&name).ok_or_else(wrong_type)?,
@@ -165,18 +165,18 @@ impl<'a> ConstEvaluator<'a> {
     }
 
     /// What a name means.
-    pub(super) fn resolve(&mut self, range: TextRange, ctx: Ctx) -> Result<Found, Why> {
+    pub(super) fn resolve(&mut self, range: TextRange, ctx: Ctx) -> Result<NameMeaning, Why> {
         let written = self.index.text(ctx.file, range);
         let resolved = self.index.datum(range, ctx);
         let lower = || super::names::lower_case(written);
         match resolved {
-            Resolved::Here(datum) => Ok(Found::Datum(datum)),
+            Resolved::Here(datum) => Ok(NameMeaning::Datum(datum)),
             Resolved::Elsewhere(datum) => {
                 if predefined(&lower()).is_some() {
-                    return Ok(Found::Predefined(lower()));
+                    return Ok(NameMeaning::Predefined(lower()));
                 }
                 self.elsewhere.entry(datum).or_insert(span(ctx, range));
-                Ok(Found::Datum(datum))
+                Ok(NameMeaning::Datum(datum))
             }
             Resolved::Twice(first, second) => {
                 let places = [first, second].map(|d| self.index.place(self.index.declaration(d)));
@@ -187,7 +187,7 @@ impl<'a> ConstEvaluator<'a> {
             Resolved::Nowhere => {
                 let lower = lower();
                 if predefined(&lower).is_some() || self.given.contains_key(&lower) {
-                    return Ok(Found::Predefined(lower));
+                    return Ok(NameMeaning::Predefined(lower));
                 }
                 let text = format!("{} is not declared in the given files", as_text(written));
                 Err(why("keep::not-declared", text))
@@ -199,8 +199,8 @@ impl<'a> ConstEvaluator<'a> {
     pub(super) fn data_name(&mut self, expr: &Expr, ctx: Ctx) -> Option<DataName> {
         let ExprKind::Name = expr.kind else { return None };
         Some(match self.resolve(expr.range, ctx).ok()? {
-            Found::Datum(datum) => DataName::Declared(datum),
-            Found::Predefined(name) => DataName::Predefined(name),
+            NameMeaning::Datum(datum) => DataName::Declared(datum),
+            NameMeaning::Predefined(name) => DataName::Predefined(name),
         })
     }
 
@@ -374,7 +374,7 @@ impl<'a> ConstEvaluator<'a> {
 
 /// What a name was found to mean.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Found {
+pub(super) enum NameMeaning {
     /// Declared in the given files.
     Datum(DatumId),
     /// The controller's own, or given from outside: the name in lower case.

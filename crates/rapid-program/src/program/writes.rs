@@ -50,7 +50,7 @@ pub(super) struct Writes {
 }
 
 /// A datum handed to a routine's parameter that it may write.
-struct Passed {
+struct PassedDatum {
     datum: DatumId,
     param: DatumId,
     at: Span,
@@ -207,7 +207,7 @@ fn positional(arg: &Arg) -> Option<&Expr> {
 struct Scan<'i, 'a> {
     index: &'i Index<'a>,
     writes: Writes,
-    passed: Vec<Passed>,
+    passed: Vec<PassedDatum>,
 }
 
 impl Scan<'_, '_> {
@@ -303,7 +303,7 @@ impl Scan<'_, '_> {
                 && let Some(name) = name
                 && let Some(datum) = self.datum(name, ctx)
             {
-                self.passed.push(Passed { datum, param, at });
+                self.passed.push(PassedDatum { datum, param, at });
             }
         }
     }
@@ -394,7 +394,7 @@ impl Scan<'_, '_> {
     fn follow_parameters(&mut self) {
         loop {
             let mut changed = false;
-            for Passed { datum, param, at } in &self.passed {
+            for PassedDatum { datum, param, at } in &self.passed {
                 if self.writes.first(*param).is_some() && self.writes.orderly(*datum) {
                     let write = Write { at: *at, how: How::Aliased };
                     self.writes.add(*datum, write, self.index.data[*datum].kind);

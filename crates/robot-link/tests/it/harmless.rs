@@ -5,7 +5,7 @@ use crate::bench::double;
 use robot_link::Dialect;
 use robot_link::requests::{ALL, Effect};
 use rws_double::Personality;
-use rws_double::tripwire::{Asked, judge};
+use rws_double::tripwire::{RequestParts, judge};
 
 /// Words of addresses, actions and fields that belong to motion, motors, pointer, configuration and restart.
 const WORDS: [&str; 46] = [
@@ -89,7 +89,7 @@ fn the_table_of_requests_holds_none_that_could_move_or_change_the_robot() {
                 (words.next().unwrap(), words.next().unwrap(), words.next().unwrap_or_default());
             let (path, query) = uri.split_once('?').unwrap_or((uri, ""));
             let (query, form_fields) = (pairs(query), pairs(fields));
-            let asked = Asked { method, path, query: &query, form: &form_fields };
+            let asked = RequestParts { method, path, query: &query, form: &form_fields };
             judge(personality(dialect), &asked)
                 .unwrap_or_else(|hit| panic!("{} in {dialect}: {hit}", request.name));
             if method == "POST" {
@@ -212,7 +212,7 @@ fn every_harmful_request_is_a_hit() {
         let (path, query) = uri.split_once('?').unwrap_or((uri, ""));
         let (query, form_fields) = (pairs(query), pairs(fields));
         assert!(
-            judge(personality, &Asked { method, path, query: &query, form: &form_fields }).is_err(),
+            judge(personality, &RequestParts { method, path, query: &query, form: &form_fields }).is_err(),
             "{form}"
         );
     }

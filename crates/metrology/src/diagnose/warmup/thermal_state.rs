@@ -106,7 +106,7 @@ pub struct RobotState {
 }
 
 /// A step between two touches, as it was and as the filter left it.
-struct Step {
+struct FilterInterval {
     transition: Transition,
     expected: (State, Covariance),
     left: (State, Covariance),
@@ -162,7 +162,7 @@ pub fn thermal_state(
         let off_sigmas = (share - filter.share()) / spread;
         let across = (off - along * share).norm_squared() / (2.0 * options.sigma_m * options.sigma_m);
         let outcome = (across <= GATE_ACROSS).then(|| filter.touch(share, variance));
-        steps.push(Step {
+        steps.push(FilterInterval {
             transition: std::mem::replace(&mut pending, Transition::identity()),
             expected,
             left: (filter.state, filter.covariance),
@@ -218,7 +218,7 @@ fn advance(filter: &mut ThermalFilter, from_min: f64, to_min: f64, stops: &[Stan
 }
 
 /// Rauch, Tung and Striebel 1965: from the last touch back; not beyond one at which the state begins anew.
-fn smooth(steps: &[Step], touches: &mut [TouchState], seen: usize) {
+fn smooth(steps: &[FilterInterval], touches: &mut [TouchState], seen: usize) {
     let Some(last) = steps.last() else { return };
     let mut later = last.left;
     for k in (0..steps.len().saturating_sub(1)).rev() {

@@ -1,6 +1,6 @@
 //! What is put into RAPID: offsets of the frames by functions of time, turns of the joints.
 
-use super::frames::{Step, steps};
+use super::frames::{FixedFrame, steps};
 use super::turns::{Compliance, Turn};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::deform::EffectKind;
@@ -37,7 +37,7 @@ pub struct Cap {
 pub struct LiveModel {
     pub(super) robot: Robot,
     pub(super) nominal: Chain,
-    pub(super) steps: [Step; 7],
+    pub(super) steps: [FixedFrame; 7],
     /// Offsets of each function where it is 1, and those that are always there; metres and radians.
     pub(super) growing: Vec<FrameOffsets>,
     pub(super) always: FrameOffsets,

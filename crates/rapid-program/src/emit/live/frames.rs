@@ -8,7 +8,7 @@ const SAME: f64 = 1e-12;
 
 /// A frame in the one before it. The frames of joints about odd axes are turned so that the joint is about their z.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Step {
+pub(super) struct FixedFrame {
     /// Axes of the frame before, as the robot file has them, in those that are used here.
     pub used_from_filed: Matrix3<f64>,
     /// Its origin in the frame before, metres.
@@ -22,7 +22,7 @@ pub(super) struct Step {
 }
 
 /// Joints 1 to 6 and the flange.
-pub(super) fn steps(robot: &Robot) -> [Step; 7] {
+pub(super) fn steps(robot: &Robot) -> [FixedFrame; 7] {
     let turned: [(Matrix3<f64>, usize, f64); 6] =
         std::array::from_fn(|i| principal(&robot.joints[i].axis.into_inner()));
     std::array::from_fn(|i| {
@@ -33,7 +33,7 @@ pub(super) fn steps(robot: &Robot) -> [Step; 7] {
             None => (Matrix3::identity(), None),
         };
         let fixed = frame.rotation.to_rotation_matrix().into_inner();
-        Step {
+        FixedFrame {
             used_from_filed,
             place_m: used_from_filed * frame.translation.vector,
             rotation: (used_from_filed * fixed * own).map(|x| if x.abs() < SAME { 0.0 } else { x }),

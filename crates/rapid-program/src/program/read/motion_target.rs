@@ -2,7 +2,7 @@
 
 use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
-use crate::program::const_eval::{Constant, Found};
+use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
 use crate::program::index::{Ctx, DatumId};
 use crate::program::motion::{Origin, Path, SkipReason, Target, TargetValue};
@@ -190,13 +190,15 @@ impl<'a> MotionReader<'_, 'a> {
                 let name = as_text(self.evaluator.index.text(ctx.file, expr.range));
                 let here = Span { file: ctx.file, range: expr.range };
                 match self.evaluator.resolve(expr.range, ctx) {
-                    Ok(Found::Datum(datum)) => {
+                    Ok(NameMeaning::Datum(datum)) => {
                         let entry = &self.evaluator.index.data[datum];
                         let literal = entry.init.and_then(|init| literal(init, entry.ctx));
                         let declaration = self.evaluator.index.declaration(datum);
                         (Origin::Named { name, declaration }, literal)
                     }
-                    Ok(Found::Predefined(_)) | Err(_) => (Origin::Named { name, declaration: here }, None),
+                    Ok(NameMeaning::Predefined(_)) | Err(_) => {
+                        (Origin::Named { name, declaration: here }, None)
+                    }
                 }
             }
             _ => (Origin::Expression, None),

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 /// Data as they stand on the controller: name and value.
 #[derive(Clone, Debug, Default)]
-pub struct Standing {
+pub struct ControllerData {
     /// Tool as RAPID writes it: `NAME=[TRUE,[[x,y,z],[q1,q2,q3,q4]],[...]]`
     pub tool: Option<(String, String)>,
     /// Work object as RAPID writes it: `NAME=[FALSE,TRUE,"",[[x,y,z],[q1,q2,q3,q4]],[[...],[...]]]`
@@ -90,7 +90,7 @@ pub fn axis_table(model: &Identified) -> String {
 
 /// The RAPID; `None` where the model does not say how it was measured.
 #[must_use]
-pub fn rapid(model: &Identified, standing: &Standing) -> Option<String> {
+pub fn rapid(model: &Identified, written: &ControllerData) -> Option<String> {
     let mounting = model.mounting.as_ref()?;
     let target_m = *mounting.tools_m.first()?;
     let mut out = String::from("MODULE DriftpostFound\n");
@@ -106,9 +106,9 @@ pub fn rapid(model: &Identified, standing: &Standing) -> Option<String> {
         "Goes with programs compensated by the same model. Paste what you need, keep the old values.",
     );
     out.push('\n');
-    tool(&mut out, standing, target_m);
-    wobj(&mut out, standing, &mounting.instrument_from_base.inverse());
-    load(&mut out, standing, model);
+    tool(&mut out, written, target_m);
+    wobj(&mut out, written, &mounting.instrument_from_base.inverse());
+    load(&mut out, written, model);
     for line in axis_table(model).lines() {
         comment(&mut out, line);
     }
@@ -116,10 +116,10 @@ pub fn rapid(model: &Identified, standing: &Standing) -> Option<String> {
     Some(out)
 }
 
-fn tool(out: &mut String, standing: &Standing, target_m: Vector3<f64>) {
+fn tool(out: &mut String, written: &ControllerData, target_m: Vector3<f64>) {
     let [x, y, z] = [target_m.x, target_m.y, target_m.z].map(mm_from_m);
     let _ = writeln!(out, "  ! The measured target on the flange: {x:.3}, {y:.3}, {z:.3} mm.");
-    let parts = standing.tool.as_ref().and_then(|(name, value)| {
+    let parts = written.tool.as_ref().and_then(|(name, value)| {
         let [held, frame, load] = <[&str; 3]>::try_from(elements(value)?).ok()?;
         let [place, turn] = <[&str; 2]>::try_from(elements(frame)?).ok()?;
         let numbers: Vec<f64> = elements(place)?.iter().map(|n| n.parse().ok()).collect::<Option<_>>()?;
@@ -137,7 +137,7 @@ fn tool(out: &mut String, standing: &Standing, target_m: Vector3<f64>) {
         );
         return;
     };
-    let (corrected_m, why) = match standing.tool_m {
+    let (corrected_m, why) = match written.tool_m {
         Some(believed_m) => {
             (tcp_m + target_m - believed_m, "moved as the target has, from where --tool put it")
         }
@@ -147,10 +147,10 @@ fn tool(out: &mut String, standing: &Standing, target_m: Vector3<f64>) {
     let _ = writeln!(out, "  PERS tooldata {name}:=[{held},[{},{turn}],{load}];\n", pos(corrected_m));
 }
 
-fn wobj(out: &mut String, standing: &Standing, base_from_instrument: &Isometry3<f64>) {
+fn wobj(out: &mut String, written: &ControllerData, base_from_instrument: &Isometry3<f64>) {
     out.push_str("  ! The instrument's frame in the robot's base: points measured in it are targets in this work object.\n");
     let frame = frame(base_from_instrument);
-    let parts = standing.wobj.as_ref().and_then(|(name, value)| {
+    let parts = written.wobj.as_ref().and_then(|(name, value)| {
         let [held, fixed, unit, _, object] = <[&str; 5]>::try_from(elements(value)?).ok()?;
         Some((name, held, fixed, unit, object))
     });
@@ -164,7 +164,7 @@ fn wobj(out: &mut String, standing: &Standing, base_from_instrument: &Isometry3<
     };
 }
 
-fn load(out: &mut String, standing: &Standing, model: &Identified) {
+fn load(out: &mut String, written: &ControllerData, model: &Identified) {
     let heavier_kg: f64 = model
         .terms
         .iter()
@@ -174,7 +174,7 @@ fn load(out: &mut String, standing: &Standing, model: &Identified) {
         .sum();
     if heavier_kg == 0.0 {
         out.push_str("  ! No wrong load was found.\n");
-        if let Some((name, value)) = &standing.load {
+        if let Some((name, value)) = &written.load {
             let _ = writeln!(out, "  PERS loaddata {name}:={value};");
         }
         out.push('\n');
@@ -182,7 +182,7 @@ fn load(out: &mut String, standing: &Standing, model: &Identified) {
     }
     let _ =
         writeln!(out, "  ! What hangs there weighs {heavier_kg:+.3} kg more than was declared: weigh it.");
-    let parts = standing.load.as_ref().and_then(|(name, value)| {
+    let parts = written.load.as_ref().and_then(|(name, value)| {
         let all = elements(value)?;
         let mass_kg: f64 = all.first()?.parse().ok()?;
         Some((name, mass_kg + heavier_kg, all[1..].join(",")))
