@@ -1,7 +1,7 @@
 //! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
 //! like to the nominal controller, and whether that may be sent.
 
-use super::model::{Model, Warm, WarmBucket};
+use super::model::{Model, Warm};
 use super::nominal::{Point, Resolved};
 use super::options::Options;
 use super::placement::keep;
@@ -12,8 +12,8 @@ use super::warm_joints::warm_joints_each;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
-use robot_model::deform::{Conditions, DeformedArm};
-use robot_model::kinematics::Configuration;
+use robot_model::deform::{Conditions, DeformedArms};
+use robot_model::kinematics::{ArmsJoints, Configuration};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::sync::Arc;
 
@@ -43,11 +43,11 @@ pub(super) fn correct(
     model: &Model,
     options: &Options,
 ) -> MotionCorrection {
-    let warm = at.warm();
+    let arms = at.arms();
     let count = resolved.q_rad().len();
     let mut made = MotionCorrection {
         planned: PlannedMotion::compensated(options.form.of_known()),
-        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { warm.buckets.len() }],
+        error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { arms.as_slice().len() }],
         switch_jump_m: 0.0,
         worst_bucket: 0,
         crossing: None,
@@ -56,7 +56,7 @@ pub(super) fn correct(
     let mut targets = Vec::with_capacity(count);
     let values = motion.targets.iter().flat_map(Target::values);
     for (point, value) in resolved.points(motion, model).zip(values) {
-        let joints = match joints_per_bucket(&point, warm, model) {
+        let joints = match joints_per_bucket(&point, arms, model) {
             Ok(joints) => joints,
             Err(NoJoints::Skip(why)) => return kept(Arc::new(why)),
             Err(NoJoints::Refuse(why)) => {
@@ -72,7 +72,7 @@ pub(super) fn correct(
         let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
             Moments::Buckets(warm) => {
-                made.add_errors(&point, &joints, &warm.buckets);
+                made.add_errors(&point, &joints, warm);
                 Corrections::InBuckets(match by_joints {
                     true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
                     false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
@@ -110,9 +110,9 @@ pub(super) enum Moments {
 
 impl Moments {
     /// The arms at these moments.
-    pub(super) fn warm(&self) -> &Warm {
+    pub(super) fn arms(&self) -> &DeformedArms {
         match self {
-            Self::Buckets(warm) => warm,
+            Self::Buckets(warm) => &warm.at,
             Self::Nodes(ramp) => &ramp.nodes,
         }
     }
@@ -168,11 +168,11 @@ enum NoJoints {
 }
 
 /// The deformed arm's joints for each bucket.
-fn joints_per_bucket(point: &Point, warm: &Warm, model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
+fn joints_per_bucket(point: &Point, arms: &DeformedArms, model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);
-    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(warm.buckets.len());
+    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(arms.as_slice().len());
     let mut refusal = None;
-    for q_rad in warm_joints_each(point, &warm.at, model) {
+    for q_rad in warm_joints_each(point, arms, model) {
         let q_rad = q_rad.map_err(NoJoints::Skip)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
@@ -232,23 +232,31 @@ impl MotionCorrection {
     }
 
     /// Distances over each bucket, before and after, and the steps between buckets.
-    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &[WarmBucket]) {
-        let far = |arm: &DeformedArm, q_rad: &[f64; 6]| point.miss_m(arm, q_rad);
-        let mut before_from = warm.first().map_or(0.0, |bucket| far(&bucket.from, &point.q_rad).norm());
+    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &Warm) {
+        let own = ArmsJoints::Same(&point.q_rad);
+        let missed = |arms: &DeformedArms, q_rad: ArmsJoints<'_>| {
+            let mut missed = Vec::with_capacity(joints.len());
+            point.misses_m(arms, q_rad, |missed_m| missed.push(missed_m));
+            missed
+        };
+        let starts = missed(&warm.from, ArmsJoints::Each(joints));
+        let ends = missed(&warm.end, ArmsJoints::Each(joints));
+        let before_ends = missed(&warm.end, own);
+        let first = warm.from.as_slice().first();
+        let mut before_from = first.map_or(0.0, |from| point.miss_m(from, &point.q_rad).norm());
         let mut ended: Option<Vector3<f64>> = None;
-        for ((bucket, q_rad), error_m) in warm.iter().zip(joints).zip(&mut self.error_m) {
-            let start = far(&bucket.from, q_rad);
+        let missed = starts.into_iter().zip(ends).zip(before_ends);
+        let of_buckets = warm.bends.iter().zip(joints).zip(missed).zip(&mut self.error_m);
+        for (((bends, q_rad), ((start, end), before_end)), error_m) in of_buckets {
             if let Some(ended) = ended {
                 self.switch_jump_m = self.switch_jump_m.max((start - ended).norm());
             }
-            let end = far(&bucket.end, q_rad);
-            let before_end = far(&bucket.end, &point.q_rad).norm();
+            let before_end = before_end.norm();
             let mut before = f64::max(before_from, before_end);
             let mut after = start.norm().max(end.norm());
-            for bend in &bucket.bends {
-                before = before.max(far(bend, &point.q_rad).norm());
-                after = after.max(far(bend, q_rad).norm());
-            }
+            point.misses_m(bends, own, |missed_m| before = before.max(missed_m.norm()));
+            let then = ArmsJoints::Same(q_rad);
+            point.misses_m(bends, then, |missed_m| after = after.max(missed_m.norm()));
             *error_m = [error_m[0].max(before), error_m[1].max(after)];
             before_from = before_end;
             ended = Some(end);

@@ -4,20 +4,33 @@ use super::model::Model;
 use super::nominal::{Point, Resolved};
 use crate::program::Program;
 use crate::program::motion::MotionId;
-use crate::schedule::{Drift, Moment};
+use crate::schedule::{Displacements, Drift, Moment};
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use robot_model::deform::DeformedArm;
-use robot_model::kinematics::solve;
+use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
+use robot_model::kinematics::{ArmsJoints, FlangePoints, solve};
 
 /// From so many targets on the work is shared among cores.
 const WORTH_SHARING: usize = 512;
+/// So many arms are made at a time, where there are many moments: more would have to be fetched from memory.
+const ARMS_AT_A_TIME: usize = 16;
 
 impl Point<'_> {
     /// How far the carried point stands from where it is meant to be with these joints, in the base, metres.
     #[inline]
     pub(super) fn miss_m(&self, arm: &DeformedArm, q_rad: &[f64; 6]) -> Vector3<f64> {
         arm.under(&self.conditions).point_m(q_rad, &self.flange_point_m) - self.target_point_m
+    }
+
+    /// The same for each of several arms in their order.
+    pub(super) fn misses_m(
+        &self,
+        arms: &DeformedArms,
+        q_rad: ArmsJoints<'_>,
+        mut visit: impl FnMut(Vector3<f64>),
+    ) {
+        let missed = |there_m| visit(there_m - self.target_point_m);
+        arms.points_m(&self.conditions, q_rad, &self.flange_point_m, missed);
     }
 }
 
@@ -56,18 +69,21 @@ impl<'a> ProgramPoints<'a> {
         resolved.points(self.program.motions.get(motion.index())?, self.model).nth(value as usize)
     }
 
-    fn some(&self, targets: &[usize]) -> Points<'a> {
-        let points = targets.iter().filter_map(|&target| self.at(*self.points.get(target)?));
-        Points { model: self.model, points: points.collect() }
+    fn some(&self, targets: &[usize]) -> impl Iterator<Item = Point<'a>> {
+        targets.iter().filter_map(|&target| self.at(*self.points.get(target)?))
     }
 
     /// How far each stands from where it is meant to be at a moment, uncorrected, metres.
     pub(super) fn displacements_m(&self, moment: Moment) -> Vec<[f64; 3]> {
         let arm = self.model.arm(moment);
-        let one = |place: &(MotionId, u32)| {
-            self.at(*place).map_or([0.0; 3], |point| point.miss_m(&arm, &point.q_rad).into())
+        let of_some = |places: &[(MotionId, u32)]| {
+            let mut displacements_m = Vec::with_capacity(places.len());
+            let points = Drifting::new(places.iter().filter_map(|&place| self.at(place)));
+            points.displacements_m(&arm, |displacement_m| displacements_m.push(displacement_m.into()));
+            displacements_m
         };
-        self.points.par_iter().with_min_len(WORTH_SHARING).map(one).collect()
+        let all: Vec<Vec<[f64; 3]>> = self.points.par_chunks(WORTH_SHARING).map(of_some).collect();
+        all.concat()
     }
 }
 
@@ -76,8 +92,8 @@ impl Drift for ProgramPoints<'_> {
         self.points.len()
     }
 
-    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
-        self.some(targets).displacements_m(moment)
+    fn displacements_m(&self, targets: &[usize]) -> Displacements<'_> {
+        displacements_m(self.model, self.some(targets))
     }
 
     fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
@@ -85,7 +101,7 @@ impl Drift for ProgramPoints<'_> {
     }
 
     fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        self.some(targets).errors_m(at_min, moments)
+        errors_m(self.model, self.some(targets), at_min, moments)
     }
 
     fn bends_min(&self) -> &[f64] {
@@ -93,30 +109,87 @@ impl Drift for ProgramPoints<'_> {
     }
 }
 
-/// Some points of a program.
-pub(super) struct Points<'a> {
-    pub(super) model: &'a Model<'a>,
-    pub(super) points: Vec<Point<'a>>,
+/// Points with their own joints, made ready to be asked for one arm after the other.
+struct Drifting {
+    on_flange: FlangePoints,
+    target_m: Vec<Vector3<f64>>,
+    /// None where all are the default.
+    conditions: Vec<Conditions>,
 }
 
-impl Points<'_> {
-    /// How far each stands from where it is meant to be at a moment, uncorrected, metres.
-    pub(super) fn displacements_m(&self, moment: Moment) -> Vec<[f64; 3]> {
-        let arm = self.model.arm(moment);
-        let one = |point: &Point| point.miss_m(&arm, &point.q_rad).into();
-        self.points.par_iter().with_min_len(WORTH_SHARING).map(one).collect()
+impl Drifting {
+    fn new<'p>(points: impl Iterator<Item = Point<'p>>) -> Self {
+        let (mut on_flange, mut target_m, mut conditions) = (Vec::new(), Vec::new(), Vec::new());
+        for point in points {
+            on_flange.push((point.q_rad, point.flange_point_m));
+            target_m.push(point.target_point_m);
+            conditions.push(point.conditions);
+        }
+        if conditions.iter().all(|conditions| *conditions == Conditions::default()) {
+            conditions = Vec::new();
+        }
+        Self { on_flange: FlangePoints::new(on_flange), target_m, conditions }
     }
 
-    /// For each point the worst distance over `moments` from where it is meant to be, corrected for `at_min`, metres.
-    pub(super) fn errors_m(&self, at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        let at = self.model.arm(Moment::Minute(at_min));
-        let arms: Vec<DeformedArm> = moments.iter().map(|&moment| self.model.arm(moment)).collect();
-        let one = |point: &Point| {
-            let solved = solve(&at.under(&point.conditions), &point.base_from_flange, &point.q_rad).ok()?;
-            arms.iter().map(|arm| point.miss_m(arm, &solved.q_rad).norm()).reduce(f64::max)
-        };
-        self.points.iter().map(one).collect()
+    /// For each point in its order how far it stands from where it is meant to be, uncorrected, metres.
+    fn displacements_m(&self, arm: &DeformedArm, mut visit: impl FnMut(Vector3<f64>)) {
+        let mut meant_m = self.target_m.iter();
+        arm.points_m(&self.on_flange, &self.conditions, |there_m| {
+            if let Some(meant_m) = meant_m.next() {
+                visit(there_m - meant_m);
+            }
+        });
     }
+}
+
+/// How far each of `points` stands from where it is meant to be at any moment, uncorrected, metres.
+pub(super) fn displacements_m<'m, 'p>(
+    model: &'m Model<'_>,
+    points: impl Iterator<Item = Point<'p>>,
+) -> Displacements<'m> {
+    let mut points = points.peekable();
+    let mut all = Vec::new();
+    while points.peek().is_some() {
+        all.push(Drifting::new(points.by_ref().take(WORTH_SHARING)));
+    }
+    Box::new(move |moment| {
+        let arm = model.arm(moment);
+        let of_some = |some: &Drifting| {
+            let mut displacements_m: Vec<[f64; 3]> = Vec::with_capacity(some.target_m.len());
+            some.displacements_m(&arm, |displacement_m| displacements_m.push(displacement_m.into()));
+            displacements_m
+        };
+        match all.as_slice() {
+            [few] => of_some(few),
+            all => all.par_iter().map(of_some).collect::<Vec<_>>().concat(),
+        }
+    })
+}
+
+/// For each of `points` the worst distance over `moments` from where it is meant to be, corrected for `at_min`, metres.
+pub(super) fn errors_m<'p>(
+    model: &Model<'_>,
+    points: impl Iterator<Item = Point<'p>>,
+    at_min: f64,
+    moments: &[Moment],
+) -> Vec<Option<f64>> {
+    let at = model.arm(Moment::Minute(at_min));
+    let corrected = |point: Point<'p>| {
+        let solved = solve(&at.under(&point.conditions), &point.base_from_flange, &point.q_rad);
+        (solved.ok().map(|solved| solved.q_rad), point)
+    };
+    let points: Vec<_> = points.map(corrected).collect();
+    let mut worst_m = vec![None; points.len()];
+    for some in moments.chunks(ARMS_AT_A_TIME) {
+        let arms = model.arms(some.iter().copied());
+        for ((q_rad, point), worst_m) in points.iter().zip(&mut worst_m) {
+            let Some(q_rad) = q_rad else { continue };
+            point.misses_m(&arms, ArmsJoints::Same(q_rad), |missed_m| {
+                *worst_m = Some(worst_m.map_or(missed_m.norm(), |worst: f64| worst.max(missed_m.norm())));
+            });
+        }
+    }
+    worst_m
 }
 
 /// For each pair of moments the point whose displacement differs most, the first of equals, and by how much, metres.
@@ -137,13 +210,22 @@ pub(super) fn furthest_m<'p>(
     let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
     let of_some = |chunk: usize| {
         let mut best = vec![(0, 0.0); pairs.len()];
-        for i in chunk * WORTH_SHARING..((chunk + 1) * WORTH_SHARING).min(count) {
-            let Some(point) = point(i) else { continue };
-            let missed: Vec<Vector3<f64>> = arms.iter().map(|arm| point.miss_m(arm, &point.q_rad)).collect();
-            for ((a, b), best) in pairs.iter().zip(&mut best) {
-                let far_m2 = (missed[*a] - missed[*b]).norm_squared();
+        let chunk = chunk * WORTH_SHARING..((chunk + 1) * WORTH_SHARING).min(count);
+        let (places, points): (Vec<usize>, Vec<Point>) = chunk.filter_map(|i| Some((i, point(i)?))).unzip();
+        let points = Drifting::new(points.into_iter());
+        let missed: Vec<Vec<Vector3<f64>>> = arms
+            .iter()
+            .map(|arm| {
+                let mut missed = Vec::with_capacity(places.len());
+                points.displacements_m(arm, |displacement_m| missed.push(displacement_m));
+                missed
+            })
+            .collect();
+        for ((a, b), best) in pairs.iter().zip(&mut best) {
+            for ((place, a), b) in places.iter().zip(&missed[*a]).zip(&missed[*b]) {
+                let far_m2 = (a - b).norm_squared();
                 if far_m2 > best.1 {
-                    *best = (i, far_m2);
+                    *best = (*place, far_m2);
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! Figures over motions: paths between targets, and the program's worst cases.
 
 use super::correct::MotionCorrection;
-use super::drift::{Points, ProgramPoints};
-use super::model::{Model, WarmBucket};
+use super::drift::{ProgramPoints, errors_m};
+use super::model::Model;
 use super::nominal::Resolved;
 use super::path::Leg;
 use super::plan::{PlannedMotion, Status, Summary};
@@ -11,6 +11,7 @@ use crate::program::Program;
 use crate::program::motion::MotionId;
 use crate::schedule::{Chosen, Moment, Schedule};
 use rayon::prelude::*;
+use robot_model::deform::DeformedArms;
 
 /// The fine check's step, minutes, and how far it goes in the last bucket.
 const FINE_MIN: f64 = 0.25;
@@ -20,7 +21,7 @@ const LAST_MIN: f64 = 1000.0;
 /// one that corrects it most.
 pub(super) fn follow_paths(
     (program, resolved): (&Program, &[Resolved]),
-    warm: &[WarmBucket],
+    warm: &DeformedArms,
     model: &Model,
     worst_bucket: &[u32],
     planned: &mut [PlannedMotion],
@@ -38,7 +39,7 @@ pub(super) fn follow_paths(
             start_corrected: compensated[before],
             points: &points,
         };
-        let mut buckets = vec![0, worst_bucket[i] as usize, warm.len() - 1];
+        let mut buckets = vec![0, worst_bucket[i] as usize, warm.as_slice().len() - 1];
         buckets.dedup();
         planned.mid_path_m = leg.deviation_m(&buckets, warm, model);
     });
@@ -102,8 +103,7 @@ impl Tally {
             let motion =
                 furthest.map(MotionId::index).and_then(|i| resolved.get(i).zip(program.motions.get(i)));
             let points = motion.into_iter().flat_map(|(resolved, motion)| resolved.points(motion, model));
-            let drift = Points { model, points: points.collect() };
-            let fine = drift.errors_m(bucket.at_min, &moments);
+            let fine = errors_m(model, points, bucket.at_min, &moments);
             summary.worst_after_m = fine.into_iter().flatten().fold(summary.worst_after_m, f64::max);
         }
         summary.rigid_shift_worst_m = wobj_shift_baseline::worst_m(compensated, schedule);

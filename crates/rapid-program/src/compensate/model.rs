@@ -115,12 +115,6 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The arm at one moment alone, in the place of a bucket's.
-    pub(super) fn at_moment(&self, moment: Moment) -> WarmBucket {
-        let at = self.arm(moment);
-        WarmBucket { from: at.clone(), end: at.clone(), at, bends: Vec::new() }
-    }
-
     /// All joints as warm as the schedule says; at its end as warm as its table's last row.
     fn temperature_c(&self, from_c: f64, moment: Moment) -> Option<[f64; 6]> {
         let above_k = match moment {
@@ -132,44 +126,31 @@ impl<'a> Model<'a> {
 
     /// The arms that a schedule's buckets meet.
     pub(super) fn warm(&self, schedule: &Schedule) -> Warm {
-        Warm::new(schedule.buckets.iter().map(|bucket| self.warm_bucket(bucket)).collect())
-    }
-
-    fn warm_bucket(&self, bucket: &Bucket) -> WarmBucket {
-        let inside = |t: f64| t > bucket.from_min && bucket.to_min.is_none_or(|to_min| t < to_min);
-        WarmBucket {
-            at: self.arm(Moment::Minute(bucket.at_min)),
-            from: self.arm(Moment::Minute(bucket.from_min)),
-            end: self.arm(bucket.end()),
-            bends: self
-                .bends_min
-                .iter()
-                .filter(|&&t| inside(t))
-                .map(|&t| self.arm(Moment::Minute(t)))
-                .collect(),
+        let buckets = || schedule.buckets.iter();
+        let bends = |bucket: &Bucket| {
+            let inside = |t: &&f64| **t > bucket.from_min && bucket.to_min.is_none_or(|to_min| **t < to_min);
+            self.arms(self.bends_min.iter().filter(inside).map(|&t| Moment::Minute(t)))
+        };
+        Warm {
+            at: self.arms(buckets().map(|bucket| Moment::Minute(bucket.at_min))),
+            from: self.arms(buckets().map(|bucket| Moment::Minute(bucket.from_min))),
+            end: self.arms(buckets().map(Bucket::end)),
+            bends: buckets().map(bends).collect(),
         }
     }
+
+    /// The arm at several moments.
+    pub(super) fn arms(&self, moments: impl Iterator<Item = Moment>) -> DeformedArms {
+        DeformedArms::new(moments.map(|moment| self.arm(moment)).collect())
+    }
 }
 
-/// The arm over a bucket: where its targets are computed, and where the worst of the bucket can stand. As
+/// The arm over a schedule's buckets: where their targets are computed, and where the worst of each can stand. As
 /// offsets grow by one law, or linearly between a table's times, a target's distance from its place is
 /// convex in between.
-pub(super) struct WarmBucket {
-    pub(super) at: DeformedArm,
-    pub(super) from: DeformedArm,
-    pub(super) end: DeformedArm,
-    pub(super) bends: Vec<DeformedArm>,
-}
-
-/// Buckets, or moments alone, in their order.
 pub(super) struct Warm {
-    pub(super) buckets: Vec<WarmBucket>,
-    /// Where each one's targets are computed.
     pub(super) at: DeformedArms,
-}
-
-impl Warm {
-    pub(super) fn new(buckets: Vec<WarmBucket>) -> Self {
-        Self { at: DeformedArms::new(buckets.iter().map(|bucket| bucket.at.clone()).collect()), buckets }
-    }
+    pub(super) from: DeformedArms,
+    pub(super) end: DeformedArms,
+    pub(super) bends: Vec<DeformedArms>,
 }

@@ -1,11 +1,12 @@
 //! Between the targets: where the TCP really goes when the nominal controller follows the corrected line,
 //! arc or joint path, and how far that is from the programmed one.
 
-use super::model::{Model, WarmBucket};
+use super::model::Model;
 use super::nominal::Point;
 use super::track::Track;
 use crate::program::motion::Path;
 use nalgebra::{Isometry3, Vector3};
+use robot_model::deform::{DeformedArm, DeformedArms};
 use robot_model::kinematics::solve;
 use std::f64::consts::TAU;
 
@@ -29,27 +30,27 @@ struct Ends {
 impl Leg<'_> {
     /// The largest distance at a half, and in the worst bucket at the quarters; `None` where the nominal arm
     /// cannot follow.
-    pub(super) fn deviation_m(&self, buckets: &[usize], warm: &[WarmBucket], model: &Model) -> Option<f64> {
+    pub(super) fn deviation_m(&self, buckets: &[usize], warm: &DeformedArms, model: &Model) -> Option<f64> {
         let nominal = self.ends(None)?;
-        let mut worst: Option<(f64, &WarmBucket, Ends)> = None;
+        let mut worst: Option<(f64, &DeformedArm, Ends)> = None;
         for &k in buckets {
-            let bucket = warm.get(k)?;
-            let ends = self.ends(Some(bucket))?;
-            let far = self.far_m((&nominal, &ends), 0.5, bucket, model)?;
+            let arm = warm.as_slice().get(k)?;
+            let ends = self.ends(Some(arm))?;
+            let far = self.far_m((&nominal, &ends), 0.5, arm, model)?;
             if worst.as_ref().is_none_or(|(most, ..)| far > *most) {
-                worst = Some((far, bucket, ends));
+                worst = Some((far, arm, ends));
             }
         }
-        let (mid, bucket, ends) = worst?;
-        let quarters = [0.25, 0.75].map(|s| self.far_m((&nominal, &ends), s, bucket, model));
+        let (mid, arm, ends) = worst?;
+        let quarters = [0.25, 0.75].map(|s| self.far_m((&nominal, &ends), s, arm, model));
         Some(quarters.into_iter().flatten().fold(mid, f64::max))
     }
 
     /// The joints as programmed, or as corrected for a bucket.
-    fn ends(&self, bucket: Option<&WarmBucket>) -> Option<Ends> {
-        let joints = |point: &Point, corrected: bool| match bucket {
-            Some(bucket) if corrected => {
-                solve(&bucket.at.under(&point.conditions), &point.base_from_flange, &point.q_rad)
+    fn ends(&self, arm: Option<&DeformedArm>) -> Option<Ends> {
+        let joints = |point: &Point, corrected: bool| match arm {
+            Some(arm) if corrected => {
+                solve(&arm.under(&point.conditions), &point.base_from_flange, &point.q_rad)
                     .ok()
                     .map(|solved| solved.q_rad)
             }
@@ -68,14 +69,14 @@ impl Leg<'_> {
         &self,
         (nominal, ends): (&Ends, &Ends),
         s: f64,
-        bucket: &WarmBucket,
+        arm: &DeformedArm,
         model: &Model,
     ) -> Option<f64> {
         let Point { placement, conditions, .. } = self.points.last()?;
         let seen = |base_from_flange: Isometry3<f64>| -> Vector3<f64> {
             placement.object_from_tcp(&base_from_flange).translation.vector
         };
-        let where_at = |q_rad: &[f64; 6]| seen(bucket.at.under(conditions).forward(q_rad));
+        let where_at = |q_rad: &[f64; 6]| seen(arm.under(conditions).forward(q_rad));
         let halfway = blend(&ends.start, &ends.end, s);
         if matches!(self.path, Path::Joint | Path::AbsJoint) {
             let meant = seen(model.nominal.forward(&blend(&nominal.start, &nominal.end, s)));

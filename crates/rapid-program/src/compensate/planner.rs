@@ -171,13 +171,7 @@ impl Corrector<'_> {
                 motions.push(made.planned.clone());
             }
         }
-        figures::follow_paths(
-            (program, resolved),
-            &self.at.warm().buckets,
-            self.model,
-            &worst_bucket,
-            &mut motions,
-        );
+        figures::follow_paths((program, resolved), self.at.arms(), self.model, &worst_bucket, &mut motions);
         (motions, tally, crossings)
     }
 

@@ -3,9 +3,9 @@
 //! A correction is proportional to the drift to second order, so that one correction and the share of the drift that has
 //! come replace a staircase of corrected targets; a table with several laws in time takes a few of each.
 
-use super::drift::{Points, furthest_m};
+use super::drift::{displacements_m, errors_m, furthest_m};
 use super::error::CompensateError;
-use super::model::{Model, Warm};
+use super::model::Model;
 use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
@@ -13,11 +13,11 @@ use super::plan::Correction;
 use super::warm_joints::warm_joints_each;
 use crate::program::data::JointTarget;
 use crate::program::motion::{SkipReason, TargetValue};
-use crate::schedule::{Drift, Moment, TimeFunctions, Timeline, Until, timeline};
+use crate::schedule::{Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline};
 use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms, GrowthLaw};
-use robot_model::kinematics::{SolveError, Solved};
+use robot_model::kinematics::{ArmsJoints, SolveError, Solved};
 use robot_model::units::rad_from_deg;
 
 /// The functions may take this share of the tolerance: a staircase takes all of it.
@@ -42,16 +42,12 @@ pub(super) struct Sample<'r> {
 pub(super) struct Ramp {
     pub(super) functions: TimeFunctions,
     /// The arm at each node.
-    pub(super) nodes: Warm,
+    pub(super) nodes: DeformedArms,
     /// From here on what is still to come is under the tolerance, minutes.
     pub(super) until_min: f64,
-    checks: Vec<Check>,
-}
-
-/// A moment at which every target is looked at.
-struct Check {
-    values: Vec<f64>,
-    arm: DeformedArm,
+    /// Moments at which every target is looked at: what the functions are worth, and the arms.
+    check_values: Vec<Vec<f64>>,
+    check_arms: DeformedArms,
 }
 
 impl Ramp {
@@ -91,7 +87,7 @@ impl Ramp {
     }
 
     fn new(model: &Model, functions: TimeFunctions, found: &Timeline, until_min: f64) -> Self {
-        let nodes = Warm::new(functions.nodes.iter().map(|&node| model.at_moment(node)).collect());
+        let nodes = model.arms(functions.nodes.iter().copied());
         let moments: Vec<Moment> = match model.growth_alone() {
             Some(law) => [0.25, 0.5, 0.75, 0.95]
                 .iter()
@@ -106,10 +102,9 @@ impl Ramp {
                 all.into_iter().step_by(every).map(Moment::Minute).chain([Moment::Settled]).collect()
             }
         };
-        let check =
-            |moment: Moment| Check { values: values(model, &functions, moment), arm: model.arm(moment) };
-        let checks = moments.into_iter().map(check).collect();
-        Self { functions, nodes, until_min, checks }
+        let check_values = moments.iter().map(|&moment| values(model, &functions, moment)).collect();
+        let check_arms = model.arms(moments.into_iter());
+        Self { functions, nodes, until_min, check_values, check_arms }
     }
 
     /// The corrections of a point whose joints at the nodes are these.
@@ -143,14 +138,19 @@ impl Ramp {
     /// The worst distance of the TCP from the programmed pose over the moments that are looked at, `[uncorrected, corrected]`,
     /// metres.
     pub(super) fn errors_m(&self, point: &Point, corrections: &[Correction], model: &Model) -> [f64; 2] {
-        let mut worst = [0.0_f64; 2];
-        let commanded = self.commanded_q_rad(point, corrections, model);
-        for (check, q_rad) in self.checks.iter().zip(commanded) {
-            let before = point.miss_m(&check.arm, &point.q_rad).norm();
-            let after = q_rad.map_or(f64::INFINITY, |q_rad| point.miss_m(&check.arm, &q_rad).norm());
-            worst = [worst[0].max(before), worst[1].max(after)];
-        }
-        worst
+        self.worst_misses_m(point, &self.commanded_q_rad(point, corrections, model))
+    }
+
+    /// The worst distances with the point's own joints and with `commanded` ones, which may be none, metres.
+    fn worst_misses_m(&self, point: &Point, commanded: &[Option<[f64; 6]>]) -> [f64; 2] {
+        let worst_m = |q_rad: ArmsJoints<'_>| {
+            let mut worst_m = 0.0_f64;
+            point.misses_m(&self.check_arms, q_rad, |missed_m| worst_m = worst_m.max(missed_m.norm()));
+            worst_m
+        };
+        let reached: Option<Vec<[f64; 6]>> = commanded.iter().copied().collect();
+        let after_m = reached.map_or(f64::INFINITY, |reached| worst_m(ArmsJoints::Each(&reached)));
+        [worst_m(ArmsJoints::Same(&point.q_rad)), after_m]
     }
 
     /// At each moment that is looked at the joints to which the corrected motion sends the controller, radians; `None` where
@@ -161,13 +161,13 @@ impl Ramp {
         corrections: &[Correction],
         model: &Model,
     ) -> Vec<Option<[f64; 6]>> {
-        let mut found = Vec::with_capacity(self.checks.len());
+        let mut found = Vec::with_capacity(self.check_values.len());
         if corrections.iter().any(|correction| matches!(correction, Correction::Joints { .. })) {
-            found.extend(self.checks.iter().map(|check| Some(turned(point, corrections, &check.values))));
+            found.extend(self.check_values.iter().map(|values| Some(turned(point, corrections, values))));
         } else {
             let meant = point.object_from_tcp();
-            let commanded = |check: &Check| commanded_pose(point, &meant, corrections, &check.values);
-            let poses: Vec<Isometry3<f64>> = self.checks.iter().map(commanded).collect();
+            let commanded = |values: &Vec<f64>| commanded_pose(point, &meant, corrections, values);
+            let poses: Vec<Isometry3<f64>> = self.check_values.iter().map(commanded).collect();
             let solved = |solved: Result<Solved, SolveError>| found.push(solved.ok().map(|s| s.q_rad));
             model.nominal.solve_each(&poses, &point.q_rad, solved);
         }
@@ -178,20 +178,14 @@ impl Ramp {
     /// beside those that are reached.
     pub(super) fn errors_of_model_m(&self, point: &Point, model: &Model) -> [f64; 2] {
         let nominal = model.nominal.forward(&point.q_rad);
-        let mut worst = [0.0_f64; 2];
-        let commanded = |check: &Check| {
-            let deformed = check.arm.under(&point.conditions).forward(&point.q_rad);
+        let commanded = |arm: &DeformedArm| {
+            let deformed = arm.under(&point.conditions).forward(&point.q_rad);
             nominal * deformed.inverse() * nominal
         };
-        let commanded: Vec<Isometry3<f64>> = self.checks.iter().map(commanded).collect();
-        let mut checks = self.checks.iter();
-        model.nominal.solve_each(&commanded, &point.q_rad, |solved| {
-            let Some(check) = checks.next() else { return };
-            let before = point.miss_m(&check.arm, &point.q_rad).norm();
-            let after = solved.map_or(f64::INFINITY, |solved| point.miss_m(&check.arm, &solved.q_rad).norm());
-            worst = [worst[0].max(before), worst[1].max(after)];
-        });
-        worst
+        let commanded: Vec<Isometry3<f64>> = self.check_arms.as_slice().iter().map(commanded).collect();
+        let mut found = Vec::with_capacity(commanded.len());
+        model.nominal.solve_each(&commanded, &point.q_rad, |solved| found.push(solved.ok().map(|s| s.q_rad)));
+        self.worst_misses_m(point, &found)
     }
 
     /// The worst of all points, metres; a turn counts as the shift that it is at
@@ -199,15 +193,15 @@ impl Ramp {
     fn worst_m(&self, model: &Model, points: &[Sample<'_>]) -> f64 {
         let one = |Sample { point, by_joints }: &Sample<'_>| {
             let joints: Option<Vec<[f64; 6]>> =
-                warm_joints_each(point, &self.nodes.at, model).map(Result::ok).collect();
+                warm_joints_each(point, &self.nodes, model).map(Result::ok).collect();
             let joints = joints?;
             let corrections = self.corrections(point, *by_joints, &joints, model);
             let commanded = self.commanded_q_rad(point, &corrections, model);
-            let misses = self.checks.iter().zip(commanded).map(|(check, q_rad)| {
+            let misses = self.check_arms.as_slice().iter().zip(commanded).map(|(arm, q_rad)| {
                 let q_rad = q_rad?;
-                let there = check.arm.under(&point.conditions).forward(&q_rad);
+                let there = arm.under(&point.conditions).forward(&q_rad);
                 let turned_rad = there.rotation.angle_to(&point.base_from_flange.rotation);
-                Some(point.miss_m(&check.arm, &q_rad).norm().max(LEVER_M * turned_rad))
+                Some(point.miss_m(arm, &q_rad).norm().max(LEVER_M * turned_rad))
             });
             misses.map(|miss_m| miss_m.unwrap_or(f64::INFINITY)).reduce(f64::max)
         };
@@ -279,7 +273,7 @@ fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> 
 fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance_m: f64) -> TimeFunctions {
     let every = samples.len().div_ceil(FOUND_FROM).max(1);
     let moments: Vec<Moment> = found.moments().collect();
-    let arms = DeformedArms::new(moments.iter().map(|&moment| model.arm(moment)).collect());
+    let arms = model.arms(moments.iter().copied());
     let rows_of = |Sample { point, .. }: &Sample<'_>| -> Option<Vec<[f64; 6]>> {
         let course = |q_rad: Result<[f64; 6], SkipReason>| {
             let q_rad = q_rad.ok()?;
@@ -315,9 +309,8 @@ struct Samples<'a> {
 }
 
 impl Samples<'_> {
-    fn some(&self, targets: &[usize]) -> Points<'_> {
-        let points = targets.iter().filter_map(|&target| Some(self.points.get(target)?.point.clone()));
-        Points { model: self.model, points: points.collect() }
+    fn some(&self, targets: &[usize]) -> impl Iterator<Item = Point<'_>> {
+        targets.iter().filter_map(|&target| Some(self.points.get(target)?.point.clone()))
     }
 }
 
@@ -326,8 +319,8 @@ impl Drift for Samples<'_> {
         self.points.len()
     }
 
-    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
-        self.some(targets).displacements_m(moment)
+    fn displacements_m(&self, targets: &[usize]) -> Displacements<'_> {
+        displacements_m(self.model, self.some(targets))
     }
 
     fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {
@@ -336,7 +329,7 @@ impl Drift for Samples<'_> {
     }
 
     fn errors_m(&self, targets: &[usize], at_min: f64, moments: &[Moment]) -> Vec<Option<f64>> {
-        self.some(targets).errors_m(at_min, moments)
+        errors_m(self.model, self.some(targets), at_min, moments)
     }
 
     fn bends_min(&self) -> &[f64] {

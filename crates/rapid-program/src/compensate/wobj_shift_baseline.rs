@@ -8,15 +8,25 @@ use nalgebra::Vector3;
 ///
 /// The best shift is the centre of the smallest ball round all displacements at the bucket's two ends.
 pub(super) fn worst_m(drift: &ProgramPoints<'_>, schedule: &Schedule) -> f64 {
-    // One bucket after the other: the displacements of a large program are many.
-    let buckets = schedule.buckets.iter().map(|bucket| vec![Moment::Minute(bucket.from_min), bucket.end()]);
     // Without buckets the shift is scaled as the corrections are: it is worst where all has settled.
-    let settled = schedule.buckets.is_empty().then(|| vec![Moment::Settled]);
-    let radius = |moments: Vec<Moment>| {
-        let displacements = moments.into_iter().flat_map(|moment| drift.displacements_m(moment));
-        smallest_ball(&displacements.collect::<Vec<_>>())
-    };
-    buckets.chain(settled).map(radius).fold(0.0, f64::max)
+    if schedule.buckets.is_empty() {
+        return smallest_ball(&drift.displacements_m(Moment::Settled));
+    }
+    // One bucket after the other: the displacements of a large program are many. Most begin where one ends.
+    let mut known: Option<(Moment, Vec<[f64; 3]>)> = None;
+    let mut worst_m = 0.0;
+    for bucket in &schedule.buckets {
+        let from = Moment::Minute(bucket.from_min);
+        let mut displacements = match known.take() {
+            Some((moment, displacements)) if moment == from => displacements,
+            _ => drift.displacements_m(from),
+        };
+        let ended = drift.displacements_m(bucket.end());
+        displacements.extend_from_slice(&ended);
+        worst_m = f64::max(worst_m, smallest_ball(&displacements));
+        known = Some((bucket.end(), ended));
+    }
+    worst_m
 }
 
 /// Radius of the smallest ball that holds all points, to a thousandth or so.

@@ -154,8 +154,12 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
     let mut working_m = request.tolerance_m * (1.0 - MARGIN);
     let mut worst_m = f64::INFINITY;
     for _ in 0..MAX_ROUNDS {
-        let horizon_min = horizon_min(drift, &active, sag_m).ok_or(ScheduleError::NeverSettles)?;
-        let curve = Curve::sample(drift, &active, horizon_min, sag_m);
+        let displacements_m = drift.displacements_m(&active);
+        let bends_min = drift.bends_min();
+        let horizon_min =
+            horizon_min(&displacements_m, bends_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
+        let curve = Curve::sample(&displacements_m, bends_min, horizon_min, sag_m);
+        drop(displacements_m);
         let (schedule, fewest) = match request.width {
             Width::Tolerance => by_tolerance(&curve, request, working_m)?,
             Width::Fixed { width_min } => (fixed(&curve, request, width_min)?, None),
@@ -225,8 +229,9 @@ pub fn timeline(
     if targets.is_empty() {
         return Ok(Timeline { at_min: vec![0.0], until_min: 0.0 });
     }
-    let horizon_min = horizon_min(drift, targets, sag_m).ok_or(ScheduleError::NeverSettles)?;
-    let curve = Curve::sample(drift, targets, horizon_min, sag_m);
+    let (displacements_m, bends_min) = (drift.displacements_m(targets), drift.bends_min());
+    let horizon_min = horizon_min(&displacements_m, bends_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
+    let curve = Curve::sample(&displacements_m, bends_min, horizon_min, sag_m);
     Ok(Timeline { until_min: curve.settles_within(tolerance_m), at_min: curve.into_minutes(sag_m) })
 }
 

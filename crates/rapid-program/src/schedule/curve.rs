@@ -3,7 +3,7 @@
 //! On a straight piece the distance from any fixed point is convex, so its maximum over a stretch of
 //! minutes stands at the stretch's ends or at a node: everything here is exact for the polygon.
 
-use super::drift::{Drift, Moment, minus, norm, norm2};
+use super::drift::{Displacements, Moment, minus, norm, norm2};
 
 /// Where the search for the horizon gives up: about 15 years.
 const LAST_HORIZON_MIN: f64 = 8.0e6;
@@ -19,12 +19,16 @@ pub(super) struct Curve {
     targets: usize,
 }
 
-/// The minute by which every one of `targets` stands within `rest_m` of where it will settle.
-pub(super) fn horizon_min(drift: &dyn Drift, targets: &[usize], rest_m: f64) -> Option<f64> {
-    let settled = drift.displacements_m(Moment::Settled, targets);
-    let mut at_min = drift.bends_min().last().copied().unwrap_or(0.0).max(0.0);
+/// The minute by which all that drift stand within `rest_m` of where they will settle; no earlier than the last of `bends_min`.
+pub(super) fn horizon_min(
+    displacements_m: &Displacements<'_>,
+    bends_min: &[f64],
+    rest_m: f64,
+) -> Option<f64> {
+    let settled = displacements_m(Moment::Settled);
+    let mut at_min = bends_min.last().copied().unwrap_or(0.0).max(0.0);
     loop {
-        let here = drift.displacements_m(Moment::Minute(at_min), targets);
+        let here = displacements_m(Moment::Minute(at_min));
         let rest = here.iter().zip(&settled).map(|(&a, &b)| norm2(minus(a, b))).fold(0.0, f64::max);
         if rest.sqrt() <= rest_m {
             return Some(at_min);
@@ -38,18 +42,24 @@ pub(super) fn horizon_min(drift: &dyn Drift, targets: &[usize], rest_m: f64) -> 
 
 impl Curve {
     /// The polygon through nodes so close that no target is off it by more than `sag_m`.
-    pub(super) fn sample(drift: &dyn Drift, targets: &[usize], horizon_min: f64, sag_m: f64) -> Self {
-        let mut curve = Self { t_min: Vec::new(), d_m: Vec::new(), targets: targets.len() };
+    pub(super) fn sample(
+        displacements_m: &Displacements<'_>,
+        bends_min: &[f64],
+        horizon_min: f64,
+        sag_m: f64,
+    ) -> Self {
+        let mut curve = Self { t_min: Vec::new(), d_m: Vec::new(), targets: 0 };
         let mut coarse: Vec<f64> = (0..=32).map(|k| horizon_min * f64::from(k) / 32.0).collect();
-        coarse.extend(drift.bends_min().iter().copied().filter(|&t| t > 0.0 && t < horizon_min));
+        coarse.extend(bends_min.iter().copied().filter(|&t| t > 0.0 && t < horizon_min));
         coarse.sort_by(f64::total_cmp);
         coarse.dedup();
         let mut left: Option<(f64, Vec<[f64; 3]>)> = None;
         for t in coarse {
             let moment = if t >= horizon_min { Moment::Settled } else { Moment::Minute(t) };
-            let d = drift.displacements_m(moment, targets);
+            let d = displacements_m(moment);
+            curve.targets = d.len();
             if let Some((t_left, d_left)) = &left {
-                curve.refine(drift, targets, (*t_left, d_left), (t, &d), sag_m, DEEPEST);
+                curve.refine(displacements_m, (*t_left, d_left), (t, &d), sag_m, DEEPEST);
             }
             curve.push(t, &d);
             left = Some((t, d));
@@ -64,15 +74,14 @@ impl Curve {
 
     fn refine(
         &mut self,
-        drift: &dyn Drift,
-        targets: &[usize],
+        displacements_m: &Displacements<'_>,
         left: (f64, &[[f64; 3]]),
         right: (f64, &[[f64; 3]]),
         sag_m: f64,
         depth: u32,
     ) {
         let t_mid = 0.5 * (left.0 + right.0);
-        let mid = drift.displacements_m(Moment::Minute(t_mid), targets);
+        let mid = displacements_m(Moment::Minute(t_mid));
         let sag = (0..self.targets)
             .map(|i| {
                 let chord = std::array::from_fn(|c| 0.5 * (left.1[i][c] + right.1[i][c]));
@@ -82,9 +91,9 @@ impl Curve {
         if depth == 0 || sag.sqrt() <= sag_m {
             return;
         }
-        self.refine(drift, targets, left, (t_mid, &mid), sag_m, depth - 1);
+        self.refine(displacements_m, left, (t_mid, &mid), sag_m, depth - 1);
         self.push(t_mid, &mid);
-        self.refine(drift, targets, (t_mid, &mid), right, sag_m, depth - 1);
+        self.refine(displacements_m, (t_mid, &mid), right, sag_m, depth - 1);
     }
 
     /// Its minutes without those that a straight line to `sag_m` can do without.

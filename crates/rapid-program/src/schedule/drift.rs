@@ -9,14 +9,17 @@ pub enum Moment {
     Settled,
 }
 
+/// Displacements as a function of the moment.
+pub type Displacements<'a> = Box<dyn Fn(Moment) -> Vec<[f64; 3]> + 'a>;
+
 /// Targets that drift with warm-up time.
 pub trait Drift {
     /// How many targets there are.
     fn targets(&self) -> usize;
 
-    /// How far the uncorrected TCP stands from each of `targets` at a moment, as vectors in one frame,
+    /// How far the uncorrected TCP stands from each of `targets` at any moment, as vectors in one frame,
     /// metres; in the order of `targets`.
-    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]>;
+    fn displacements_m(&self, targets: &[usize]) -> Displacements<'_>;
 
     /// For each pair of moments the target whose displacement differs most between the two, the first of equals, and by how
     /// much, metres.

@@ -14,7 +14,7 @@ mod functions;
 
 pub use bucket::{Bucket, Schedule};
 pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Timeline, Until, Width, choose, timeline};
-pub use drift::{Drift, Moment};
+pub use drift::{Displacements, Drift, Moment};
 pub use functions::{Course, TimeFunctions};
 
 #[cfg(test)]

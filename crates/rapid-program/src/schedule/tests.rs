@@ -14,8 +14,9 @@ impl<F: Fn(usize, Moment) -> [f64; 3] + Sync> Drift for Formula<F> {
         self.targets
     }
 
-    fn displacements_m(&self, moment: Moment, targets: &[usize]) -> Vec<[f64; 3]> {
-        targets.iter().map(|&i| (self.displacement_m)(i, moment)).collect()
+    fn displacements_m(&self, targets: &[usize]) -> Displacements<'_> {
+        let targets = targets.to_vec();
+        Box::new(move |moment| targets.iter().map(|&i| (self.displacement_m)(i, moment)).collect())
     }
 
     fn furthest(&self, pairs: &[(Moment, Moment)]) -> Vec<(usize, f64)> {

@@ -151,11 +151,7 @@ impl ArmUnder<'_> {
     #[inline]
     #[must_use]
     pub fn point_m(&self, q_rad: &[f64; 6], on_flange_m: &Vector3<f64>) -> Vector3<f64> {
-        self.on_chain(q_rad, |chain, q_rad, _| {
-            let there = chain.pose(q_rad);
-            let (r, p, c) = (&there.rotation, &there.position_m, on_flange_m);
-            Vector3::from_fn(|i, _| p[i] + r[i][0] * c.x + r[i][1] * c.y + r[i][2] * c.z)
-        })
+        self.on_chain(q_rad, |chain, q_rad, _| chain.point_m(q_rad, on_flange_m))
     }
 
     /// `work` with the chain and the joints at which it really stands.

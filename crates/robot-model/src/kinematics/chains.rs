@@ -12,8 +12,8 @@ use nalgebra::Isometry3;
 /// Arms with constant frames, side by side: one robot at many moments.
 #[derive(Clone, Debug)]
 pub struct Chains {
-    chains: Vec<Chain>,
-    eights: Vec<[Step<Lanes>; 7]>,
+    pub(super) chains: Vec<Chain>,
+    pub(super) eights: Vec<[Step<Lanes>; 7]>,
 }
 
 impl Chains {
@@ -63,6 +63,26 @@ impl Chain {
         }
     }
 
+    /// The same where each pose has its own joints to start from.
+    pub fn solve_each_from(
+        &self,
+        poses: &[(Isometry3<f64>, [f64; 6])],
+        mut visit: impl FnMut(Result<Solved, SolveError>),
+    ) {
+        for some in poses.chunks(LANES) {
+            let found = worth_it(some.len()).then(|| {
+                let goals: Vec<Isometry3<f64>> = some.iter().map(|(goal, _)| *goal).collect();
+                let start_q_rad: [Lanes; 6] =
+                    std::array::from_fn(|j| lanes::gather(some, |(_, q_rad)| q_rad[j]));
+                on_widest(SolveEight { frames: self, goal: &eight_poses(&goals), start_q_rad: &start_q_rad })
+            });
+            for (k, (goal, start_q_rad)) in some.iter().enumerate() {
+                let lane = found.as_ref().and_then(|found| found.lane(k));
+                visit(lane.map_or_else(|| solve(self, goal, start_q_rad), Ok));
+            }
+        }
+    }
+
     /// Calls `visit` for each of these joints in their order with `base_from_flange`: what
     /// [`forward`](Self::forward) answers, to the bit.
     pub fn forward_each(&self, q_rad: &[[f64; 6]], mut visit: impl FnMut(Isometry3<f64>)) {
@@ -79,7 +99,7 @@ impl Chain {
 }
 
 /// Fewer cost as much one at a time.
-fn worth_it(count: usize) -> bool {
+pub(super) fn worth_it(count: usize) -> bool {
     count > 1 && dispatch::is_wide()
 }
 
@@ -248,6 +268,17 @@ mod tests {
             assert!(one.next().is_none());
         }
         assert!(failed >= 200, "two arms of nineteen never get there: {failed}");
+        let deformed = frames.chain(&numbers.offsets(1e-4));
+        for count in [0, 1, 2, 8, 150] {
+            let starts: Vec<[f64; 6]> = (0..count).map(|n| numbers.joints(&robot, n)).collect();
+            let poses: Vec<_> = starts.iter().map(|q_rad| (nominal.forward(q_rad), *q_rad)).collect();
+            let mut one = poses.iter();
+            deformed.solve_each_from(&poses, |solved| {
+                let (goal, start_q_rad) = one.next().unwrap();
+                assert_eq!(solved, solve(&deformed, goal, start_q_rad));
+            });
+            assert!(one.next().is_none());
+        }
     }
 
     #[test]

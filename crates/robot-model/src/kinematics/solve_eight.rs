@@ -1,6 +1,6 @@
 //! The inverse of eight arms at a time: [`solve`](super::solve())'s Newton steps, lane by lane with the same bits.
 //!
-//! A lane is one arm with its own frames and its own goal; all start from the same joints. Where a lane leaves the way that
+//! A lane is one arm with its own frames and its own goal; all start from the same joints, or each from its own. Where a lane leaves the way that
 //! Newton alone goes (a long step, a singularity, another branch, a large angle), it is not solved here but left to
 //! `solve`, which starts anew: the answers are `solve`'s whatever the machine.
 
@@ -17,10 +17,35 @@ use super::wide_frames::{InLanes, WideFrames};
 const _: () = assert!(NEWTON_STEPS as f64 * NEWTON_STEP_RAD < BRANCH_RAD);
 
 /// Eight arms, a goal for each, and the joints from which all start.
-pub(super) struct SolveEight<'a, F> {
+pub(super) struct SolveEight<'a, F, S> {
     pub(super) frames: &'a F,
     pub(super) goal: &'a Pose<Lanes>,
-    pub(super) start_q_rad: &'a [f64; 6],
+    pub(super) start_q_rad: &'a S,
+}
+
+/// Joints from which eight arms start.
+pub(super) trait Start {
+    /// With their sines and cosines.
+    fn joints<V: Wide>(&self) -> ([V; 6], [(V, V); 6]);
+}
+
+/// All from the same.
+impl Start for [f64; 6] {
+    #[inline(always)]
+    fn joints<V: Wide>(&self) -> ([V; 6], [(V, V); 6]) {
+        let [a, b, c, d, e, f] = *self;
+        let q_rad = [V::splat(a), V::splat(b), V::splat(c), V::splat(d), V::splat(e), V::splat(f)];
+        (q_rad, shared_sin_cos::<V>(self))
+    }
+}
+
+/// Each from its own.
+impl Start for [Lanes; 6] {
+    #[inline(always)]
+    fn joints<V: Wide>(&self) -> ([V; 6], [(V, V); 6]) {
+        let q_rad = lanes::load6(self);
+        (q_rad, chain::sin_cos(&q_rad))
+    }
 }
 
 /// What was found in each lane.
@@ -55,7 +80,7 @@ impl Found<Lanes> {
     }
 }
 
-impl<F: WideFrames> Kernel for SolveEight<'_, F> {
+impl<F: WideFrames, S: Start> Kernel for SolveEight<'_, F, S> {
     type Output = Found<Lanes>;
 
     #[inline(always)]
@@ -65,14 +90,8 @@ impl<F: WideFrames> Kernel for SolveEight<'_, F> {
             (lanes::load_rows(&self.goal.rotation), lanes::load(&self.goal.position_m));
         let (yes, no) = (c(1.0), c(0.0));
         let (mut active, mut last_step_rad, mut start_sign) = (yes, no, no);
-        let [q1, q2, q3, q4, q5, q6] = *self.start_q_rad;
-        let mut found = Found {
-            q_rad: [c(q1), c(q2), c(q3), c(q4), c(q5), c(q6)],
-            left: [no, no],
-            iterations: no,
-            solved: no,
-        };
-        let mut sin_cos = shared_sin_cos::<V>(self.start_q_rad);
+        let (q_rad, mut sin_cos) = self.start_q_rad.joints::<V>();
+        let mut found = Found { q_rad, left: [no, no], iterations: no, solved: no };
         for iterations in 0..=NEWTON_STEPS {
             let lines = Lines::of(&InLanes(self.frames), &sin_cos);
             let [vx, vy, vz] = sub(&goal_m, &lines.flange.position_m);
