@@ -51,11 +51,32 @@ pub fn is_plain(text: &[u8]) -> bool {
 /// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
 #[must_use]
 pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
-    text.split(|&b| matches!(b, b'[' | b']' | b','))
-        .map(|part| part.iter().copied().filter(|&b| !white(b)).collect::<Vec<u8>>())
-        .filter(|part| !part.is_empty())
-        .map(|part| fast_float2::parse::<f64, _>(&part).ok().map(|v| v as f32))
-        .collect()
+    let mut values = Vec::new();
+    each_single(text, |value| values.push(value)).then_some(values)
+}
+
+/// Calls `visit` with the numbers of a plain aggregate, in single precision, in order; whether all could be read.
+pub fn each_single(text: &[u8], mut visit: impl FnMut(f32)) -> bool {
+    text.split(|&b| matches!(b, b'[' | b']' | b',')).all(|part| match single(part) {
+        Ok(value) => {
+            value.into_iter().for_each(&mut visit);
+            true
+        }
+        Err(()) => false,
+    })
+}
+
+/// A number among white space; nothing where there is none.
+fn single(part: &[u8]) -> Result<Option<f32>, ()> {
+    let read = |digits: &[u8]| match fast_float2::parse::<f64, _>(digits) {
+        Ok(value) => Ok(Some(value as f32)),
+        Err(_) => Err(()),
+    };
+    if !part.iter().any(|&b| white(b)) {
+        return if part.is_empty() { Ok(None) } else { read(part) };
+    }
+    let digits: Vec<u8> = part.iter().copied().filter(|&b| !white(b)).collect();
+    if digits.is_empty() { Ok(None) } else { read(&digits) }
 }
 
 #[cfg(test)]
@@ -65,6 +86,8 @@ mod tests {
     #[test]
     fn numbers_are_read_in_single_precision() {
         assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
+        assert_eq!(singles(b"[ [ 1 0 ,\t- 2 ] , \r\n ]"), Some(vec![10.0, -2.0]));
         assert_eq!(singles(b"[[1,x]]"), None);
+        assert_eq!(singles(b"[]"), Some(vec![]));
     }
 }

@@ -4,7 +4,7 @@
 //! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
-use super::aggregate::singles;
+use super::aggregate::each_single;
 use super::insertion::white;
 
 /// What every line of a comment block begins with that is read back.
@@ -12,6 +12,7 @@ pub const MARK: &str = "! driftpost ";
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
 
+#[derive(Clone, Copy)]
 struct Fnv(u64);
 
 impl Fnv {
@@ -53,9 +54,23 @@ pub fn number_of(letters: &[u8]) -> Option<u64> {
 /// Three letters for an aggregate's numbers, however they are spelled.
 #[must_use]
 pub fn of_numbers(text: &[u8]) -> [u8; 3] {
+    of_numbers_with(text, |_| ()).unwrap_or_else(of_no_numbers)
+}
+
+/// The same, each number being shown to `visit`; `None` where one cannot be read.
+pub fn of_numbers_with(text: &[u8], mut visit: impl FnMut(f32)) -> Option<[u8; 3]> {
     let mut hash = Fnv::new();
-    singles(text).unwrap_or_default().into_iter().for_each(|value| hash.add_single(value));
-    hash.letters()
+    let read = each_single(text, |value| {
+        hash.add_single(value);
+        visit(value);
+    });
+    read.then(|| hash.letters())
+}
+
+/// The letters of an aggregate that cannot be read.
+#[must_use]
+pub fn of_no_numbers() -> [u8; 3] {
+    Fnv::new().letters()
 }
 
 /// Letters for an array's elements: three for all, then two for each.
@@ -73,10 +88,13 @@ impl Elements {
 
     /// Takes in the next element's text.
     pub fn add(&mut self, element: &[u8]) {
-        let mut own = Fnv::new();
-        for value in singles(element).unwrap_or_default() {
+        let (before, mut own) = (self.all, Fnv::new());
+        let read = each_single(element, |value| {
             self.all.add_single(value);
             own.add_single(value);
+        });
+        if !read {
+            (self.all, own) = (before, Fnv::new());
         }
         self.each.extend(own.letters::<2>());
     }

@@ -5,7 +5,7 @@ use super::aggregate::is_plain;
 use super::check;
 use crate::program::motion::Motion;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, StmtKind};
 use std::collections::{HashMap, HashSet};
 
 /// The smallest step of a position, mm, and of a joint, degrees.
@@ -29,6 +29,8 @@ pub struct Original {
 pub struct Declarations<'t> {
     bytes: &'t [u8],
     module: HashMap<Vec<u8>, TextRange>,
+    /// The data of each routine that has some, by where it begins: name and initial value.
+    local: HashMap<u32, Vec<(TextRange, Option<TextRange>)>>,
 }
 
 impl<'t> Declarations<'t> {
@@ -39,22 +41,29 @@ impl<'t> Declarations<'t> {
             ModuleItem::Data(data) => Some(data),
             _ => None,
         });
-        let init = |data: &rapid_syntax::tree::DataDecl| {
+        let init = |data: &DataDecl| {
             let init = data.init.as_ref().filter(|_| data.dims.is_empty())?;
-            Some((data.name.of(bytes).to_ascii_lowercase(), init.range))
+            Some(init.range)
         };
-        Self { bytes, module: data.filter_map(init).collect() }
+        let named = |data: &DataDecl| Some((data.name.of(bytes).to_ascii_lowercase(), init(data)?));
+        let mut local: HashMap<u32, Vec<_>> = HashMap::new();
+        for routine in module.routines() {
+            for stmt in &routine.body {
+                if let StmtKind::Data(data) = &stmt.kind {
+                    local.entry(routine.range.start).or_default().push((data.name, init(data)));
+                }
+            }
+        }
+        Self { bytes, module: data.filter_map(named).collect(), local }
     }
 
     /// Where the initial value of data named `name` stands, seen from `routine`.
     #[must_use]
     pub fn initial_value(&self, name: &[u8], routine: &Routine) -> Option<TextRange> {
-        let local = routine.body.iter().find_map(|stmt| match &stmt.kind {
-            StmtKind::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(name) => Some(data),
-            _ => None,
-        });
+        let local = self.local.get(&routine.range.start).map(Vec::as_slice).unwrap_or_default();
+        let local = local.iter().find(|(local, _)| local.of(self.bytes).eq_ignore_ascii_case(name));
         match local {
-            Some(data) => data.init.as_ref().filter(|_| data.dims.is_empty()).map(|init| init.range),
+            Some((_, init)) => *init,
             None => self.module.get(&name.to_ascii_lowercase()).copied(),
         }
     }
@@ -79,13 +88,14 @@ pub struct Points {
 }
 
 impl Points {
-    /// Takes in an original; whether it is one that was not there before.
-    pub fn add(&mut self, bytes: &[u8], original: Original) -> bool {
-        let new = !original.declared || self.declared.insert(original.value.start);
-        if new {
-            self.letters.extend(letters(original.value.of(bytes)));
+    /// Takes in an original; its letters, where it is one that was not there before.
+    pub fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
+        if original.declared && !self.declared.insert(original.value.start) {
+            return None;
         }
-        new
+        let before = self.letters.len();
+        add_letters(original.value.of(bytes), &mut self.letters);
+        self.letters.get(before..)
     }
 
     /// The letters of all originals.
@@ -114,44 +124,57 @@ pub fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec
 }
 
 /// Three letters for all numbers of a target, then four for each coordinate or joint.
-#[must_use]
-pub fn letters(text: &[u8]) -> Vec<u8> {
-    let mut out = check::of_numbers(text).to_vec();
-    let (values, step) = places(text);
-    for value in values {
+fn add_letters(text: &[u8], out: &mut Vec<u8>) {
+    let Places { letters, values, count, step } = Places::of(text);
+    out.extend(letters);
+    for value in &values[..count] {
         let steps = (value / step).round().clamp(-8_388_608.0, 8_388_607.0) as i64 + 8_388_608;
         out.extend(check::of_number::<COORDINATE>(steps as u64));
     }
-    out
 }
 
-/// How far a target has moved since its letters were made: mm or degrees, with the unit; `None` where it is as it was.
+/// How far a target has moved since other letters were made than it has: mm or degrees, with the unit.
 #[must_use]
-pub fn moved(text: &[u8], made: &[u8]) -> Option<(f64, &'static str)> {
-    let now = letters(text);
-    if now == made {
-        return None;
-    }
-    let (values, step) = places(text);
+pub fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
+    let Places { values, count, step, .. } = Places::of(text);
+    let values = &values[..count];
     let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|letters| {
         let steps = check::number_of(letters).unwrap_or_default();
         (steps as f64 - 8_388_608.0) * step
     });
     let changes: Vec<f64> = values.iter().zip(was).map(|(now, was)| now - was).collect();
-    Some(if values.len() == 3 {
+    if count == 3 {
         (changes.iter().map(|d| d * d).sum::<f64>().sqrt(), "mm")
     } else {
         (changes.iter().map(|d| d.abs()).fold(0.0, f64::max), "deg")
-    })
+    }
 }
 
-/// Position in mm, or six joints in degrees, and the step in which they are told.
-fn places(text: &[u8]) -> (Vec<f64>, f64) {
-    let mut numbers: Vec<f64> =
-        super::aggregate::singles(text).unwrap_or_default().into_iter().map(f64::from).collect();
-    let joints = numbers.len() == JOINTTARGET;
-    numbers.truncate(if joints { 6 } else { 3 });
-    (numbers, if joints { STEP_DEG } else { STEP_MM })
+/// A target's numbers as they are told.
+struct Places {
+    /// Three for all of them.
+    letters: [u8; 3],
+    /// Position in mm, or six joints in degrees: the first `count`.
+    values: [f64; 6],
+    count: usize,
+    /// The step in which they are told.
+    step: f64,
+}
+
+impl Places {
+    fn of(text: &[u8]) -> Self {
+        let (mut values, mut count) = ([0.0; 6], 0);
+        let letters = check::of_numbers_with(text, |value| {
+            if let Some(place) = values.get_mut(count) {
+                *place = f64::from(value);
+            }
+            count += 1;
+        });
+        let joints = letters.is_some() && count == JOINTTARGET;
+        let count = if letters.is_none() { 0 } else { count.min(if joints { 6 } else { 3 }) };
+        let step = if joints { STEP_DEG } else { STEP_MM };
+        Self { letters: letters.unwrap_or_else(check::of_no_numbers), values, count, step }
+    }
 }
 
 #[cfg(test)]
@@ -163,19 +186,28 @@ mod tests {
         let was = b"[[400.000,-300.5,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let same = b"[[400,-300.50,250.0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let now = b"[[400.3,-300.1,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let letters = |text: &[u8]| {
+            let mut letters = Vec::new();
+            add_letters(text, &mut letters);
+            letters
+        };
         let made = letters(was);
         assert_eq!(made.len(), 3 + 12);
-        assert_eq!(moved(same, &made), None);
-        let (far, unit) = moved(now, &made).unwrap();
+        assert_eq!(letters(same), made);
+        assert_ne!(letters(now), made);
+        let (far, unit) = moved(now, &made);
         assert!((far - 0.5).abs() < 2e-3 && unit == "mm", "{far}");
         let joints = b"[[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let turned = b"[[10,20,30,40,50.25,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let made = letters(joints);
         assert_eq!(made.len(), 3 + 24);
-        let (far, unit) = moved(turned, &made).unwrap();
+        let (far, unit) = moved(turned, &made);
         assert!((far - 0.25).abs() < 2e-4 && unit == "deg");
         // A turn alone moves nothing, but it is a change.
         let turned = b"[[400,-300.50,250.0],[0.9,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        assert_eq!(moved(turned, &letters(was)), Some((0.0, "mm")));
+        assert_ne!(letters(turned), letters(was));
+        assert_eq!(moved(turned, &letters(was)), (0.0, "mm"));
+        // What cannot be read has letters, and no place.
+        assert_eq!(letters(b"[[1,2,x]]"), letters(b"[]"));
     }
 }

@@ -168,13 +168,12 @@ impl<'w> Remover<'w> {
                         self.edits.push(removal(TextRange::new(start, inner.start)));
                         self.edits.push(removal(TextRange::new(inner.end, end)));
                         if let Some(original) = declarations.original(inner, routine)
-                            && points.add(self.bytes, original)
+                            && let Some(now) = points.add(self.bytes, original)
                         {
-                            let text = original.value.of(self.bytes);
-                            let own = point::letters(text).len();
-                            let (own, rest) = letters.split_at_checked(own).unwrap_or((letters, &[]));
+                            let (own, rest) = letters.split_at_checked(now.len()).unwrap_or((letters, &[]));
                             letters = rest;
-                            if let Some((moved, unit)) = point::moved(text, own) {
+                            if now != own {
+                                let (moved, unit) = point::moved(original.value.of(self.bytes), own);
                                 touched.push(ModifiedTarget {
                                     array: None,
                                     target: self.text(inner),
