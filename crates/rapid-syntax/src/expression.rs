@@ -5,6 +5,7 @@ use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
 use super::numbers::is_plain;
+use super::plain_list::{self, PlainList};
 use super::recover::balanced;
 use super::tree::{
     Arg, ArgKind, BinaryExpr, BinaryOp, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp,
@@ -194,6 +195,18 @@ fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
 
 /// `aggregate = "[" [ expression { "," expression } ] "]" ;`
 pub(super) fn aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
+    if i.state.may_nest(plain_list::DEEPEST)
+        && let Some(PlainList { len, height }) = PlainList::begins(i.rest)
+    {
+        let rest = i.skip(len);
+        i.state.height.set(height);
+        return Ok((rest, Expr { range: i.until(rest), kind: ExprKind::Numbers }));
+    }
+    any_aggregate(i)
+}
+
+/// As the production says, whatever the parts are.
+pub(super) fn any_aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
     let (rest, parts) = list(i.skip(1), b']')?;
     let range = i.until(rest);
     let plain = !parts.is_empty() && parts.iter().all(is_plain);

@@ -79,6 +79,11 @@ impl State {
         self.rereadable.get()
     }
 
+    /// Whether expressions may nest so much deeper than here.
+    pub(super) fn may_nest(&self, levels: u16) -> bool {
+        self.nesting.get() + levels <= MAX_NESTING
+    }
+
     /// Runs `inside` one expression deeper; `None` where that is too deep.
     pub(super) fn nested<T>(&self, inside: impl FnOnce() -> T) -> Option<T> {
         deeper(&self.nesting, MAX_NESTING, inside)

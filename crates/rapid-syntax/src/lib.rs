@@ -22,6 +22,7 @@ pub mod literal;
 mod module;
 mod numbers;
 mod parse;
+mod plain_list;
 mod recover;
 mod simple_statement;
 pub mod source;
