@@ -60,8 +60,13 @@ struct Table {
 #[ignore = "needs a folder of RAPID programs in DRIFTPOST_CORPUS"]
 fn what_becomes_of_every_motion() {
     let robot = std::env::var("DRIFTPOST_ROBOT").unwrap_or_else(|_| "irb140".to_owned());
+    let form = match std::env::var("DRIFTPOST_FORM").as_deref() {
+        Ok("schedule") => FormChoice::Schedule,
+        Ok("ramp") => FormChoice::Ramp,
+        _ => FormChoice::Auto,
+    };
     let mut compensation =
-        Compensation::new(Robot::built_in(&robot).unwrap(), Deformation::paper()).in_form(FormChoice::Auto);
+        Compensation::new(Robot::built_in(&robot).unwrap(), Deformation::paper()).in_form(form);
     compensation.allow_other_robot = true;
     compensation.allow_non_nominal = true;
     // A table of another, larger arm: its size is no matter here.

@@ -203,10 +203,11 @@ fn motions_are_left_alone_or_chosen_by_name() {
 
 #[test]
 fn required_arguments_may_be_given_by_name() {
-    for form in [FormChoice::Schedule, FormChoice::Ramp] {
+    // The last goes to a parameter whose calls all hand over constants.
+    for (form, last) in [(FormChoice::Schedule, "keep::one-of"), (FormChoice::Ramp, "compensated")] {
         let compensation = compensation().in_form(form);
         let made = compensation.run(&program(&["named_arguments.mod"])).unwrap();
-        let expected = [(8, "compensated"), (9, "compensated"), (10, "compensated"), (15, "keep::parameter")];
+        let expected = [(8, "compensated"), (9, "compensated"), (10, "compensated"), (15, last)];
         assert_eq!(statuses(&made), expected);
         assert!(made.messages.iter().all(|m| !m.diagnostic.code.starts_with("syntax::")));
         let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
@@ -386,4 +387,27 @@ fn no_figures_are_given_where_no_target_is_known() {
     let text = String::from_utf8(review).unwrap();
     assert!(text.contains("no target is known before the program runs"), "{text}");
     assert!(!text.contains("worst TCP error") && !text.contains("work-object shift instead"), "{text}");
+}
+
+/// What `--keep` names is left alone, also where the model could be asked at run time.
+#[test]
+fn what_is_to_be_kept_is_not_asked_at_run_time_either() {
+    let source = include_bytes!("../../fixtures/simulate/runtime.mod").to_vec();
+    let files = ProgramFiles::one("runtime.mod", source);
+    let asked = |keep: &[&str], keep_moveabsj: bool| {
+        let mut compensation = compensation().in_form(FormChoice::Auto);
+        let keep = keep.iter().map(|name| (*name).to_owned()).collect();
+        compensation.options.selection = Selection { keep, only: Vec::new() };
+        compensation.options.keep_moveabsj = keep_moveabsj;
+        String::from_utf8(compensation.run(&files).unwrap().files[0].bytes.clone()).unwrap()
+    };
+    let plain = asked(&[], false);
+    assert!(plain.contains("tcLive(pTo,") && plain.contains("tcLiveJ(jTurn,"), "{plain}");
+    let kept = asked(&["rGo"], true);
+    for line in
+        ["MoveL Offs(pTo,0,0,nUp),v200", "MoveL pTo,v100", "MoveAbsJ jTurn,v500", "MoveAbsJ jHome,v500"]
+    {
+        assert!(kept.contains(line), "{line}: {kept}");
+    }
+    assert!(kept.contains("tcLive(Offs(pStart,20*i,15*j,0),"), "{kept}");
 }

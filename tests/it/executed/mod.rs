@@ -6,6 +6,7 @@ mod forms;
 mod live;
 mod made;
 mod mutations;
+mod one_of;
 mod scenarios;
 mod sensor;
 

@@ -18,7 +18,7 @@ use super::unknown_branch::keep_unknown_branches;
 use super::warm_joints::warm_joints;
 use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
-use crate::program::motion::{Motion, MotionId, Path, SkipReason};
+use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
 use crate::schedule::{Chosen, Moment, choose};
 use rayon::prelude::*;
 use robot_model::deform::Deformation;
@@ -56,6 +56,7 @@ pub fn plan(
     let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints.unwrap_or_default());
     conditions::fill(program, &model, &mut resolved);
     keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
+    keep_one_of_several(program, options, &mut resolved);
     keep_as_asked(program, options, &mut resolved);
     for (resolved, why) in resolved.iter_mut().zip(left_alone) {
         if let Some(why) = why {
@@ -179,6 +180,12 @@ impl Corrector<'_> {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);
         }
+        // The model asked at run time takes values that the text does not hold, too: a point touched up, another module's.
+        if is_one_of_several(motion)
+            && let Some(Ok(planned)) = self.asked_at_run_time(motion)
+        {
+            return MotionCorrection::without_figures(planned);
+        }
         let mut made = correct((motion, resolved), self.at, self.model, self.options);
         made.planned.form = self.settled_form(motion, resolved, made.planned.form);
         if let Some(ramp) = self.at.ramp().filter(|_| made.planned.form == Form::Live) {
@@ -194,12 +201,18 @@ impl Corrector<'_> {
 
     /// The plan of a motion that is not known well enough: what can be asked at run time is.
     fn at_run_time(&self, motion: &Motion, why: &Arc<SkipReason>) -> MotionCorrection {
-        let live = self.live.filter(|_| self.options.form.corrects_run_time());
-        match live.map(|live| live::run_time(self.program, motion, live)) {
-            Some(Some(Ok(planned))) => MotionCorrection::without_figures(planned),
-            Some(Some(Err(why))) => kept(Arc::new(why)),
-            Some(None) | None => kept(Arc::clone(why)),
+        match self.asked_at_run_time(motion) {
+            _ if AS_ASKED.contains(&why.code) => kept(Arc::clone(why)),
+            Some(Ok(planned)) => MotionCorrection::without_figures(planned),
+            Some(Err(why)) => kept(Arc::new(why)),
+            None => kept(Arc::clone(why)),
         }
+    }
+
+    /// The plan of a motion that asks the model at run time; `None` where it cannot.
+    fn asked_at_run_time(&self, motion: &Motion) -> Option<Result<PlannedMotion, SkipReason>> {
+        let live = self.live.filter(|_| self.options.form.corrects_run_time())?;
+        live::run_time(self.program, motion, live)
     }
 
     /// In the form `live` known targets that cannot take it take `ramp`.
@@ -251,6 +264,30 @@ fn nothing<'k>(
     }
 }
 
+/// Reasons of the options: what they leave alone is not asked at run time either.
+const AS_ASKED: [&str; 3] = ["keep::as-asked", "keep::moveabsj", "keep::absolute-accuracy"];
+
+/// Whether run time tells which of a few values the target is, and no index does.
+fn is_one_of_several(motion: &Motion) -> bool {
+    motion.targets.iter().any(Target::is_one_of)
+}
+
+/// Motions to one of a few targets: a bucket's array has an index for the bucket, and the source none for the target.
+fn keep_one_of_several(program: &Program, options: &Options, resolved: &mut [Resolved]) {
+    if options.form != FormChoice::Schedule {
+        return;
+    }
+    for (motion, resolved) in program.motions.iter().zip(resolved) {
+        if is_one_of_several(motion) && resolved.kept().is_none() {
+            let count = motion.targets.iter().map(|target| target.elements().len()).max().unwrap_or(0);
+            let why = format!(
+                "its target is one of {count}, and only run time tells which: --form ramp and --form auto correct it"
+            );
+            resolved.keep(Arc::new(placement::keep("keep::one-of", why)));
+        }
+    }
+}
+
 /// Joint targets that the options leave alone.
 fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     let why = if options.absolute_accuracy {
@@ -265,7 +302,7 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
     };
     let why = Arc::new(why);
     for (motion, resolved) in program.motions.iter().zip(resolved) {
-        if motion.setup.path == Path::AbsJoint && resolved.kept().is_none() {
+        if motion.setup.path == Path::AbsJoint && (resolved.kept().is_none() || motion.run_time) {
             resolved.keep(Arc::clone(&why));
         }
     }

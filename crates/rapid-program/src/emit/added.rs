@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
+use super::choice::ChoiceData;
 use super::context::EmitContext;
 use super::correction::CorrectionData;
 use super::insertion::{self, LayoutStyle};
@@ -22,6 +23,8 @@ pub enum Declaration<'p> {
     Array(TargetArray<'p>),
     /// A target's correction at the node of one function of time.
     Correction(CorrectionData),
+    /// The corrections of a few targets of which a motion goes to one.
+    Choice(ChoiceData),
 }
 
 impl Declaration<'_> {
@@ -33,6 +36,7 @@ impl Declaration<'_> {
         match self {
             Self::Array(array) => array.write(out, style),
             Self::Correction(data) => Ok(data.write(out, style)),
+            Self::Choice(data) => Ok(data.write(out, style)),
         }
     }
 }
@@ -134,7 +138,7 @@ impl<'p> Added<'p> {
             };
             let is_same = |declaration: &Declaration| match declaration {
                 Declaration::Array(array) => array.is_of(&rows),
-                Declaration::Correction(_) => false,
+                Declaration::Correction(_) | Declaration::Choice(_) => false,
             };
             let array = match self.find(key.as_ref(), is_same) {
                 Some(array) => array,
@@ -205,6 +209,11 @@ impl<'p> Added<'p> {
             if rows.is_empty() || rows.iter().any(|row| row.len() != count) {
                 return Err(mismatch(file, "corrections are missing"));
             }
+            if target.is_one_of() {
+                let name = self.choice(file, (motion, target), &rows)?;
+                self.wrap(context, file, ("tcAtOne", target.range, format!(",{name}").as_bytes()), style);
+                continue;
+            }
             let (base, index) = match target.value() {
                 Some(_) => (argument, None),
                 None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
@@ -221,7 +230,7 @@ impl<'p> Added<'p> {
                 let wanted = data(String::new());
                 let is_same = |declaration: &Declaration| match declaration {
                     Declaration::Correction(known) => known.is_same(&wanted),
-                    Declaration::Array(_) => false,
+                    Declaration::Array(_) | Declaration::Choice(_) => false,
                 };
                 let at = match self.find(key.as_ref(), is_same) {
                     Some(at) => at,
@@ -246,6 +255,40 @@ impl<'p> Added<'p> {
             self.wrap(context, file, (function, target.range, arguments.as_bytes()), style);
         }
         Ok(())
+    }
+
+    /// The name of the corrections of a target that is one of a few; `rows`: those of each.
+    fn choice(
+        &mut self,
+        file: &'p SourceFile,
+        (motion, target): (&'p Motion, &'p Target),
+        rows: &[&[Correction]],
+    ) -> Result<String, EmitError> {
+        let poses = target.elements().iter().map(|value| match value {
+            TargetValue::Rob(target) => Ok(target.object_from_tcp),
+            TargetValue::Joint(_) | TargetValue::FromJoints(_) => {
+                Err(mismatch(file, "one of a few targets is none of poses"))
+            }
+        });
+        let with_pose = |(pose, row): (Result<_, EmitError>, &&[Correction])| Ok((pose?, row.to_vec()));
+        let rows = poses.zip(rows).map(with_pose).collect::<Result<_, EmitError>>()?;
+        let wanted = ChoiceData { name: String::new(), rows };
+        let argument = file.text(target.range);
+        let key = Some((None, argument.to_ascii_lowercase()));
+        let is_same = |declaration: &Declaration| match declaration {
+            Declaration::Choice(known) => known.is_same(&wanted),
+            Declaration::Array(_) | Declaration::Correction(_) => false,
+        };
+        if let Some(Declaration::Choice(known)) =
+            self.find(key.as_ref(), is_same).and_then(|at| self.declarations.get(at))
+        {
+            return Ok(known.name.clone());
+        }
+        let named = matches!(target.origin(), Origin::Named { .. });
+        let base: &[u8] = if named { argument } else { b"" };
+        let name = self.name(file, motion, (target, base), capitalised)?;
+        self.declare(key, Declaration::Choice(ChoiceData { name: name.clone(), ..wanted }));
+        Ok(name)
     }
 
     /// The call of the deformed model for each target.

@@ -9,8 +9,9 @@ use super::names::Names;
 use super::options::{Core, EmitError, EmitOptions};
 use super::scale::Scaled;
 use crate::compensate::LiveBasis;
-use crate::compensate::plan::{Form, Plan, Totals};
+use crate::compensate::plan::{Form, Plan, Status, Totals};
 use crate::program::Program;
+use crate::program::motion::Target;
 use rapid_syntax::diagnostic::FileId;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::FrameOffsets;
@@ -106,6 +107,7 @@ fn core_text<'e>(
         Some(functions) => Choice::Scale(Box::new(Scaled {
             functions,
             poses: ramps && totals.targets[0] > 0,
+            one_of: ramps && one_of(program, plan),
             joints: ramps && totals.targets[1] > 0,
             normalise: totals.max_correction_rad > rad_from_deg(NORMALISE_DEG),
             live,
@@ -117,6 +119,15 @@ fn core_text<'e>(
             .map_err(|why| EmitError::CannotTouch(why.to_owned()))?;
     }
     Ok(CoreText { law, growth: options.growth, choice, task_data: !s4c, touch })
+}
+
+/// Whether some motion asks for one of a few targets.
+fn one_of(program: &Program, plan: &Plan) -> bool {
+    let mut motions = program.motions.iter().zip(&plan.motions);
+    motions.any(|(motion, planned)| {
+        let ramps = planned.form == Form::Ramp && planned.status == Status::Compensated;
+        ramps && motion.targets.iter().any(Target::is_one_of)
+    })
 }
 
 /// Why a touch would tell the clock nothing, where it would not.

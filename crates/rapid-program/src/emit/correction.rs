@@ -69,7 +69,8 @@ impl CorrectionData {
     }
 }
 
-fn write_correction(out: &mut Vec<u8>, correction: &Correction) {
+/// Appends a correction as RAPID's `pose`, or `robjoint`.
+pub fn write_correction(out: &mut Vec<u8>, correction: &Correction) {
     match correction {
         Correction::Pose { shift_m, turn } => {
             out.push(b'[');

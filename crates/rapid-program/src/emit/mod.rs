@@ -9,6 +9,7 @@ mod added;
 mod aggregate;
 mod change;
 mod check;
+mod choice;
 mod clock;
 mod context;
 mod core_module;

@@ -88,7 +88,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
         added.extend(arrays.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
-        let asked = ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
+        let asked = ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
         added.extend(asked.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
     }

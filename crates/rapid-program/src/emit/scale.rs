@@ -12,10 +12,13 @@ const SHARE: &str = include_str!("clock/scale_share.mod");
 const SQUARED: &str = include_str!("clock/scale_squared.mod");
 const KNOTS: &str = include_str!("clock/knots.mod");
 const AT: &str = include_str!("clock/at.mod");
+const AT_ONE: &str = include_str!("clock/at_one.mod");
 const AT_JOINTS: &str = include_str!("clock/at_joints.mod");
 
 /// So many time constants after a cold start everything has settled in single precision.
 const SETTLED_LAGS: f64 = 20.0;
+/// A target that was touched up by less is still the one that it was, mm: its correction is as good there.
+const NEAR_MM: f64 = 5.0;
 /// Longest line that is written here; RAPID takes 255.
 const WIDTH: usize = 110;
 
@@ -26,6 +29,8 @@ pub struct Scaled<'a> {
     pub functions: &'a TimeFunctions,
     /// Motions ask for a robtarget with its correction.
     pub poses: bool,
+    /// Motions ask for one of a few robtargets with its correction.
+    pub one_of: bool,
     /// Motions ask for a jointtarget with its correction.
     pub joints: bool,
     /// Some correction turns so far that the quaternion has to be normalised again.
@@ -120,6 +125,11 @@ impl Scaled<'_> {
             let text = AT_JOINTS
                 .replace("@ROBJOINTS@", &declared("robjoint"))
                 .replace("@JOINTS@", &list("    tcP.robax:=[", (1..=6).map(axis), "];"));
+            parts.insert(0, text);
+        }
+        if self.one_of {
+            let of_best: Vec<String> = (1..=count).map(|r| format!("tcC{{tcBest,{}}}", r + 1)).collect();
+            let text = AT_ONE.replace("@NEAR@", &num(NEAR_MM)).replace("@OF_BEST@", &of_best.join(","));
             parts.insert(0, text);
         }
         if self.poses {

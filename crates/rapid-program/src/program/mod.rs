@@ -17,6 +17,7 @@ mod convert;
 mod errors;
 mod expressions;
 mod file_pairs;
+mod finite_set;
 mod fixed_point;
 mod flow;
 mod functions;

@@ -62,8 +62,8 @@ pub struct Motion {
     pub from_start: bool,
     /// Why it must stay as it is; `None` = it can be compensated as far as the program's text can tell.
     pub skip_reason: Option<Arc<SkipReason>>,
-    /// The only reason in `skip_reason` is that a target, the tool or the work object is known at run time alone: a function
-    /// that is asked at run time can correct it.
+    /// A function that is asked at run time can correct it: that a target, the tool or the work object is known at run time
+    /// alone is the only reason in `skip_reason`, or there is none and run time tells which of a few values its target is.
     pub run_time: bool,
     /// Its target comes from what a search has found.
     pub from_search: bool,

@@ -6,9 +6,10 @@ mod skip_reasons;
 
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
+use super::finite_set::FiniteSets;
 use super::index::Index;
 use super::module_facts::facts;
-use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason};
+use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason, Target};
 use super::motion_site::{MotionSite, MotionSites};
 use super::names::as_text;
 use super::order::{Before, order};
@@ -58,6 +59,7 @@ impl Program {
             own_positions: OwnPositions::new(&index),
             found_positions: OwnPositions::of_searches(&index),
             read_as_data: ReadAsData::new(&index),
+            finite_sets: FiniteSets::new(&index),
             base_fixed: overrides.base_fixed,
             nests,
             recent_setups: VecDeque::new(),
@@ -113,6 +115,8 @@ struct MotionReader<'f, 'a> {
     /// PERS that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
     read_as_data: ReadAsData,
+    /// The values that data can have, where they are a few.
+    finite_sets: FiniteSets<'a>,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
     /// Targets that are read as data elsewhere, once each.
@@ -168,6 +172,7 @@ impl<'a> MotionReader<'_, 'a> {
             grip: state.and_then(|state| state.grip),
         };
         let (skip_reason, known_at_run_time) = reasons.first();
+        let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
             for (datum, warning) in read_elsewhere {
                 self.read_elsewhere.entry(datum).or_insert(warning);
@@ -181,7 +186,7 @@ impl<'a> MotionReader<'_, 'a> {
             targets: targets.into_iter().collect(),
             previous: None,
             from_start: false,
-            run_time: known_at_run_time && args.tool.is_some() && args.conditional.is_empty(),
+            run_time: (known_at_run_time || one_of) && args.tool.is_some() && args.conditional.is_empty(),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
         }

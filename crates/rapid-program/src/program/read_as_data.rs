@@ -104,6 +104,13 @@ impl ReadAsData {
     }
 }
 
+impl ReadAsData {
+    /// Why a motion to a target that comes from a datum is kept, where what reads the datum forbids to correct it.
+    pub(super) fn why_kept(&self, index: &Index<'_>, datum: DatumId) -> Option<SkipReason> {
+        self.0.get(&datum)?.why_kept(index)
+    }
+}
+
 impl Reading {
     /// A calibration counts more than another reading, an earlier one more than a later.
     fn outweighs(&self, other: &Self) -> bool {

@@ -49,6 +49,7 @@ struct Details {
     origin: Origin,
     literal: Option<Span>,
     elements: Box<[TargetValue]>,
+    one_of: bool,
 }
 
 impl Target {
@@ -59,7 +60,7 @@ impl Target {
         let details = match origin {
             Origin::Inline | Origin::Expression => None,
             Origin::Named { .. } => {
-                Some(Box::new(Details { origin, literal: None, elements: Box::default() }))
+                Some(Box::new(Details { origin, literal: None, elements: Box::default(), one_of: false }))
             }
         };
         Self { range, value: None, literal_inline: false, inline, details }
@@ -88,9 +89,26 @@ impl Target {
         if !elements.is_empty() {
             let origin = self.origin().clone();
             let literal = self.details.as_ref().and_then(|details| details.literal);
-            self.details = Some(Box::new(Details { origin, literal, elements: elements.into() }));
+            self.details =
+                Some(Box::new(Details { origin, literal, elements: elements.into(), one_of: false }));
         }
         self
+    }
+
+    /// One of a few values, none of which an index names; only run time tells which.
+    #[must_use]
+    pub fn with_one_of(self, values: Vec<TargetValue>) -> Self {
+        let mut target = self.with_elements(values);
+        if let Some(details) = &mut target.details {
+            details.one_of = true;
+        }
+        target
+    }
+
+    /// Whether its [`elements`](Self::elements) are values among which no index chooses.
+    #[must_use]
+    pub fn is_one_of(&self) -> bool {
+        self.details.as_ref().is_some_and(|details| details.one_of)
     }
 
     /// How it is written.
@@ -110,7 +128,8 @@ impl Target {
         self.value.as_ref().map(Compact::value)
     }
 
-    /// Where it is an element of a constant array of one dimension and only run time tells which: all elements, in order.
+    /// Where it is an element of a constant array of one dimension, or one of a few known values, and only run time tells
+    /// which: all of them, in order.
     #[must_use]
     pub fn elements(&self) -> &[TargetValue] {
         self.details.as_ref().map_or(&[], |details| &details.elements)

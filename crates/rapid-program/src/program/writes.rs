@@ -104,6 +104,11 @@ impl Writes {
         self.by_datum.get(datum).copied().flatten().map(|(first, _)| first)
     }
 
+    /// The least orderly change of a datum.
+    pub(super) fn worst(&self, datum: DatumId) -> Option<How> {
+        self.by_datum.get(datum).copied().flatten().map(|(_, worst)| worst)
+    }
+
     /// Whether all changes happen in the ordinary course of routines, so that they can be tracked.
     pub(super) fn orderly(&self, datum: DatumId) -> bool {
         self.by_datum.get(datum).copied().flatten().is_none_or(|(_, worst)| worst <= How::Perhaps)

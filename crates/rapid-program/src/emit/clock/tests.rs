@@ -58,7 +58,14 @@ fn no_mark_is_left_and_names_begin_with_tc() {
         let law = Law::of(&clock, range_c).unwrap();
         let scaled = functions.iter().map(|functions| {
             let live = None;
-            Choice::Scale(Box::new(Scaled { functions, poses: true, joints: true, normalise: true, live }))
+            Choice::Scale(Box::new(Scaled {
+                functions,
+                poses: true,
+                one_of: true,
+                joints: true,
+                normalise: true,
+                live,
+            }))
         });
         for choice in scaled.chain([Choice::Bucket(&schedule)]) {
             let core = CoreText { law: &law, growth: two, choice, task_data: true, touch: None };

@@ -12,7 +12,7 @@ use rapid_syntax::{Edit, parts_of_numbers};
 use std::collections::BTreeMap;
 
 /// Functions that stand round a target.
-const ROUND: [&str; 6] = ["tcAt", "tcAtSame", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
+const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
 
 /// Takes a module apart.
 pub(super) struct Remover<'w> {

@@ -4,6 +4,7 @@ use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
+use crate::program::data::RobTarget;
 use crate::program::index::{Ctx, DatumId};
 use crate::program::motion::{Origin, Path, SkipReason, Target, TargetValue};
 use crate::program::motion_site::MoveArgs;
@@ -11,6 +12,7 @@ use crate::program::names::{as_text, lower_case};
 use crate::program::value::{DataName, Reached, Value};
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
+use robot_model::units::mm_from_m;
 use std::rc::Rc;
 
 /// A motion's targets, and what is to be looked at once its frames are known.
@@ -115,7 +117,11 @@ impl<'a> MotionReader<'_, 'a> {
             Ok(value) => value,
             Err(why) => {
                 let elements = self.elements(expr, ctx, joints_wanted);
-                return (target.with_elements(elements), Some((*why).clone()), calc);
+                let target = match elements.is_empty() && !joints_wanted && is_known_at_run_time(&why) {
+                    true => target.with_one_of(self.one_of(expr, ctx)),
+                    false => target.with_elements(elements),
+                };
+                return (target, Some((*why).clone()), calc);
             }
         };
         let failed = unused_axis(&value).then(|| {
@@ -126,6 +132,27 @@ impl<'a> MotionReader<'_, 'a> {
             Some(literal) => (target.with_literal(literal), failed, calc),
             None => (target, failed, calc),
         }
+    }
+
+    /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none.
+    fn one_of(&mut self, expr: &'a Expr, ctx: Ctx) -> Vec<TargetValue> {
+        let Some(set) = self.finite_sets.of(&mut self.evaluator, expr, ctx) else { return Vec::new() };
+        let index = self.evaluator.index;
+        if set.made_of.iter().any(|&datum| self.read_as_data.why_kept(index, datum).is_some()) {
+            return Vec::new();
+        }
+        let converted: Result<Vec<RobTarget>, _> = set.values.iter().map(convert::robtarget).collect();
+        let mut targets: Vec<RobTarget> = Vec::new();
+        for target in converted.unwrap_or_default() {
+            if targets.contains(&target) {
+                continue;
+            }
+            if targets.iter().any(|other| look_alike(other, &target)) {
+                return Vec::new();
+            }
+            targets.push(target);
+        }
+        targets.into_iter().map(TargetValue::Rob).collect()
     }
 
     /// All elements of the constant array that `NAME{index}` names; of a target that is handed to a function that scales its
@@ -204,6 +231,17 @@ impl<'a> MotionReader<'_, 'a> {
             _ => (Origin::Expression, None),
         }
     }
+}
+
+/// Whether two targets are too near to be told apart by where they are.
+fn look_alike(a: &RobTarget, b: &RobTarget) -> bool {
+    /// mm
+    const NEAR_MM: f64 = 0.02;
+    /// Scalar product of the quaternions, some 7 deg; the emitted function tells those apart that are under 0.999.
+    const ALIKE: f64 = 0.998;
+    let (from, to) = (&a.object_from_tcp, &b.object_from_tcp);
+    let apart_mm = mm_from_m((from.translation.vector - to.translation.vector).norm());
+    apart_mm < NEAR_MM && from.rotation.coords.dot(&to.rotation.coords).abs() > ALIKE
 }
 
 /// The letter of an external axis that a target places away from 0 and that may move the base.
