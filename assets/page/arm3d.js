@@ -1,7 +1,7 @@
 // The arm as a chain of links between its joints' frames: once as drawn, once as it is deformed.
 
 import {
-  BufferGeometry, CylinderGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  BoxGeometry, BufferGeometry, CylinderGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
   Quaternion, SphereGeometry, Vector3,
 } from 'three';
 import { frames, identity, point } from './kinematics.js';
@@ -33,17 +33,19 @@ export class ArmModel {
     const n = arm.joints.length;
     const bar = new CylinderGeometry(thickness, thickness, 1, 20);
     const hub = new CylinderGeometry(thickness * 1.45, thickness * 1.45, thickness * 3.2, 24);
+    const rail = new BoxGeometry(thickness * 2.4, thickness * 5, thickness * 2.4);
     const knee = new SphereGeometry(thickness, 20, 14);
     const mesh = (geometry, material) => {
       const one = new Mesh(geometry, material);
       this.group.add(one);
       return one;
     };
-    // base to joint 1, joint to joint, joint 6 to flange, flange to TCP
+    // base to joint 1, joint to joint, last joint to flange, flange to TCP
     this.bars = Array.from({ length: n + 2 }, () => mesh(bar, this.material));
     this.bars[n + 1].scale.setScalar(0.4);
     this.knees = Array.from({ length: n + 1 }, () => mesh(knee, this.material));
-    this.hubs = Array.from({ length: n }, () => mesh(hub, this.jointMaterial));
+    // a joint that turns is a drum about its axis, one that slides a block along it
+    this.hubs = arm.joints.map((joint) => mesh(joint.slides ? rail : hub, this.jointMaterial));
     if (axes) {
       const colours = AXES.flatMap((axis) => [...axis, ...axis].map((c) => 0.25 + 0.6 * c));
       const geometry = new BufferGeometry();
@@ -61,8 +63,8 @@ export class ArmModel {
   }
 
   /** Poses it; gives where the TCP stands, mm. */
-  pose(q_deg, tool, offsets = null, times = 1) {
-    const all = frames(this.arm, q_deg, offsets, times);
+  pose(q, tool, offsets = null, times = 1) {
+    const all = frames(this.arm, q, offsets, times);
     const n = this.arm.joints.length;
     const tcp = point(all[n], tool);
     const places = [origin(identity()), ...all.map(origin), new Vector3(...tcp)];

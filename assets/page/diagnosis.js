@@ -60,6 +60,8 @@ function overview(data, view, tone) {
   const most = Math.max(...rows.map((row) => row.interval?.[1] ?? 0), ...rows.map((row) => row.value));
   return section('overview', 'Verdict', 'Verdict',
     h('p', { class: `reason ${tone}`, text: sentence(data.reason) }),
+    view.mostly && h('p', { class: 'notice', 'data-name': 'mostly', text: view.mostly }),
+    view.next && h('p', { class: 'next', 'data-name': 'next-step' }, h('b', { text: 'Next: ' }), `${view.next}.`),
     data.fault && messages([{ code: 'data fault', message: typeof data.fault === 'string' ? data.fault : Object.values(data.fault).map(String).join('; ') }], 'bad'),
     data.warnings.length > 0 && messages(data.warnings, 'warn'),
     figures(

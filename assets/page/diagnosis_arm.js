@@ -21,7 +21,7 @@ export function poseSection(scene) {
   const residuals = view.residuals;
   scene.rows ??= rowsOf(residuals);
   const view3 = view3d(`Residuals of ${residuals.line.length} rows in the workspace and the arm in 3-D. Arrow keys with Shift turn it, plus and minus zoom, Home looks from the start again.`);
-  const next = nextTable(data, state);
+  const next = nextTable(data, view, state);
   const note = h('p', { class: 'hud', role: 'status' });
   if (!view3) return section('workspace', 'In the workspace', 'Workspace', h('p', { class: 'notice', text: 'This browser draws no 3-D (WebGL is off).' }), next);
   const tool = data.tool_mm ?? [0, 0, 0];
@@ -45,9 +45,9 @@ export function poseSection(scene) {
     cloud.mark(state.row);
     const pose = state.pose === null ? null : data.next_measurements[state.pose];
     const row = state.row === null ? null : scene.rows[state.row];
-    const q = pose?.q_deg ?? row?.q ?? scene.rows[0]?.q ?? [0, 0, 0, 0, 0, 0];
-    model.pose(q, tool);
-    note.textContent = pose ? `to measure next: pose ${state.pose + 1}` : row ? `line ${row.line}: ${mm(row.before, 3)} mm before, ${mm(row.after, 3)} mm after` : '';
+    const q = pose?.q_deg ?? row?.q ?? scene.rows[0]?.q ?? view.robot.joint.map(() => 0);
+    const tcp = model.pose(q, tool).map((value) => value.toFixed(1)).join(', ');
+    note.textContent = pose ? `to measure next: pose ${state.pose + 1}, point at ${tcp} mm` : row ? `line ${row.line}: ${mm(row.before, 3)} mm before, ${mm(row.after, 3)} mm after, drawn at ${tcp} mm` : '';
     note.hidden = note.textContent === '';
     view3.redraw();
   });
@@ -78,14 +78,14 @@ function look(view3, residuals, size) {
   view3.lookAt(low, high);
 }
 
-function nextTable(data, state) {
+function nextTable(data, view, state) {
   if (data.next_measurements.length === 0) return null;
   const rows = data.next_measurements.map((pose, i) => ({ ...pose, i }));
   const columns = [
     { key: 'i', label: 'pose', number: true, value: (row) => row.i, text: (row) => String(row.i + 1) },
-    ...rows[0].q_deg.map((_, j) => ({ key: `q${j}`, label: `J${j + 1} deg`, number: true, value: (row) => row.q_deg[j], text: (row) => row.q_deg[j].toFixed(1) })),
+    ...rows[0].q_deg.map((_, j) => ({ key: `q${j}`, label: `J${j + 1} ${view.robot?.joint[j].type === 'prismatic' ? 'mm' : 'deg'}`, number: true, value: (row) => row.q_deg[j], text: (row) => row.q_deg[j].toFixed(1) })),
     { key: 'kg', label: 'payload kg', number: true, value: (row) => row.payload_kg, text: (row) => number(row.payload_kg) },
-    { key: 'dir', label: 'approach J1 to J6', value: (row) => row.dir.join(), text: (row) => row.dir.map((sign) => (sign < 0 ? '−' : '+')).join(' ') },
+    { key: 'dir', label: `approach J1 to J${rows[0].dir.length}`, value: (row) => row.dir.join(), text: (row) => row.dir.map((sign) => (sign < 0 ? '−' : '+')).join(' ') },
   ];
   const list = table({ caption: 'What to measure next', name: 'next', columns, rows, searchable: false, onRow: (row) => { list.choose(row); state.set({ pose: row.i }); } });
   return h('div', {}, h('h3', { class: 'apart', text: `What to measure next, ${data.next_reason}` }), list.element);

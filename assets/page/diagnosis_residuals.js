@@ -9,9 +9,10 @@ const length = (flat, i) => Math.hypot(flat[3 * i], flat[3 * i + 1], flat[3 * i 
 
 /** Rows with their distances from the model. */
 export function rowsOf(residuals) {
+  const joints = residuals.q_deg.length / residuals.line.length;
   return residuals.line.map((line, i) => ({
     i, line, id: residuals.id[i], t: residuals.t_min[i], outlier: residuals.outlier[i] === 1,
-    q: residuals.q_deg.slice(6 * i, 6 * i + 6), before: length(residuals.before_mm, i), after: length(residuals.after_mm, i),
+    q: residuals.q_deg.slice(joints * i, joints * (i + 1)), before: length(residuals.before_mm, i), after: length(residuals.after_mm, i),
   }));
 }
 
@@ -20,10 +21,14 @@ export function residualSection(scene) {
   scene.rows = all;
   const rows = all.filter((row) => !row.outlier);
   const timed = rows.length > 0 && rows.every((row) => row.t !== null);
-  const spans = [0, 1, 2, 3, 4, 5].filter((j) => new Set(rows.map((row) => row.q[j])).size > 1);
+  const { joint: joints } = scene.view.robot;
+  const spans = joints.map((_, j) => j).filter((j) => new Set(rows.map((row) => row.q[j])).size > 1);
   const plots = [
     scatter(rows, { title: timed ? 'Over time' : 'In the order of the rows', xLabel: timed ? 'minutes' : 'line of the file', of: (row) => (timed ? row.t : row.line) }, scene),
-    ...spans.map((j) => scatter(rows, { title: `By the angle of joint ${j + 1}`, xLabel: 'deg', of: (row) => row.q[j] }, scene)),
+    ...spans.map((j) => {
+      const slides = joints[j].type === 'prismatic';
+      return scatter(rows, { title: `By the ${slides ? 'travel' : 'angle'} of joint ${j + 1}`, xLabel: slides ? 'mm' : 'deg', of: (row) => row.q[j] }, scene);
+    }),
   ];
   const columns = [
     { key: 'line', label: 'line', number: true, value: (row) => row.line, text: (row) => String(row.line) },

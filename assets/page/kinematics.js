@@ -1,4 +1,4 @@
-// The constructive model: T_i = Trans(p_i + d) Rx Ry Rz Rot(axis, q), as the deformation table says. Lengths mm, angles rad.
+// The constructive model: T_i = Trans(p_i + d) Rx Ry Rz Rot(axis, q) or Trans(q axis), as the deformation table says. Lengths mm, angles rad.
 // Matrices are 12 numbers: three rows of a rotation and a shift.
 
 const RAD = Math.PI / 180;
@@ -50,16 +50,16 @@ const moved = ([rx, ry, rz]) => multiply(turn(X, rx * RAD), multiply(turn(Y, ry 
 export function arm(robot) {
   const frame = ({ origin_mm, rpy_deg }) => multiply(shift(origin_mm), fixed(rpy_deg));
   const joints = robot.joint.map((joint) => ({
-    frame: frame(joint), axis: joint.axis, range: joint.range_deg,
+    frame: frame(joint), axis: joint.axis, slides: joint.type === 'prismatic', range: joint.range_deg ?? joint.range_mm,
   }));
   return { joints, flange: frame(robot.flange) };
 }
 
 /**
- * The frames of the joints (turned) and of the flange in the base, at joint angles in degrees; `offsets` are rows of
- * dx, dy, dz in mm and rx, ry, rz in deg for each joint and the flange, enlarged `times` times.
+ * The frames of the joints (moved) and of the flange in the base, at joint angles in degrees (travels in mm); `offsets` are
+ * rows of dx, dy, dz in mm and rx, ry, rz in deg for each joint and the flange, enlarged `times` times.
  */
-export function frames(arm, q_deg, offsets = null, times = 1) {
+export function frames(arm, q, offsets = null, times = 1) {
   const all = [];
   let at = identity();
   const deformed = (row) => {
@@ -71,7 +71,7 @@ export function frames(arm, q_deg, offsets = null, times = 1) {
     at = multiply(at, joint.frame);
     const d = deformed(offsets?.[i]);
     if (d) at = multiply(at, d);
-    at = multiply(at, turn(joint.axis, q_deg[i] * RAD));
+    at = multiply(at, joint.slides ? shift(joint.axis.map((c) => c * q[i])) : turn(joint.axis, q[i] * RAD));
     all.push(at);
   });
   at = multiply(at, arm.flange);

@@ -81,11 +81,10 @@ impl Diagnosed {
     /// Writes the page; `name` and `sha256` are those of the measurements.
     ///
     /// # Errors
-    /// Those of `out`; an arm of other than six turning joints, which the page does not draw.
+    /// Those of `out`.
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
         let Self { findings, robot, .. } = self;
-        let robot = &robot.clone().six_axis().map_err(io::Error::other)?;
         DiagnosisPage { title: name, findings, robot, text: &self.text(), provenance: &provenance }.write(out)
     }
 

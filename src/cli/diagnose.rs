@@ -76,8 +76,8 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let options = args.known.options()?;
     let robot = args.robot.load_arm()?;
-    if args.page.report.is_some() || args.rapid_out.is_some() {
-        // The page draws six joints, and RAPID is for six.
+    if args.rapid_out.is_some() {
+        // RAPID is for six joints.
         robot.clone().six_axis().map_err(Diagnostic::from)?;
     }
     let to_stdout = args.json.as_deref() == Some(Path::new("-"));

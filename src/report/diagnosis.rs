@@ -19,9 +19,11 @@ pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
-    mostly_explained(&mut page, d);
+    if let Some(said) = mostly_explained(d) {
+        line(&mut page, &said);
+    }
     left(&mut page, d);
-    line(&mut page, &format!("Next: {}.", next_step(d)));
+    line(&mut page, &format!("Next: {}.", next_step(d, arm)));
     line(&mut page, "");
     line(&mut page, &format!("{robot}, {} rows, {} stations.", d.rows, d.stations));
     noise(&mut page, d);
@@ -38,25 +40,23 @@ const MOST: f64 = 0.9;
 const LIKELY_CANDIDATE: f64 = 0.4;
 
 /// What is explained although the verdict is that something is not.
-fn mostly_explained(page: &mut String, d: &Diagnosis) {
-    let Some(ratio) = d.shrink.ratio.filter(|ratio| 1.0 - ratio * ratio >= MOST) else { return };
-    if matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
-        let share = 100.0 * (1.0 - ratio * ratio);
-        // A candidate's probability is at most one half under these verdicts.
-        let likely = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE);
-        let leading: Vec<String> = likely
-            .take(3)
-            .map(|c| format!("{} ({:.3} mm at the tool)", describe(c), c.rms_mm.unwrap_or(0.0)))
-            .collect();
-        let by = match leading.is_empty() {
-            true => "small errors of all joints' geometry and the nearest candidates".to_owned(),
-            false => leading.join("; "),
-        };
-        line(
-            page,
-            &format!("Mostly explained all the same: {share:.0} % of the gap's square is taken by {by}."),
-        );
+pub(super) fn mostly_explained(d: &Diagnosis) -> Option<String> {
+    let ratio = d.shrink.ratio.filter(|ratio| 1.0 - ratio * ratio >= MOST)?;
+    if !matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
+        return None;
     }
+    let share = 100.0 * (1.0 - ratio * ratio);
+    // A candidate's probability is at most one half under these verdicts.
+    let likely = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE);
+    let leading: Vec<String> = likely
+        .take(3)
+        .map(|c| format!("{} ({:.3} mm at the tool)", describe(c), c.rms_mm.unwrap_or(0.0)))
+        .collect();
+    let by = match leading.is_empty() {
+        true => "small errors of all joints' geometry and the nearest candidates".to_owned(),
+        false => leading.join("; "),
+    };
+    Some(format!("Mostly explained all the same: {share:.0} % of the gap's square is taken by {by}."))
 }
 
 /// What is left, in one line.
@@ -73,15 +73,17 @@ fn left(page: &mut String, d: &Diagnosis) {
 }
 
 /// What to do with this verdict.
-fn next_step(d: &Diagnosis) -> String {
+pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
     let poses = match d.next_measurements.len() {
         0 => String::new(),
         n => format!("measure the {n} poses below, {}", d.next_reason),
     };
-    let write = if d.no_model.is_none() {
-        "write the model (--model-out), validate it on other poses, compensate with it"
-    } else {
-        "no model can be written"
+    let write = match d.no_model {
+        Some(_) => "no model can be written",
+        None if arm.clone().six_axis().is_ok() => {
+            "write the model (--model-out), validate it on other poses, compensate with it"
+        }
+        None => "write the model (--model-out), validate it on other poses",
     };
     match d.verdict {
         Verdict::Explained | Verdict::Several if poses.is_empty() => write.to_owned(),

@@ -148,3 +148,78 @@ fn a_diagnosis_that_says_nothing_has_a_page_too() {
     looks_right(&mut browser, &page);
     assert!(browser.text(".verdict").starts_with("Too few"));
 }
+
+/// The tool point of `fixtures/robots/scara.toml` by plane trigonometry, mm: links of 325 and 275, the flange 320 above the floor at
+/// rest; joints in deg, the third in mm.
+fn scara_point([q1, q2, q3, q4]: [f64; 4], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    let (a, b) = (q1.to_radians(), (q1 + q2).to_radians());
+    let (sin, cos) = (q1 + q2 + q4).to_radians().sin_cos();
+    let across = 325.0 * a.cos() + 275.0 * b.cos() + x * cos - y * sin;
+    let along = 325.0 * a.sin() + 275.0 * b.sin() + x * sin + y * cos;
+    [across, along, 320.0 + q3 + z]
+}
+
+#[test]
+fn arms_of_four_and_seven_joints_are_drawn_where_they_stand() {
+    let Some(mut browser) = Browser::launch() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    for (name, effect, joints, slides) in
+        [("scara", "joint_offset:2", 4, Some(3)), ("seven_axes", "joint_offset:4", 7, None)]
+    {
+        let robot = format!("fixtures/robots/{name}.toml");
+        let (set, set_name) = path(&folder, name);
+        driftpost(
+            &["synth", &set_name, "--robot", &robot, "--effects", effect, "--n", "60", "--rho", "8"],
+            0,
+        );
+        let rows = set.join("set_0000/measurements.csv").display().to_string();
+        let ((page, page_name), (file, file_name)) =
+            (path(&folder, &format!("{name}.html")), path(&folder, &format!("{name}.json")));
+        driftpost(&["diagnose", &rows, "--robot", &robot, "--report", &page_name, "--json", &file_name], 0);
+        let json = json(&file);
+        looks_right(&mut browser, &page);
+        browser.open(&page, 1440, "light");
+        assert!(browser.text("[data-name=next-step]").starts_with("Next: write the model"), "{name}");
+        assert!(!browser.text("[data-name=next-step]").contains("compensate"), "{name} writes no programs");
+
+        let titles = browser
+            .eval("[...document.querySelectorAll('#residuals figcaption')].map((one) => one.textContent)");
+        let by = |joint| match slides == Some(joint) {
+            true => format!("By the travel of joint {joint}"),
+            false => format!("By the angle of joint {joint}"),
+        };
+        let wanted: Vec<String> =
+            std::iter::once("Over time".to_owned()).chain((1..=joints).map(by)).collect();
+        assert_eq!(serde_json::from_value::<Vec<String>>(titles).unwrap(), wanted);
+
+        let drawn = |browser: &mut Browser| -> [f64; 3] {
+            browser.settle();
+            let hud = browser.text("#workspace .hud");
+            let numbers = hud.rsplit(" at ").next().unwrap().trim_end_matches(" mm").to_owned();
+            let all: Vec<f64> = numbers.split(", ").map(|n| n.parse().unwrap()).collect();
+            all.try_into().unwrap()
+        };
+        let tool: [f64; 3] = serde_json::from_value(json["tool_mm"].clone()).unwrap();
+        for (i, pose) in json["next_measurements"].as_array().unwrap().iter().enumerate().take(4) {
+            browser.eval(&format!("document.querySelectorAll('[data-name=next] tbody button')[{i}].click()"));
+            let seen = drawn(&mut browser);
+            if name == "scara" {
+                let q: [f64; 4] = serde_json::from_value(pose["q_deg"].clone()).unwrap();
+                let meant = scara_point(q, tool);
+                let off = seen.iter().zip(meant).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 0.051, "pose {i}: {seen:?} drawn, {meant:?} by plane trigonometry");
+            }
+        }
+        // At a row the arm stands where the program has put the row's point, by the kinematics of the diagnosis.
+        browser.eval("document.querySelector('[data-name=rows] tbody button').click()");
+        let seen = drawn(&mut browser);
+        let line: u64 = browser.text("[data-name=rows] tbody button").parse().unwrap();
+        let point = browser.eval(&format!(
+            "(() => {{ const all = JSON.parse(document.getElementById('data').textContent).view.residuals;
+               const i = all.line.indexOf({line}); return all.p_mm.slice(3 * i, 3 * i + 3); }})()"
+        ));
+        let point: [f64; 3] = serde_json::from_value(point).unwrap();
+        let off = seen.iter().zip(point).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 0.06, "{name}, line {line}: {seen:?} drawn, {point:?} by the diagnosis");
+    }
+}

@@ -122,7 +122,7 @@ impl CompensationPage<'_> {
             "shown": shown.map(BTreeSet::len),
             "routines": shown.map(|_| self.routines()),
             "bucket_error_mm": { "before": worst(0), "after": worst(1) },
-            "robot": self.arm.map(|(arm, _)| robot(arm)),
+            "robot": self.arm.map(|(arm, _)| robot(&arm.into())),
             "course": self.arm.map(|(_, drift)| Course::new(drift, from_c)),
             "points": self.arm.map(|(_, drift)| {
                 Points::new(drift.points.iter().filter(|point| is_shown(point.motion.index())))

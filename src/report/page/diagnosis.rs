@@ -3,8 +3,9 @@
 use super::embed::Decimals;
 use super::scene::robot;
 use super::{Page, write_page};
+use crate::report::diagnosis::{mostly_explained, next_step};
 use metrology::diagnose::{Diagnosis, RowResidual};
-use robot_model::robot::Robot;
+use robot_model::robot::SerialArm;
 use serde_json::json;
 use std::io::{self, Write};
 
@@ -18,8 +19,8 @@ pub struct DiagnosisPage<'a> {
     pub title: &'a str,
     /// Result of the diagnosis.
     pub findings: &'a Diagnosis,
-    /// The robot as its model says.
-    pub robot: &'a Robot,
+    /// The robot as its model says, of four to seven joints.
+    pub robot: &'a SerialArm,
     /// The report as people read it on a terminal.
     pub text: &'a str,
     /// Files with their SHA-256: names and values.
@@ -39,6 +40,8 @@ impl DiagnosisPage<'_> {
         let view = json!({
             "robot": robot(self.robot),
             "text": self.text,
+            "mostly": mostly_explained(self.findings),
+            "next": next_step(self.findings, self.robot),
             "provenance": self.provenance,
             "rows": all.len(),
             "residuals": {

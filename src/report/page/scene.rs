@@ -3,24 +3,32 @@
 use super::embed::Decimals;
 use nalgebra::{Isometry3, Vector3};
 use rapid_program::compensate::{DriftPoint, TcpDrift};
-use robot_model::robot::Robot;
+use robot_model::robot::{JointKind, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 /// The constructive model, in the words of a robot file.
-pub(super) fn robot(robot: &Robot) -> Value {
-    let joints: Vec<Value> = robot
+pub(super) fn robot(arm: &SerialArm) -> Value {
+    let joints: Vec<Value> = arm
         .joints
         .iter()
         .map(|joint| {
             let mut frame = frame(&joint.previous_from_joint);
             frame["axis"] = json!(joint.axis.as_slice());
-            frame["range_deg"] = json!(joint.range_rad.map(|range| range.map(deg_from_rad)));
+            frame["type"] = json!(joint.kind);
+            match joint.kind {
+                JointKind::Revolute => {
+                    frame["range_deg"] = json!(joint.range_rad.map(|range| range.map(deg_from_rad)));
+                }
+                JointKind::Prismatic => {
+                    frame["range_mm"] = json!(joint.range_rad.map(|range| range.map(mm_from_m)));
+                }
+            }
             frame
         })
         .collect();
-    json!({ "name": robot.name, "source": robot.source, "joint": joints, "flange": frame(&robot.joint6_from_flange) })
+    json!({ "name": arm.name, "source": arm.source, "joint": joints, "flange": frame(&arm.last_from_flange) })
 }
 
 fn frame(pose: &Isometry3<f64>) -> Value {

@@ -342,17 +342,17 @@ fn residuals(
     );
     let mm = |m: &dataset::Twist| [m[0], m[1], m[2]].map(mm_from_m);
     let mut all = Vec::new();
+    let chain = SerialChain::nominal(robot);
     for (i, station) in stations.stations.iter().enumerate() {
+        // Of the nominal arm, as `tool_mm` is: the fitted arm's tool may lie far off along a direction that the poses hardly tell.
+        let point = linear.registration.predicted_m(station, &station.pose(&chain));
         for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
             all.push(RowResidual {
                 line: row.line,
                 id: row.id.clone(),
                 q_deg: robot.in_deg_or_mm(&row.q_rad),
                 t_min: row.t_min,
-                point_mm: {
-                    let point = linear.dataset.observations[i].point_m;
-                    [point.x, point.y, point.z].map(mm_from_m)
-                },
+                point_mm: [point.x, point.y, point.z].map(mm_from_m),
                 before_mm: mm(&before[i]),
                 after_mm: mm(&model.residuals[i]),
                 outlier: model.outliers[i],

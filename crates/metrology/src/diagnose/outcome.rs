@@ -228,7 +228,7 @@ pub struct RowResidual {
     pub q_deg: Joints,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// The measured point in the base, as predicted.
+    /// The measured point in the base, as the nominal arm predicts it with the target at `tool_mm`.
     pub point_mm: [f64; 3],
     /// Measured minus predicted in the base, registration only.
     pub before_mm: [f64; 3],

@@ -5,6 +5,7 @@ use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
 use robot_model::deform::EffectKind;
+use robot_model::robot::MOST_JOINTS;
 
 /// A cause in words.
 #[must_use]
@@ -134,7 +135,7 @@ pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
     };
     // Lines of different periods are independent over a turn: their squares add.
     let together = |squares: f64| squares.sqrt();
-    let bands: Vec<GearBand> = (1..=6)
+    let bands: Vec<GearBand> = (1..=MOST_JOINTS)
         .map(|joint| (joint, of(joint)))
         .filter(|(_, lines)| lines.len() >= BAND)
         .map(|(joint, lines)| GearBand {
