@@ -341,7 +341,7 @@ fn is_ours(bytes: &[u8]) -> bool {
 }
 
 /// Whether a path names a folder, be it there or not.
-fn is_folder(path: &Path) -> bool {
+pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
 }
 

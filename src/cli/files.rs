@@ -150,6 +150,16 @@ impl Output {
         matches!(self, Self::Standard)
     }
 
+    /// Path of the file, or what else it is, for people and scripts.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Nowhere => "nowhere".to_owned(),
+            Self::Standard => "standard output".to_owned(),
+            Self::File(pending) => pending.path().display().to_string(),
+        }
+    }
+
     /// Writes what `bytes` gives, which is not called where nothing is wanted.
     ///
     /// # Errors

@@ -32,6 +32,13 @@ impl Pending {
     /// # Errors
     /// `output::unwritable`, naming the path.
     pub fn new(path: &Path) -> Result<Self, Diagnostic> {
+        // Where standard output is meant and allowed, no file is asked for.
+        if path == Path::new("-") {
+            return Err(unwritable(
+                path,
+                "this goes to a file, not to standard output; a file of that name is ./-",
+            ));
+        }
         if path.is_dir() {
             return Err(unwritable(path, "it is a folder"));
         }

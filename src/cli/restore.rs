@@ -1,7 +1,7 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
-use super::destination::is_pgf;
-use super::files::{self, Output, Pending, place_all};
+use super::destination::{is_folder, is_pgf};
+use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use driftpost::report::LocatedDiagnostic;
@@ -15,12 +15,12 @@ use std::path::{Path, PathBuf};
 /// Command line of `driftpost restore`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Modules that `compensate` wrote; a folder or a .pgf for a whole program.
+    /// Modules that `compensate` wrote; a folder or a .pgf for a whole program; - for standard input.
     #[arg(required = true, value_name = "EMITTED")]
     pub emitted: Vec<PathBuf>,
 
-    /// Where the original goes: a file, or a folder for several
-    /// [default: beside each, under the name that its header gives].
+    /// Where the original goes: a file, a folder, or - for standard output
+    /// [default: beside each, under the name that its header gives; of standard input to standard output].
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,
 
@@ -41,7 +41,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     {
         return restore_program(program, args, json, console);
     }
-    let mut results: Vec<(&Path, Restored, Pending)> = Vec::new();
+    let mut results: Vec<(&Path, Restored, Output)> = Vec::new();
     for path in &args.emitted {
         let bytes = files::read(path, "emitted module")?;
         let restored = match restore(&bytes) {
@@ -52,9 +52,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             }
             result => result.map_err(|error| said(path, &error))?,
         };
-        let mut pending = Pending::new(&place(path, &restored, args)?)?;
-        pending.fill(&mut restored.bytes.as_slice())?;
-        results.push((path, restored, pending));
+        let to = place(path, &restored, args)?;
+        keep_apart(&[], &[args.json.as_deref(), Some(&to)].into_iter().flatten().collect::<Vec<_>>())?;
+        let mut output = Output::new(Some(&to))?;
+        output.fill(|out| Ok(out.write_all(&restored.bytes)?))?;
+        results.push((path, restored, output));
     }
     json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
     put_in_place(results, Vec::new(), console)
@@ -72,8 +74,12 @@ fn restore_program(
         let text = format!("where the program {} goes must be said", program.display());
         return Err(Diagnostic::error("output::needed", text).help("name a folder with -o").into());
     };
+    if folder == Path::new("-") {
+        let text = "a whole program does not go to standard output";
+        return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o").into());
+    }
     let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
-    let (mut results, mut copies): (Vec<(&Path, Restored, Pending)>, Vec<Pending>) = Default::default();
+    let (mut results, mut copies): (Vec<(&Path, Restored, Output)>, Vec<Pending>) = Default::default();
     let mut cores: Vec<&Path> = Vec::new();
     for ((path, place), bytes) in given.paths.iter().zip(&given.places).zip(&given.bytes) {
         let pending = || Pending::new(&apart(path, folder.join(place))?);
@@ -81,7 +87,7 @@ fn restore_program(
             Ok(restored) => {
                 let mut pending = pending()?;
                 pending.fill(&mut restored.bytes.as_slice())?;
-                results.push((path, restored, pending));
+                results.push((path, restored, Output::File(pending)));
             }
             Err(RestoreError::IsCore) => {
                 console.say(format_args!("{}: the common module, it has no original", path.display()));
@@ -118,15 +124,18 @@ fn restore_program(
 
 /// Puts originals and copies in their places, and says what was changed since they were compensated.
 fn put_in_place(
-    results: Vec<(&Path, Restored, Pending)>,
+    results: Vec<(&Path, Restored, Output)>,
     copies: Vec<Pending>,
     console: &mut Console,
 ) -> anyhow::Result<Outcome> {
     let mut outcome = Outcome::Done;
     let (mut all, mut placed) = (copies, Vec::with_capacity(results.len()));
-    for (path, restored, pending) in results {
-        placed.push((path, restored, pending.path().to_path_buf()));
-        all.push(pending);
+    for (path, restored, output) in results {
+        if output.is_standard() {
+            console.out().write_all(&restored.bytes)?;
+        }
+        placed.push((path, restored, output.name()));
+        all.extend(output.into_pending());
     }
     place_all(all)?;
     for (path, restored, to) in placed {
@@ -149,7 +158,7 @@ fn put_in_place(
         }
         warn(path, &restored.altered, console);
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
-        console.say(format_args!("wrote {} ({how})", to.display()));
+        console.say(format_args!("wrote {to} ({how})"));
     }
     Ok(outcome)
 }
@@ -171,11 +180,16 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         return Err(Diagnostic::error("restore::damaged", text).help("say with -o where the original goes"));
     }
     let to = match &args.output {
-        Some(folder) if args.emitted.len() > 1 || folder.is_dir() => folder.join(name),
+        Some(standard) if standard == Path::new("-") && args.emitted.len() > 1 => {
+            let text = "several modules do not go to standard output";
+            return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"));
+        }
+        Some(folder) if args.emitted.len() > 1 || is_folder(folder) => folder.join(name),
         Some(file) => file.clone(),
+        None if is_standard(path) => PathBuf::from("-"),
         None => path.with_file_name(name),
     };
-    if args.output.is_none() && to.exists() {
+    if args.output.is_none() && !is_standard(path) && to.exists() {
         let text = format!("{} exists", to.display());
         return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
     }
@@ -197,8 +211,8 @@ fn said(path: &Path, error: &RestoreError) -> Diagnostic {
     Diagnostic::error(error.code(), format!("{}: {error}", path.display()))
 }
 
-fn summary(results: &[(&Path, Restored, Pending)]) -> serde_json::Value {
-    let one = |(path, restored, pending): &(&Path, Restored, Pending)| {
+fn summary(results: &[(&Path, Restored, Output)]) -> serde_json::Value {
+    let one = |(path, restored, output): &(&Path, Restored, Output)| {
         let touched: Vec<_> = restored
             .touched
             .iter()
@@ -213,7 +227,7 @@ fn summary(results: &[(&Path, Restored, Pending)]) -> serde_json::Value {
             .collect();
         json!({
             "file": path.display().to_string(),
-            "output": pending.path().display().to_string(),
+            "output": output.name(),
             "exact": restored.exact,
             "touched": touched,
             "altered": altered,

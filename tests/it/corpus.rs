@@ -4,7 +4,9 @@ use crate::folders;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{FileItem, ModuleItem};
 use rapid_syntax::{SourceFile, walk};
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 #[test]
 fn fixtures_come_back_and_are_understood() {
@@ -18,6 +20,50 @@ fn fixtures_come_back_and_are_understood() {
 fn real_files_come_back_and_are_understood() {
     let (moves, _) = check(&folders::files_below(&folders::corpus()));
     assert!(moves > 0);
+}
+
+/// Each file alone, and all of each folder, in three forms; what is written is given back from its files alone.
+#[test]
+#[ignore = "needs a folder of RAPID programs in DRIFTPOST_CORPUS"]
+fn every_result_is_restored_byte_for_byte() {
+    let mut programs: Vec<Vec<PathBuf>> = Vec::new();
+    let mut folders: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
+    for path in folders::modules_below(&folders::corpus()) {
+        folders.entry(path.parent().unwrap().to_owned()).or_default().push(path.clone());
+        programs.push(vec![path]);
+    }
+    programs.extend(folders.into_values().filter(|files| files.len() > 1));
+    for form in ["schedule", "ramp", "auto"] {
+        let (mut results, mut changed) = (0, 0);
+        for files in &programs {
+            let bench = tempfile::tempdir().unwrap();
+            let [emitted, restored] = ["emitted", "restored"].map(|name| bench.path().join(name));
+            let options = ["--form", form, "--allow-other-robot", "--quiet", "--diff", "none"];
+            let code = driftpost("compensate", files, &emitted, &options);
+            assert!(matches!(code, Some(0..=2)), "{files:?}: {code:?}");
+            if !emitted.is_dir() {
+                continue;
+            }
+            results += 1;
+            let written = folders::files_below(&emitted);
+            let given = if files.len() > 1 { std::slice::from_ref(&emitted) } else { &written };
+            assert_eq!(driftpost("restore", given, &restored, &["--quiet"]), Some(0), "{files:?}");
+            let sources: Vec<Vec<u8>> = files.iter().map(|file| std::fs::read(file).unwrap()).collect();
+            for (file, source) in files.iter().zip(&sources) {
+                let back = std::fs::read(restored.join(file.file_name().unwrap())).unwrap();
+                assert!(back == *source, "{}", file.display());
+            }
+            changed += written.iter().filter(|file| !sources.contains(&std::fs::read(file).unwrap())).count();
+        }
+        println!("{form}: {results} results, {changed} changed modules, each restored");
+        assert!(changed > 0);
+    }
+}
+
+fn driftpost(command: &str, files: &[PathBuf], folder: &Path, options: &[&str]) -> Option<i32> {
+    let mut run = Command::new(env!("CARGO_BIN_EXE_driftpost"));
+    run.arg(command).args(files).arg("-o").arg(folder.join("")).args(options);
+    run.output().unwrap().status.code()
 }
 
 /// Number of moves and of places that were not understood.

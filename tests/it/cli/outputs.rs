@@ -74,6 +74,46 @@ fn help_and_version_are_results() {
 
 /// What `compensate` makes of a `.pgf` comes back as it was: the list of modules, too.
 #[test]
+fn a_module_is_restored_through_pipes_and_into_a_new_folder() {
+    let bench = Bench::default();
+    let emitted = bench.path("Cube45_tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]).status.success());
+    let original = std::fs::read(CUBE).unwrap();
+
+    let output = driftpost(&["restore", &emitted, "-o", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(output.stdout == original);
+    let folder = bench.path("not/yet there/").display().to_string();
+    assert_eq!(driftpost(&["restore", &emitted, "-o", &folder]).status.code(), Some(0));
+    assert!(bench.text("not/yet there/Cube45.mod").as_bytes() == original);
+    let output = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+        .args(["restore", "-"])
+        .stdin(std::fs::File::open(&emitted).unwrap())
+        .current_dir(bench.path(""))
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(output.stdout == original, "standard input is restored to standard output");
+    let both = driftpost(&["restore", &emitted, "-o", "-", "--json", "-"]);
+    assert_eq!(both.status.code(), Some(2));
+    assert!(err(&both).contains("output::twice"), "{}", err(&both));
+    assert!(!bench.path("-").exists());
+}
+
+/// A file whose name is a hyphen is never what was meant.
+#[test]
+fn what_goes_to_a_file_alone_refuses_standard_output() {
+    for command in
+        [["plan", "--n", "20", "--rapid-out", "-"], ["compensate", CUBE, "--quiet", "--report", "-"]]
+    {
+        let output = driftpost(&command);
+        assert_eq!(output.status.code(), Some(2), "{command:?}");
+        assert!(err(&output).contains("output::unwritable"), "{}", err(&output));
+        assert!(err(&output).contains("not to standard output"), "{}", err(&output));
+    }
+}
+
+#[test]
 fn a_whole_program_is_restored_by_its_folder() {
     let bench = Bench::default();
     let module = |name: &str| {
