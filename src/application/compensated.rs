@@ -19,6 +19,8 @@ const CORRECTION_BYTES: usize = 105;
 
 /// A program with its plan, emitted.
 pub struct Compensated<'c> {
+    /// The task whose robot this is, where several were named.
+    pub task: Option<String>,
     /// The arm as its model says.
     pub robot: &'c Robot,
     /// How the arm deforms as it warms up.

@@ -9,7 +9,8 @@ use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
 use rapid_program::emit::{Clock, EmitOptions, EmittedFile, ROOM, emit_each};
 use rapid_program::program::motion::SkipReason;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::program::{Overrides, Program, is_of_task};
+use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
@@ -155,7 +156,7 @@ impl Compensation {
         accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
     ) -> Result<Compensated<'_>, Box<Refusal>> {
         program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
-        let label = program.label();
+        let label = self.overrides.task.as_deref().unwrap_or(program.label());
         let files = program.sources();
         if let Err(message) = check_modules(&files).and_then(|()| check_names(&files)) {
             let messages = vec![LocatedDiagnostic::new(message, &files)];
@@ -210,6 +211,7 @@ impl Compensation {
         let totals = Totals::of(&program, &plan);
         let provenance = self.provenance(label);
         Ok(Compensated {
+            task: self.overrides.task.clone(),
             robot: &self.robot.model,
             deformation: &self.deformation.model,
             options: &self.options,
@@ -229,7 +231,7 @@ impl Compensation {
     /// of how it was made.
     fn check_program(&self, program: &Program) -> Vec<Diagnostic> {
         let mut found: Vec<Diagnostic> =
-            program.files.iter().flat_map(|file| file.warnings.iter().cloned()).collect();
+            self.own_files(program).flat_map(|file| file.warnings.iter().cloned()).collect();
         found.extend(program.diagnostics.iter().cloned());
         found.extend(self.check_robot(program));
         for module in &program.facts.modules {
@@ -255,6 +257,11 @@ impl Compensation {
             found.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
         }
         found
+    }
+
+    /// The files of the task that is compensated, or all.
+    fn own_files<'p>(&'p self, program: &'p Program) -> impl Iterator<Item = &'p SourceFile> {
+        program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
     }
 
     /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed.

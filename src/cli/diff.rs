@@ -12,7 +12,7 @@ use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
 use rapid_program::compensate::{FormChoice, Options, plan};
 use rapid_program::emit::{RestoreError, differences, restore};
-use rapid_program::program::{FilePairs, Overrides, Program, modules_of_pgf, pgf_with_module};
+use rapid_program::program::{FilePairs, Overrides, Program, is_of_task, modules_of_pgf, pgf_with_module};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
@@ -60,10 +60,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let given_before = ProgramInput::read(std::slice::from_ref(&args.before))?;
     let given_after = ProgramInput::read(std::slice::from_ref(&args.after))?;
-    let made_with = MadeWith::of(&[&given_after, &given_before]);
-    let robot = made_with.robot(args.settings.robot.as_deref())?;
-    let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    let start_rad = made_with.start_rad(args.settings.start_joints)?;
+    let overrides = MadeWith::of(&[&given_after, &given_before], None)
+        .overrides(&args.settings.tool, &args.settings.wobj);
     let (Some(before), Some(after)) =
         (program(&given_before, &overrides, console), program(&given_after, &overrides, console))
     else {
@@ -71,9 +69,32 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let pairs =
         FilePairs::new((&before, &given_before.slashed_places()), (&after, &given_after.slashed_places()));
-    let comparison = compare(&before, &after, &pairs, (&robot, start_rad))
-        .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
-    let settled = settled_corrections(&before, &comparison, &made_with, (&robot, start_rad))?;
+    // Each task of a backup moves a robot of its own.
+    let mut comparison = Comparison::default();
+    let mut settled = Vec::new();
+    for task in tasks(&before, &after) {
+        let made_with = MadeWith::of(&[&given_after, &given_before], task.as_deref());
+        let robot = made_with.robot(args.settings.robot.as_deref())?;
+        let start_rad = made_with.start_rad(args.settings.start_joints)?;
+        let found = compare(&before, &after, &pairs, (&robot, start_rad))
+            .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+        let of_task = |program: &Program, motion: &usize| {
+            is_of_task(&program.file(program.motions[*motion].file).path, task.as_deref())
+        };
+        let found = found.retained(|motion| of_task(&before, motion), |motion| of_task(&after, motion));
+        let of_robot = settled_corrections(&before, &found, &made_with, (&robot, start_rad))?;
+        settled.resize(settled.len().max(of_robot.len()), None);
+        for (all, own) in settled
+            .iter_mut()
+            .zip(of_robot)
+            .enumerate()
+            .filter(|(i, _)| of_task(&before, i))
+            .map(|(_, pair)| pair)
+        {
+            *all = own;
+        }
+        comparison.extend(found);
+    }
     let elsewhere = differences(&before, &after, &pairs, &overrides);
     let other_files = other_files(&given_before, &given_after)?;
     let shown = Compared {
@@ -134,6 +155,18 @@ fn settled_corrections(
         is_known.then_some([motion.max_correction_m, motion.max_correction_rad])
     };
     Ok(planned.iter().map(correction).collect())
+}
+
+/// The tasks that are compared one by one: those that hold motion, or all at once where there are not several.
+fn tasks(before: &Program, after: &Program) -> Vec<Option<String>> {
+    let mut tasks: Vec<Option<String>> = Vec::new();
+    for task in before.motion_tasks().into_iter().chain(after.motion_tasks()) {
+        let task = task.map(str::to_ascii_uppercase);
+        if !tasks.contains(&task) {
+            tasks.push(task);
+        }
+    }
+    if tasks.len() > 1 && tasks.iter().all(Option::is_some) { tasks } else { vec![None] }
 }
 
 fn program(given: &ProgramInput, overrides: &Overrides, console: &mut Console) -> Option<Program> {

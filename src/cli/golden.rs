@@ -120,7 +120,7 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         result.entry(place).or_default().extend(file.bytes);
         Ok(())
     };
-    let job = args.compensation()?;
+    let job = args.compensation(None)?;
     let messages = match job.run_each(&given.program(), &mut take) {
         Ok(made) => {
             let mut text = Vec::new();

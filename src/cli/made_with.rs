@@ -2,11 +2,11 @@
 
 use super::files;
 use super::model;
-use super::program_input::ProgramInput;
+use super::program_input::{ProgramInput, slashed};
 use super::shared::{JointAngles, joint_angles};
 use driftpost::application::{Named, sha256};
 use rapid_program::emit::{Provenance, made_with};
-use rapid_program::program::Overrides;
+use rapid_program::program::{Overrides, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
@@ -26,12 +26,12 @@ pub struct MadeWith {
 }
 
 impl MadeWith {
-    /// What the modules of some programs say.
+    /// What the modules of some programs say; where a task is named, those of its folder.
     #[must_use]
-    pub fn of(programs: &[&ProgramInput]) -> Self {
+    pub fn of(programs: &[&ProgramInput], task: Option<&str>) -> Self {
         let mut settings: Vec<(String, String, PathBuf)> = Vec::new();
         let modules = programs.iter().flat_map(|program| program.paths.iter().zip(&program.bytes));
-        for (path, bytes) in modules {
+        for (path, bytes) in modules.filter(|(path, _)| is_of_task(&slashed(path), task)) {
             for (name, value) in made_with(bytes).unwrap_or_default() {
                 if !settings.iter().any(|(n, v, _)| (n, v) == (&name, &value)) {
                     settings.push((name, value, path.clone()));
@@ -125,6 +125,7 @@ impl MadeWith {
             }
         }
         Overrides {
+            task: None,
             tools: with("tool", tools),
             wobjs: with("wobj", wobjs),
             home: None,
@@ -151,12 +152,15 @@ fn shown(value: &str) -> String {
     Provenance::parse(value).map_or_else(|| value.to_owned(), |source| source.name)
 }
 
+/// So many folders above a module are looked into: from `RAPID/TASK1/PROGMOD` of a backup to what stands beside it.
+const FOLDERS_ABOVE: usize = 5;
+
 /// The file that a module was made with: beside the module, in a folder above it, or in the working folder.
 fn found(option: &str, source: &Provenance, module: &Path) -> Result<PathBuf, Diagnostic> {
     let Provenance { name, sha256: digest } = source;
     let module_shown = module.display();
     let mut another = None;
-    for folder in module.ancestors().skip(1).take(4).chain([Path::new("")]) {
+    for folder in module.ancestors().skip(1).take(FOLDERS_ABOVE).chain([Path::new("")]) {
         let path = folder.join(name);
         match files::read(&path, option) {
             Ok(bytes) if sha256(&bytes) == *digest => return Ok(path),

@@ -277,7 +277,7 @@ pub fn compensation(options: &[String]) -> Result<Compensation, Diagnostic> {
         Diagnostic::error("option::usage", first)
     })?;
     args.check()?;
-    args.compensation()
+    args.compensation(None)
 }
 
 /// The modules that arguments name: modules, a folder, or a `.pgf`.

@@ -1,6 +1,9 @@
 //! Tasks of a controller's backup that are not among the files of a program.
 
-use rapid_program::program::task_of;
+use super::compensate::TaskRobot;
+use driftpost::application::ProgramFiles;
+use rapid_program::program::{Overrides, Program, task_of};
+use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,6 +30,38 @@ pub fn beside(given: &[PathBuf]) -> Vec<String> {
             .map_or_else(Vec::new, |tasks| vec![format!("all but one of the tasks {}", tasks.join(", "))]);
     }
     found.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect()
+}
+
+/// Refuses tasks that are named and hold no motion, and those that hold motion and are not named.
+///
+/// # Errors
+/// `task::no-motion` and `task::not-named`.
+pub fn check_named(named: &[TaskRobot], program: &ProgramFiles) -> Result<(), Diagnostic> {
+    if named.is_empty() {
+        return Ok(());
+    }
+    let program = Program::read(program.sources(), &Overrides::default());
+    let tasks = program.motion_tasks();
+    let known: Vec<&str> = tasks.iter().map(|task| task.unwrap_or("modules outside of any task")).collect();
+    let is = |task: &Option<&str>, name: &str| task.is_some_and(|task| task.eq_ignore_ascii_case(name));
+    if let Some(of) = named.iter().find(|of| !tasks.iter().any(|task| is(task, &of.task))) {
+        let text = format!("--task {}: no module of a folder {} holds motion", of.task, of.task);
+        return Err(Diagnostic::error("task::no-motion", text)
+            .help(format!("motion is held by {}", known.join(", "))));
+    }
+    let unnamed = tasks.iter().zip(&known).find(|(task, _)| !named.iter().any(|of| is(task, &of.task)));
+    match unnamed {
+        None => Ok(()),
+        Some((_, name)) => {
+            let text = format!(
+                "{name} hold{} motion, and no --task says which robot that is",
+                if name.contains(' ') { "" } else { "s" }
+            );
+            let help =
+                "name each motion task, --task TASK=ROBOT[,DEFORMATION], or give one task's folder alone";
+            Err(Diagnostic::error("task::not-named", text).help(help))
+        }
+    }
 }
 
 fn is_task(folder: &Path) -> bool {

@@ -84,11 +84,7 @@ impl Pending {
     /// `output::unwritable`; the file at the path is then as it was.
     pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
         let failed = |cause| unwritable(&self.path, cause);
-        io::copy(from, &mut self.file).map_err(failed)?;
-        if self.through {
-            return Ok(());
-        }
-        create_folder(folder_of(&self.path)).map_err(failed)
+        io::copy(from, &mut self.file).map_err(failed).map(drop)
     }
 
     /// The file, still beside its place, to be written to.
@@ -96,7 +92,7 @@ impl Pending {
         &mut self.file
     }
 
-    /// Puts the file in its place.
+    /// Puts the file in its place; folders are made now, so that what is refused until then leaves none.
     ///
     /// # Errors
     /// `output::unwritable`; the file at the path is then as it was.
@@ -109,6 +105,7 @@ impl Pending {
             io::copy(&mut whole, &mut to).map_err(failed)?;
             return io::Write::flush(&mut to).map_err(failed);
         }
+        create_folder(folder_of(&path)).map_err(|cause| unwritable(&path, cause))?;
         self.file.persist(&path).map_err(|cause| unwritable(&path, cause.error))?;
         Ok(())
     }

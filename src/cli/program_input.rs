@@ -2,7 +2,7 @@
 
 use super::files;
 use driftpost::application::{ProgramFiles, check_text};
-use rapid_program::program::modules_of_pgf;
+use rapid_program::program::{modules_of_pgf, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;
@@ -89,6 +89,21 @@ impl ProgramInput {
     #[must_use]
     pub fn slashed_places(&self) -> Vec<String> {
         self.places.iter().map(|place| slashed(place)).collect()
+    }
+
+    /// The tasks (folders `TASKn`) that modules stand in, in the order of the files.
+    #[must_use]
+    pub fn tasks(&self) -> Vec<String> {
+        let mut tasks: Vec<String> = Vec::new();
+        for path in &self.paths {
+            let path = slashed(path);
+            if let Some(task) =
+                task_of(&path).filter(|task| !tasks.iter().any(|t| t.eq_ignore_ascii_case(task)))
+            {
+                tasks.push(task.to_owned());
+            }
+        }
+        tasks
     }
 
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
@@ -246,7 +261,7 @@ fn common_folder(paths: &[PathBuf]) -> PathBuf {
 }
 
 /// A path with `/` between folders, as messages and JSON show it.
-fn slashed(path: &Path) -> String {
+pub fn slashed(path: &Path) -> String {
     path.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/")
 }
 

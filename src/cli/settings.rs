@@ -170,6 +170,16 @@ fn check(command: &Command, name: &str, table: &toml::Table) -> Result<(), (&'st
 
 /// A file as the folder of the settings has it; what is no file stays as it is.
 fn in_folder(arg: &Arg, folder: &Path, text: &str) -> String {
+    // Robot and table of a task may be files, too.
+    if arg.get_id() == "task"
+        && let Some((task, models)) = text.split_once('=')
+    {
+        let placed = models.split(',').map(|name| {
+            let file = folder.join(name.trim());
+            if file.is_file() { file.display().to_string() } else { name.trim().to_owned() }
+        });
+        return format!("{task}={}", placed.collect::<Vec<_>>().join(","));
+    }
     let file = folder.join(text);
     let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     if is_path || file.is_file() { file.display().to_string() } else { text.to_owned() }

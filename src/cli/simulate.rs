@@ -151,7 +151,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     at_least_one("--passes", args.passes)?;
     let program = ProgramInput::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
-    let made_with = MadeWith::of(&[&program]);
+    let tasks = program.tasks();
+    let task = args.task.clone().or(tasks.first().cloned());
+    let made_with = MadeWith::of(&[&program], task.as_deref());
+    if let (None, Some(first), [_, _, ..]) = (&args.task, &task, tasks.as_slice()) {
+        console
+            .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
+    }
     let robot = made_with.robot(args.settings.robot.as_deref())?;
     let truth = true_robot(args, robot, &made_with)?;
     let scenario = match &args.scenario {

@@ -35,6 +35,16 @@ pub struct Args {
     #[command(flatten)]
     pub robot: RobotName,
 
+    /// Of a backup with several robots: the robot of a motion task (folder TASKn), and its deformation table; once for each.
+    #[arg(
+        long,
+        value_name = "TASK=ROBOT[,DEFORMATION]",
+        value_parser = task_robot,
+        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "start_joints", "home", "touch", "joints_csv", "report", "in_place"],
+        help_heading = "Robot and deformation"
+    )]
+    pub task: Vec<TaskRobot>,
+
     /// Deformation table (CSV), static or scheduled [default: the reference paper's Table 2, built in].
     #[arg(long, value_name = "FILE", help_heading = "Robot and deformation")]
     pub deformation: Option<PathBuf>,
@@ -262,6 +272,17 @@ pub struct Models {
     pub identified: Option<Named<Identified>>,
 }
 
+/// A motion task of a backup with its robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TaskRobot {
+    /// The task's folder, `TASKn`.
+    pub task: String,
+    /// Name or file of the robot.
+    pub robot: String,
+    /// Its deformation table, where not the built-in one.
+    pub deformation: Option<PathBuf>,
+}
+
 /// Temperatures of the joints, degrees Celsius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperatures(pub [f64; 6]);
@@ -346,20 +367,22 @@ impl Args {
     ///
     /// # Errors
     /// What is wrong with a name or a file.
-    pub fn models(&self) -> Result<Models, Diagnostic> {
-        let robot = model::robot_with_source(&self.robot.name)?;
-        let backup = model::backup(&self.robot.name).transpose()?;
+    pub fn models(&self, of_task: Option<&TaskRobot>) -> Result<Models, Diagnostic> {
+        let name = of_task.map_or(&self.robot.name, |task| &task.robot);
+        let robot = model::robot_with_source(name)?;
+        let backup = model::backup(name).transpose()?;
         if backup.is_some_and(|backup| backup.absolute_accuracy) && !self.absolute_accuracy {
-            let text = format!(
-                "{}: the controller corrects this robot by a calibration of its own",
-                self.robot.name
-            );
+            let text = format!("{name}: the controller corrects this robot by a calibration of its own");
             return Err(Diagnostic::error("robot::absolute-accuracy", text).help(
                 "--absolute-accuracy says that it is in use, and leaves alone what would be corrected twice; give the robot's name where it is switched off",
             ));
         }
         let identified = self.model.as_deref().map(model::identified).transpose()?;
-        let (table, growth) = (self.deformation.as_deref(), self.growth.as_deref());
+        let table = match of_task {
+            Some(task) => task.deformation.as_deref(),
+            None => self.deformation.as_deref(),
+        };
+        let growth = self.growth.as_deref();
         let deformation = match &identified {
             Some(identified) => model::deformation_beside(identified, table, growth)?,
             None => model::deformation_with_source(table, growth)?,
@@ -367,19 +390,39 @@ impl Args {
         Ok(Models { robot, deformation, identified })
     }
 
-    /// The job, all names resolved.
+    /// The jobs, all names resolved: one for each task that is named, or the one for all that is given.
+    ///
+    /// # Errors
+    /// What is wrong with a robot or a deformation; a task that is named twice.
+    pub fn jobs(&self) -> Result<Vec<Compensation>, Diagnostic> {
+        if self.task.is_empty() {
+            return self.compensation(None).map(|job| vec![job]);
+        }
+        for (k, task) in self.task.iter().enumerate() {
+            if self.task[..k].iter().any(|other| other.task.eq_ignore_ascii_case(&task.task)) {
+                let text = format!("--task {} is given twice", task.task);
+                return Err(Diagnostic::error("task::twice", text).help("one robot for each task"));
+            }
+        }
+        self.task.iter().map(|task| self.compensation(Some(task))).collect()
+    }
+
+    /// A job, all names resolved: that of a task, or the one for all that is given.
     ///
     /// # Errors
     /// What is wrong with the robot or the deformation.
-    pub fn compensation(&self) -> Result<Compensation, Diagnostic> {
-        let Models { robot, deformation, identified } = self.models()?;
+    pub fn compensation(&self, of_task: Option<&TaskRobot>) -> Result<Compensation, Diagnostic> {
+        let Models { robot, deformation, identified } = self.models(of_task)?;
         Ok(Compensation {
             options: self.options(identified.as_ref())?,
             emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
-            overrides: self.overrides(),
+            overrides: Overrides { task: of_task.map(|of| of.task.clone()), ..self.overrides() },
             allow_non_nominal: self.allow_non_nominal,
             allow_other_robot: self.allow_other_robot,
-            default_table: self.deformation.is_none() && self.model.is_none(),
+            default_table: match of_task {
+                Some(task) => task.deformation.is_none(),
+                None => self.deformation.is_none() && self.model.is_none(),
+            },
             touch: self.touch.request()?,
             robot,
             deformation,
@@ -439,6 +482,7 @@ impl Args {
             base_fixed[axis.0] = true;
         }
         Overrides {
+            task: None,
             tools: self.tool.clone(),
             wobjs: self.wobj.clone(),
             home: self.home.clone(),
@@ -486,6 +530,22 @@ fn clock(text: &str) -> Result<ClockName, String> {
     }
 }
 
+fn task_robot(text: &str) -> Result<TaskRobot, String> {
+    let how = || "write TASK=ROBOT or TASK=ROBOT,DEFORMATION, e.g. TASK2=irb4600,drift2.csv".to_owned();
+    let (task, rest) = text.split_once('=').ok_or_else(how)?;
+    let (robot, deformation) = match rest.split_once(',') {
+        Some((robot, table)) => (robot, Some(table)),
+        None => (rest, None),
+    };
+    let [task, robot] = [task, robot].map(str::trim);
+    let empty = |part: &str| part.trim().is_empty();
+    if empty(task) || empty(robot) || deformation.is_some_and(empty) {
+        return Err(how());
+    }
+    let deformation = deformation.map(|table| PathBuf::from(table.trim()));
+    Ok(TaskRobot { task: task.to_owned(), robot: robot.to_owned(), deformation })
+}
+
 fn until(text: &str) -> Result<Until, String> {
     if text == "auto" {
         return Ok(Until::Auto);
@@ -529,5 +589,13 @@ mod tests {
         assert_eq!(name_and_value("tGrip=[TRUE,[[-1,0,0]]]"), Ok(given.clone()));
         assert_eq!(name_and_value("tGrip := [TRUE,[[-1,0,0]]]"), Ok(given));
         assert!(name_and_value("tGrip").is_err());
+        let of = |robot: &str, table: Option<&str>| TaskRobot {
+            task: "TASK2".into(),
+            robot: robot.into(),
+            deformation: table.map(PathBuf::from),
+        };
+        assert_eq!(task_robot("TASK2=irb140"), Ok(of("irb140", None)));
+        assert_eq!(task_robot("TASK2 = cell/b.toml, d/t.csv"), Ok(of("cell/b.toml", Some("d/t.csv"))));
+        assert!(["TASK2", "TASK2=", "=irb140", "TASK2=irb140,"].iter().all(|text| task_robot(text).is_err()));
     }
 }

@@ -5,7 +5,7 @@ mod touch;
 mod watch;
 
 pub(in crate::cli) use args::temperatures;
-pub use args::{Args, Temperatures};
+pub use args::{Args, TaskRobot, Temperatures};
 use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing, Written, is_pgf};
@@ -96,15 +96,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 fn run_once(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut json = Some(Output::new(args.json.as_deref())?);
     let mut page = args.report.as_deref().map(Pending::new).transpose()?;
-    let mut job = None;
-    match write_result(args, console, &mut job, &mut json, &mut page) {
+    let mut jobs = Vec::new();
+    match write_result(args, console, &mut jobs, &mut json, &mut page) {
         Ok(written) => written.map(|()| Outcome::Done),
         Err(refusal) => {
             console.explain(&refusal.messages, args.all);
             console.say("nothing was written");
             if let Some(mut page) = page {
                 let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
-                refusal.write_page(&title.join(", "), job.as_ref(), page.out())?;
+                refusal.write_page(&title.join(", "), jobs.first(), page.out())?;
                 page.place()?;
             }
             json.map_or(Ok(()), |json| json.stream(console, |out| Ok(refusal.write_json(out)?)))?;
@@ -113,11 +113,11 @@ fn run_once(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
 }
 
-/// Gives what came of putting the results in their places, for which `json` and `page` are taken; `job` is then what was asked for.
+/// Gives what came of putting the results in their places, for which `json` and `page` are taken; `jobs` is then what was asked for.
 fn write_result(
     args: &Args,
     console: &mut Console,
-    job: &mut Option<Compensation>,
+    jobs: &mut Vec<Compensation>,
     json: &mut Option<Output>,
     page: &mut Option<Pending>,
 ) -> Result<anyhow::Result<()>, Box<Refusal>> {
@@ -125,8 +125,10 @@ fn write_result(
     let given = ProgramInput::read(&args.program)?;
     let program = given.program();
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place, args.force)?;
-    let job = job.insert(args.compensation()?);
-    job.overrides.other_tasks = other_tasks::beside(&given.paths);
+    *jobs = args.jobs()?;
+    other_tasks::check_named(&args.task, &program)?;
+    let beside = other_tasks::beside(&given.paths);
+    jobs.iter_mut().for_each(|job| job.overrides.other_tasks.clone_from(&beside));
     destination.keep_apart(&[
         args.json.as_deref(),
         Some(&args.diff),
@@ -153,8 +155,14 @@ fn write_result(
         }
         writing.add(&destination, &given, file)
     };
-    let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
-    console.explain(&made.messages, args.all);
+    let mut all_made = Vec::with_capacity(jobs.len());
+    for job in jobs.iter() {
+        let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
+        console.explain(&made.messages, args.all);
+        all_made.push(made);
+    }
+    // A table, a page or a recording is asked for of one robot alone.
+    let [made, ..] = all_made.as_slice() else { return Ok(Ok(())) };
     // All is written whole beside its place before anything is put there.
     let prepared = || -> Result<_, Diagnostic> {
         if args.joints_csv.is_some() {
@@ -165,7 +173,7 @@ fn write_result(
         };
         joints_file.fill(|out| Ok(made.write_joints(out)?)).map_err(filled)?;
         if let Some(json) = json.as_mut() {
-            json.fill(|out| Ok(made.write_json(out)?)).map_err(filled)?;
+            json.fill(|out| Ok(write_json(&all_made, out)?)).map_err(filled)?;
         }
         if let (Some(page), Some(source)) = (page.as_mut(), source) {
             let mut out = BufWriter::with_capacity(1 << 16, page.out());
@@ -173,12 +181,12 @@ fn write_result(
             written.map_err(|cause| no_output(&cause))?;
         }
         let mut written = writing.finish(&destination, &given)?;
-        written.pending.extend(recording(args, &made)?);
+        written.pending.extend(recording(args, made)?);
         Ok(written)
     };
     let mut written = match prepared() {
         Ok(written) => written,
-        Err(message) => return Err(made.refuse(message)),
+        Err(message) => return Err(all_made.remove(0).refuse(message)),
     };
     written.pending.extend(page.take());
     let mut json = json.take().unwrap_or(Output::Nowhere);
@@ -202,38 +210,47 @@ fn write_result(
             console.say(format_args!("wrote {} ({size} bytes)", path.display()));
         }
     }
-    if let Some(text) = made.size_note() {
-        console.say(text);
+    for made in &all_made {
+        if let Some(text) = made.size_note() {
+            console.say(text);
+        }
     }
     let other = destination.other_clock().map(|path| path.display().to_string());
     if let Some(text) = other.and_then(|other| made.embedded_clock_note(&other)) {
         console.say(text);
     }
-    Ok(show(console, &made, args, &mut diff, &written, is_quiet, [joints_file, json]))
+    Ok(show(console, &all_made, args, &mut diff, &written, is_quiet, [joints_file, json]))
 }
 
 /// What goes to standard output: the difference, the tables, the verdict; or a result.
 fn show(
     console: &mut Console,
-    made: &Compensated<'_>,
+    all_made: &[Compensated<'_>],
     args: &Args,
     diff: &mut DiffTo,
     written: &Written,
     is_quiet: bool,
     [joints, json]: [Output; 2],
 ) -> anyhow::Result<()> {
-    let files = written_line(written, made.warnings());
+    let files = written_line(written, all_made.iter().map(Compensated::warnings).sum());
     let shown = (|| -> anyhow::Result<()> {
         diff.show(console)?;
         if let Some(module) = &written.standard {
             console.out().write_all(module)?;
         }
-        joints.stream(console, |out| Ok(made.write_joints(out)?))?;
-        json.stream(console, |out| Ok(made.write_json(out)?))?;
+        if let [made] = all_made {
+            joints.stream(console, |out| Ok(made.write_joints(out)?))?;
+        }
+        json.stream(console, |out| Ok(write_json(all_made, out)?))?;
         if is_quiet {
             return Ok(console.out().flush()?);
         }
-        made.write_review(console.out(), args.all)?;
+        for (k, made) in all_made.iter().enumerate() {
+            if let Some(of) = args.task.get(k) {
+                writeln!(console.out(), "{}: {}", of.task, made.robot.name)?;
+            }
+            made.write_review(console.out(), args.all)?;
+        }
         writeln!(console.out(), "{files}")?;
         Ok(console.out().flush()?)
     })();
@@ -252,6 +269,24 @@ fn show(
             Err(said.into())
         }
     }
+}
+
+/// What happened, for scripts: of one robot the object of the contract, of several a list of them, `{"tasks": [...]}`.
+fn write_json(all_made: &[Compensated<'_>], out: &mut dyn Write) -> std::io::Result<()> {
+    if let [made] = all_made
+        && made.task.is_none()
+    {
+        return made.write_json(out);
+    }
+    let one = |made: &Compensated<'_>| -> std::io::Result<serde_json::Value> {
+        let mut json = made.json()?;
+        json["task"] = made.task.as_deref().into();
+        json["robot"] = made.robot.name.as_str().into();
+        Ok(json)
+    };
+    let tasks = all_made.iter().map(one).collect::<std::io::Result<Vec<_>>>()?;
+    serde_json::to_writer_pretty(&mut *out, &serde_json::json!({ "tasks": tasks }))?;
+    out.write_all(b"\n")
 }
 
 /// The last line of the verdict: what was written, and how many warnings there are.

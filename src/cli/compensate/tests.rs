@@ -25,7 +25,7 @@ fn out(words: &[&str]) -> Out {
     let command = Args::augment_args(clap::Command::new("compensate"));
     let args = Args::from_arg_matches(&command.try_get_matches_from(words).unwrap()).unwrap();
     let given = ProgramInput::read(&args.program).unwrap();
-    let job = args.compensation().unwrap();
+    let job = args.compensation(None).unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     let mut accept = |_: &Program, file: EmittedFile| {
         assert!(files.insert(file.path, file.bytes).is_none(), "each file is given once");

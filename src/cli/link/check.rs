@@ -57,7 +57,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--tolerance-deg", Some(args.tolerance_deg))])?;
     let json = Output::new(args.json.as_deref())?;
     let given = ProgramInput::read(std::slice::from_ref(&args.program))?;
-    let made_with = MadeWith::of(&[&given]);
+    let made_with = MadeWith::of(&[&given], None);
     let robot = made_with.robot(args.settings.robot.as_deref())?;
     let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
     let start_rad = made_with.start_rad(args.settings.start_joints)?;

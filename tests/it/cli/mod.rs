@@ -9,6 +9,7 @@ mod reviewing;
 mod robots;
 mod settings;
 mod shell;
+mod tasks;
 mod typos;
 mod written;
 

@@ -31,6 +31,27 @@ pub struct Comparison {
     pub only_after: Vec<usize>,
 }
 
+impl Comparison {
+    /// What concerns some motions of the first program and of the second.
+    #[must_use]
+    pub fn retained(mut self, before: impl Fn(&usize) -> bool, after: impl Fn(&usize) -> bool) -> Self {
+        self.motions.retain(|motion| before(&motion.before));
+        self.only_before.retain(&before);
+        self.only_after.retain(&after);
+        self
+    }
+
+    /// Adds what concerns other motions.
+    pub fn extend(&mut self, other: Self) {
+        self.motions.extend(other.motions);
+        self.only_before.extend(other.only_before);
+        self.only_after.extend(other.only_after);
+        self.motions.sort_by_key(|m| m.before);
+        self.only_before.sort_unstable();
+        self.only_after.sort_unstable();
+    }
+}
+
 /// A motion of both programs.
 #[derive(Clone, Debug)]
 pub struct ComparedMotion {

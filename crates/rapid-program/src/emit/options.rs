@@ -188,9 +188,10 @@ pub enum EmitError {
     CannotTouch(String),
     /// Motion of several tasks, which are several robots.
     #[error(
-        "several tasks hold motion ({}), and each moves a robot of its own: compensate one task's folder at a time, each \
-         with its own --robot and --deformation",
-        tasks.join(", ")
+        "several tasks hold motion ({}), and each moves a robot of its own: say which, --task {}=ROBOT[,DEFORMATION] and so on \
+         for each, or compensate one task's folder at a time",
+        tasks.join(", "),
+        tasks.first().map_or("TASK1", String::as_str)
     )]
     SeveralTasks {
         /// The folders of the tasks.

@@ -57,6 +57,8 @@ use std::collections::BTreeMap;
 /// `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Overrides {
+    /// The one task (a backup's folder `TASKn`) whose motions are read; what the other tasks' modules change is heeded all the same.
+    pub task: Option<String>,
     /// Tools, as the option `--tool` gives them.
     pub tools: Vec<(String, String)>,
     /// Work objects, as the option `--wobj` gives them.
@@ -100,7 +102,30 @@ pub fn task_of(path: &str) -> Option<&str> {
     })
 }
 
+/// Whether a file is one of a task's, where one is named.
+#[must_use]
+pub fn is_of_task(path: &str, task: Option<&str>) -> bool {
+    task.is_none_or(|task| task_of(path).is_some_and(|of| of.eq_ignore_ascii_case(task)))
+}
+
 impl Program {
+    /// The tasks that hold motion, by their folders, each with a robot of its own; `None` is what stands in no such folder.
+    #[must_use]
+    pub fn motion_tasks(&self) -> Vec<Option<&str>> {
+        let mut tasks: Vec<Option<&str>> = Vec::new();
+        for routine in &self.routines {
+            let task = task_of(&self.file(routine.file).path);
+            let same = |known: &Option<&str>| match (known, task) {
+                (Some(known), Some(task)) => known.eq_ignore_ascii_case(task),
+                (known, task) => known.is_none() && task.is_none(),
+            };
+            if !tasks.iter().any(same) {
+                tasks.push(task);
+            }
+        }
+        tasks
+    }
+
     /// The file of an id.
     #[must_use]
     pub fn file(&self, id: FileId) -> &SourceFile {

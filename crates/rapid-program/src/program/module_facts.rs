@@ -24,6 +24,16 @@ pub struct Facts {
     pub entries: Vec<Entry>,
 }
 
+impl Facts {
+    /// Keeps those of some files.
+    pub(super) fn retain(&mut self, of: impl Fn(FileId) -> bool) {
+        self.modules.retain(|module| of(module.file));
+        self.kinematics.retain(|remark| of(remark.span.file));
+        self.made_for.retain(|remark| of(remark.span.file));
+        self.entries.retain(|entry| of(entry.file));
+    }
+}
+
 /// What is known of a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModuleFacts {

@@ -4,6 +4,7 @@ use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
 use super::index::{Ctx, Index, RoutineIndex, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
+use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
 use super::value::Value;
@@ -82,11 +83,14 @@ impl<'a> MotionSites<'a> {
         self.motions.binary_search_by(|site| of(site).cmp(&wanted)).ok().map(MotionId::new)
     }
 
-    /// What stands in all files.
-    pub(super) fn new(evaluator: &mut ConstEvaluator<'a>) -> Self {
+    /// What stands in all files, or in those of one task.
+    pub(super) fn new(evaluator: &mut ConstEvaluator<'a>, task: Option<&str>) -> Self {
         let index = evaluator.index;
         let mut sites = Self::default();
         for (id, routine) in index.routines.iter().enumerate() {
+            if !is_of_task(&index.file(routine.ctx.file).path, task) {
+                continue;
+            }
             let gotos = gotos(routine.tree);
             let (sites, open) = (&mut sites, Vec::new());
             let mut walk = Walk { sites, evaluator: &mut *evaluator, id, gotos, open, info: None };

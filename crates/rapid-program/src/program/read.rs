@@ -19,7 +19,7 @@ use super::read_as_data::ReadAsData;
 use super::state::{State, View, states_at_motions};
 use super::tracked::TrackedData;
 use super::writes::Writes;
-use super::{Overrides, Program};
+use super::{Overrides, Program, is_of_task};
 use motion_target::MotionTargets;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -44,12 +44,14 @@ impl Program {
         evaluator.given = given;
         super::overrides::unused(&evaluator, overrides, &mut diagnostics);
         let home_rad = super::overrides::home(&mut evaluator, overrides, &mut diagnostics);
-        let sites = MotionSites::new(&mut evaluator);
+        let task = overrides.task.as_deref();
+        let sites = MotionSites::new(&mut evaluator, task);
         let tracked = TrackedData::new(&index, &writes, &sites);
         let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
         let states = states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
         let order = order(&index, &sites, &control_flow);
-        let facts = facts(&index, &control_flow.called());
+        let mut facts = facts(&index, &control_flow.called());
+        facts.retain(|file| is_of_task(&index.file(file).path, task));
         let not_given = std::mem::take(&mut control_flow.not_given);
         drop(control_flow); // of many motions it is as much again
         let MotionSites { motions: sites, loops, nests, routines } = sites;
@@ -95,6 +97,7 @@ impl Program {
                     .help("it is taken to leave tools, work objects and displacements as they are"),
             );
         }
+        diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::forget_bodies);
         Self { files, routines, loops, motions, junctions, facts, home_rad, diagnostics }

@@ -1,0 +1,144 @@
+//! A backup with two motion tasks, two robots: each is compensated with its own, and compared, executed and restored with it.
+
+use super::{Bench, CUBE, driftpost, err, out};
+use serde_json::Value;
+use std::fs;
+
+const LARGE: &str = "irb4600";
+/// A larger arm's module: nothing of it is within an IRB 140's reach.
+const PRESS: &str = "MODULE Press
+  PERS tooldata tGrip:=[TRUE,[[0,0,250],[1,0,0,0]],[10,[0,0,100],[1,0,0,0],0,0,0]];
+  CONST jointtarget jHome:=[[0,0,10,0,60,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pIn:=[[1300,200,700],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pOut:=[[1500,400,900],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+  PROC main()
+    MoveAbsJ jHome,v500,fine,tGrip;
+    MoveJ pIn,v500,z10,tGrip;
+    MoveL pOut,v200,fine,tGrip;
+  ENDPROC
+ENDMODULE
+";
+/// A deformation of the larger arm: mm and deg of each joint's frame.
+const TABLE: &str = "Dx [mm],Dy[mm],Dz[mm],DOx[deg],DOy[deg],DOz[deg]
+0.02,0,0.09,0,0.003,0.001
+0.03,0.01,0,0.001,0.004,0
+0,0.02,0.06,0,0.003,0.002
+0.01,0,0.01,0.002,0,0
+0,0.01,0.02,0,0.002,0
+0,0,0,0,0,0
+";
+
+fn backup(bench: &Bench) -> String {
+    bench.file("backup/RAPID/TASK1/PROGMOD/Cube45.mod", fs::read_to_string(CUBE).unwrap());
+    bench.file("backup/RAPID/TASK2/PROGMOD/Press.mod", PRESS);
+    bench.file("backup/SYSPAR/SYS.cfg", "SYS:CFG_1.0::\n");
+    bench.path("backup").display().to_string()
+}
+
+fn json(bench: &Bench, name: &str) -> Value {
+    serde_json::from_str(&bench.text(name)).unwrap()
+}
+
+#[test]
+fn each_task_is_corrected_for_its_own_robot() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let table = bench.file("drift2.csv", TABLE);
+    let second = format!("TASK2={LARGE},{table}");
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let to = bench.path(form).display().to_string();
+        let report = bench.path("report.json").display().to_string();
+        let tasks = ["--task", "TASK1=irb140", "--task", second.as_str(), "--growth", "two-stage:60"];
+        let rest = ["-o", &to, "--diff", "none", "--form", form, "--json", &report];
+        let output = driftpost(&[["compensate", &source].as_slice(), &tasks, &rest].concat());
+        assert_eq!(output.status.code(), Some(0), "{form}: {} {}", out(&output), err(&output));
+        let said = out(&output);
+        assert!(said.contains("TASK1: ABB IRB 140") && said.contains("TASK2: ABB IRB 4600"), "{said}");
+        let report = json(&bench, "report.json");
+        let motions = |k: usize| report["tasks"][k]["motions"].as_array().unwrap();
+        assert_eq!((motions(0).len(), motions(1).len()), (46, 3), "{form}");
+        let all = motions(0).iter().chain(motions(1));
+        assert!(all.into_iter().all(|motion| motion["status"] == "compensated"), "{form}: {report}");
+        let [cube, press] = ["TASK1/PROGMOD/Cube45.mod", "TASK2/PROGMOD/Press.mod"]
+            .map(|place| bench.text(&format!("{form}/RAPID/{place}")));
+        assert!(cube.contains("irb140") && !cube.contains(LARGE), "{form}: {cube}");
+        assert!(
+            press.contains(LARGE) && press.contains("drift2.csv") && !press.contains("irb140"),
+            "{form}: {press}"
+        );
+
+        // Each robot is read from its own task's modules; the larger one's targets are out of the smaller one's reach.
+        for (task, moves) in [("TASK1", 46), ("TASK2", 3)] {
+            let figures = bench.path("figures.json").display().to_string();
+            let tolerance = if form == "schedule" { "0.006" } else { "0.0005" };
+            let words = ["simulate", &to, "--original", &source, "--task", task, "--minutes", "0,61,420"];
+            let output =
+                driftpost(&[&words[..], &["--tolerance-mm", tolerance, "--json", &figures]].concat());
+            assert_eq!(output.status.code(), Some(0), "{form} {task}: {} {}", out(&output), err(&output));
+            let figures = json(&bench, "figures.json");
+            let last = &figures["minutes"][2];
+            assert_eq!(last["n"], moves, "{form} {task}: {figures}");
+            assert!(last["before"]["max_mm"].as_f64().unwrap() > 0.1, "{form} {task}: {last}");
+        }
+        let output = driftpost(&["diff", &source, &to]);
+        let said = out(&output);
+        assert_eq!(output.status.code(), Some(1), "{form}: {said} {}", err(&output));
+        assert!(said.contains("49 motions") && err(&output).is_empty(), "{form}: {said} {}", err(&output));
+        let back = bench.path(&format!("{form}_back"));
+        let output = driftpost(&["restore", &to, "-o", &back.display().to_string()]);
+        assert_eq!(output.status.code(), Some(0), "{form}: {}", err(&output));
+        for place in ["RAPID/TASK1/PROGMOD/Cube45.mod", "RAPID/TASK2/PROGMOD/Press.mod", "SYSPAR/SYS.cfg"] {
+            let [was, is] = ["backup".to_owned(), format!("{form}_back")]
+                .map(|folder| fs::read(bench.path(&folder).join(place)).unwrap());
+            assert_eq!(was, is, "{form}: {place}");
+        }
+    }
+}
+
+#[test]
+fn tasks_may_stand_in_the_settings_with_files_beside_them() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let table = bench.file("drift2.csv", TABLE);
+    bench.file(
+        "driftpost.toml",
+        format!("[compensate]\ntask = [\"TASK1=irb140\", \"TASK2={LARGE},drift2.csv\"]\ngrowth = \"two-stage:60\"\n"),
+    );
+    let to = |name: &str| bench.path(name).display().to_string();
+    let output = driftpost(&["compensate", &source, "-o", &to("by_settings"), "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let second = format!("TASK2={LARGE},{table}");
+    let words =
+        ["compensate", &source, "-o", &to("by_options"), "--diff", "none", "--growth", "two-stage:60"];
+    let output = driftpost(&[&words[..], &["--task", "task1=irb140", "--task", &second]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    for place in ["RAPID/TASK1/PROGMOD/Cube45.mod", "RAPID/TASK2/PROGMOD/Press.mod"] {
+        assert_eq!(bench.text(&format!("by_settings/{place}")), bench.text(&format!("by_options/{place}")));
+    }
+}
+
+#[test]
+fn tasks_that_are_not_named_or_hold_no_motion_are_refused() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let to = bench.path("out").display().to_string();
+    let refused = |words: &[&str]| {
+        let output = driftpost(&[&["compensate", &source, "-o", &to, "--diff", "none"], words].concat());
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {}", out(&output));
+        assert!(!bench.path("out").exists(), "{words:?}");
+        err(&output)
+    };
+    let none = refused(&[]);
+    assert!(none.contains("emit::several-tasks") || none.contains("reach::"), "{none}");
+    let one = refused(&["--task", "TASK1=irb140"]);
+    assert!(one.contains("task::not-named") && one.contains("TASK2 holds motion"), "{one}");
+    let none = refused(&["--task", "TASK1=irb140", "--task", "TASK3=irb140"]);
+    assert!(none.contains("task::no-motion") && none.contains("TASK1, TASK2"), "{none}");
+    let twice = refused(&["--task", "TASK1=irb140", "--task", "task1=irb140"]);
+    assert!(twice.contains("task::twice"), "{twice}");
+    let without = refused(&["--task", "TASK1=irb140", "--task", &format!("TASK2={LARGE}")]);
+    assert!(without.contains("deform::other-robot"), "the built-in table is an IRB 140's: {without}");
+    let both = refused(&["--task", "TASK1=irb140", "--robot", "irb140"]);
+    assert!(both.contains("cannot be used with"), "{both}");
+}
