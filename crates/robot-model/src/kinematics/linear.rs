@@ -44,6 +44,13 @@ fn scale_rows<T: Real>(a: &Mat3<T>, s: T) -> Mat3<T> {
 /// Determinants this small, of unit vectors and of metres, are nothing but rounding.
 pub(crate) const SINGULAR: f64 = 1e-9;
 
+/// Newton's step and the sign of the Jacobian's determinant; `None` in a singularity.
+#[inline]
+pub(crate) fn regular_newton_step(jacobian: &Mat6, twist: &Vec6) -> Option<(Vec6, f64)> {
+    let (step, [wrist, arm]) = newton_step(jacobian, twist);
+    (wrist.abs() > SINGULAR && arm.abs() > SINGULAR).then(|| (step, (wrist * arm).signum()))
+}
+
 /// `(aᵀ a + damping) x = aᵀ b`: Levenberg's step. `None` where rounding has eaten the matrix.
 pub(crate) fn solve_damped(a: &Mat6, b: &Vec6, damping: f64) -> Option<Vec6> {
     let mut normal = [[0.0; 6]; 6];

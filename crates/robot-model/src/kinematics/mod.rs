@@ -11,6 +11,7 @@ mod configuration;
 mod dispatch;
 mod eight_branches;
 mod flange_points;
+mod follow;
 mod lanes;
 mod linear;
 mod matrix;

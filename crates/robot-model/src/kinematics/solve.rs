@@ -1,8 +1,9 @@
-//! Numeric inverse kinematics of a deformed arm: Newton from the nominal closed form, damped where Newton fails, every
-//! answer proved and on the branch it started from.
+//! Numeric inverse kinematics of a deformed arm: Newton from the nominal closed form, damped where Newton fails, along the
+//! branch where that fails too; every answer proved and on the branch it started from.
 
 use super::chain::{Arm, Pose};
-use super::linear::{self, Mat6, SINGULAR, Vec6};
+use super::follow::follow;
+use super::linear::{self, Vec6, regular_newton_step as newton_step};
 use super::matrix::{dot, norm};
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
@@ -30,9 +31,9 @@ pub struct Solved {
 /// Why there are no joints for a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum SolveError {
-    /// Steps no longer come nearer: out of reach, or too near a singularity for the branch to hold the pose.
+    /// Neither steps towards the pose nor the way along the branch lead there: out of reach, or the branch ends before it.
     #[error(
-        "no joints of this branch reach the pose: {:.3e} mm and {:.3e} deg are left after {iterations} steps",
+        "the pose is not reached along this branch, which ends or turns a joint past a right angle: {:.3e} mm and {:.3e} deg are left after {iterations} steps",
         mm_from_m(*residual_m),
         deg_from_rad(*residual_rad)
     )]
@@ -76,7 +77,8 @@ pub(super) const BRANCH_RAD: f64 = FRAC_PI_2;
 /// Joints at which `arm` stands in `base_from_flange`, on the branch of `start_q_rad`.
 ///
 /// Newton with the arm's Jacobian; where a step is too long or misses, Levenberg's damped step, limited in length and
-/// accepted only when it comes nearer. Start it at the nominal arm's closed form.
+/// accepted only when it comes nearer; where that too ends short of the pose, the branch is followed towards it bit by bit. Start it
+/// at the nominal arm's closed form.
 ///
 /// # Errors
 /// [`SolveError`] says how the search ended. An answer is never less than proved.
@@ -114,14 +116,11 @@ pub fn solve<A: Arm + ?Sized>(
             *q_rad += step;
         }
     }
-    damped(arm, &goal, start_q_rad)
-}
-
-/// Newton's step and the sign of the Jacobian's determinant; `None` in a singularity.
-#[inline]
-fn newton_step(jacobian: &Mat6, error: &Vec6) -> Option<(Vec6, f64)> {
-    let (step, [wrist, arm]) = linear::newton_step(jacobian, error);
-    (wrist.abs() > SINGULAR && arm.abs() > SINGULAR).then(|| (step, (wrist * arm).signum()))
+    damped(arm, &goal, start_q_rad).or_else(|refused| {
+        let is_reached = |error: &Vec6| reached(start_q_rad, error, 0).is_some();
+        let followed = follow(arm, &goal, start_q_rad, BRANCH_RAD, is_reached);
+        followed.and_then(|(q_rad, error, iterations)| reached(&q_rad, &error, iterations)).ok_or(refused)
+    })
 }
 
 /// Levenberg's search from the start, each step accepted on the true residual.
