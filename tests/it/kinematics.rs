@@ -86,31 +86,18 @@ fn opw(robot: &Robot) -> OPWKinematics {
     })
 }
 
-/// Robots by what RobotComponents (its presets, commit 8eaaf1a2; facts drawn from data sheets, not from the descriptions that ours come
-/// from) says of them: a1, a2, b, c1, c2, c3, c4 of Brandstötter's ortho-parallel basis, mm.
-const OTHERS: [(&str, [f64; 7]); 15] = [
-    ("irb140", [70.0, 0.0, 0.0, 352.0, 360.0, 380.0, 65.0]),
-    ("irb120", [0.0, -70.0, 0.0, 290.0, 270.0, 302.0, 72.0]),
-    ("irb1200", [0.0, -42.0, 0.0, 399.1, 448.0, 451.0, 82.0]),
-    ("irb1200-0.7", [0.0, -42.0, 0.0, 399.1, 350.0, 351.0, 82.0]),
-    ("irb1600-1.2", [150.0, 0.0, 0.0, 486.5, 475.0, 600.0, 65.0]),
-    ("irb1600-1.45", [150.0, 0.0, 0.0, 486.5, 700.0, 600.0, 65.0]),
-    ("irb2600", [150.0, -115.0, 0.0, 445.0, 700.0, 795.0, 85.0]),
-    ("irb4600", [175.0, -175.0, 0.0, 495.0, 900.0, 960.0, 135.0]),
-    ("irb4600-2.5", [175.0, -175.0, 0.0, 495.0, 1095.0, 1230.5, 85.0]),
-    ("irb4600-2.55", [175.0, -175.0, 0.0, 495.0, 1095.0, 1270.0, 135.0]),
-    ("irb6650s-3.5", [600.0, -200.0, 0.0, 630.0, 1280.0, 1592.0, 200.0]),
-    ("irb6650s-3.9", [600.0, -200.0, 0.0, 630.0, 1280.0, 2042.0, 200.0]),
-    ("irb6700", [320.0, -200.0, 0.0, 780.0, 1125.0, 1142.5, 200.0]),
-    ("irb6700-2.65", [320.0, -200.0, 0.0, 780.0, 1135.0, 1182.5, 200.0]),
-    ("irb7600-3.5", [410.0, -165.0, 0.0, 780.0, 1075.0, 2012.0, 250.0]),
-];
+/// Built-in robots by what RobotComponents says of them: lengths of Brandstötter's ortho-parallel basis, mm.
+fn others() -> Vec<(&'static str, [f64; 7])> {
+    let rows = rows(include_str!("../../fixtures/oracle/robotcomponents.csv"));
+    rows.iter().map(|row| (row[0], numbers(&row[1..]).try_into().unwrap())).collect()
+}
 
 #[test]
 fn every_built_in_robot_is_the_arm_that_others_describe() {
     let mut random = Random(7);
-    assert_eq!(Robot::built_in_names(), OTHERS.map(|(name, _)| name));
-    for (name, mm) in OTHERS {
+    let others = others();
+    assert_eq!(Robot::built_in_names(), others.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+    for (name, mm) in others {
         let [a1, a2, b, c1, c2, c3, c4] = mm.map(|mm| mm / 1000.0);
         let offsets = [0.0, 0.0, -FRAC_PI_2, 0.0, 0.0, 0.0];
         let parameters = Parameters { a1, a2, b, c1, c2, c3, c4, offsets, sign_corrections: [1; 6], dof: 6 };

@@ -1,5 +1,9 @@
 //! Jobs beside those of others, timed by the processor time of this thread: `peers export FOLDER` writes the deformed solves for
-//! the others, `peers JOB` does one round and prints nanoseconds for each answer.
+//! the others, `peers JOB` does one round and prints nanoseconds for each answer. `peers beside-opw ROBOT COUNT` and `peers poses ROBOT
+//! COUNT` are what `benches/peers/differential` looks at.
+
+mod differential;
+mod samples;
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use robot_model::deform::Deformation;
@@ -44,7 +48,8 @@ impl Setup {
         let deformation = Deformation::paper();
         let at = |t: u32| Chain::with_offsets(&robot, &deformation.offsets_at(f64::from(t)));
         let minutes = (0..=180).map(at).collect();
-        let targets = cube().into_iter().filter_map(|pose| Some((pose, closed.branches(&pose)[1]?))).collect();
+        let targets =
+            cube().into_iter().filter_map(|pose| Some((pose, closed.branches(&pose)[1]?))).collect();
         let opw = OPWKinematics::new(Parameters {
             a1: 0.070,
             c1: 0.352,
@@ -114,6 +119,15 @@ fn timed(answers: usize, mut work: impl FnMut()) -> f64 {
 }
 
 fn main() -> io::Result<()> {
+    if let [job, robot, count] = &env::args().skip(1).collect::<Vec<_>>()[..] {
+        let count = count.parse().map_err(io::Error::other)?;
+        match job.as_str() {
+            "beside-opw" => println!("{}", differential::beside_opw(robot, count)?),
+            "poses" => differential::write_poses(robot, count, io::BufWriter::new(io::stdout().lock()))?,
+            _ => return Err(io::Error::other("no such job")),
+        }
+        return Ok(());
+    }
     let Some(setup) = Setup::new() else { return Err(io::Error::other("the irb140 is not built in")) };
     let job = env::args().nth(1).unwrap_or_default();
     let joints: Vec<[f64; 6]> = setup.targets.iter().map(|(_, start)| *start).collect();
@@ -140,7 +154,10 @@ fn main() -> io::Result<()> {
         }),
         "closed" => timed(100 * joints.len(), || {
             for _ in 0..100 {
-                setup.targets.iter().for_each(|(pose, _)| _ = black_box(setup.closed.branches(black_box(pose))));
+                setup
+                    .targets
+                    .iter()
+                    .for_each(|(pose, _)| _ = black_box(setup.closed.branches(black_box(pose))));
             }
         }),
         "closed-opw" => {
