@@ -22,6 +22,10 @@ pub(super) fn scope<'a>(i: Text<'a>) -> (Text<'a>, Scope) {
 
 /// `TASK` before PERS, VAR or CONST: no reserved word of its own, but nothing else begins so.
 pub(super) fn is_task_declaration(i: Text<'_>) -> bool {
+    let i = blank(i);
+    if !matches!(i.peek(), Some(b't' | b'T')) {
+        return false;
+    }
     match name(i) {
         Ok((rest, _)) if i.bytes_until(rest).eq_ignore_ascii_case(b"task") => {
             matches!(any_word(rest), Some((_, Word::Pers | Word::Var | Word::Const)))

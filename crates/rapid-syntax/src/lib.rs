@@ -34,7 +34,7 @@ pub mod word;
 pub use difference::first_difference;
 pub use edit::{Edit, EditError, apply};
 pub use literal::{number_value, string_value};
-pub use numbers::parts_of_numbers;
+pub use numbers::{parts_of_numbers, ranges_of_numbers};
 pub use parse::parse;
 pub use source::SourceFile;
 pub use warning::Warning;

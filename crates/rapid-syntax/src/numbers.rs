@@ -16,9 +16,17 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 #[must_use]
 pub fn parts_of_numbers(source: &[u8], range: TextRange) -> Vec<Expr> {
     let text = range.of(source);
-    let mut parts = Vec::new();
+    let at = |at: u32| (at - range.start) as usize;
+    ranges_of_numbers(source, range)
+        .map(|part_at| part(text, range.start, at(part_at.start), at(part_at.end)))
+        .collect()
+}
+
+/// Where the parts of an [`ExprKind::Numbers`] stand in `source`, in order.
+pub fn ranges_of_numbers(source: &[u8], range: TextRange) -> impl Iterator<Item = TextRange> + '_ {
+    let text = range.of(source);
     let (mut depth, mut from) = (0_u32, 1);
-    for (at, &byte) in text.iter().enumerate() {
+    text.iter().enumerate().filter_map(move |(at, &byte)| {
         let ends = match byte {
             b'[' => {
                 depth += 1;
@@ -31,19 +39,23 @@ pub fn parts_of_numbers(source: &[u8], range: TextRange) -> Vec<Expr> {
             b',' => depth == 1,
             _ => false,
         };
-        if ends {
-            parts.push(part(text, range.start, from, at));
-            from = at + 1;
-        }
-    }
-    parts
+        let piece = ends.then(|| trimmed(text, std::mem::replace(&mut from, at + 1), at))?;
+        Some(TextRange::new(range.start + piece.start as u32, range.start + piece.end as u32))
+    })
 }
 
-fn part(text: &[u8], start: u32, from: usize, to: usize) -> Expr {
+/// Without the blanks round it.
+fn trimmed(text: &[u8], from: usize, to: usize) -> std::ops::Range<usize> {
     let white = |b: &u8| b.is_ascii_whitespace();
     let piece = text.get(from..to).unwrap_or_default();
     let from = from + piece.iter().take_while(|b| white(b)).count();
     let to = to - piece.iter().rev().take_while(|b| white(b)).count();
+    from..to.max(from)
+}
+
+/// What stands there, without blanks round it.
+fn part(text: &[u8], start: u32, from: usize, to: usize) -> Expr {
+    let white = |b: &u8| b.is_ascii_whitespace();
     let range = |from: usize| TextRange::new(start + from as u32, start + to.max(from) as u32);
     let op = match text.get(from) {
         Some(b'[') => return Expr { range: range(from), kind: ExprKind::Numbers },
@@ -67,6 +79,7 @@ mod tests {
         let parts = parts_of_numbers(source, range);
         let texts: Vec<&[u8]> = parts.iter().map(|p| p.range.of(source)).collect();
         assert_eq!(texts, [&b"[1, -2.5 ]"[..], b"+ 3", b"[[0]]", b"9E+09"]);
+        assert!(ranges_of_numbers(source, range).eq(parts.iter().map(|p| p.range)));
         let inner = parts_of_numbers(source, parts[0].range);
         let ExprKind::Unary { op: UnaryOp::Neg, operand } = &inner[1].kind else { panic!("{inner:?}") };
         assert_eq!(operand.range.of(source), b"2.5");

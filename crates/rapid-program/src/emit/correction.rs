@@ -6,6 +6,7 @@ use super::number::write_num;
 use super::target::MAX_LINE;
 use crate::compensate::plan::Correction;
 use robot_model::units::{deg_from_rad, mm_from_m};
+use std::io::Write as _;
 
 /// Shifts are written to this, mm, joints to this, degrees, and parts of a quaternion to this.
 const SHIFT_DECIMALS: i32 = 5;
@@ -93,15 +94,28 @@ fn write_rounded<const N: usize>(out: &mut Vec<u8>, values: [f64; N], decimals: 
         if i > 0 {
             out.push(b',');
         }
-        let value = (value * scale).round() / scale;
-        let mut text = Vec::new();
-        write_num(&mut text, value);
-        // 0.0000123 is shorter as 1.23E-5.
-        let short = format!("{value:E}");
-        let short = if short.len() < text.len() { short.into_bytes() } else { text };
-        out.extend_from_slice(&short);
+        write_short(out, (value * scale).round() / scale);
     }
     out.push(b']');
+}
+
+/// A number as [`write_num`] writes it, or with an exponent where that is shorter: 0.0000123 as 1.23E-5.
+fn write_short(out: &mut Vec<u8>, value: f64) {
+    let from = out.len();
+    write_num(out, value);
+    let plain = out.get(from..).unwrap_or_default();
+    let digits = plain.strip_prefix(b"-").unwrap_or(plain);
+    // Elsewhere an exponent takes the place of too little.
+    if !digits.starts_with(b"0.00") && digits.contains(&b'.') {
+        return;
+    }
+    let length = plain.len();
+    let end = out.len();
+    if write!(out, "{value:E}").is_ok() && out.len() - end < length {
+        out.drain(from..end);
+    } else {
+        out.truncate(end);
+    }
 }
 
 #[cfg(test)]
@@ -123,6 +137,23 @@ mod tests {
             "  LOCAL CONST pose tcP10:=[[0.1,-0.025,0],[1,1.25E-5,0,-1E-3]];\n"
         );
         assert_eq!(letters, check::of_numbers(b"[[0.1,-0.025,0],[1,0.0000125,0,-0.001]]"));
+    }
+
+    #[test]
+    fn an_exponent_stands_where_it_is_shorter() {
+        let (mut found, mut exponents) = (Vec::new(), 0);
+        let steps = (-2000..2000).chain((0..40).map(|i| 25 * 10_i64.pow(i % 9) + i64::from(i)));
+        for (value, decimals) in steps.flat_map(|n| [5, 6, 8].map(|d| (n as f64 / 10_f64.powi(d), d))) {
+            found.clear();
+            write_rounded(&mut found, [value], decimals);
+            let value = (value * 10_f64.powi(decimals)).round() / 10_f64.powi(decimals);
+            let (mut plain, short) = (Vec::new(), format!("{value:E}"));
+            write_num(&mut plain, value);
+            let shortest = if short.len() < plain.len() { short.as_bytes() } else { &plain };
+            assert_eq!(found, [b"[", shortest, b"]"].concat());
+            exponents += usize::from(short.len() < plain.len());
+        }
+        assert!(exponents > 1000, "{exponents}");
     }
 
     #[test]

@@ -171,22 +171,28 @@ fn begins_with_tc(word: &[u8]) -> bool {
 
 /// Calls `each` with every word of `text`: letters, digits, `_` and bytes above ASCII, not begun by a digit.
 pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
-    let part = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b >= 0x80;
-    let mut at = 0;
-    while at < text.len() {
-        if !part(text[at]) {
-            at += 1;
-            continue;
+    let part = |b: &u8| PARTS[usize::from(*b)];
+    let mut rest = text;
+    while let Some(start) = rest.iter().position(part) {
+        let (_, from) = rest.split_at(start);
+        let (word, after) = from.split_at(from.iter().position(|b| !part(b)).unwrap_or(from.len()));
+        if !word[0].is_ascii_digit() {
+            each(word);
         }
-        let start = at;
-        while at < text.len() && part(text[at]) {
-            at += 1;
-        }
-        if !text[start].is_ascii_digit() {
-            each(&text[start..at]);
-        }
+        rest = after;
     }
 }
+
+/// Which bytes are parts of words.
+const PARTS: [bool; 256] = {
+    let mut parts = [false; 256];
+    let mut b = 0;
+    while b < 256 {
+        parts[b] = (b as u8).is_ascii_alphanumeric() || b == b'_' as usize || b >= 0x80;
+        b += 1;
+    }
+    parts
+};
 
 #[cfg(test)]
 mod tests {

@@ -97,8 +97,13 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
     let mut left = None;
+    let mut begins = [false; 256];
+    for &first in added.iter().filter_map(|name| name.first()) {
+        begins[usize::from(first)] = true;
+    }
     words(&restored, |word| {
-        if left.is_none() && word.len() > 2 && added.contains(&word.to_ascii_lowercase()) {
+        let may_be = word.len() > 2 && begins[usize::from(word[0].to_ascii_lowercase())];
+        if left.is_none() && may_be && added.contains(&word.to_ascii_lowercase()) {
             left = Some((word.as_ptr() as usize - restored.as_ptr() as usize, word.to_vec()));
         }
     });

@@ -8,7 +8,7 @@ use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Points};
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
-use rapid_syntax::{Edit, parts_of_numbers};
+use rapid_syntax::{Edit, ranges_of_numbers};
 use std::collections::BTreeMap;
 
 /// Functions that stand round a target.
@@ -98,31 +98,24 @@ impl<'w> Remover<'w> {
     /// The elements of an array, row by row.
     fn rows(&self, data: &DataDecl) -> Result<Vec<Vec<TextRange>>, RestoreError> {
         let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
-        let parts = self.parts(init);
-        Ok(match data.dims.len() {
-            1 => vec![parts.into_iter().map(|(range, _)| range).collect()],
-            _ => parts.into_iter().map(|(_, inner)| inner).collect(),
+        Ok(match (data.dims.len(), &init.kind) {
+            (1, _) => vec![self.parts(init)],
+            (_, ExprKind::Aggregate(rows)) => rows.iter().map(|row| self.parts(row)).collect(),
+            _ => self.parts(init).into_iter().map(|row| self.parts_of_numbers(row)).collect(),
         })
     }
 
-    /// The parts of an aggregate, each with its own parts.
-    fn parts(&self, expr: &Expr) -> Vec<(TextRange, Vec<TextRange>)> {
-        let numbers = |range: TextRange| -> Vec<TextRange> {
-            parts_of_numbers(self.bytes, range).iter().map(|part| part.range).collect()
-        };
-        let inner = |expr: &Expr| match &expr.kind {
-            ExprKind::Aggregate(parts) => parts.iter().map(|part| part.range).collect(),
-            ExprKind::Numbers => numbers(expr.range),
-            _ => Vec::new(),
-        };
+    /// The parts of an aggregate.
+    fn parts(&self, expr: &Expr) -> Vec<TextRange> {
         match &expr.kind {
-            ExprKind::Aggregate(parts) => parts.iter().map(|part| (part.range, inner(part))).collect(),
-            ExprKind::Numbers => parts_of_numbers(self.bytes, expr.range)
-                .iter()
-                .map(|part| (part.range, inner(part)))
-                .collect(),
+            ExprKind::Aggregate(parts) => parts.iter().map(|part| part.range).collect(),
+            ExprKind::Numbers => self.parts_of_numbers(expr.range),
             _ => Vec::new(),
         }
+    }
+
+    fn parts_of_numbers(&self, range: TextRange) -> Vec<TextRange> {
+        ranges_of_numbers(self.bytes, range).collect()
     }
 
     /// Takes out the routines; gives the module's own ones.
@@ -290,7 +283,7 @@ impl<'w> Remover<'w> {
             named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default();
         for (row, new) in rows.iter().enumerate() {
             let Some(new) = new else { continue };
-            let Some((range, _)) = elements.get(row) else {
+            let Some(range) = elements.get(row) else {
                 return Err(
                     self.damaged(array.range, "an element was touched up whose array is not declared here")
                 );
