@@ -10,7 +10,7 @@ use super::index::{Ctx, DatumId, DatumKind, Index, Resolved};
 use super::motion::SkipReason;
 use super::names::{Sym, as_text};
 use super::other_tasks;
-use super::predefined::predefined;
+use super::predefined::{is_predefined, predefined};
 use super::value::{self, DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
 use super::writes::{How, Writes};
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
@@ -50,6 +50,8 @@ pub(super) struct ConstEvaluator<'a> {
     pub(super) writes: &'a Writes,
     /// Values given from outside: type and value by name in lower case.
     pub(super) given: BTreeMap<String, (&'static str, Value)>,
+    /// Predefined data that were asked for, by name in lower case.
+    predefined: BTreeMap<String, (&'static str, Value)>,
     /// Names that were found only LOCAL to another module, with their first use.
     pub(super) elsewhere: BTreeMap<DatumId, Span>,
     known: HashMap<DatumId, Result<Value, Why>>,
@@ -62,6 +64,7 @@ impl<'a> ConstEvaluator<'a> {
             index,
             writes,
             given: BTreeMap::new(),
+            predefined: BTreeMap::new(),
             elsewhere: BTreeMap::new(),
             known: HashMap::new(),
             busy: Vec::new(),
@@ -110,6 +113,9 @@ impl<'a> ConstEvaluator<'a> {
                 Ok(untyped(Value::Parts(parts?)))
             }
             ExprKind::Numbers => {
+                if let Some(value) = Value::of_plain_list(source(expr.range)) {
+                    return Ok(untyped(value));
+                }
                 let parts = parts_of_numbers(&self.index.file(ctx.file).bytes, expr.range);
                 let parts: Result<Rc<[Value]>, Why> =
                     parts.iter().map(|p| self.fold_typed(p, ctx, state).map(|t| t.value)).collect();
@@ -154,9 +160,13 @@ impl<'a> ConstEvaluator<'a> {
                 self.datum(datum, state).map(|value| Typed { value, type_name })
             }
             Ok(NameMeaning::Predefined(name)) => {
-                let (type_name, value) = match self.given.get(&name) {
+                let (type_name, value) = match self.given.get(&name).or(self.predefined.get(&name)) {
                     Some((type_name, value)) => (*type_name, value.clone()),
-                    None => predefined(&name).ok_or_else(wrong_type)?,
+                    None => {
+                        let made = predefined(&name).ok_or_else(wrong_type)?;
+                        self.predefined.insert(name, made.clone());
+                        made
+                    }
                 };
                 Ok(Typed { value, type_name: self.index.names.find(type_name.as_bytes()) })
             }
@@ -172,7 +182,7 @@ impl<'a> ConstEvaluator<'a> {
         match resolved {
             Resolved::Here(datum) => Ok(NameMeaning::Datum(datum)),
             Resolved::Elsewhere(datum) => {
-                if predefined(&lower()).is_some() {
+                if is_predefined(&lower()) {
                     return Ok(NameMeaning::Predefined(lower()));
                 }
                 self.elsewhere.entry(datum).or_insert(span(ctx, range));
@@ -186,7 +196,7 @@ impl<'a> ConstEvaluator<'a> {
             }
             Resolved::Nowhere => {
                 let lower = lower();
-                if predefined(&lower).is_some() || self.given.contains_key(&lower) {
+                if is_predefined(&lower) || self.given.contains_key(&lower) {
                     return Ok(NameMeaning::Predefined(lower));
                 }
                 let text = format!("{} is not declared in the given files", as_text(written));

@@ -10,12 +10,17 @@ const SPEEDS_MM_S: [u32; 25] = [
 const VMAX_MM_S: f64 = 5000.0;
 const ZONES_MM: [u32; 14] = [0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200];
 
+/// Whether a name is that of a predefined datum.
+pub(super) fn is_predefined(name: &str) -> bool {
+    Predefined::named(name).is_some()
+}
+
 /// Type and value of a predefined datum.
 pub(super) fn predefined(name: &str) -> Option<(&'static str, Value)> {
     let identity = || Value::parts([Value::numbers(&[0.0; 3]), orient()]);
-    Some(match name {
-        "tool0" => ("tooldata", Value::parts([Value::Bool(true), identity(), load0()])),
-        "wobj0" => (
+    Some(match Predefined::named(name)? {
+        Predefined::Tool0 => ("tooldata", Value::parts([Value::Bool(true), identity(), load0()])),
+        Predefined::Wobj0 => (
             "wobjdata",
             Value::parts([
                 Value::Bool(false),
@@ -25,22 +30,56 @@ pub(super) fn predefined(name: &str) -> Option<(&'static str, Value)> {
                 identity(),
             ]),
         ),
-        "load0" => ("loaddata", load0()),
-        "pi" => ("num", Value::Num(f64::from(std::f32::consts::PI))),
-        "fine" => ("zonedata", zone(true, 0.0)),
-        "vmax" => ("speeddata", speed(VMAX_MM_S)),
-        _ => {
-            let (letter, number) = letter_and_number(name)?;
-            match letter {
-                "v" if SPEEDS_MM_S.contains(&number) => ("speeddata", speed(f64::from(number))),
-                "z" if number == 0 => ("zonedata", zone(false, 0.3)),
-                "z" if ZONES_MM.contains(&number) => ("zonedata", zone(false, f64::from(number))),
-                "vrot" => ("speeddata", Value::numbers(&[0.0, 0.0, 0.0, f64::from(number)])),
-                "vlin" => ("speeddata", Value::numbers(&[0.0, 0.0, f64::from(number), 0.0])),
-                _ => return None,
-            }
-        }
+        Predefined::Load0 => ("loaddata", load0()),
+        Predefined::Pi => ("num", Value::Num(f64::from(std::f32::consts::PI))),
+        Predefined::Speed(mm_s) => ("speeddata", speed(mm_s)),
+        Predefined::Turning(deg_s) => ("speeddata", Value::numbers(&[0.0, 0.0, 0.0, deg_s])),
+        Predefined::External(mm_s) => ("speeddata", Value::numbers(&[0.0, 0.0, mm_s, 0.0])),
+        Predefined::Zone { finep, mm } => ("zonedata", zone(finep, mm)),
     })
+}
+
+/// The predefined data.
+enum Predefined {
+    Tool0,
+    Wobj0,
+    Load0,
+    Pi,
+    /// Of the TCP, mm/s.
+    Speed(f64),
+    /// `vrot10`: of external axes that turn, deg/s.
+    Turning(f64),
+    /// `vlin10`: of external axes that slide, mm/s.
+    External(f64),
+    Zone {
+        finep: bool,
+        mm: f64,
+    },
+}
+
+impl Predefined {
+    fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "tool0" => Self::Tool0,
+            "wobj0" => Self::Wobj0,
+            "load0" => Self::Load0,
+            "pi" => Self::Pi,
+            "fine" => Self::Zone { finep: true, mm: 0.0 },
+            "vmax" => Self::Speed(VMAX_MM_S),
+            _ => {
+                let (letter, number) = letter_and_number(name)?;
+                let value = f64::from(number);
+                match letter {
+                    "v" if SPEEDS_MM_S.contains(&number) => Self::Speed(value),
+                    "z" if number == 0 => Self::Zone { finep: false, mm: 0.3 },
+                    "z" if ZONES_MM.contains(&number) => Self::Zone { finep: false, mm: value },
+                    "vrot" => Self::Turning(value),
+                    "vlin" => Self::External(value),
+                    _ => return None,
+                }
+            }
+        })
+    }
 }
 
 /// What a name such as `v83` or `z2` that nobody declares must be meant to be.

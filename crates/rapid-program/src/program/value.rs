@@ -51,6 +51,13 @@ impl Value {
         Self::Parts(numbers.iter().map(|&n| Self::Num(n)).collect())
     }
 
+    /// An aggregate of decimal numbers, and of such aggregates, as it is written; `None` where that is not all.
+    pub(super) fn of_plain_list(text: &[u8]) -> Option<Self> {
+        let mut rest = text.strip_prefix(b"[")?;
+        let value = plain_list(&mut rest, 0)?;
+        rest.is_empty().then_some(value)
+    }
+
     /// A record or array of parts.
     pub(super) fn parts(parts: impl IntoIterator<Item = Self>) -> Self {
         Self::Parts(parts.into_iter().collect())
@@ -95,6 +102,44 @@ impl Value {
             Self::Parts(parts) => parts.iter().find_map(Self::unknown),
             Self::Reached(reached) => reached.joints.unknown(),
             _ => None,
+        }
+    }
+}
+
+/// Lists nest no deeper where they are read at one go.
+const DEEPEST: u32 = 8;
+
+/// The parts up to the closing bracket, and past it.
+fn plain_list(rest: &mut &[u8], depth: u32) -> Option<Value> {
+    let mut parts = Vec::with_capacity(6);
+    loop {
+        *rest = rest.trim_ascii_start();
+        if let Some(inner) = rest.strip_prefix(b"[") {
+            *rest = inner;
+            let list = (depth < DEEPEST).then(|| plain_list(rest, depth + 1))?;
+            parts.push(list?);
+        } else {
+            let (negative, digits) = match rest.strip_prefix(b"-") {
+                Some(digits) => (true, digits),
+                None => (false, *rest),
+            };
+            if !digits.first()?.is_ascii_digit() {
+                return None;
+            }
+            let (number, length) = fast_float2::parse_partial::<f64, _>(digits).ok()?;
+            if !number.is_finite() {
+                return None;
+            }
+            parts.push(Value::Num(if negative { -number } else { number }));
+            *rest = digits.get(length..)?;
+        }
+        *rest = rest.trim_ascii_start();
+        let (&next, after) = rest.split_first()?;
+        *rest = after;
+        match next {
+            b',' => {}
+            b']' => return Some(Value::Parts(parts.into())),
+            _ => return None,
         }
     }
 }
@@ -176,6 +221,18 @@ mod tests {
         }
         for text in ["", "abc", "1e400", "0x", "nan", "inf", "0b2"] {
             assert_eq!(number(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_list_is_read_at_one_go_or_left() {
+        let read = Value::of_plain_list(b"[[-1.5, 9E+09 ],[0],\r\n 2.]");
+        let list = Value::parts([Value::numbers(&[-1.5, 9e9]), Value::numbers(&[0.0]), Value::Num(2.0)]);
+        assert_eq!(read, Some(list));
+        for other in
+            [&b"[]"[..], b"[+1]", b"[.5]", b"[1,]", b"[1e400]", b"[0x1F]", b"[1 2]", b"[1", b"[1]]", b"[a]"]
+        {
+            assert_eq!(Value::of_plain_list(other), None, "{other:?}");
         }
     }
 

@@ -44,10 +44,10 @@ impl<'a> MotionReader<'_, 'a> {
         let Some(expr) = args.tool else {
             return Err(keep("keep::tool-unknown", "it names no tool".into()));
         };
-        let written = as_text(self.evaluator.index.text(ctx.file, expr.range));
+        let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
         let folded = self.evaluator.fold(expr, ctx, known);
         let tool = folded.and_then(|t| whole(&t.value, convert::tooldata));
-        tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written, &why))
+        tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written(), &why))
     }
 
     fn wobj(
@@ -61,10 +61,10 @@ impl<'a> MotionReader<'_, 'a> {
             return Err(keep("keep::wobj-unknown", text));
         }
         let Some(expr) = args.wobj else { return Ok(WobjData::wobj0()) };
-        let written = as_text(self.evaluator.index.text(ctx.file, expr.range));
+        let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
         let folded = self.evaluator.fold(expr, ctx, known);
         let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));
-        wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written, &why))
+        wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written(), &why))
     }
 
     pub(super) fn speed(
