@@ -95,8 +95,8 @@ impl Destination {
 
     /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
     fn check_unchanged(&self, path: &Path) -> Result<(), Diagnostic> {
-        let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-        let Some(bytes) = is_file.then(|| fs::read(path).ok()).flatten().filter(|_| !self.force) else {
+        let is_file = !self.force && fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+        let Some(bytes) = is_file.then(|| fs::read(path).ok()).flatten() else {
             return Ok(());
         };
         if is_ours(&bytes) && is_as_written(&bytes) != Some(true) {
