@@ -2,13 +2,12 @@
 //! like to the nominal controller, and whether that may be sent.
 
 use super::model::{Model, Warm};
-use super::nominal::{Point, Resolved};
+use super::nominal::Point;
 use super::options::Options;
 use super::placement::keep;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
-use super::warm_joints::warm_joints_each;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
@@ -36,15 +35,17 @@ pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
     MotionCorrection::without_figures(PlannedMotion::kept(why))
 }
 
-/// Corrects a motion's points for all buckets, or for all nodes of time functions.
+/// Corrects a motion's points for all buckets, or for all nodes of time functions; `warm[k][i]` are the joints of point `i` in
+/// bucket `k`, or why there are none.
 pub(super) fn correct(
-    (motion, resolved): (&Motion, &Resolved),
+    (motion, points): (&Motion, &[Point]),
+    warm: &[&[WarmJoints]],
     at: &Moments,
     model: &Model,
     options: &Options,
 ) -> MotionCorrection {
     let arms = at.arms();
-    let count = resolved.q_rad().len();
+    let count = points.len();
     let mut made = MotionCorrection {
         planned: PlannedMotion::compensated(options.form.of_known()),
         error_m: vec![[0.0; 2]; if at.ramp().is_some() { 1 } else { arms.as_slice().len() }],
@@ -55,8 +56,9 @@ pub(super) fn correct(
     let mut refusal = None;
     let mut targets = Vec::with_capacity(count);
     let values = motion.targets.iter().flat_map(Target::values);
-    for (point, value) in resolved.points(motion, model).zip(values) {
-        let joints = match joints_per_bucket(&point, arms, model) {
+    for (i, (point, value)) in points.iter().zip(values).enumerate() {
+        let of_buckets = warm.iter().filter_map(|of_bucket| of_bucket.get(i));
+        let joints = match joints_per_bucket(point, of_buckets, model) {
             Ok(joints) => joints,
             Err(NoJoints::Skip(why)) => return kept(Arc::new(why)),
             Err(NoJoints::Refuse(why)) => {
@@ -72,21 +74,24 @@ pub(super) fn correct(
         let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
             Moments::Buckets(warm) => {
-                made.add_errors(&point, &joints, warm);
+                made.add_errors(point, &joints, warm);
                 Corrections::InBuckets(match by_joints {
                     true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
                     false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
                 })
             }
             Moments::Nodes(ramp) => {
-                let corrections = ramp.corrections(&point, by_joints, &joints, model);
-                let error_m = ramp.errors_m(&point, &corrections, model);
+                let corrections = match by_joints {
+                    true => Ramp::turns(point, &joints),
+                    false => Ramp::shifts(&meant, &commanded),
+                };
+                let error_m = ramp.errors_m(point, &corrections, model);
                 let worst = &mut made.error_m[0];
                 *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
                 Corrections::AtNodes(corrections.into_iter().collect())
             }
         };
-        targets.push(planned_target(&point, &value, corrections, model));
+        targets.push(planned_target(point, &value, corrections, model));
     }
     let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
     made.planned.error_m = Some([over(0), over(1)]);
@@ -159,6 +164,9 @@ fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
     RobTarget { object_from_tcp: point.object_from_tcp(), conf, ext: joints.ext }
 }
 
+/// The warm arm's joints at a point, radians, or why it is kept.
+pub(super) type WarmJoints = Result<[f64; 6], SkipReason>;
+
 /// Why a target has no corrected joints.
 enum NoJoints {
     /// The motion stays as it is.
@@ -168,12 +176,16 @@ enum NoJoints {
 }
 
 /// The deformed arm's joints for each bucket.
-fn joints_per_bucket(point: &Point, arms: &DeformedArms, model: &Model) -> Result<Vec<[f64; 6]>, NoJoints> {
+fn joints_per_bucket<'j>(
+    point: &Point,
+    warm: impl Iterator<Item = &'j WarmJoints>,
+    model: &Model,
+) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);
-    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(arms.as_slice().len());
+    let mut joints: Vec<[f64; 6]> = Vec::new();
     let mut refusal = None;
-    for q_rad in warm_joints_each(point, arms, model) {
-        let q_rad = q_rad.map_err(NoJoints::Skip)?;
+    for q_rad in warm {
+        let q_rad = q_rad.clone().map_err(NoJoints::Skip)?;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));

@@ -1,49 +1,17 @@
-//! Figures over motions: paths between targets, and the program's worst cases.
+//! Figures over motions: the program's worst cases.
 
 use super::correct::MotionCorrection;
 use super::drift::{ProgramPoints, errors_m};
-use super::model::Model;
 use super::nominal::Resolved;
-use super::path::Leg;
-use super::plan::{PlannedMotion, Status, Summary};
+use super::plan::{Status, Summary};
 use super::wobj_shift_baseline;
 use crate::program::Program;
 use crate::program::motion::MotionId;
 use crate::schedule::{Chosen, Moment, Schedule};
-use rayon::prelude::*;
-use robot_model::deform::DeformedArms;
 
 /// The fine check's step, minutes, and how far it goes in the last bucket.
 const FINE_MIN: f64 = 0.25;
 const LAST_MIN: f64 = 1000.0;
-
-/// Fills in how far each compensated motion's path is from the programmed one; `worst_bucket` is for each motion the
-/// one that corrects it most.
-pub(super) fn follow_paths(
-    (program, resolved): (&Program, &[Resolved]),
-    warm: &DeformedArms,
-    model: &Model,
-    worst_bucket: &[u32],
-    planned: &mut [PlannedMotion],
-) {
-    let compensated: Vec<bool> = planned.iter().map(|p| p.status == Status::Compensated).collect();
-    planned.par_iter_mut().enumerate().filter(|(i, _)| compensated[*i]).for_each(|(i, planned)| {
-        let motion = &program.motions[i];
-        let points: Vec<_> = resolved[i].points(motion, model).collect();
-        let Some(before) = motion.previous.map(MotionId::index) else { return };
-        let start = resolved.get(before).zip(program.motions.get(before));
-        let Some(start) = start.and_then(|(before, motion)| before.end(motion, model)) else { return };
-        let leg = Leg {
-            path: motion.setup.path,
-            start: &start,
-            start_corrected: compensated[before],
-            points: &points,
-        };
-        let mut buckets = vec![0, worst_bucket[i] as usize, warm.as_slice().len() - 1];
-        buckets.dedup();
-        planned.mid_path_m = leg.deviation_m(&buckets, warm, model);
-    });
-}
 
 /// The figures of no motion.
 pub(super) fn none_yet(chosen: &Chosen) -> Summary {

@@ -11,6 +11,7 @@ mod correct;
 mod drift;
 mod error;
 mod figures;
+mod follow_paths;
 mod hinted_branch;
 mod joints_hint;
 mod live;

@@ -1,21 +1,22 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
-use super::correct::{Moments, MotionCorrection, correct, kept};
+use super::correct::{Moments, MotionCorrection, WarmJoints, correct, kept};
 use super::drift::ProgramPoints;
 use super::error::CompensateError;
-use super::figures::{self, Tally};
+use super::figures::Tally;
+use super::follow_paths::follow_paths;
 use super::live;
 use super::live_basis::LiveBasis;
 use super::messages::Messages;
 use super::model::Model;
-use super::nominal::{Resolved, resolve};
+use super::nominal::{Point, Resolved, resolve};
 use super::options::{FormChoice, Options};
 use super::plan::{Form, Plan, PlannedMotion, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
 use super::unknown_branch::keep_unknown_branches;
-use super::warm_joints::warm_joints;
+use super::warm_joints::warm_joints_of;
 use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
@@ -28,6 +29,8 @@ use std::sync::Arc;
 
 /// Motions that are corrected at one go: enough to share among cores, few enough for their figures to stay small.
 const AT_ONE_GO: usize = 4096;
+/// The points of so many motions are solved side by side.
+const SIDE_BY_SIDE: usize = 128;
 /// By so many points, spread evenly over the program, time functions are chosen; every target is checked afterwards.
 const MOST_SAMPLES: usize = 32_768;
 
@@ -162,9 +165,10 @@ impl Corrector<'_> {
         let mut worst_bucket = Vec::with_capacity(resolved.len());
         let mut crossings = Vec::new();
         for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
-            let one = |(motion, resolved): (&Motion, &Resolved)| self.correct(motion, resolved);
-            let made: Vec<MotionCorrection> = some.par_iter().zip(resolved).map(one).collect();
-            for made in made {
+            let chunks = some.par_chunks(SIDE_BY_SIDE).zip(resolved.par_chunks(SIDE_BY_SIDE));
+            let made: Vec<Vec<MotionCorrection>> =
+                chunks.map(|(some, resolved)| self.correct_some(some, resolved)).collect();
+            for made in made.into_iter().flatten() {
                 tally.add(MotionId::new(motions.len()), &made);
                 worst_bucket.push(made.worst_bucket as u32);
                 crossings.extend(made.crossing.map(|crossing| (motions.len(), crossing)));
@@ -172,11 +176,35 @@ impl Corrector<'_> {
                 motions.push(made.planned.clone());
             }
         }
-        figures::follow_paths((program, resolved), self.at.arms(), self.model, &worst_bucket, &mut motions);
+        follow_paths((program, resolved), self.at.arms(), self.model, &worst_bucket, &mut motions);
         (motions, tally, crossings)
     }
 
-    fn correct(&self, motion: &Motion, resolved: &Resolved) -> MotionCorrection {
+    /// The plans of some motions, their points solved side by side.
+    fn correct_some(&self, motions: &[Motion], resolved: &[Resolved]) -> Vec<MotionCorrection> {
+        let placed = motions.iter().zip(resolved);
+        let points: Vec<Vec<Point<'_>>> =
+            placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
+        let all: Vec<&Point<'_>> = points.iter().flatten().collect();
+        let arms = self.at.arms().as_slice().iter();
+        let warm: Vec<Vec<WarmJoints>> = arms.map(|arm| warm_joints_of(&all, arm, self.model)).collect();
+        let mut at = 0;
+        let one = |((motion, resolved), points): ((&Motion, &Resolved), &Vec<Point<'_>>)| {
+            let own = at..at + points.len();
+            at = own.end;
+            let warm: Vec<&[WarmJoints]> =
+                warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
+            self.correct((motion, resolved), points, &warm)
+        };
+        motions.iter().zip(resolved).zip(&points).map(one).collect()
+    }
+
+    fn correct(
+        &self,
+        (motion, resolved): (&Motion, &Resolved),
+        points: &[Point<'_>],
+        warm: &[&[WarmJoints]],
+    ) -> MotionCorrection {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);
         }
@@ -186,11 +214,10 @@ impl Corrector<'_> {
         {
             return MotionCorrection::without_figures(planned);
         }
-        let mut made = correct((motion, resolved), self.at, self.model, self.options);
+        let mut made = correct((motion, points), warm, self.at, self.model, self.options);
         made.planned.form = self.settled_form(motion, resolved, made.planned.form);
         if let Some(ramp) = self.at.ramp().filter(|_| made.planned.form == Form::Live) {
-            let points = resolved.points(motion, self.model);
-            let worst = points.map(|point| ramp.errors_of_model_m(&point, self.model));
+            let worst = points.iter().map(|point| ramp.errors_of_model_m(point, self.model));
             let worst = worst
                 .fold([0.0; 2], |most: [f64; 2], [before, after]| [most[0].max(before), most[1].max(after)]);
             made.planned.error_m = made.planned.error_m.map(|_| worst);
@@ -311,10 +338,19 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
 /// Leaves as they are the motions that the settled arm cannot follow: no schedule is to be made for them.
 fn keep_what_cannot_be_followed(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let settled = model.arm(Moment::Settled);
-    program.motions.par_iter().zip(resolved).for_each(|(motion, resolved)| {
-        let why = resolved.points(motion, model).find_map(|point| warm_joints(&point, &settled, model).err());
-        if let Some(why) = why {
-            resolved.keep(Arc::new(why));
+    let chunks = program.motions.par_chunks(SIDE_BY_SIDE).zip(resolved.par_chunks_mut(SIDE_BY_SIDE));
+    chunks.for_each(|(motions, resolved)| {
+        let placed = motions.iter().zip(&*resolved).enumerate();
+        let (numbers, points): (Vec<usize>, Vec<Point<'_>>) = placed
+            .flat_map(|(i, (motion, resolved))| resolved.points(motion, model).map(move |point| (i, point)))
+            .unzip();
+        let warm = warm_joints_of(&points.iter().collect::<Vec<_>>(), &settled, model);
+        // The first reason of each.
+        let mut whys: Vec<(usize, SkipReason)> =
+            numbers.into_iter().zip(warm).filter_map(|(i, warm)| Some((i, warm.err()?))).collect();
+        whys.dedup_by_key(|(i, _)| *i);
+        for (i, why) in whys {
+            resolved[i].keep(Arc::new(why));
         }
     });
 }

@@ -107,24 +107,17 @@ impl Ramp {
         Self { functions, nodes, until_min, check_values, check_arms }
     }
 
-    /// The corrections of a point whose joints at the nodes are these.
-    pub(super) fn corrections(
-        &self,
-        point: &Point,
-        joint: bool,
-        nodes_q_rad: &[[f64; 6]],
-        model: &Model,
-    ) -> Vec<Correction> {
-        let meant = point.object_from_tcp();
-        nodes_q_rad
+    /// The corrections of a point that is corrected by joints, those at the nodes being these.
+    pub(super) fn turns(point: &Point, nodes_q_rad: &[[f64; 6]]) -> Vec<Correction> {
+        let turn_rad = |q_rad: &[f64; 6]| std::array::from_fn(|i| q_rad[i] - point.q_rad[i]);
+        nodes_q_rad.iter().map(|q_rad| Correction::Joints { turn_rad: turn_rad(q_rad) }).collect()
+    }
+
+    /// The corrections of a pose for which the controller is sent to these at the nodes.
+    pub(super) fn shifts(meant: &Isometry3<f64>, nodes_commanded: &[Isometry3<f64>]) -> Vec<Correction> {
+        nodes_commanded
             .iter()
-            .map(|q_rad| {
-                if joint {
-                    return Correction::Joints {
-                        turn_rad: std::array::from_fn(|i| q_rad[i] - point.q_rad[i]),
-                    };
-                }
-                let commanded = point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+            .map(|commanded| {
                 let turn = commanded.rotation * meant.rotation.inverse();
                 let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
                 Correction::Pose {
@@ -195,7 +188,14 @@ impl Ramp {
             let joints: Option<Vec<[f64; 6]>> =
                 warm_joints_each(point, &self.nodes, model).map(Result::ok).collect();
             let joints = joints?;
-            let corrections = self.corrections(point, *by_joints, &joints, model);
+            let commanded = |q_rad| point.placement.object_from_tcp(&model.nominal.forward(q_rad));
+            let corrections = match by_joints {
+                true => Self::turns(point, &joints),
+                false => Self::shifts(
+                    &point.object_from_tcp(),
+                    &joints.iter().map(commanded).collect::<Vec<Isometry3<f64>>>(),
+                ),
+            };
             let commanded = self.commanded_q_rad(point, &corrections, model);
             let misses = self.check_arms.as_slice().iter().zip(commanded).map(|(arm, q_rad)| {
                 let q_rad = q_rad?;

@@ -4,7 +4,7 @@ use super::model::Model;
 use super::nominal::Point;
 use super::placement::keep;
 use crate::program::motion::SkipReason;
-use robot_model::deform::{DeformedArm, DeformedArms};
+use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
 use robot_model::kinematics::{SolveError, Solved, solve};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
@@ -33,6 +33,22 @@ pub(super) fn warm_joints_each(
 ) -> impl Iterator<Item = Result<[f64; 6], SkipReason>> {
     let solved = arms.solve(&point.conditions, &point.base_from_flange, &point.q_rad);
     solved.into_iter().map(|solved| allowed(point, solved, model))
+}
+
+/// The same for each of many points.
+pub(super) fn warm_joints_of(
+    points: &[&Point<'_>],
+    arm: &DeformedArm,
+    model: &Model<'_>,
+) -> Vec<Result<[f64; 6], SkipReason>> {
+    let poses: Vec<_> = points.iter().map(|point| (point.base_from_flange, point.q_rad)).collect();
+    let conditions: Vec<Conditions> = points.iter().map(|point| point.conditions).collect();
+    let mut each = points.iter();
+    let mut found = Vec::with_capacity(points.len());
+    arm.solve_each_from(&poses, &conditions, |solved| {
+        found.extend(each.next().map(|point| allowed(point, solved, model)));
+    });
+    found
 }
 
 /// Joints that were found for a point, where a correction may go there.
