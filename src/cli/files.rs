@@ -23,13 +23,17 @@ pub fn read(path: &Path, what: &str) -> Result<Vec<u8>, Diagnostic> {
     if is_standard(path) {
         return limited(&mut io::stdin().lock(), path, what);
     }
-    let kind = fs::metadata(path).map_err(|cause| cannot_read(path, what, &cause))?.file_type();
+    let metadata = fs::metadata(path).map_err(|cause| cannot_read(path, what, &cause))?;
+    let kind = metadata.file_type();
     if is_device(kind) {
         let text = format!("{} is a device, not a {what}", path.display());
         return Err(Diagnostic::error("input::unreadable", text).help("name a file"));
     }
     if is_pipe(kind) {
         return read_pipe(path, what);
+    }
+    if metadata.len() > MOST_BYTES && kind.is_file() {
+        return Err(too_large(path));
     }
     let mut file = fs::File::open(path).map_err(|cause| cannot_read(path, what, &cause))?;
     limited(&mut file, path, what)
@@ -44,10 +48,14 @@ fn limited(from: &mut dyn Read, path: &Path, what: &str) -> Result<Vec<u8>, Diag
     let mut bytes = Vec::new();
     from.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|cause| cannot_read(path, what, &cause))?;
     if bytes.len() as u64 > MOST_BYTES {
-        let text = format!("{} is larger than 1 GB", path.display());
-        return Err(Diagnostic::error("input::too-large", text).help("split the program"));
+        return Err(too_large(path));
     }
     Ok(bytes)
+}
+
+fn too_large(path: &Path) -> Diagnostic {
+    let text = format!("{} is larger than 1 GB", path.display());
+    Diagnostic::error("input::too-large", text).help("split the program")
 }
 
 /// Reads a named pipe, which is opened only when somebody writes to it.

@@ -106,3 +106,101 @@ fn no_home_and_no_environment_are_needed() {
     assert!(compensate(folder.path(), &[]).env_clear().status().unwrap().success());
     assert!(folder.path().join("out.mod").exists());
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_goes_away_in_the_middle_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = |i: usize| {
+        format!(
+            "    MoveL [[{},10,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n",
+            350 + i % 100
+        )
+    };
+    let source = format!(
+        "MODULE Large\n  PROC main()\n{}  ENDPROC\nENDMODULE\n",
+        (0..30_000).map(line).collect::<String>()
+    );
+    fs::write(folder.path().join("in.mod"), &source).unwrap();
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+        .args(["compensate", "in.mod", "--robot", "irb140", "--diff", "none", "--quiet", "-o", "out/out.mod"])
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Until something waits beside its place.
+    while fs::read_dir(&out).unwrap().next().is_none() {
+        assert!(child.try_wait().unwrap().is_none(), "it was done before the folder could be taken away");
+    }
+    fs::remove_dir_all(&out).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("error[output::unwritable]") && said.contains("out/out.mod"), "{said}");
+    assert_eq!(fs::read_to_string(folder.path().join("in.mod")).unwrap(), source);
+    let left = fs::read_dir(&out).map_or(0, Iterator::count);
+    assert_eq!(left, 0, "files are left in {}", out.display());
+}
+
+/// On a disk of 48 kB of its own, where the system lets an ordinary user mount one.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fills_up_while_a_result_is_written_is_left_as_it_was() {
+    let folder = bench();
+    let script = r#"mkdir disk && mount -t tmpfs -o size=48k none disk || { echo no disk; exit 0; }
+        echo before > disk/out.mod
+        "$0" compensate in.mod --robot irb140 -o disk/out.mod --diff none --quiet --force
+        echo "exit $?"; ls -A disk; cat disk/out.mod"#;
+    let output = Command::new("unshare")
+        .args(["--map-root-user", "--mount", "sh", "-c", script, env!("CARGO_BIN_EXE_driftpost")])
+        .current_dir(folder.path())
+        .output();
+    let Ok(output) = output else { return println!("skipped: there is no unshare") };
+    let (said, shown) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
+    if shown.contains("no disk") || !output.status.success() && shown.is_empty() {
+        return println!("skipped: no disk can be mounted here: {said}");
+    }
+    assert_eq!(shown, "exit 2\nout.mod\nbefore\n", "{said}");
+    assert!(said.contains("error[output::unwritable]") && said.contains("No space left"), "{said}");
+}
+
+/// A clock that was set back: the source is of a later year, and so is what a killed run left; or all is of 1970.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_date_of_files_does_not_matter() {
+    use std::time::SystemTime;
+    let folder = bench();
+    let date = |name: &str, at: SystemTime| {
+        fs::File::options().write(true).open(folder.path().join(name)).unwrap().set_modified(at).unwrap();
+    };
+    assert!(compensate(folder.path(), &[]).status().unwrap().success());
+    let good = fs::read(folder.path().join("out.mod")).unwrap();
+    for at in [SystemTime::UNIX_EPOCH, SystemTime::now() + Duration::from_secs(50 * 365 * 86_400)] {
+        // No process has this number.
+        fs::write(folder.path().join(".driftpost-4294967295-left"), "a part").unwrap();
+        for name in ["in.mod", "out.mod", ".driftpost-4294967295-left"] {
+            date(name, at);
+        }
+        assert!(compensate(folder.path(), &[]).status().unwrap().success());
+        assert!(fs::read(folder.path().join("out.mod")).unwrap() == good);
+        assert!(!folder.path().join(".driftpost-4294967295-left").exists());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn closed_standard_streams_are_no_fault() {
+    let folder = bench();
+    let run = r#""$0" compensate in.mod --robot irb140 -o out.mod --diff none <&- >&- 2>&-"#;
+    let status = Command::new("sh")
+        .args(["-c", run, env!("CARGO_BIN_EXE_driftpost")])
+        .current_dir(folder.path())
+        .status();
+    assert_eq!(status.unwrap().code(), Some(0));
+    assert!(folder.path().join("out.mod").exists());
+    let text = fs::read_to_string(folder.path().join("out.mod")).unwrap();
+    assert!(text.starts_with("MODULE") || text.starts_with("%%%"), "{}", &text[..80]);
+}

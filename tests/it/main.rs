@@ -30,6 +30,7 @@ mod golden;
 mod grammar;
 mod hostile;
 mod kinematics;
+mod limits;
 #[cfg(feature = "link")]
 mod link;
 mod live;
