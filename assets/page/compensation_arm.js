@@ -39,10 +39,14 @@ export function armSection(scene) {
   });
   const most = Math.max(scene.data.worst_before_mm ?? 0, 1e-6);
   const error = new Float64Array(3);
+  let areErrorsStale = true;
   const refresh = oncePerFrame(() => {
     const { t, times, corrected, point } = state;
-    const shares = corrected ? scene.correction.leftShares(t) : course.at(t);
-    cloud.show((i, e) => course.error(i, shares, e), times, most);
+    if (areErrorsStale) {
+      const shares = corrected ? scene.correction.leftShares(t) : course.at(t);
+      cloud.show((i, e) => course.error(i, shares, e), times, most);
+      areErrorsStale = false;
+    }
     cloud.arrows.visible = state.arrows !== false;
     cloud.path.visible = state.path !== false;
     cloud.mark(point);
@@ -62,8 +66,14 @@ export function armSection(scene) {
       ? `TCP ${meant.map((value) => value.toFixed(1)).join(', ')} mm`
       : `TCP ${meant.map((value) => value.toFixed(1)).join(', ')} mm, off by ${mm(off)} mm`;
   }
-  state.on('t times corrected point arrows path joints', refresh);
-  onTheme(refresh);
+  // another target or pose leaves the errors of all targets as they are
+  const refreshErrors = () => {
+    areErrorsStale = true;
+    refresh();
+  };
+  state.on('t times corrected', refreshErrors);
+  state.on('point arrows path joints', refresh);
+  onTheme(refreshErrors);
   state.on('point', () => { if (state.point !== null) state.set({ joints: course.joints(state.point) }); });
   view3.onPick(() => cloud.dots, (i) => state.set({ point: i }));
   look(view3, course);

@@ -51,10 +51,10 @@ function overTime(scene) {
   const plot = curves({
     title: 'Error of the TCP over the warm-up', x: minutes.map((t) => t + course.from), xLabel: timeLabel(course), yLabel: 'mm',
     text: `Worst error uncorrected up to ${mm(data.worst_before_mm)} mm, corrected up to ${mm(data.worst_after_mm)} mm`,
-    series: series(), marks: () => [{ at: state.t + course.from, colour: 'accent', width: 1.5 }],
+    series: series(), needle: () => state.t + course.from,
     onClick: (t) => state.set({ t: Math.round(t - course.from) }), height: 280,
   });
-  state.on('t', plot.redraw);
+  state.on('t', plot.follow);
   state.on('point', () => plot.show(series()));
   return plot.element;
 }
@@ -69,10 +69,10 @@ function shareOverTime({ course, correction, state, data }) {
     title: correction.inBuckets ? `Share of the drift, and the ${correction.buckets.length} buckets` : 'Share of the drift', x: minutes.map((t) => t + course.from),
     xLabel: timeLabel(course), yLabel: 'share', text: `The share of the settled drift over the warm-up${correction.inBuckets ? ` and the borders of ${correction.buckets.length} buckets` : ''}`,
     series: [{ label: 'share that has come', colour: 'text', values }, ...(borders.length ? [{ label: 'border of two buckets', colour: 'bucket', values: minutes.map(() => null), dash: [3, 3] }] : [])],
-    marks: () => [...borders.map((at) => ({ at, colour: 'bucket', dash: [3, 3] })), { at: state.t + course.from, colour: 'accent', width: 1.5 }],
+    marks: () => borders.map((at) => ({ at, colour: 'bucket', dash: [3, 3] })), needle: () => state.t + course.from,
     onClick: (t) => state.set({ t: Math.round(t - course.from) }), height: 280,
   });
-  state.on('t', plot.redraw);
+  state.on('t', plot.follow);
   return plot.element;
 }
 
@@ -94,10 +94,10 @@ function alongProgram({ course, motions, state, data }) {
       { label: 'error left at worst', colour: 'after', dots: few, values: which.map((i) => of(i)?.after_mm ?? null) },
       { label: 'path, off between targets', colour: 'claim', dots: few, values: which.map((i) => of(i)?.mid_path_mm ?? null) },
     ],
-    marks: () => (state.point === null ? [] : [{ at: state.point + 1, colour: 'accent' }]),
+    needle: () => (state.point === null ? null : state.point + 1),
     onClick: (_, at) => state.set({ point: which[at] }),
   });
-  state.on('point', plot.redraw);
+  state.on('point', plot.follow);
   return plot.element;
 }
 
@@ -107,9 +107,9 @@ function jointsAlong({ course, state, motions }) {
     title: 'Joints at the targets', x: which.map((i) => i + 1), xLabel: 'target', yLabel: 'deg', zero: false,
     text: `Nominal joints at ${which.length} targets`,
     series: [1, 2, 3, 4, 5, 6].map((j) => ({ label: `J${j}`, colour: `joint-${j}`, width: 1.5, dots: which.length === 1, values: which.map((i) => course.points.q_deg[6 * i + j - 1]) })),
-    marks: () => (state.point === null ? [] : [{ at: state.point + 1, colour: 'accent' }]),
+    needle: () => (state.point === null ? null : state.point + 1),
     onClick: (_, at) => state.set({ point: which[at] }),
   });
-  state.on('point', plot.redraw);
+  state.on('point', plot.follow);
   return plot.element;
 }

@@ -52,9 +52,12 @@ function scatter(rows, { title, xLabel, of }, { state }) {
       { label: 'before', colour: 'before', dots: true, size: 4, values: sorted.map((row) => row.before) },
       { label: 'after', colour: 'after', dots: true, size: 4, values: sorted.map((row) => row.after) },
     ],
-    marks: () => { const row = rows.find((one) => one.i === state.row); return row ? [{ at: of(row), colour: 'accent' }] : []; },
+    needle: () => {
+      const row = rows.find((one) => one.i === state.row);
+      return row ? of(row) : null;
+    },
     onClick: (_, at) => state.set({ row: sorted[at].i }),
   });
-  state.on('row', plot.redraw);
+  state.on('row', plot.follow);
   return plot;
 }

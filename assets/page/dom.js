@@ -65,6 +65,18 @@ export function oncePerFrame(work) {
   };
 }
 
+const whenIdle = globalThis.requestIdleCallback ?? ((work) => setTimeout(() => work({ timeRemaining: () => 5 }), 100));
+
+/** Does `work(i)` for each i below `n` while nothing else is asked of the page. */
+export function beforehand(n, work) {
+  let i = 0;
+  const go = (deadline) => {
+    for (; i < n && deadline.timeRemaining() > 2; i += 1) work(i);
+    if (i < n) whenIdle(go);
+  };
+  whenIdle(go);
+}
+
 /** Values that listeners follow: `set` tells those who asked for a changed name. */
 export function store(values) {
   const listeners = [];

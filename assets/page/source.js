@@ -1,6 +1,6 @@
 // Changed lines side by side, with filters by text, bucket and size of the correction.
 
-import { count, h, mm, plural } from './dom.js';
+import { beforehand, count, h, mm, plural } from './dom.js';
 import { length } from './course.js';
 import { button, search, select } from './controls.js';
 import { later, section } from './layout.js';
@@ -56,14 +56,18 @@ export function sourceSection(scene) {
     return { size: length(by), by };
   }
 
+  const textOf = (row, motion) => {
+    row.text ??= `${row.file}:${row.line} ${row.start}${row.old}${row.end} ${row.now ?? ''} ${motion?.target ?? ''} ${motion?.routine ?? ''}`.toLowerCase();
+    return row.text;
+  };
+
   function arrange() {
     const wanted = filter.text.trim().toLowerCase();
     shown = scene.lines.filter((row) => {
       const motion = motionOf(row);
       if (filter.least > 0 && !((correctionOf(motion)?.size ?? 0) >= filter.least)) return false;
       if (!wanted) return true;
-      const text = `${row.file}:${row.line} ${row.start}${row.old}${row.end} ${row.now ?? ''} ${motion?.target ?? ''} ${motion?.routine ?? ''}`;
-      return text.toLowerCase().includes(wanted);
+      return textOf(row, motion).includes(wanted);
     });
     page = 0;
     draw();
@@ -116,6 +120,7 @@ export function sourceSection(scene) {
   addEventListener('beforeprint', () => fill(shown.slice(0, 400)));
   addEventListener('afterprint', draw);
   arrange();
+  beforehand(scene.lines.length, (i) => textOf(scene.lines[i], motionOf(scene.lines[i])));
   const leftOut = view.source.files.reduce((sum, file) => sum + file.left_out, 0);
   return section('source', 'Source, line by line', 'Source', bar,
     h('div', { class: 'diff', tabIndex: 0, role: 'group', 'aria-label': 'Source before and after' }, body),

@@ -1,6 +1,6 @@
 // A table that is sorted by its headings, searched, and shown a page at a time; whole in print as far as it is short.
 
-import { count, h, plural } from './dom.js';
+import { beforehand, count, h, plural } from './dom.js';
 import { button, search } from './controls.js';
 
 const PAGE = 40;
@@ -14,6 +14,7 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
   let by = sort ?? null;
   let page = 0;
   let chosen = null;
+  let drawn = new Map();
   let wanted = '';
   const texts = new Array(rows.length);
   const at = new Map(rows.map((row, i) => [row, i]));
@@ -42,11 +43,22 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
     });
   }
 
+  /** Shows whether a row that is drawn is the chosen one. */
+  function mark(row) {
+    const element = drawn.get(row);
+    if (!element) return;
+    element.classList.toggle('chosen', row === chosen);
+    if (row === chosen) element.setAttribute('aria-current', 'true');
+    else element.removeAttribute('aria-current');
+  }
+
   function fill(from, to) {
-    body.replaceChildren(...shown.slice(from, to).map((row) => h('tr', {
-      class: [rowClass?.(row), row === chosen && 'chosen'].filter(Boolean).join(' '), 'aria-current': row === chosen ? 'true' : undefined,
+    drawn = new Map(shown.slice(from, to).map((row) => [row, h('tr', {
+      class: rowClass?.(row) || undefined,
       onclick: onRow ? (event) => { if (event.target.tagName !== 'BUTTON') onRow(row); } : undefined,
-    }, cells(row))));
+    }, cells(row))]));
+    body.replaceChildren(...drawn.values());
+    mark(chosen);
     if (shown.length === 0) body.append(h('tr', {}, h('td', { colSpan: columns.length, class: 'empty', text: rows.length ? 'no row matches' : empty })));
   }
 
@@ -100,6 +112,8 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
   const find = searchable && rows.length > 8
     ? search({ label: `Search ${caption.toLowerCase()}`, name: `${name}-search`, on: (text) => { wanted = text.trim().toLowerCase(); page = 0; arrange(); } })
     : null;
+  // what is searched is spelled out before anybody searches
+  if (find) beforehand(rows.length, (i) => textOf(rows[i]));
   addEventListener('beforeprint', () => fill(0, PRINTED));
   addEventListener('afterprint', draw);
   arrange();
@@ -108,10 +122,16 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
       h('div', { class: 'scroll', tabIndex: 0, role: 'group', 'aria-label': caption },
         h('table', {}, h('caption', { class: 'hidden', text: caption }), h('thead', {}, h('tr', {}, headings.map((one) => one.heading))), body))),
     choose(row) {
+      if (row === chosen) return;
+      const before = chosen;
       chosen = row;
       const place = shown.indexOf(row);
-      if (place >= 0) page = Math.floor(place / PAGE);
-      draw();
+      if (place >= 0 && !drawn.has(row)) {
+        page = Math.floor(place / PAGE);
+        draw();
+      }
+      mark(before);
+      mark(row);
     },
   };
 }

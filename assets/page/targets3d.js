@@ -74,7 +74,7 @@ export class TargetCloud {
     const e = [0, 0, 0];
     for (let i = 0; i < this.count; i += 1) {
       error(i, e);
-      mix(Math.hypot(...e) / most, colours, 3 * i);
+      mix(Math.hypot(e[0], e[1], e[2]) / most, colours, 3 * i);
       if (i % this.step !== 0) continue;
       const at = 18 * (i / this.step);
       this.arrow(ends, at, 3 * i, e, times);

@@ -9,6 +9,7 @@ mod compensation;
 mod hostile;
 mod results;
 mod screenshots;
+mod work;
 
 use browser::Browser;
 use std::path::{Path, PathBuf};
