@@ -6,7 +6,7 @@ use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::{BackedUp, Robot, SerialArm};
+use robot_model::robot::{BackedUp, DhConvention, Robot, SerialArm};
 use std::path::{Path, PathBuf};
 
 /// As [`robot`], with what the header of an emitted program says of it.
@@ -23,7 +23,8 @@ pub fn robot_with_source(name: &str) -> Result<Named<Robot>, Diagnostic> {
                 let text = model.to_toml();
                 return Ok(Named::new(model, name, text.as_bytes()));
             }
-            let path = urdf(name).map_or(Path::new(name), |(path, _)| path);
+            let described = dh_table(name).map(|(path, _)| path).or(urdf(name).map(|(path, _)| path));
+            let path = described.unwrap_or(Path::new(name));
             Named::new(model, file_name(path), &files::read(path, "robot file")?)
         }
     })
@@ -104,6 +105,12 @@ pub fn arm(name: &str) -> Result<SerialArm, Diagnostic> {
     if let Some(found) = backup(name) {
         return Ok(found?.robot.into());
     }
+    if let Some((path, convention)) = dh_table(name) {
+        let bytes = files::read(path, "Denavit-Hartenberg table")?;
+        let called = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        return SerialArm::from_dh(&bytes, convention, &called)
+            .map_err(|error| in_file(&path.display().to_string(), error.into()));
+    }
     if let Some((path, tip)) = urdf(name) {
         let bytes = files::read(path, "URDF description")?;
         return SerialArm::from_urdf(&String::from_utf8_lossy(&bytes), tip)
@@ -140,6 +147,16 @@ pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
 
 fn moc_of(folder: &str) -> PathBuf {
     Path::new(folder).join("SYSPAR").join("MOC.cfg")
+}
+
+/// The table that `dh:FILE.csv` or, by Craig's convention, `mdh:FILE.csv` names.
+fn dh_table(name: &str) -> Option<(&Path, DhConvention)> {
+    let (convention, path) = match name.split_once(':')? {
+        ("dh", path) => (DhConvention::Standard, path),
+        ("mdh", path) => (DhConvention::Modified, path),
+        _ => return None,
+    };
+    Some((Path::new(path), convention))
 }
 
 /// `FILE.urdf`, or `FILE.urdf:LINK` with the link that is the flange.

@@ -11,7 +11,8 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 /// The robot, by name, file or backup.
 #[derive(Debug, clap::Args)]
 pub struct RobotName {
-    /// A built-in robot's name, a robot file (TOML), or a URDF description: FILE.urdf, or FILE.urdf:LINK with the link that is the flange.
+    /// A built-in robot's name, a robot file (TOML), a URDF description (FILE.urdf, or FILE.urdf:LINK with the link that is the flange),
+    /// or a table of Denavit-Hartenberg parameters (dh:FILE.csv, mdh:FILE.csv by Craig's convention).
     #[arg(
         id = "robot",
         long = "robot",

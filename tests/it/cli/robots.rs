@@ -37,6 +37,40 @@ fn a_description_takes_the_place_of_a_robot_file() {
 }
 
 #[test]
+fn a_denavit_hartenberg_table_takes_the_place_of_a_robot_file() {
+    let bench = Bench::default();
+    let to = bench.path("arm.toml").display().to_string();
+    let output = driftpost(&["robot", "--robot", "dh:fixtures/robots/irb140_dh.csv", "-o", &to]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    // Cold, the same robot: the same joints at the same targets. (Warm it is another: a deformation table is in the joints' frames.)
+    let joints = |robot: &[&str]| -> Vec<f64> {
+        let targets =
+            ["tabulate", "fixtures/paper/targets45.csv", "--orient-deg", "0,90,0", "--minutes", "0"];
+        let output = driftpost(&[&targets[..], &["--joints-csv", "-"], robot].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        let text = out(&output);
+        let rows = text.lines().skip(1).flat_map(|line| line.split(',').skip(4).take(6));
+        rows.map(|q| q.parse().unwrap()).collect()
+    };
+    let built_in = joints(&[]);
+    for robot in ["dh:fixtures/robots/irb140_dh.csv", to.as_str()] {
+        let table = joints(&["--robot", robot]);
+        let off = table.iter().zip(&built_in).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(table.len() == 45 * 6 && built_in.len() == table.len() && off < 1e-6, "{robot}: {off} deg");
+    }
+    let said = |robot: &str, code: i32| {
+        let output = driftpost(&["robot", "--robot", robot]);
+        assert_eq!(output.status.code(), Some(code), "{}", err(&output));
+        format!("{}{}", out(&output), err(&output))
+    };
+    assert!(said("mdh:fixtures/robots/panda_mdh.csv", 0).contains("joint 7"));
+    let broken = bench.file("broken.csv", "a_mm,alpha_deg,d_mm,theta_deg\n0,0,x,0\n");
+    let text = said(&format!("dh:{broken}"), 2);
+    assert!(text.contains("robot::dh") && text.contains("line 2") && text.contains("d_mm `x`"), "{text}");
+    assert!(said("dh:nowhere.csv", 2).contains("input::missing"));
+}
+
+#[test]
 fn a_description_that_is_no_arm_is_refused_with_its_line() {
     let bench = Bench::default();
     let broken =

@@ -24,6 +24,14 @@ pub enum RobotError {
         /// What is wrong, and with which element.
         problem: String,
     },
+    /// A table of Denavit-Hartenberg parameters that is no arm.
+    #[error("Denavit-Hartenberg table, line {line}: {problem}")]
+    DhTable {
+        /// From 1.
+        line: u64,
+        /// What is wrong.
+        problem: String,
+    },
     /// A controller's backup that tells no robot.
     #[error("MOC.cfg: {problem}")]
     Backup {
@@ -83,6 +91,7 @@ impl RobotError {
             Self::Toml { .. } => "robot::toml",
             Self::Value { .. } => "robot::value",
             Self::Urdf { .. } => "robot::urdf",
+            Self::DhTable { .. } => "robot::dh",
             Self::Backup { .. } => "robot::backup",
             Self::NotSixAxis { .. } => "robot::six-axis",
             Self::Refused { .. } => "robot::coupled",

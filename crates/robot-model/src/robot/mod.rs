@@ -5,6 +5,7 @@
 
 mod backup;
 mod built_in;
+mod dh;
 mod error;
 mod file;
 mod joints;
@@ -15,6 +16,7 @@ mod urdf;
 mod write;
 
 pub use backup::BackedUp;
+pub use dh::DhConvention;
 pub use error::RobotError;
 pub use joints::{FEWEST_JOINTS, Joints, MOST_JOINTS};
 pub use kind::same_type;
