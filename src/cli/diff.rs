@@ -6,11 +6,11 @@ use super::inspect::Format;
 use super::made_with::MadeWith;
 use super::program_input::ProgramInput;
 use super::shared::ProgramSettings;
-use super::{Console, Outcome};
+use super::{Console, Outcome, model};
 use driftpost::report::{self, Compared, LocatedDiagnostic};
 use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
-use rapid_program::compensate::{FormChoice, Options, plan};
+use rapid_program::compensate::{FormChoice, JointsHint, Options, plan};
 use rapid_program::emit::{RestoreError, differences, restore};
 use rapid_program::program::{FilePairs, Overrides, Program, is_of_task, modules_of_pgf, pgf_with_module};
 use rapid_syntax::SourceFile;
@@ -39,6 +39,10 @@ pub struct Args {
     #[command(flatten)]
     pub settings: ProgramSettings,
 
+    /// Joints that the motions of A end with (CSV: file,line,q1_deg..q6_deg), as it was compensated with.
+    #[arg(long, value_name = "FILE", help_heading = "Robot and program")]
+    pub joints_hint: Option<PathBuf>,
+
     /// Form of what is written; text begins with the lines that differ and ends with the verdict.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -62,6 +66,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given_after = ProgramInput::read(std::slice::from_ref(&args.after))?;
     let overrides = MadeWith::of(&[&given_after, &given_before], None)
         .overrides(&args.settings.tool, &args.settings.wobj);
+    let hint = args.joints_hint.as_deref().map(model::joints_hint).transpose()?.map(Arc::new);
     let (Some(before), Some(after)) =
         (program(&given_before, &overrides, console), program(&given_after, &overrides, console))
     else {
@@ -76,13 +81,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let made_with = MadeWith::of(&[&given_after, &given_before], task.as_deref());
         let robot = made_with.robot(args.settings.robot.as_deref())?;
         let start_rad = made_with.start_rad(args.settings.start_joints)?;
-        let found = compare(&before, &after, &pairs, (&robot, start_rad))
+        let found = compare(&before, &after, &pairs, &robot, (start_rad, hint.as_deref()))
             .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
         let of_task = |program: &Program, motion: &usize| {
             is_of_task(&program.file(program.motions[*motion].file).path, task.as_deref())
         };
         let found = found.retained(|motion| of_task(&before, motion), |motion| of_task(&after, motion));
-        let of_robot = settled_corrections(&before, &found, &made_with, (&robot, start_rad))?;
+        let of_robot = settled_corrections(&before, &found, &made_with, &robot, (start_rad, hint.clone()))?;
         settled.resize(settled.len().max(of_robot.len()), None);
         for (all, own) in settled
             .iter_mut()
@@ -131,7 +136,8 @@ fn settled_corrections(
     before: &Program,
     comparison: &Comparison,
     made_with: &MadeWith,
-    (robot, start_rad): (&Robot, Option<[f64; 6]>),
+    robot: &Robot,
+    (start_rad, joints_hint): (Option<[f64; 6]>, Option<Arc<JointsHint>>),
 ) -> Result<Vec<Option<[f64; 2]>>, Diagnostic> {
     if comparison.motions.iter().all(|motion| !motion.steps.is_empty()) {
         return Ok(Vec::new());
@@ -147,6 +153,7 @@ fn settled_corrections(
         max_correction_m: f64::INFINITY,
         max_correction_rad: f64::INFINITY,
         start_rad,
+        joints_hint,
         ..Options::default()
     };
     let planned = plan(before, robot, &deformation, &options).map(|plan| plan.motions).unwrap_or_default();

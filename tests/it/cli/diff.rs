@@ -289,3 +289,37 @@ fn what_restore_does_not_take_over_is_said() {
         assert!(json["touched"].as_array().unwrap().is_empty() && bytes == std::fs::read(CUBE).unwrap());
     }
 }
+
+/// A program whose text leaves the wrist's branch open: its joints on the one branch, and by half turns of axes 4 and 6 on the other.
+const OPEN: &str = "MODULE Part\n  PERS tooldata tA:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];\n  PROC main()\n    \
+                    ConfJ\\Off;\n    MoveJ [[520,12,560],[0.5,0,0.8660254,0],[9,9,9,9],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tA;\n  \
+                    ENDPROC\nENDMODULE\n";
+const ONE_DEG: [f64; 6] = [1.822612, -10.794395, 20.357372, -4.509378, 20.507798, 5.136200];
+const OTHER_DEG: [f64; 6] = [1.822612, -10.794395, 20.357372, 175.490622, -20.507798, -174.863800];
+
+#[test]
+fn a_hint_that_decided_the_branch_decides_it_for_the_reviewer_too() {
+    let bench = Bench::default();
+    let source = bench.file("part.mod", OPEN);
+    // Next to its end of the IRB 140's ranges stands on the one branch axis 3 (50 deg), on the other axis 4 (200 deg).
+    for (joints_deg, margin_deg) in [(ONE_DEG, 50.0 - ONE_DEG[2]), (OTHER_DEG, 200.0 - OTHER_DEG[3])] {
+        let joints = joints_deg.map(|q| q.to_string()).join(",");
+        let header = "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
+        let hint = bench.file("hint.csv", format!("{header}\npart.mod,5,{joints}\n"));
+        let to = bench.path("hinted_tc.mod").display().to_string();
+        let made = ["compensate", &source, "--joints-hint", &hint, "--diff", "none", "--force", "-o", &to];
+        let output = driftpost(&made);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        let output = driftpost(&["diff", &source, &to, "--joints-hint", &hint, "--json", "-"]);
+        assert_eq!(output.status.code(), Some(1), "{}", err(&output));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let first = &json["motions"][0]["buckets"][0];
+        let told = first["limit_margin_deg"].as_f64().unwrap();
+        assert!((told - margin_deg).abs() < 2e-6, "{told} deg, by hand {margin_deg}");
+    }
+    let strange = bench
+        .file("strange.csv", "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\npart.mod,2,0,0,0,0,0,0\n");
+    let output = driftpost(&["diff", &source, &source, "--joints-hint", &strange]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("hint::line"), "{}", err(&output));
+}

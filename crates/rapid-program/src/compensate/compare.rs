@@ -4,7 +4,7 @@
 //! The nominal arm alone: this is what a controller is told, not where the arm then stands.
 
 use super::error::CompensateError;
-use super::joints_hint::Hints;
+use super::joints_hint::JointsHint;
 use super::model::Model;
 use super::nominal::resolve;
 use super::options::Options;
@@ -105,19 +105,23 @@ pub struct ArmChange {
 /// Compares what two programs command, routine by routine.
 ///
 /// Motions are matched by file, module, routine and their order in it. `start_rad`: joints with which the arm stands when
-/// the entry is called, where they are known.
+/// the entry is called, where they are known; `hint`: those that somebody who planned `before` says its motions end with, as
+/// [`Options::joints_hint`].
 ///
 /// # Errors
-/// [`CompensateError::Structure`] where the robot has no closed form.
+/// [`CompensateError::Structure`] where the robot has no closed form, [`CompensateError::Hint`] where a row of the hint belongs
+/// to no motion.
 pub fn compare(
     before: &Program,
     after: &Program,
     pairs: &FilePairs,
-    (robot, start_rad): (&Robot, Option<[f64; 6]>),
+    robot: &Robot,
+    (start_rad, hint): (Option<[f64; 6]>, Option<&JointsHint>),
 ) -> Result<Comparison, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
-    let (resolved, _) = resolve(before, &model, start_rad, &Hints::new());
+    let hints = hint.map(|hint| hint.by_motion(before)).transpose()?.unwrap_or_default();
+    let (resolved, _) = resolve(before, &model, start_rad, &hints);
     let mut out = Comparison::default();
     let place = |is_before: bool, motion: &Motion| pairs.of(is_before, motion.file);
     let mut others = by_routine(after, &|motion| place(false, motion));
