@@ -64,7 +64,7 @@ fn every_target_of_cube45_is_confirmed_by_other_kinematics() {
 #[test]
 fn a_planted_hundredth_of_a_millimetre_is_found() {
     let double = double(Personality::Rw7);
-    double.plant(Planted { shift_m: [0.0, 0.000_01, 0.0], other_branch: false });
+    double.plant(Planted { shift_m: [0.0, 0.000_01, 0.0], ..Planted::default() });
     let checked = check(&double, &programs()[1]);
     assert_eq!(checked.agrees(), Some(false));
     let LinkChecked::Asked { found, .. } = checked else { panic!("it is offered") };
@@ -75,7 +75,7 @@ fn a_planted_hundredth_of_a_millimetre_is_found() {
 fn a_planted_wrong_branch_is_found() {
     for personality in Personality::ALL {
         let double = double(personality);
-        double.plant(Planted { shift_m: [0.0; 3], other_branch: true });
+        double.plant(Planted { other_branch: true, ..Planted::default() });
         let checked = check(&double, &programs()[0]);
         assert_eq!(checked.agrees(), Some(false));
         let LinkChecked::Asked { found, .. } = &checked else { panic!("it is offered") };
@@ -84,6 +84,26 @@ fn a_planted_wrong_branch_is_found() {
             "{found:?}"
         );
         assert!(found.iter().any(|f| !f.agrees) && checked.text(false).contains("DO NOT AGREE"));
+    }
+}
+
+/// Half a millimetre between what is shown and what is calculated for the joints that are shown: another tool, another base, or a
+/// calibration. The answers would judge nothing.
+#[test]
+fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
+    for personality in Personality::ALL {
+        let planted = Planted { display_shift_m: [0.000_3, 0.0, -0.000_4], ..Planted::default() };
+        let (asked, shop) = (double(personality), Shop::new(personality));
+        asked.plant(planted);
+        shop.double.plant(planted);
+        let checked = check(&asked, &programs()[0]);
+        assert_eq!(checked.agrees(), None);
+        let LinkChecked::NoConclusion { apart_mm } = checked else { panic!("{}", checked.text(false)) };
+        assert!((apart_mm - 0.5).abs() < 0.001, "{apart_mm} mm, planted 0.5");
+        let (code, said, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&said).unwrap();
+        assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{said}");
+        assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{said}");
     }
 }
 

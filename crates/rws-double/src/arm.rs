@@ -36,6 +36,8 @@ pub struct Planted {
     pub shift_m: [f64; 3],
     /// Joints for a pose are those of another branch, whatever confdata says.
     pub other_branch: bool,
+    /// Added to the pose that is shown and not to what is calculated, metres.
+    pub display_shift_m: [f64; 3],
 }
 
 /// The four numbers of `confdata`.

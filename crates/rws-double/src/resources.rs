@@ -116,7 +116,8 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
                 return Err((400, -1_073_445_879, "invalid argument"));
             }
             let ((p, q), _) = solver.forward(&c.joints_deg.map(rad_from_deg), NO_TOOL);
-            let texts: Vec<String> = p.iter().map(|p| mm_from_m(*p)).chain(q).map(rapid::number).collect();
+            let shown_m = p.iter().zip(solver.planted.display_shift_m).map(|(p, shift)| p + shift);
+            let texts: Vec<String> = shown_m.map(mm_from_m).chain(q).map(rapid::number).collect();
             let names = ["x", "y", "z", "q1", "q2", "q3", "q4"];
             let fields: Vec<(&'static str, &str)> =
                 names.into_iter().zip(texts.iter().map(String::as_str)).collect();

@@ -67,6 +67,10 @@ impl Shown {
         };
         writeln!(out, "Absolute Accuracy {accuracy}")?;
         writeln!(out, "right to write    {}", i.writer.as_deref().unwrap_or("nobody holds it"))?;
+        writeln!(
+            out,
+            "free memory       not offered: no request of Robot Web Services is known that tells it"
+        )?;
         writeln!(out, "options     {}", i.options.join(", "))?;
         for (task, (_, modules)) in i.tasks.iter().zip(&self.modules) {
             let moves = if task.moves { ", moves an arm" } else { "" };
@@ -103,6 +107,7 @@ impl Shown {
             "execution": i.execution.to_string(),
             "absolute_accuracy": i.absolute_accuracy,
             "writer": i.writer,
+            "free_memory": serde_json::Value::Null,
             "tasks": tasks.collect::<Vec<_>>(),
             "corrected": self.own.iter().map(OwnData::json).collect::<Vec<_>>(),
         })
