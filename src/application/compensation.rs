@@ -173,6 +173,9 @@ impl Compensation {
             Err(Box::new(Refusal { program, messages, ..Refusal::default() }))
         };
         let models = (&self.robot.model, &self.deformation.model);
+        if self.touch.is_some() && self.options.model.is_some() {
+            return refuse(program, messages, TouchRequest::beside_model());
+        }
         let touch = self.touch.as_ref().map(|touch| touch.of(&program, &self.overrides, models));
         let touch = match touch.transpose() {
             Ok(touch) => touch,

@@ -21,6 +21,14 @@ pub struct TouchRequest {
 }
 
 impl TouchRequest {
+    /// Why none is taken beside an identified model.
+    pub(super) fn beside_model() -> Diagnostic {
+        let text = "--touch: with --model the arm is off by more than a drift that grows by one law, and what of that a touch finds would be \
+                    taken for warmth";
+        Diagnostic::error("touch::clock", text)
+            .help("leave --touch or --model out; a table with --growth is what a touch can tell of")
+    }
+
     /// The point in a program of a robot that settles as a table says.
     ///
     /// # Errors

@@ -329,3 +329,32 @@ fn lines_of_tables_with_cr_lf() {
     let output = driftpost(&["tabulate", &table]);
     assert!(err(&output).contains("line 4, column 3 (`y_mm`): `two`"), "{}", err(&output));
 }
+
+#[test]
+fn a_touch_that_no_clock_could_take_is_refused_with_the_reason() {
+    let bench = Bench::default();
+    let cell = std::fs::read_to_string("fixtures/docs/Cell.mod").unwrap();
+    let touch = ["--touch", "S1=pSphere,tool0,wobj0", "--touch-signal", "diTouch"];
+    let said = |program: &str, more: &[&str]| {
+        refused(&bench, &[&[program], &touch[..], more].concat(), "touch::clock")
+    };
+    let program = bench.file("Cell.mod", &cell);
+    // A model's own drifts and offsets: also where a table stands beside it.
+    let model = "fixtures/docs/identified.toml";
+    assert!(said(&program, &["--model", model]).contains("would be taken for warmth"));
+    let row = "0.01,0,0.05,0,0.002,0\n";
+    let table = bench.file("static.csv", format!("{HEADER}{}", row.repeat(6)));
+    let both = ["--model", model, "--deformation", &table, "--growth", "two-stage:46"];
+    assert!(said(&program, &both).contains("would be taken for warmth"));
+    // A scheduled table grows as it was measured, by no law whose lags a touch could tell.
+    let rows =
+        |t_min: u32, dz_mm: f64| (1..=6).map(move |joint| format!("{t_min},{joint},0,0,{dz_mm},0,0,0\n"));
+    let rows: String = rows(0, 0.0).chain(rows(60, 0.03)).chain(rows(180, 0.05)).collect();
+    let scheduled =
+        bench.file("scheduled.csv", format!("t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n{rows}"));
+    let by_table = said(&program, &["--deformation", &scheduled, "--tau-cool", "60"]);
+    assert!(by_table.contains("a static table with --growth"), "{by_table}");
+    assert!(said(&program, &["--clock", "elapsed"]).contains("use --clock warmth"));
+    // RAPID of an S4C has no CalcJointT.
+    assert!(said(&bench.file("Cell.prg", &cell), &[]).contains("no CalcJointT"));
+}
