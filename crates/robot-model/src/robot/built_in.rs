@@ -47,6 +47,9 @@ const COUPLED: [&str; 11] = [
     "irb260",
 ];
 
+/// GoFa. Prefixes of the squeezed name.
+const OFFSET_WRIST: [&str; 2] = ["crb15000", "gofa"];
+
 impl Robot {
     /// The built-in robot of that name; case, blanks and hyphens do not matter.
     #[must_use]
@@ -70,7 +73,7 @@ impl Robot {
     /// The built-in robot of that name.
     ///
     /// # Errors
-    /// [`RobotError::Refused`] for robots whose joints are coupled, [`RobotError::Unknown`] with the names
+    /// [`RobotError::Refused`] for robots whose joints are coupled, [`RobotError::OffsetWrist`] for those without a spherical wrist, [`RobotError::Unknown`] with the names
     /// that exist and the nearest of them for any other.
     pub fn by_name(name: &str) -> Result<Self, RobotError> {
         if let Some(robot) = Self::built_in(name) {
@@ -85,6 +88,9 @@ impl Robot {
                          it wrongly"
                     .to_owned(),
             });
+        }
+        if OFFSET_WRIST.iter().any(|prefix| wanted.starts_with(prefix)) {
+            return Err(RobotError::OffsetWrist { name: name.to_owned() });
         }
         let nearest = NAMES
             .iter()
@@ -128,6 +134,16 @@ mod tests {
         for name in ["IRB 2400", "irb4400", "irb6640ID"] {
             assert!(matches!(Robot::by_name(name), Err(RobotError::Refused { .. })), "{name}");
         }
+    }
+
+    #[test]
+    fn a_robot_without_a_spherical_wrist_is_refused_with_the_reason() {
+        for name in ["GoFa", "CRB 15000", "abb crb15000-5/0.95"] {
+            let error = Robot::by_name(name).unwrap_err();
+            assert_eq!(error.code(), "robot::wrist", "{name}");
+            assert!(error.to_string().contains("do not meet in one point"), "{error}");
+        }
+        assert_eq!(Robot::by_name("crb1100").unwrap_err().code(), "robot::unknown");
     }
 
     #[test]
