@@ -24,8 +24,9 @@ pub struct Args {
     #[arg(value_name = "OUT_DIR")]
     pub out_dir: PathBuf,
 
-    /// Effects of every set, e.g. joint_compliance:2,gear_mesh:3:20; none; mix: the exam's mixture; or weak: its
-    /// questions of one effect, at half the noise in 30 rows.
+    /// Effects of every set, e.g. joint_compliance:2,gear_mesh:3:20; none; mix: the exam's mixture; weak: its
+    /// questions of one effect, at half the noise in 30 rows; or accidents: a joint's zero that jumps, or a fault
+    /// of rows or of a column.
     #[arg(long, value_name = "LIST", default_value = "mix")]
     pub effects: String,
 
@@ -41,23 +42,23 @@ pub struct Args {
     #[command(flatten)]
     pub robot: RobotName,
 
-    /// With mix: sets of more rows than this get this many.
+    /// With mix or accidents: sets of more rows than this get this many.
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(30..=300))]
     pub most_rows: u32,
 
-    /// Rows of each set (not with mix or weak).
+    /// Rows of each set (not with mix, weak, accidents).
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(4..=100_000))]
     pub n: u32,
 
-    /// Noise of each coordinate (not with mix or weak).
+    /// Noise of each coordinate (not with mix, weak, accidents).
     #[arg(long, value_name = "MM", default_value_t = 0.02)]
     pub sigma_mm: f64,
 
-    /// Each effect's rms over the noise's rms (not with mix or weak).
+    /// Each effect's rms over the noise's rms (not with mix, weak, accidents).
     #[arg(long, default_value_t = 3.0)]
     pub rho: f64,
 
-    /// How the poses are spread (not with mix or weak).
+    /// How the poses are spread (not with mix, weak, accidents).
     #[arg(long, value_enum, default_value_t = SpreadName::Wide)]
     pub poses: SpreadName,
 
@@ -214,6 +215,7 @@ fn one(args: &Args, robot: &SerialArm, number: u32) -> Result<DataSet, Diagnosti
         let recipe = match args.effects.as_str() {
             "mix" => mixture::recipe(number as usize, args.most_rows as usize, &mut rng),
             "weak" => mixture::weak_recipe(number as usize, &mut rng),
+            "accidents" => mixture::accident_recipe(number as usize, args.most_rows as usize, &mut rng),
             _ => recipe(&Ask::of(args, number), &mut rng)?,
         };
         if let Some(set) = data_set(robot, &args.robot.name, &recipe, &mut rng) {

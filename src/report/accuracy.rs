@@ -25,7 +25,7 @@ pub fn worst(found: &Performance) -> Worst {
     let most =
         |of: &dyn Fn(&PosePerformance) -> Option<f64>| found.poses.iter().filter_map(of).reduce(f64::max);
     Worst {
-        ap_m: most(&|p| Some(p.accuracy.ap_m)),
+        ap_m: most(&|p| p.accuracy.map(|a| a.ap_m)),
         rp_m: most(&|p| p.repeatability.map(|r| r.rp_m)),
         drift_m: most(&|p| p.drift_of_accuracy_m()),
     }
@@ -52,16 +52,16 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     let mm = |m: f64| format!("{:.4}", mm_from_m(m));
     let maybe = |m: Option<f64>| m.map_or_else(|| "-".to_owned(), mm);
     for p in &found.poses {
-        let [x, y, z] = p.accuracy.of_axes_m;
+        let [x, y, z] = [0, 1, 2].map(|k| maybe(p.accuracy.map(|a| a.of_axes_m[k])));
         let n = p.repeatability.map_or(1, |r| r.n);
         table.row([
             p.line.to_string(),
             p.id.clone().unwrap_or_default(),
             n.to_string(),
-            mm(p.accuracy.ap_m),
-            mm(x),
-            mm(y),
-            mm(z),
+            maybe(p.accuracy.map(|a| a.ap_m)),
+            x,
+            y,
+            z,
             maybe(p.repeatability.map(|r| r.rp_m)),
             maybe(p.drift_of_accuracy_m()),
             maybe(p.drift_of_repeatability_m()),
@@ -77,6 +77,9 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
         maybe(all.rp_m),
         maybe(all.drift_m)
     )?;
+    if found.registration.is_none() {
+        writeln!(out, "so few poses do not place the robot's base: repeatability is told, accuracy is not")?;
+    }
     if let Some(apart_m) = found.multi_directional_m {
         writeln!(out, "from several sides vAP {}", mm(apart_m))?;
     }
@@ -100,13 +103,13 @@ pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
                 .times
                 .iter()
                 .map(|t| {
-                    json!({ "t_min": t.t_min, "ap_mm": mm_from_m(t.accuracy.ap_m),
+                    json!({ "t_min": t.t_min, "ap_mm": t.accuracy.map(|a| mm_from_m(a.ap_m)),
                             "rp_mm": t.repeatability.map(|r| mm_from_m(r.rp_m)) })
                 })
                 .collect();
             json!({
                 "line": p.line, "id": p.id, "q_deg": robot.in_deg_or_mm(&p.q_rad),
-                "ap_mm": mm_from_m(p.accuracy.ap_m), "ap_xyz_mm": p.accuracy.of_axes_m.map(mm_from_m),
+                "ap_mm": p.accuracy.map(|a| mm_from_m(a.ap_m)), "ap_xyz_mm": p.accuracy.map(|a| a.of_axes_m.map(mm_from_m)),
                 "repeatability": p.repeatability.map(rp),
                 "ap_abc_deg": p.orientation_rad.map(|o| o.0.map(deg_from_rad)),
                 "rp_abc_deg": p.orientation_rad.and_then(|o| o.1).map(|rp| rp.map(deg_from_rad)),

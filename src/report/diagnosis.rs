@@ -72,12 +72,34 @@ fn left(page: &mut String, d: &Diagnosis) {
     }
 }
 
+/// How many rows where, what they decide, and what else can tell.
+fn poses_below(d: &Diagnosis) -> String {
+    let step = &d.next_step;
+    let other = step.other_means.as_deref();
+    let n = d.next_measurements.len();
+    if n == 0 {
+        return other.map_or_else(String::new, |other| format!("further poses cannot tell; {other}"));
+    }
+    let times = match step.readings_per_pose {
+        0 | 1 => String::new(),
+        times => format!(" {times} times each ({} rows)", step.rows),
+    };
+    let cold = if step.from_cold { ", on a new warm-up from a cold start" } else { "" };
+    let decides = match d.verdict {
+        Verdict::Ambiguous if step.decides => ": that is expected to decide",
+        Verdict::Ambiguous => ": that may not be enough",
+        _ => "",
+    };
+    let other = match other {
+        Some(other) if d.verdict == Verdict::Ambiguous => format!("; or {other}"),
+        _ => String::new(),
+    };
+    format!("measure the {n} poses below{times}{cold}, {}{decides}{other}", step.reason)
+}
+
 /// What to do with this verdict.
 pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
-    let poses = match d.next_measurements.len() {
-        0 => String::new(),
-        n => format!("measure the {n} poses below, {}", d.next_reason),
-    };
+    let poses = poses_below(d);
     let write = match d.no_model {
         Some(_) => "no model can be written",
         None if arm.clone().six_axis().is_ok() => {

@@ -1,15 +1,18 @@
 //! A measurement plan for people and as JSON.
 
 use super::table::{Align, Table};
-use metrology::plan::{Confounded, EffectName, GearLines, MeasurementPlan, MeasurementStep};
+use metrology::plan::{Confounded, EffectName, GearLines, MeasurementPlan, MeasurementStep, Parameter};
+use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Confounded pairs that are shown.
-const SHOWN: usize = 25;
+const SHOWN: usize = 6;
+/// Joints of an effect that are not told at its usual size and are shown.
+const SHOWN_WEAK: usize = 4;
 /// Confounded lines that are shown of a joint.
-const SHOWN_LINES: usize = 6;
+const SHOWN_LINES: usize = 3;
 
 /// For people.
 ///
@@ -31,19 +34,7 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
         plan.exchanges
     )?;
     writeln!(out, "\nExpected, each effect being the only cause beside the arm's tolerances")?;
-    let mut table = Table::new(&[
-        ("effect", Align::Left),
-        ("usual", Align::Right),
-        ("sigma", Align::Right),
-        ("named from", Align::Right),
-        ("unit", Align::Left),
-    ]);
-    for p in &plan.outlook.parameters {
-        let numbers = [p.usual, p.sigma, p.seen_from].map(|v| format!("{v:.2e}"));
-        let [usual, sigma, from] = numbers;
-        table.row([name(&p.of), usual, sigma, from, p.unit.to_owned()]);
-    }
-    table.write(out, "  ")?;
+    expected(out, &plan.outlook.parameters)?;
     lines(out, &plan.outlook.lines)?;
     let hidden: Vec<String> = plan.outlook.hidden.iter().map(name).collect();
     if !hidden.is_empty() {
@@ -78,6 +69,52 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     Ok(())
 }
 
+/// One line for each effect: its joints from the best told to the worst.
+fn expected(out: &mut dyn Write, parameters: &[Parameter]) -> io::Result<()> {
+    let mut table = Table::new(&[
+        ("effect", Align::Left),
+        ("of", Align::Right),
+        ("usual", Align::Right),
+        ("named from, best", Align::Left),
+        ("named from, worst", Align::Left),
+        ("unit", Align::Left),
+        ("not at its usual size", Align::Left),
+    ]);
+    let mut effects: Vec<EffectKind> = Vec::new();
+    for p in parameters {
+        if !effects.contains(&p.of.effect) {
+            effects.push(p.of.effect);
+        }
+    }
+    for effect in effects {
+        let mut own: Vec<&Parameter> = parameters.iter().filter(|p| p.of.effect == effect).collect();
+        own.sort_by(|a, b| (a.seen_from / a.usual).total_cmp(&(b.seen_from / b.usual)));
+        let (Some(best), Some(worst)) = (own.first(), own.last()) else { continue };
+        let from = |p: &Parameter| match joints(&p.of) {
+            joints if joints.is_empty() => format!("{:.1e}", p.seen_from),
+            joints => format!("{:.1e} ({joints})", p.seen_from),
+        };
+        let weak = own.iter().filter(|p| p.seen_from > p.usual);
+        let weak: Vec<String> = weak
+            .clone()
+            .take(SHOWN_WEAK)
+            .map(|p| joints(&p.of))
+            .chain((weak.count() > SHOWN_WEAK).then(|| "...".to_owned()))
+            .collect();
+        table.row([
+            effect.to_string(),
+            own.len().to_string(),
+            format!("{:.1e}", best.usual),
+            from(best),
+            if own.len() > 1 { from(worst) } else { String::new() },
+            best.unit.to_owned(),
+            weak.join(", "),
+        ]);
+    }
+    table.write(out, "  ")?;
+    writeln!(out, "  usual: of the joint that is told best; every joint's numbers are in --json")
+}
+
 /// Gear lines, joint by joint.
 fn lines(out: &mut dyn Write, lines: &[GearLines]) -> io::Result<()> {
     let Some(first) = lines.first() else { return Ok(()) };
@@ -101,10 +138,14 @@ fn lines(out: &mut dyn Write, lines: &[GearLines]) -> io::Result<()> {
 }
 
 fn name(of: &EffectName) -> String {
+    format!("{} {}", of.effect, joints(of)).trim_end().to_owned()
+}
+
+fn joints(of: &EffectName) -> String {
     match (of.joint, of.joint_b) {
-        (Some(j), Some(b)) => format!("{} {j} to {b}", of.effect),
-        (Some(j), None) => format!("{} {j}", of.effect),
-        _ => of.effect.to_string(),
+        (Some(j), Some(b)) => format!("{j} to {b}"),
+        (Some(j), None) => j.to_string(),
+        _ => String::new(),
     }
 }
 

@@ -38,6 +38,7 @@ mod lossless;
 mod measuring;
 mod messages;
 mod model;
+mod next_poses;
 mod oracle;
 mod paper;
 mod plan;

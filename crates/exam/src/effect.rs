@@ -103,9 +103,18 @@ pub enum Effect {
         t0_min: f64,
         direction: [f64; 6],
     },
+    JointStep {
+        joint: usize,
+        t0_min: f64,
+    },
     PayloadMass,
     JointRounding,
     SwappedAxes,
+    /// A fault of the file in some of its rows or one of its columns, from this share of the rows on.
+    RowFault {
+        fault: RowFault,
+        from: f64,
+    },
     /// Outside the library: a joint that jumps by steps along its travel.
     SquareWave {
         joint: usize,
@@ -130,6 +139,27 @@ pub enum Effect {
         a: usize,
         b: usize,
     },
+}
+
+/// What goes wrong when rows are put together by hand or by a script.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RowFault {
+    /// Points in metres from a row on: another export.
+    Metres,
+    /// The instrument's last point again and again: the beam was lost.
+    Frozen,
+    /// Each point beside the joints of the row before it.
+    OneLate,
+    /// One joint in radians.
+    Radians,
+    /// One coordinate in inches.
+    Inches,
+}
+
+impl RowFault {
+    /// Every one.
+    pub const ALL: [Self; 5] = [Self::Metres, Self::Frozen, Self::OneLate, Self::Radians, Self::Inches];
 }
 
 /// A column that an effect cannot be seen without.
@@ -174,10 +204,12 @@ impl Effect {
             Self::InstrumentScale => "instrument_scale",
             Self::ToolDrift { .. } => "tool_drift",
             Self::ToolStep { .. } => "tool_step",
+            Self::JointStep { .. } => "joint_step",
             Self::PayloadMass => "payload_mass",
             Self::JointRounding => "joint_rounding",
             Self::SwappedAxes => "swapped_axes",
-            Self::SquareWave { .. }
+            Self::RowFault { .. }
+            | Self::SquareWave { .. }
             | Self::CablePull { .. }
             | Self::LocalBump { .. }
             | Self::SmoothFunction(_)
@@ -203,6 +235,7 @@ impl Effect {
             | Self::Backlash { joint, .. }
             | Self::ThermalLinkGrowth { joint }
             | Self::ThermalJointDrift { joint }
+            | Self::JointStep { joint, .. }
             | Self::SquareWave { joint, .. }
             | Self::CrossTerm { joint, .. }
             | Self::SmoothFunction(SmoothFunction { moves: MovedPart::Joint(joint), .. }) => Some(joint),
@@ -220,7 +253,8 @@ impl Effect {
             | Self::BaseDrift { .. }
             | Self::BaseStep { .. }
             | Self::ToolDrift { .. }
-            | Self::ToolStep { .. } => Some(Channel::Time),
+            | Self::ToolStep { .. }
+            | Self::JointStep { .. } => Some(Channel::Time),
             _ => None,
         }
     }
@@ -229,7 +263,7 @@ impl Effect {
     #[must_use]
     pub fn usual(&self) -> [f64; 2] {
         match self {
-            Self::JointOffset { .. } => [1e-4, 2e-3],
+            Self::JointOffset { .. } | Self::JointStep { .. } => [1e-4, 2e-3],
             Self::LinkGeometry { .. } => [5e-5, 5e-4],
             Self::JointCompliance { joint } if *joint > 3 => [20e-6, 200e-6],
             Self::JointCompliance { .. } => [2e-6, 20e-6],
@@ -247,7 +281,7 @@ impl Effect {
             Self::BaseStep { .. } | Self::ToolStep { .. } => [1e-5, 5e-4],
             Self::InstrumentScale => [1e-5, 1e-4],
             Self::PayloadMass => [0.2, 2.0],
-            Self::JointRounding | Self::SwappedAxes => [1.0, 1.0],
+            Self::JointRounding | Self::SwappedAxes | Self::RowFault { .. } => [1.0, 1.0],
             Self::SquareWave { .. }
             | Self::CrossTerm { .. }
             | Self::CablePull { .. }
@@ -270,6 +304,7 @@ impl Effect {
             | Self::GearMesh { .. }
             | Self::Backlash { .. }
             | Self::ThermalJointDrift { .. }
+            | Self::JointStep { .. }
             | Self::SquareWave { .. }
             | Self::CrossTerm { .. }
             | Self::SmoothFunction(SmoothFunction { moves: MovedPart::Joint(_), .. }) => "rad",
@@ -291,6 +326,7 @@ impl Effect {
             | Self::Backlash { joint, .. }
             | Self::ThermalLinkGrowth { joint }
             | Self::ThermalJointDrift { joint }
+            | Self::JointStep { joint, .. }
             | Self::SquareWave { joint, .. } => joint <= joints,
             Self::LinkBending { joint } => joint < joints,
             Self::JointCoupling { joint, joint_b } => joint.max(joint_b) <= joints,
@@ -376,6 +412,8 @@ impl Effect {
                 to.seat_m[arm.joints()] += shift;
                 to.seat_rad[arm.joints()] += turn;
             }
+            // a resolver that was knocked, a belt that skipped a tooth
+            Self::JointStep { joint, t0_min } if now.t_min >= t0_min => to.joint_rad[joint - 1] += amplitude,
             Self::InstrumentScale => to.instrument_scale += amplitude,
             Self::PayloadMass => {
                 let with = arm.gravity_torque_n_m(&now.q_rad, now.payload_kg + amplitude, &now.payload_at_m);
@@ -410,7 +448,12 @@ impl Effect {
             Self::CrossTerm { joint, a, b } => {
                 to.joint_rad[joint - 1] += amplitude * (2.0 * q(a)).sin() * (1.5 * q(b)).cos();
             }
-            Self::BaseStep { .. } | Self::ToolStep { .. } | Self::JointRounding | Self::SwappedAxes => {}
+            Self::BaseStep { .. }
+            | Self::ToolStep { .. }
+            | Self::JointStep { .. }
+            | Self::JointRounding
+            | Self::SwappedAxes
+            | Self::RowFault { .. } => {}
         }
     }
 }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 const USUAL_RUN_MIN: f64 = 100.0;
 
 /// Names that can be asked for, with what may follow them.
-pub const SYNTAX: [(&str, &str); 26] = [
+pub const SYNTAX: [(&str, &str); 27] = [
     ("joint_offset", "JOINT"),
     ("link_geometry", "JOINT"),
     ("joint_compliance", "JOINT"),
@@ -27,6 +27,7 @@ pub const SYNTAX: [(&str, &str); 26] = [
     ("base_step", "MINUTE"),
     ("tool_drift", ""),
     ("tool_step", "MINUTE"),
+    ("joint_step", "JOINT:MINUTE"),
     ("instrument_scale", ""),
     ("payload_mass", ""),
     ("joint_rounding", ""),
@@ -100,6 +101,10 @@ pub fn parse(text: &str, rng: &mut Rng) -> Result<Effect, EffectSpecError> {
         "base_step" => Effect::BaseStep { t0_min: f64::from(numbers[0]), direction },
         "tool_drift" => Effect::ToolDrift { direction },
         "tool_step" => Effect::ToolStep { t0_min: f64::from(numbers[0]), direction },
+        "joint_step" => Effect::JointStep {
+            joint: joint(0)?,
+            t0_min: numbers.get(1).copied().map_or_else(|| Err(wrong()), |minute| Ok(f64::from(minute)))?,
+        },
         "instrument_scale" => Effect::InstrumentScale,
         "payload_mass" => Effect::PayloadMass,
         "joint_rounding" => Effect::JointRounding,

@@ -4,12 +4,12 @@ use super::arm::{Arm, Disturbance};
 use super::csv::csv;
 use super::effect::{ArmState, Effect};
 use super::outside;
-use super::poses::{CommandedRow, RunSpec, states, states_of};
+use super::poses::{CommandedRow, MoreRows, RunSpec, states_and_more, states_of};
 use super::recipe::Recipe;
 use super::rng::Rng;
 use super::run::MeasuredRun;
 use super::truth::{InjectedEffect, Truth};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Vector3;
 use robot_model::robot::SerialArm;
 use robot_model::units::{m_from_mm, mm_from_m};
 use serde::{Deserialize, Serialize};
@@ -40,6 +40,18 @@ pub struct DataSet {
 /// be out of all proportion to be as large as asked.
 #[must_use]
 pub fn data_set(robot: &SerialArm, robot_name: &str, recipe: &Recipe, rng: &mut Rng) -> Option<DataSet> {
+    continued_set(robot, robot_name, recipe, MoreRows::NONE, rng)
+}
+
+/// The data set that [`data_set`] makes of the same draws, and after its rows those of `more`, measured on the same robot.
+#[must_use]
+pub fn continued_set(
+    robot: &SerialArm,
+    robot_name: &str,
+    recipe: &Recipe,
+    more: MoreRows<'_>,
+    rng: &mut Rng,
+) -> Option<DataSet> {
     let arm = Arm::new(robot);
     let tool_m = Vector3::new(rng.uniform(0.03, 0.12), rng.uniform(-0.08, 0.08), rng.uniform(0.05, 0.15));
     let run = RunSpec {
@@ -49,10 +61,17 @@ pub fn data_set(robot: &SerialArm, robot_name: &str, recipe: &Recipe, rng: &mut 
         tool_m,
         payloads_kg: recipe.payloads_kg,
     };
-    let states = states(robot, &arm, rng, &run);
+    let states = states_and_more(robot, &arm, rng, &run, more);
     let distinct = recipe.n - recipe.repeats.min(recipe.n / 2);
-    let poses = (0..recipe.n).map(|k| if k >= distinct { k - distinct } else { k }).collect();
-    measured(&arm, robot_name, recipe, RunRows { tool_m, states, poses, amplitudes: None }, rng)
+    let poses = (0..recipe.n).map(|k| if k >= distinct { k - distinct } else { k });
+    let poses = poses.chain(more.rows.iter().map(|row| distinct + row.pose)).collect();
+    measured(
+        &arm,
+        robot_name,
+        recipe,
+        RunRows { tool_m, states, poses, later: more.seed, amplitudes: None },
+        rng,
+    )
 }
 
 /// A data set over poses that others planned, with a tool of theirs and the recipe's effects at these `amplitudes`; the
@@ -73,16 +92,19 @@ pub fn planned_set(
         tool_m,
         states: states_of(&arm, rng, tool_m, rows),
         poses: rows.iter().map(|row| row.pose).collect(),
+        later: 0,
         amplitudes: Some(amplitudes),
     };
     measured(&arm, robot_name, &recipe, rows, rng)
 }
 
-/// The rows of a run, drawn or planned.
+/// The rows of a run, drawn or planned; those past the recipe's number are more of another day and leave its draws alone.
 struct RunRows<'a> {
     tool_m: Vector3<f64>,
     states: Vec<ArmState>,
     poses: Vec<usize>,
+    /// Seed of the noise in rows past the recipe's number.
+    later: u64,
     /// Sizes of the effects; `None`: as large as the recipe asks.
     amplitudes: Option<&'a [f64]>,
 }
@@ -94,10 +116,9 @@ fn measured(
     rows: RunRows<'_>,
     rng: &mut Rng,
 ) -> Option<DataSet> {
-    let RunRows { tool_m, states, poses, amplitudes } = rows;
-    let flanges: Vec<_> = states.iter().map(|m| arm.flange(&m.q_rad, &Disturbance::default())).collect();
-    let nominal_m = flanges.iter().map(|f| (f * Point3::from(tool_m)).coords).collect();
-    let run = MeasuredRun { arm, tool_m, states, flanges, nominal_m };
+    let RunRows { tool_m, mut states, poses, later, amplitudes } = rows;
+    let more = states.split_off(recipe.n.min(states.len()));
+    let mut run = MeasuredRun::new(arm, tool_m, states);
 
     let noise_rms_m = m_from_mm(recipe.sigma_mm) * 3.0_f64.sqrt();
     let mut injected = Vec::new();
@@ -106,7 +127,8 @@ fn measured(
         if !effect.fits(arm.joints()) {
             return None;
         }
-        let unscaled = matches!(effect, Effect::JointRounding | Effect::SwappedAxes);
+        let unscaled =
+            matches!(effect, Effect::JointRounding | Effect::SwappedAxes | Effect::RowFault { .. });
         let effect = match effect {
             Effect::SmoothFunction(function) => {
                 Effect::SmoothFunction(outside::redrawn(&run, *function, rng)?)
@@ -135,7 +157,14 @@ fn measured(
         background.seat_m[i] = Vector3::from(rng.normal3()) * (1.5e-4 * recipe.geometry);
         background.seat_rad[i] = Vector3::from(rng.normal3()) * (2.5e-4 * recipe.geometry);
     }
-    let (noise_m, is_outlier) = noise(recipe, rng);
+    let (mut noise_m, mut is_outlier) = noise(recipe, rng);
+    let mut later = Rng::new(later, LATER);
+    if !more.is_empty() {
+        let (noise, outlier) = noise(&Recipe { n: more.len(), ..recipe.clone() }, &mut later);
+        noise_m.extend(noise);
+        is_outlier.extend(outlier);
+        run = MeasuredRun::new(arm, tool_m, run.states.into_iter().chain(more).collect());
+    }
     let clean = run.off_m(&effects, &background);
     let with: Vec<_> = clean.iter().zip(&noise_m).map(|(a, b)| a + b).collect();
     let without: Vec<_> = run.off_m(&[], &background).iter().zip(&noise_m).map(|(a, b)| a + b).collect();
@@ -143,7 +172,7 @@ fn measured(
         name: recipe.name.clone(),
         kind: recipe.kind,
         effects: injected,
-        n: recipe.n,
+        n: run.states.len(),
         sigma_mm: recipe.sigma_mm,
         spread: recipe.spread,
         recorded: recipe.recorded,
@@ -153,7 +182,7 @@ fn measured(
         before_rms_mm: mm_from_m(run.sound_rms_m(&with, &is_outlier)),
         oracle_rms_mm: mm_from_m(run.sound_rms_m(&without, &is_outlier)),
     };
-    let csv = csv(&run, recipe, &poses, &effects, &background, &with, rng);
+    let csv = csv(&run, recipe, &poses, &effects, &background, &with, [rng, &mut later]);
     let stated = tool_m.map(|c| mm_from_m(c) + 0.5 * rng.normal());
     let task = Task {
         robot: robot_name.to_owned(),
@@ -162,6 +191,9 @@ fn measured(
     };
     Some(DataSet { csv, task, truth })
 }
+
+/// The stream of noise in rows that are measured later.
+const LATER: u64 = 0x1a7e;
 
 /// The noise of each row, and which rows are grossly wrong.
 fn noise(recipe: &Recipe, rng: &mut Rng) -> (Vec<Vector3<f64>>, Vec<bool>) {

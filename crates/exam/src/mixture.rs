@@ -1,6 +1,6 @@
 //! The exam's mixture: how often which kind of question is asked, and of what size.
 
-use super::effect::{Channel, Effect};
+use super::effect::{Channel, Effect, RowFault};
 use super::poses::{Recorded, Spread};
 use super::recipe::Recipe;
 use super::rng::Rng;
@@ -145,9 +145,48 @@ pub fn weak_recipe(number: usize, rng: &mut Rng) -> Recipe {
     }
 }
 
+/// The recipe of one accident: half a joint's zero that jumps, half a fault of rows or of one column; all else as the
+/// mixture draws it.
+#[must_use]
+pub fn accident_recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
+    loop {
+        let mut recipe = recipe(number, most_rows, rng);
+        if recipe.kind != QuestionKind::One {
+            continue;
+        }
+        let Some((_, rho)) = recipe.effects.pop() else { continue };
+        let accident = if rng.chance(0.5) {
+            let t0_min = rng.uniform(0.25, 0.75) * recipe.n as f64;
+            (Effect::JointStep { joint: 2 + rng.below(4), t0_min }, rho)
+        } else {
+            recipe.kind = QuestionKind::Fault;
+            let fault = RowFault::ALL[rng.below(RowFault::ALL.len())];
+            (Effect::RowFault { fault, from: rng.uniform(0.2, 0.7) }, 1.0)
+        };
+        recipe.effects.push(accident);
+        return recipe;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn accidents_are_jumps_of_a_zero_and_faults_of_every_kind() {
+        let mut seen = std::collections::BTreeSet::new();
+        for number in 0..60 {
+            let recipe = accident_recipe(number, 60, &mut Rng::new(9, number as u64));
+            let [(effect, _)] = recipe.effects.as_slice() else { panic!("{:?}", recipe.effects) };
+            seen.insert(match effect {
+                Effect::JointStep { joint, .. } => format!("jump {}", (2..=5).contains(joint)),
+                Effect::RowFault { fault, .. } => format!("{fault:?}"),
+                other => panic!("{other:?}"),
+            });
+            assert_eq!(recipe.kind == QuestionKind::One, matches!(effect, Effect::JointStep { .. }));
+        }
+        assert_eq!(seen.len(), 1 + RowFault::ALL.len(), "{seen:?}");
+    }
 
     #[test]
     fn a_weak_question_is_one_effect_of_half_the_noise_in_thirty_rows() {

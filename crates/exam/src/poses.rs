@@ -126,6 +126,34 @@ pub struct CommandedRow {
 /// The moments of a measurement run.
 #[must_use]
 pub fn states(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
+    states_and_more(robot, arm, rng, run, MoreRows::NONE)
+}
+
+/// Rows that are measured after those of a run, robot, instrument and target left as they were.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MoreRows<'a> {
+    /// What the robot is driven to; the poses count on from the run's.
+    pub rows: &'a [CommandedRow],
+    /// After a night's rest: minutes count from 0 again. Otherwise they go on.
+    pub from_cold: bool,
+    /// Seed of their noise: that of the run's own rows stays as it was.
+    pub seed: u64,
+}
+
+impl MoreRows<'_> {
+    /// No more rows.
+    pub const NONE: Self = Self { rows: &[], from_cold: false, seed: 0 };
+}
+
+/// The same, and those of `more` after them.
+#[must_use]
+pub(super) fn states_and_more(
+    robot: &SerialArm,
+    arm: &Arm,
+    rng: &mut Rng,
+    run: &RunSpec,
+    more: MoreRows<'_>,
+) -> Vec<ArmState> {
     let RunSpec { spread, n, repeats, tool_m, payloads_kg } = *run;
     let climate = Climate::new(arm.joints(), rng);
     let mut out: Vec<ArmState> = Vec::with_capacity(n);
@@ -148,6 +176,8 @@ pub fn states(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec
         let row = CommandedRow { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
         out.push(climate.state(arm, tool_m, k, &row));
     }
+    let from = if more.from_cold { 0 } else { n };
+    out.extend(more.rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, from + k, row)));
     out
 }
 

@@ -17,7 +17,13 @@ pub(super) struct MeasuredRun<'a> {
     pub nominal_m: Vec<Vector3<f64>>,
 }
 
-impl MeasuredRun<'_> {
+impl<'a> MeasuredRun<'a> {
+    pub fn new(arm: &'a Arm, tool_m: Vector3<f64>, states: Vec<ArmState>) -> Self {
+        let flanges: Vec<_> = states.iter().map(|m| arm.flange(&m.q_rad, &Disturbance::default())).collect();
+        let nominal_m = flanges.iter().map(|f| (f * Point3::from(tool_m)).coords).collect();
+        Self { arm, tool_m, states, flanges, nominal_m }
+    }
+
     pub fn flange(
         &self,
         k: usize,

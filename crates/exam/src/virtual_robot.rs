@@ -41,6 +41,7 @@ pub fn is_lasting(effect: &Effect) -> bool {
             | Effect::ToolDrift { .. }
             | Effect::JointRounding
             | Effect::SwappedAxes
+            | Effect::RowFault { .. }
             | Effect::InstrumentScale
             | Effect::SmoothFunction(SmoothFunction { domain: Domain::Time, .. })
     )

@@ -22,7 +22,7 @@ use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
-use robot_model::units::mm_from_m;
+use robot_model::units::{m_from_mm, mm_from_m};
 use std::borrow::Cow;
 
 /// Fewer stations or poses than these say nothing.
@@ -50,6 +50,11 @@ pub fn diagnose_and_identify(
     let diagnosis = examine(measurements, robot, options, Some(&mut identified));
     if let Some(model) = &mut identified {
         model.verdict = diagnosis.verdict.name().to_owned();
+        model.region_held_out_m = diagnosis
+            .shrink
+            .region_block
+            .as_ref()
+            .map(|region| [region.before_rms_mm, region.after_rms_mm].map(m_from_mm));
     }
     (diagnosis, identified)
 }
@@ -212,6 +217,18 @@ fn evaluate(
     let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
     diagnosis.no_model = no_model;
     diagnosis.shrink = heldout::shrink(&model, &mut workspace, linear, &folds);
+    if let Some(region) = &diagnosis.shrink.region_block
+        && !model.chosen.is_empty()
+        && region.after_rms_mm >= region.before_rms_mm
+    {
+        diagnosis.warnings.push(Warning {
+            code: "diagnose::region",
+            message: format!(
+                "in a region of the workspace held out whole the model is no better than none ({:.3} mm before, {:.3} mm after): it holds where was measured, and nowhere else",
+                region.before_rms_mm, region.after_rms_mm
+            ),
+        });
+    }
     detail.extend(untestable.drain(..).map(|hidden| Untestable {
         effect: hidden.kind,
         joints: Vec::new(),
@@ -230,14 +247,16 @@ fn evaluate(
         reduced_chi_square: judgement.reduced_chi_square,
         geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
     };
-    (diagnosis.next_measurements, diagnosis.next_reason) = next_measurements::next_measurements(
+    (diagnosis.next_measurements, diagnosis.next_step) = next_measurements::next_measurements(
         robot,
-        &workspace,
+        &model,
+        &mut workspace,
         linear,
-        judgement.pair,
+        &judgement.open,
         judgement.verdict,
         options,
     );
+    diagnosis.next_reason.clone_from(&diagnosis.next_step.reason);
     diagnosis.causes = judgement.causes;
     diagnosis.alternatives = judgement.alternatives;
     diagnosis.place = judgement.place;

@@ -37,7 +37,7 @@ pub use examine::{diagnose, diagnose_and_identify};
 pub use options::Options;
 pub use outcome::{
     Cause, Detectable, Diagnosis, ErrorReduction, FalseRow, HeldOutBlock, JointZero, JointZeros, Location,
-    NextMeasurement, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
+    NextMeasurement, NextStep, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
 pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
 pub use verdict::{GearBand, describe, gear_bands};

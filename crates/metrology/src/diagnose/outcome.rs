@@ -178,6 +178,27 @@ pub struct NextMeasurement {
     pub dir: Joints<i8>,
 }
 
+/// What the next measurements are good for.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct NextStep {
+    /// What they decide, as a phrase.
+    pub reason: String,
+    /// The slot whose causes they part; `None`: no cause was found.
+    pub slot: Option<usize>,
+    /// Rows in all, 0 where further poses cannot tell.
+    pub rows: usize,
+    /// Readings of each pose.
+    pub readings_per_pose: usize,
+    /// To be measured on a new warm-up, from a cold start.
+    pub from_cold: bool,
+    /// By how much the ln odds of the right cause over the nearest wrong one are expected to grow.
+    pub log_odds_gained: f64,
+    /// Whether that is expected to decide.
+    pub decides: bool,
+    /// What can tell besides, or in place of, further poses.
+    pub other_means: Option<String>,
+}
+
 /// An effect, or some of its joints, that these data cannot show.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Untestable {
@@ -295,8 +316,10 @@ pub struct Diagnosis {
     pub untestable_detail: Vec<Untestable>,
     /// What to measure next.
     pub next_measurements: Vec<NextMeasurement>,
-    /// What they are good for.
+    /// What they are good for, as a phrase.
     pub next_reason: String,
+    /// How many rows, and what they would decide.
+    pub next_step: NextStep,
     /// The noise as known and as found.
     pub noise: NoiseEstimate,
     /// Rows read and stations used.
@@ -356,6 +379,7 @@ impl Diagnosis {
             untestable_detail: Vec::new(),
             next_measurements: Vec::new(),
             next_reason: String::new(),
+            next_step: NextStep::default(),
             noise: NoiseEstimate::default(),
             rows: 0,
             stations: 0,

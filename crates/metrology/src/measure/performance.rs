@@ -48,7 +48,7 @@ pub struct PerformanceAtTime {
     /// First minute, where it is recorded.
     pub t_min: Option<f64>,
     /// Accuracy of the pose at that time.
-    pub accuracy: Accuracy,
+    pub accuracy: Option<Accuracy>,
     /// Repeatability then, of two and more.
     pub repeatability: Option<Repeatability>,
 }
@@ -69,7 +69,7 @@ pub struct PosePerformance {
     /// Barycentre in the base, metres.
     pub barycentre_m: Vector3<f64>,
     /// Accuracy of all rows of the pose.
-    pub accuracy: Accuracy,
+    pub accuracy: Option<Accuracy>,
     /// Of all rows, two and more.
     pub repeatability: Option<Repeatability>,
     /// AP_a, AP_b, AP_c and RP_a, RP_b, RP_c, radians, where the orientation was measured.
@@ -82,8 +82,9 @@ impl PosePerformance {
     /// dAP_p: largest change of AP_p from the first time on, metres.
     #[must_use]
     pub fn drift_of_accuracy_m(&self) -> Option<f64> {
-        let first = self.times.first()?.accuracy.ap_m;
-        self.times.iter().skip(1).map(|t| (t.accuracy.ap_m - first).abs()).reduce(f64::max)
+        let first = self.times.first()?.accuracy?.ap_m;
+        let later = self.times.iter().skip(1).filter_map(|t| t.accuracy);
+        later.map(|accuracy| (accuracy.ap_m - first).abs()).reduce(f64::max)
     }
 
     /// dRP_l: largest change of RP_l from the first time on, metres.
@@ -102,8 +103,8 @@ pub struct Performance {
     pub poses: Vec<PosePerformance>,
     /// Largest distance between the barycentres of one pose come to from several sides, metres: vAP_p.
     pub multi_directional_m: Option<f64>,
-    /// The registration in which they were compared.
-    pub registration: Registration,
+    /// The registration in which they were compared; `None` where so few poses place no base: repeatability alone is told.
+    pub registration: Option<Registration>,
 }
 
 /// The performance of `robot` in `measurements`, its nominal arm being what was commanded.
@@ -124,7 +125,11 @@ pub fn performance(
     }
     let gathered = gather(measurements, &checked.used);
     let chain = SerialChain::nominal(robot);
-    let registration = registered(&gathered.stations, gathered.targets, &chain, compared)?;
+    let registration = match registered(&gathered.stations, gathered.targets, &chain, compared) {
+        Ok(registration) => Some(registration),
+        Err(_) if gathered.stations.iter().any(|station| station.rows.len() > 1) => None,
+        Err(error) => return Err(error.into()),
+    };
     let numbers = pose_numbers(measurements, &checked.used);
     type Side = (usize, usize, Option<Joints<i8>>, u64);
     let mut groups: BTreeMap<Side, Vec<usize>> = BTreeMap::new();
@@ -138,7 +143,9 @@ pub fn performance(
     }
     let mut all: Vec<PosePerformance> = groups
         .iter()
-        .filter_map(|((pose, ..), rows)| pose_performance(measurements, &chain, &registration, *pose, rows))
+        .filter_map(|((pose, ..), rows)| {
+            pose_performance(measurements, &chain, registration.as_ref(), *pose, rows)
+        })
         .collect();
     all.sort_by_key(|p| p.line);
     let mut sides: BTreeMap<(usize, usize), Vec<Vector3<f64>>> = BTreeMap::new();
@@ -179,38 +186,41 @@ fn registered(
 fn pose_performance(
     measurements: &Measurements,
     chain: &SerialChain,
-    registration: &Registration,
+    registration: Option<&Registration>,
     pose: usize,
     rows: &[usize],
 ) -> Option<PosePerformance> {
     let rows: Vec<&super::MeasurementRow> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
     let first = *rows.first()?;
     let flange = chain.forward(&first.q_rad);
-    let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();
-    let command_m = flange.translation.vector + flange.rotation * tool_m;
+    let command_m = registration.map(|registration| {
+        let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();
+        flange.translation.vector + flange.rotation * tool_m
+    });
+    // Without a base in the instrument's own frame: distances between repeats are the same.
+    let base_from_instrument =
+        registration.map_or_else(Isometry3::identity, |r| r.instrument_from_base.inverse());
     let in_base = |row: &super::MeasurementRow| {
         let seen = row.reading.position_m()?;
-        Some(registration.instrument_from_base.inverse_transform_point(&seen.into()).coords)
+        Some((base_from_instrument * nalgebra::Point3::from(seen)).coords)
     };
     let attained: Vec<Vector3<f64>> = rows.iter().filter_map(|row| in_base(row)).collect();
-    let turned: Option<Vec<UnitQuaternion<f64>>> = rows
-        .iter()
-        .map(|row| Some(registration.instrument_from_base.rotation.inverse() * row.orientation?))
-        .collect();
-    let commanded = registration.flange_from_sensor.map(|sensor| flange.rotation * sensor);
+    let turned: Option<Vec<UnitQuaternion<f64>>> =
+        rows.iter().map(|row| Some(base_from_instrument.rotation * row.orientation?)).collect();
+    let commanded = registration.and_then(|r| r.flange_from_sensor).map(|sensor| flange.rotation * sensor);
     let mut times: Vec<PerformanceAtTime> = Vec::new();
     let mut block: Vec<Vector3<f64>> = Vec::new();
     let mut since: Option<f64> = None;
     for (k, (row, at)) in rows.iter().zip(&attained).enumerate() {
         let apart = matches!((since, row.t_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
         if apart || k == 0 {
-            times.extend(at_time(since, &command_m, &block));
+            times.extend(at_time(since, command_m.as_ref(), &block));
             block.clear();
             since = row.t_min;
         }
         block.push(*at);
     }
-    times.extend(at_time(since, &command_m, &block));
+    times.extend(at_time(since, command_m.as_ref(), &block));
     Some(PosePerformance {
         line: first.line,
         id: first.id.clone(),
@@ -218,7 +228,7 @@ fn pose_performance(
         target: first.target,
         q_rad: first.q_rad,
         barycentre_m: barycentre_m(&attained)?,
-        accuracy: accuracy(&command_m, &attained)?,
+        accuracy: command_m.and_then(|command_m| accuracy(&command_m, &attained)),
         repeatability: repeatability(&attained),
         orientation_rad: commanded.zip(turned).and_then(|(command, turned)| orientation(&command, &turned)),
         times,
@@ -227,12 +237,41 @@ fn pose_performance(
 
 fn at_time(
     t_min: Option<f64>,
-    command_m: &Vector3<f64>,
+    command_m: Option<&Vector3<f64>>,
     block: &[Vector3<f64>],
 ) -> Option<PerformanceAtTime> {
+    barycentre_m(block)?;
     Some(PerformanceAtTime {
         t_min,
-        accuracy: accuracy(command_m, block)?,
+        accuracy: command_m.and_then(|command_m| accuracy(command_m, block)),
         repeatability: repeatability(block),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One pose seen five times places no base: repeatability is the same in the instrument's frame. By hand, distances from the
+    /// barycentre 1, 1, 1, 1, 0 mm: mean 0.8, S = sqrt(0.2), RP = 0.8 + 3 sqrt(0.2).
+    #[test]
+    fn a_single_repeated_pose_has_a_repeatability_and_no_accuracy() {
+        let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+        for [x, y] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.0, 0.0]] {
+            text += &format!("10,20,5,25,45,-20,{},{},600\n", 500.0 + x, 100.0 + y);
+        }
+        let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let found = performance(&measurements, &robot, ComparisonFrame::Fitted).unwrap();
+        let [pose] = found.poses.as_slice() else { panic!("{} poses", found.poses.len()) };
+        let rp_mm = 1e3 * pose.repeatability.unwrap().rp_m;
+        assert!((rp_mm - (0.8 + 3.0 * 0.2_f64.sqrt())).abs() < 1e-9, "{rp_mm}");
+        assert!(found.registration.is_none() && pose.accuracy.is_none());
+        let once = text.lines().take(2).collect::<Vec<_>>().join("\n");
+        let once = Measurements::from_csv(once.as_bytes()).unwrap();
+        assert!(matches!(
+            performance(&once, &robot, ComparisonFrame::Fitted),
+            Err(PerformanceError::Register(_))
+        ));
+    }
 }

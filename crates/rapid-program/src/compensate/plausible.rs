@@ -6,6 +6,7 @@ use super::model::Model;
 use super::plan::Summary;
 use crate::schedule::Moment;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::identified::Identified;
 use robot_model::kinematics::FrameOffsets;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -36,6 +37,13 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
         let text = "the model was written of measurements that contradict themselves (verdict data_fault)"
             .to_owned();
         warn("model::data-fault", text, "measure again before a robot is corrected with it");
+    }
+    if let Some(region_m) = identified.and_then(Identified::gains_nothing_elsewhere) {
+        let [before_mm, after_mm] = region_m.map(mm_from_m);
+        let text = format!(
+            "the model gained nothing in a region that was held out when it was found: {before_mm:.3} mm before, {after_mm:.3} mm after"
+        );
+        warn("model::region", text, "measure where the program works, and validate the model there");
     }
     if shift_mm > LARGE_MM || turn_deg > LARGE_DEG {
         let text = format!(

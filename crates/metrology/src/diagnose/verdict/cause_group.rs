@@ -19,6 +19,50 @@ pub struct CauseGroup {
     pub probability: f64,
     /// ln evidence of that variant over nothing.
     pub gain_nats: f64,
+    /// Its best s / sigma.
+    pub size_ratio: f64,
+}
+
+/// Causes of one place in the model, the likeliest first.
+pub struct OpenPlace {
+    /// Index of the cause that was chosen; `None`: none was.
+    pub place: Option<usize>,
+    /// Those that cannot be ruled out there, or, where one alone is left, it and the next.
+    pub rivals: Vec<Rival>,
+}
+
+/// A cause that may stand in a place.
+pub struct Rival {
+    /// Index of its likeliest candidate.
+    pub candidate: usize,
+    /// Among all that may stand there.
+    pub probability: f64,
+    /// Best s / sigma.
+    pub size_ratio: f64,
+}
+
+impl OpenPlace {
+    /// The place of `groups`, of which the first `near` cannot be ruled out.
+    pub fn new(place: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
+        let rivals = groups
+            .iter()
+            .take(near.max(2))
+            .map(|g| Rival {
+                candidate: g.best,
+                probability: g.probability.clamp(1e-9, 1.0),
+                size_ratio: g.size_ratio,
+            })
+            .collect();
+        Self { place, rivals }
+    }
+
+    /// How little is decided: entropy of the causes and of all else, nats.
+    #[must_use]
+    pub fn uncertainty(&self) -> f64 {
+        let causes: f64 = self.rivals.iter().map(|r| r.probability).sum();
+        let all = self.rivals.iter().map(|r| r.probability).chain([1.0 - causes]);
+        all.filter(|p| *p > 0.0).map(|p| -p * p.ln()).sum()
+    }
 }
 
 /// The causes of a ranking, likeliest first.
@@ -36,6 +80,7 @@ pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> V
                     best: *c,
                     probability: *probability,
                     gain_nats: peak.log_evidence - ranking.null.log_evidence,
+                    size_ratio: peak.size_ratio,
                 },
             )),
         }

@@ -6,6 +6,7 @@ mod size;
 mod structure;
 mod wording;
 
+pub use cause_group::{OpenPlace, Rival};
 pub use wording::{GearBand, describe, describe_candidate, gear_bands};
 
 use super::evidence::NuisanceModel;
@@ -54,8 +55,8 @@ pub struct Judgement {
     pub alternatives: Vec<Cause>,
     /// Where the gap lies: joint, time, region.
     pub place: Location,
-    /// Candidates of the likeliest cause and its likeliest rival.
-    pub pair: Option<(usize, Option<usize>)>,
+    /// The places of the model with the causes that may stand there.
+    pub open: Vec<OpenPlace>,
     /// Residual variance over the variance of the repeats.
     pub reduced_chi_square: Option<f64>,
 }
@@ -107,7 +108,7 @@ fn without_cause(
         causes,
         alternatives: Vec::new(),
         place: Location::default(),
-        pair: cause_groups.first().map(|g| (g.best, cause_groups.get(1).map(|h| h.best))),
+        open: vec![OpenPlace::new(None, &cause_groups, 1)],
         reduced_chi_square: None,
     };
     let slowness = slowness(model, workspace, linear, &[]);
@@ -150,7 +151,7 @@ fn with_causes(
 ) -> Judgement {
     let mut causes = Vec::new();
     let mut alternatives = Vec::new();
-    let mut pair = None;
+    let mut open = Vec::new();
     let mut clear = 0;
     let mut winning_gp: Option<usize> = None;
     let mut needed = 0;
@@ -189,9 +190,7 @@ fn with_causes(
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
-        if i == 0 {
-            pair = Some((first.best, cause_groups.get(1).map(|g| g.best)));
-        }
+        open.push(OpenPlace::new(Some(i), &cause_groups, near.len()));
         for cause_group in &near {
             let found = cause(model, workspace, linear, chosen, Some(i), cause_group);
             causes.push(Cause { slot: i + 1, ..found });
@@ -310,7 +309,7 @@ fn with_causes(
     } else {
         (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
     };
-    Judgement { verdict, reason, causes, alternatives, place, pair, reduced_chi_square: None }
+    Judgement { verdict, reason, causes, alternatives, place, open, reduced_chi_square: None }
 }
 
 /// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity

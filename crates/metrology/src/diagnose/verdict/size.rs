@@ -60,6 +60,7 @@ pub fn line_among_many(
         best: one.candidate,
         probability: 1.0 / (1.0 + (-odds).exp()),
         gain_nats: one.gain_nats,
+        size_ratio: one.size_ratio,
     };
     cause(model, workspace, linear, chosen, Some(i), &cause_group)
 }

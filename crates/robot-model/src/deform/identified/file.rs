@@ -53,6 +53,11 @@ impl Identified {
         if let Some(range) = top.table("seen")? {
             read_measured_range(range, &joint_kinds, &mut model.measured_range)?;
         }
+        if let Some(mut held_out) = top.table("held_out")? {
+            let region_mm: Option<[f64; 2]> = held_out.numbers("region_mm")?;
+            model.region_held_out_m = region_mm.map(|both| both.map(m_from_mm));
+            held_out.finish()?;
+        }
         if let Some(mounting) = top.table("mounting")? {
             model.mounting = Some(read_mounting(mounting)?);
         }
@@ -97,6 +102,13 @@ impl Identified {
         }
         if let Some(range) = self.measured_range.payload_kg {
             let _ = writeln!(out, "payload_kg = {}", list(&range));
+        }
+        if let Some(region_m) = self.region_held_out_m {
+            out += "\n[held_out]  # rms before and after in a region that took no part\n";
+            let _ = writeln!(out, "region_mm = {}", list(&region_m.map(mm_from_m)));
+            if self.gains_nothing_elsewhere().is_some() {
+                out += "# the model gained nothing there: do not carry it to places that were not measured\n";
+            }
         }
         if let Some(mounting) = &self.mounting {
             write_mounting(&mut out, mounting);
@@ -420,6 +432,22 @@ mod tests {
         assert_eq!(model.terms[0].values[0].value, 0.057_f64.to_radians());
         assert_eq!(model.terms[2].values[0].value, 4.1e-6);
         assert!((model.terms[11].values[0].value - 1.2e-4).abs() < 1e-18);
+    }
+
+    #[test]
+    fn what_a_model_gained_in_a_region_that_it_never_saw_goes_with_it() {
+        let of = |region: &str| {
+            Identified::from_toml(&format!("format = 1\nrobot = \"x\"\n[held_out]\nregion_mm = {region}\n"))
+        };
+        let [gained, lost] = ["[0.4, 0.1]", "[0.1, 0.4]"].map(|region| of(region).unwrap());
+        assert_eq!(gained.gains_nothing_elsewhere(), None);
+        let [before_m, after_m] = lost.gains_nothing_elsewhere().unwrap();
+        assert!((before_m - 1e-4).abs() < 1e-15 && (after_m - 4e-4).abs() < 1e-15);
+        assert!(
+            lost.to_toml().contains("gained nothing there") && !gained.to_toml().contains("gained nothing")
+        );
+        assert_eq!(Identified::from_toml(&lost.to_toml()).unwrap(), lost);
+        assert!(of("[0.1]").is_err());
     }
 
     #[test]

@@ -69,6 +69,8 @@ pub struct Identified {
     pub sigma_m: Option<f64>,
     /// Where it was found.
     pub measured_range: MeasuredRange,
+    /// rms of a region of the workspace held out whole, registration only and with a model that never saw it, metres.
+    pub region_held_out_m: Option<[f64; 2]>,
     /// How it was measured.
     pub mounting: Option<Mounting>,
     /// Effects with their values, causes first.
@@ -83,6 +85,14 @@ impl Default for MeasuredRange {
     }
 }
 
+impl Identified {
+    /// Where the model gained nothing in a region of the workspace that was held out whole: rms before and after, metres.
+    #[must_use]
+    pub fn gains_nothing_elsewhere(&self) -> Option<[f64; 2]> {
+        self.region_held_out_m.filter(|[before_m, after_m]| after_m >= before_m)
+    }
+}
+
 /// An empty model of a robot with six turning joints.
 impl Default for Identified {
     fn default() -> Self {
@@ -94,6 +104,7 @@ impl Default for Identified {
             verdict: String::new(),
             sigma_m: None,
             measured_range: MeasuredRange::default(),
+            region_held_out_m: None,
             mounting: None,
             terms: Vec::new(),
         }

@@ -1,0 +1,287 @@
+//! What to measure next: poses, payloads and directions that tell the causes of the least certain place apart, how many rows it
+//! takes and what they would decide; and, where later poses cannot tell, what can.
+
+mod advice;
+mod pool;
+mod separation;
+
+use super::dataset::{Observation, Twist, scaled};
+use super::design::{Design, registration};
+use super::linearise::Linearised;
+use super::model::{Model, Workspace};
+use super::options::Options;
+use super::outcome::{NextMeasurement, NextStep, Verdict};
+use super::verdict::{OpenPlace, Rival, describe_candidate};
+use pool::{Candidate, When, pool};
+use robot_model::robot::SerialArm;
+use separation::{Pair, RivalModel, Separation};
+
+/// Different poses at least and at most.
+const FEWEST: usize = 12;
+const MOST: usize = 30;
+/// Readings of each pose at most.
+const MOST_TIMES: usize = 2;
+/// L at which nine of ten times the odds come out at more than 30 to 1: L / 2 - 1.3 sqrt L = ln 30.
+const DECIDES: f64 = 21.0;
+/// Less than this at the most rows: later poses cannot tell.
+const HOPELESS: f64 = 4.0;
+/// From this probability on that none of the place's causes is there, it is a rival.
+const SOMETHING_ELSE: f64 = 0.02;
+/// Rivals of a place that are looked at.
+const MOST_RIVALS: usize = 4;
+/// Places beside the least certain one that the poses are for as well, and how uncertain they are, nats.
+const MORE_PLACES: usize = 2;
+const OPEN_NATS: f64 = 0.1;
+
+/// The poses that part the causes of the places in `open`, the least certain first, and what they are good for.
+#[must_use]
+pub fn next_measurements(
+    robot: &SerialArm,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
+    linear: &Linearised,
+    open: &[OpenPlace],
+    verdict: Verdict,
+    options: &Options,
+) -> (Vec<NextMeasurement>, NextStep) {
+    let mut places: Vec<&OpenPlace> = open.iter().collect();
+    places.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
+    let Some(&place) = places.first() else { return (Vec::new(), NextStep::default()) };
+    let also = places[1..].iter().filter(|p| p.uncertainty() > OPEN_NATS).take(MORE_PLACES);
+    let asked: Vec<&OpenPlace> = std::iter::once(place).chain(also.copied()).collect();
+    let Some(question) = Question::new(model, workspace, linear, &asked) else {
+        return (Vec::new(), NextStep::default());
+    };
+    let mut best: Option<Planned> = None;
+    for when in question.times() {
+        let pool = pool(robot, linear, options, when, MOST);
+        // What is decided is only made surer.
+        let most = if verdict == Verdict::Ambiguous { [MOST, MOST_TIMES] } else { [FEWEST, 1] };
+        let Some(planned) = question.plan(linear, workspace, pool, when, most) else { continue };
+        // A second warm-up has to be worth the night.
+        let worth = |p: &Planned| if p.when == When::FromCold { 2.0 * p.confusion } else { p.confusion };
+        if best.as_ref().is_none_or(|b| worth(&planned) < worth(b)) {
+            best = Some(planned);
+        }
+    }
+    let Some(planned) = best else { return (Vec::new(), NextStep::default()) };
+    let names: Vec<String> = place
+        .rivals
+        .iter()
+        .take(MOST_RIVALS)
+        .map(|r| describe_candidate(&workspace.library.candidates[r.candidate], &linear.dataset))
+        .collect();
+    let kinds: Vec<_> = place
+        .rivals
+        .iter()
+        .take(MOST_RIVALS)
+        .map(|r| workspace.library.candidates[r.candidate].kind)
+        .collect();
+    let other = advice::other_means(&kinds, &linear.dataset.channels);
+    let reason = match (verdict, names.as_slice()) {
+        (Verdict::Ambiguous, [one, rivals @ ..]) if !rivals.is_empty() => {
+            format!("to tell {one} from {}", rivals.join(" and from "))
+        }
+        (Verdict::Explained | Verdict::Several, [one, rival, ..]) => {
+            format!("to confirm {one} against its nearest rival, {rival}")
+        }
+        (_, [one, ..]) => format!("to see effects as small as the noise; most of all {one}"),
+        _ => String::new(),
+    };
+    let step = NextStep {
+        slot: place.place.map(|i| i + 1),
+        rows: planned.poses.len() * planned.times,
+        readings_per_pose: planned.times,
+        from_cold: planned.when == When::FromCold,
+        log_odds_gained: 0.5 * planned.lambda,
+        decides: planned.lambda >= DECIDES,
+        other_means: other.filter(|_| planned.lambda < DECIDES).map(str::to_owned),
+        reason,
+    };
+    if planned.lambda < HOPELESS && verdict == Verdict::Ambiguous && step.other_means.is_some() {
+        let step = NextStep { rows: 0, readings_per_pose: 0, from_cold: false, ..step };
+        return (Vec::new(), step);
+    }
+    (planned.poses, step)
+}
+
+/// Poses with what they reach.
+struct Planned {
+    poses: Vec<NextMeasurement>,
+    times: usize,
+    when: When,
+    lambda: f64,
+    confusion: f64,
+}
+
+/// The explanations of one place, in columns: those of the design first, in its order.
+struct Question {
+    /// Candidates whose columns are needed, with where they begin.
+    candidates: Vec<(usize, Vec<usize>)>,
+    models: Vec<RivalModel>,
+    pairs: Vec<Pair>,
+    gram: nalgebra::DMatrix<f64>,
+    sigma_m: f64,
+    grows: bool,
+    targets: usize,
+}
+
+impl Question {
+    fn new(
+        model: &Model,
+        workspace: &mut Workspace<'_>,
+        linear: &Linearised,
+        places: &[&OpenPlace],
+    ) -> Option<Self> {
+        let mut columns: Vec<Vec<Vec<usize>>> = Vec::new();
+        for place in places {
+            let Workspace { design, library, column_index } = workspace;
+            let of = |rival: &Rival| library.columns_in_design(design, column_index, rival.candidate);
+            columns.push(place.rivals.iter().take(MOST_RIVALS).map(of).collect());
+        }
+        workspace.library.extend(&workspace.design);
+        let design = &workspace.design;
+        let groups: Vec<usize> = (0..design.groups()).collect();
+        let mut question = Self {
+            candidates: model.chosen.iter().map(|c| (c.candidate, c.columns.clone())).collect(),
+            models: Vec::new(),
+            pairs: Vec::new(),
+            gram: design.gram(&groups),
+            sigma_m: model.peak.sigma_m,
+            grows: false,
+            targets: linear.registration.tools_m.len().max(1),
+        };
+        for (place, columns) in places.iter().zip(&columns) {
+            question.add(model, design, place, columns)?;
+        }
+        let drifts = |c: usize| workspace.library.candidates[c].effect().time() == "drift";
+        question.grows = linear.dataset.time_min.is_some()
+            && places[0].rivals.iter().take(MOST_RIVALS).any(|r| drifts(r.candidate));
+        Some(question)
+    }
+
+    /// The pairs of one place: its likeliest cause against each of the others.
+    fn add(
+        &mut self,
+        model: &Model,
+        design: &Design,
+        place: &OpenPlace,
+        columns: &[Vec<usize>],
+    ) -> Option<()> {
+        let ratio = model.peak.geometry_ratio;
+        let mut common: Vec<(usize, f64)> = design.registration.clone().map(|c| (c, 0.0)).collect();
+        if ratio > 0.0 {
+            common.extend(design.geometry.clone().map(|c| (c, ratio.powi(-2))));
+        }
+        let precision = |size_ratio: f64| (3.0 * size_ratio.max(1e-9)).powi(-2);
+        for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != place.place) {
+            common.extend(other.columns.iter().map(|&c| (c, precision(other.size_ratio))));
+        }
+        let from = self.models.len();
+        self.models.push(RivalModel { columns: common.clone() });
+        let mut signals: Vec<Vec<(usize, f64)>> = Vec::new();
+        for (rival, columns) in place.rivals.iter().zip(columns) {
+            if columns.iter().any(|c| common.iter().any(|(taken, _)| taken == c)) {
+                return None;
+            }
+            self.candidates.push((rival.candidate, columns.clone()));
+            let own = columns.iter().map(|&c| (c, precision(rival.size_ratio)));
+            let own = RivalModel { columns: common.iter().copied().chain(own).collect() };
+            let fitted = own.fitted(&self.gram)?;
+            signals.push(columns.iter().copied().zip(fitted.into_iter().skip(common.len())).collect());
+            self.models.push(own);
+        }
+        let both = self.pairs.iter().map(|pair| pair.both + 1).max().unwrap_or(0);
+        let Some(first) = place.rivals.first() else { return Some(()) };
+        let rest = 1.0 - place.rivals.iter().map(|r| r.probability).sum::<f64>();
+        if signals.len() == 1 || rest > SOMETHING_ELSE {
+            // What is not in the library is no better known than nothing.
+            let weight = (first.probability * rest.max(SOMETHING_ELSE)).sqrt();
+            self.pairs.push(Pair { weight, signal: signals[0].clone(), rival: from, truth: 1.0, both });
+        }
+        let both = self.pairs.iter().map(|pair| pair.both + 1).max().unwrap_or(0);
+        for (b, other) in place.rivals.iter().enumerate().take(columns.len()).skip(1) {
+            let weight = (first.probability * other.probability).sqrt();
+            let both = both + b - 1;
+            let truth = first.probability / (first.probability + other.probability);
+            let (of_first, of_other) = (signals[0].clone(), signals[b].clone());
+            self.pairs.push(Pair { weight, signal: of_first, rival: from + 1 + b, truth, both });
+            self.pairs.push(Pair { weight, signal: of_other, rival: from + 1, truth: 1.0 - truth, both });
+        }
+        Some(())
+    }
+
+    /// When it is worth measuring.
+    fn times(&self) -> Vec<When> {
+        if self.grows { vec![When::After, When::FromCold] } else { vec![When::After] }
+    }
+
+    /// All columns at `observation`, whitened: one row for each coordinate.
+    fn rows(
+        &self,
+        linear: &Linearised,
+        workspace: &Workspace<'_>,
+        observation: &Observation,
+    ) -> Vec<Vec<f64>> {
+        let design = &workspace.design;
+        let mut all: Vec<(usize, Twist)> = Vec::new();
+        let mut twists = Vec::new();
+        registration::twists(&linear.dataset, observation, self.targets, &mut twists);
+        all.extend(design.registration.clone().zip(twists.drain(..)));
+        for (column, k) in design.geometry.clone().zip(0..) {
+            let offset = observation.frame_offset(1 + k / 6, k % 6);
+            all.push((column, scaled(offset, Design::tolerance(k % 6))));
+        }
+        for (candidate, columns) in &self.candidates {
+            let candidate = &workspace.library.candidates[*candidate];
+            candidate.scaled_signature(&linear.dataset, observation, &mut twists);
+            all.extend(columns.iter().copied().zip(twists.drain(..)));
+        }
+        let arm_m = design.whitening().arm_m;
+        (0..linear.dataset.rows_per_observation)
+            .map(|r| {
+                let mut row = vec![0.0; self.gram.ncols()];
+                for (column, twist) in &all {
+                    row[*column] = twist[r] * if r < 3 { 1.0 } else { arm_m };
+                }
+                row
+            })
+            .collect()
+    }
+
+    /// The poses of `pool` that part the pairs most, taken one by one until every pair is told apart.
+    fn plan(
+        &self,
+        linear: &Linearised,
+        workspace: &Workspace<'_>,
+        pool: Vec<Candidate>,
+        when: When,
+        [most, most_times]: [usize; 2],
+    ) -> Option<Planned> {
+        let rows: Vec<Vec<Vec<f64>>> =
+            pool.iter().map(|(observation, _)| self.rows(linear, workspace, observation)).collect();
+        let mut separation =
+            Separation::new(&self.gram, &self.models, self.pairs.clone(), &rows, self.sigma_m)?;
+        let mut taken: Vec<usize> = Vec::new();
+        while taken.len() < most && (taken.len() < FEWEST || separation.least() < DECIDES) {
+            let Some(i) = separation.best(|i| !taken.contains(&i)) else { break };
+            separation.take(i);
+            taken.push(i);
+        }
+        let mut times = 1;
+        while times < most_times && taken.len() == most && separation.least() < DECIDES {
+            taken.iter().for_each(|&i| separation.take(i));
+            times += 1;
+        }
+        let mut order = taken;
+        // On a new warm-up the minutes count.
+        order.sort_by(|a, b| pool[*a].0.clock().total_cmp(&pool[*b].0.clock()));
+        Some(Planned {
+            poses: order.into_iter().map(|i| pool[i].1.clone()).collect(),
+            times,
+            when,
+            lambda: separation.least(),
+            confusion: separation.confusion(),
+        })
+    }
+}

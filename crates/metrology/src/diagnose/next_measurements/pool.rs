@@ -1,0 +1,128 @@
+//! Poses that could be measured next: in reach, off the floor, with either payload and direction, now or on a new warm-up.
+
+use crate::diagnose::dataset::{Observation, ObservationKind};
+use crate::diagnose::heldout::SplitMix64;
+use crate::diagnose::linearise::Linearised;
+use crate::diagnose::options::Options;
+use crate::diagnose::outcome::NextMeasurement;
+use crate::measure::{Reading, Registration, Station};
+use nalgebra::{Isometry3, Vector3};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
+use std::f64::consts::TAU;
+
+const CANDIDATES: usize = 400;
+/// Away from the ends of the joints' ranges, share of the range.
+const MARGIN: f64 = 0.05;
+/// The measured point stays this far above the base's plane, metres.
+const FLOOR_M: f64 = 0.1;
+
+/// When the next rows are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// After the last row, the robot as warm as it is.
+    After,
+    /// From a cold start again.
+    FromCold,
+}
+
+/// A pose of the pool: the arm there, and how it is written.
+pub type Candidate = (Observation, NextMeasurement);
+
+/// The pool for at most `most` rows.
+pub fn pool(
+    robot: &SerialArm,
+    linear: &Linearised,
+    options: &Options,
+    when: When,
+    most: usize,
+) -> Vec<Candidate> {
+    let dataset = &linear.dataset;
+    let mut random = SplitMix64::new(0x2545_f491_4f6c_dd1d);
+    let chain = SerialChain::nominal(robot);
+    let tool_m = options
+        .tool_m
+        .or_else(|| linear.registration.tools_m.first().copied())
+        .unwrap_or_else(Vector3::zeros);
+    let registration = Registration {
+        instrument_from_base: Isometry3::identity(),
+        tools_m: vec![tool_m],
+        ..linear.registration.clone()
+    };
+    let most_kg = dataset.largest_payload_kg;
+    let payloads_kg = match dataset.channels.payload {
+        true => vec![0.0, if most_kg > 0.0 { most_kg } else { USUAL_PAYLOAD_KG }],
+        false => vec![0.0],
+    };
+    let ranges = ranges(robot, linear);
+    let last = dataset.observations.iter().max_by(|a, b| a.clock().total_cmp(&b.clock()));
+    let mut all = Vec::new();
+    for _ in 0..20 * CANDIDATES {
+        if all.len() == CANDIDATES {
+            break;
+        }
+        let mut q_rad = Joints::all(robot.joints.len(), 0.0);
+        for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
+            let margin = MARGIN * (high - low);
+            *q = low + margin + (high - low - 2.0 * margin) * random.unit();
+        }
+        let direction = Joints::from_fn(robot.joints.len(), |_| if random.unit() < 0.5 { -1 } else { 1 });
+        let payload_kg = payloads_kg[random.below(payloads_kg.len())];
+        let share = random.unit();
+        let (clock, like) = match (dataset.clock, when) {
+            (None, _) => (None, last),
+            (Some([low, high]), when) => {
+                let each = (high - low) / dataset.observations.len().max(1) as f64;
+                let from = if when == When::After { high } else { low };
+                let at = from + share * each * most as f64;
+                let near = |o: &Observation| (o.clock() - at).abs();
+                (Some(at), dataset.observations.iter().min_by(|a, b| near(a).total_cmp(&near(b))))
+            }
+        };
+        let place = clock.filter(|_| dataset.time_min.is_none());
+        let station = Station {
+            pose: 0,
+            target: 0,
+            stand: dataset.stands.saturating_sub(1),
+            t_min: clock.filter(|_| dataset.time_min.is_some()),
+            q_rad,
+            reading: Reading::Point { position_m: Vector3::zeros() },
+            orientation: None,
+            direction: Some(direction),
+            payload_kg: Some(payload_kg),
+            joint_temperature_c: like.and_then(|o| o.joint_temperature_c),
+            air_temperature_c: None,
+            line: 0,
+            rows: vec![place.map_or(0, |row| row.max(0.0) as usize)],
+        };
+        let observation = Observation::new(robot, &chain, &registration, &station);
+        if observation.point_m.z < FLOOR_M
+            || observation.origins_m[3..=chain.joints()].iter().any(|o| o.z < FLOOR_M)
+        {
+            continue;
+        }
+        let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
+        all.push((observation, next));
+    }
+    all
+}
+
+/// What is hung on where the file has payloads and all are 0, kg.
+const USUAL_PAYLOAD_KG: f64 = 5.0;
+
+/// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
+fn ranges(robot: &SerialArm, linear: &Linearised) -> Vec<[f64; 2]> {
+    let measured = |j: usize| {
+        let all = linear
+            .dataset
+            .observations
+            .iter()
+            .filter(|s| s.kind != ObservationKind::Nest)
+            .map(|s| s.q_rad[j]);
+        all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
+    };
+    let of = |(j, given): (usize, Option<[f64; 2]>)| {
+        given.filter(|[low, high]| high - low <= TAU).unwrap_or_else(|| measured(j))
+    };
+    robot.joints.iter().map(|joint| joint.range_rad).enumerate().map(of).collect()
+}
