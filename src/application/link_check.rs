@@ -5,6 +5,7 @@ use rapid_program::compensate::CompensateError;
 use rapid_program::compensate::commanded::{Commanded, commanded};
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::counted;
 use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
@@ -214,15 +215,16 @@ impl LinkChecked {
                 }
                 let worst = |value: fn(&TargetCheck) -> f64| found.iter().map(value).fold(0.0, f64::max);
                 text += &format!(
-                    "{} targets asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; display and calculation {display_mm:.4} mm apart\n",
-                    found.len(),
+                    "{} asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; display and calculation {display_mm:.4} mm apart\n",
+                    counted(found.len(), "target"),
                     worst(|f| f.apart.0),
                     worst(|f| f.apart.1),
                     worst(|f| f.joints_deg.unwrap_or(0.0)),
                 );
                 if *unknown > 0 {
                     text += &format!(
-                        "{unknown} motions whose targets only the running program knows were not asked for\n"
+                        "not asked for: {}, whose targets only the running program knows\n",
+                        counted(*unknown, "motion")
                     );
                 }
                 let wrong = found.iter().filter(|found| !found.agrees).count();
@@ -231,7 +233,10 @@ impl LinkChecked {
                     (_, 0) => "the controller's own kinematics agree: poses, branches and configurations\n"
                         .to_owned(),
                     (_, wrong) => {
-                        format!("the controller's own kinematics DO NOT AGREE at {wrong} targets\n")
+                        format!(
+                            "the controller's own kinematics DO NOT AGREE at {}\n",
+                            counted(wrong, "target")
+                        )
                     }
                 }
             }

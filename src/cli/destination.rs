@@ -1,5 +1,6 @@
 //! Where the files of a result go.
 
+use super::copies::Copies;
 use super::files::{self, PENDING, Pending};
 use super::program_input::{ProgramInput, Shape};
 use rapid_program::emit::{EmittedFile, is_as_written};
@@ -19,6 +20,8 @@ pub struct Destination {
     whole: bool,
     /// Results that were changed since they were written are overwritten, too.
     force: bool,
+    /// What was copied into the result's folder, where it is one.
+    copies: Option<Copies>,
 }
 
 /// Name that stands for standard output.
@@ -45,7 +48,7 @@ impl Destination {
             }
             let lists = given.others.iter().map(|(path, _)| path).filter(|path| is_pgf(path));
             let others = lists.map(|path| (path.clone(), path.clone())).collect();
-            return Ok(Self { modules: given.paths.clone(), others, whole: false, force });
+            return Ok(Self { modules: given.paths.clone(), others, whole: false, force, copies: None });
         }
         let destination = match given.shape {
             Shape::One => {
@@ -56,7 +59,7 @@ impl Destination {
                     None if given.is_standard => PathBuf::from(STANDARD),
                     None => own,
                 };
-                Self { modules: vec![path], others: Vec::new(), whole: true, force }
+                Self { modules: vec![path], others: Vec::new(), whole: true, force, copies: None }
             }
             Shape::Several if output == Some(Path::new(STANDARD)) => {
                 let text = "several modules do not go to standard output";
@@ -73,6 +76,7 @@ impl Destination {
                         .collect(),
                     whole: true,
                     force,
+                    copies: Some(Copies::of(&folder)),
                 }
             }
         };
@@ -90,7 +94,37 @@ impl Destination {
                     .help("name another place with -o, or say --in-place"));
             }
         }
-        self.modules.iter().try_for_each(|path| self.check_unchanged(path))
+        self.modules.iter().try_for_each(|path| self.check_unchanged(path))?;
+        self.check_copies(given)
+    }
+
+    /// Refuses to overwrite a copy that was changed since it was put into the result's folder.
+    fn check_copies(&self, given: &ProgramInput) -> Result<(), Diagnostic> {
+        let Some(copies) = self.copies.as_ref().filter(|_| !self.force) else { return Ok(()) };
+        let modules = self.modules.iter().zip(&given.bytes).map(|(to, bytes)| (to, Some(&**bytes), None));
+        let others = self.others.iter().filter(|(from, _)| !is_pgf(from));
+        let others = others.map(|(from, to)| (to, None, Some(from)));
+        for (to, bytes, from) in modules.chain(others) {
+            let Some(there) = to.is_file().then(|| fs::read(to).ok()).flatten() else { continue };
+            let own;
+            let new = match (bytes, from) {
+                (Some(bytes), _) => bytes,
+                (None, Some(from)) => {
+                    own = fs::read(from).unwrap_or_default();
+                    &own
+                }
+                (None, None) => continue,
+            };
+            if there != new && !is_ours(&there) && !copies.is_as_copied(to, &there) {
+                let text = format!(
+                    "{} was changed since it was written, or is no result of this program",
+                    to.display()
+                );
+                return Err(Diagnostic::error("output::changed", text)
+                    .help("take it away, name another place with -o, or say --force"));
+            }
+        }
+        Ok(())
     }
 
     /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
@@ -306,12 +340,16 @@ impl Writing {
     /// `output::unwritable` or `input::unreadable`.
     pub fn finish(mut self, to: &Destination, given: &ProgramInput) -> Result<Written, Diagnostic> {
         to.check_new(given, &self.emitted)?;
+        let mut record = String::new();
         if to.whole {
             for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {
                 if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
                     match path == Path::new(STANDARD) {
                         true => self.standard = Some(bytes.to_vec()),
-                        false => self.put(path, &mut &**bytes)?,
+                        false => {
+                            self.put(path, &mut &**bytes)?;
+                            record.extend(to.copies.as_ref().map(|copies| copies.line(path, bytes)));
+                        }
                     }
                 }
             }
@@ -328,8 +366,12 @@ impl Writing {
                 }
                 continue;
             }
-            let mut file = fs::File::open(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
-            self.put(place, &mut file)?;
+            let bytes = fs::read(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
+            self.put(place, &mut bytes.as_slice())?;
+            record.extend(to.copies.as_ref().map(|copies| copies.line(place, &bytes)));
+        }
+        if let Some(copies) = to.copies.as_ref().filter(|_| !record.is_empty()) {
+            self.put(&copies.record(), &mut record.as_bytes())?;
         }
         Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
     }

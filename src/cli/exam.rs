@@ -9,6 +9,7 @@ use exam::score::score;
 use exam::truth::{Sealed, Truth, seal};
 use metrology::measure::Measurements;
 use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::counted;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -48,7 +49,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Ok(format!("{all:#}\n").into_bytes())
     })?;
     if !to_standard_output {
-        writeln!(console.out(), "{} sets\n", answered.len())?;
+        writeln!(console.out(), "{}\n", counted(answered.len(), "set"))?;
         for measure in &table {
             writeln!(console.out(), "{}", line(measure))?;
         }

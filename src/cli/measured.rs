@@ -5,6 +5,7 @@ use clap::ValueEnum;
 use driftpost::report::LocatedDiagnostic;
 use metrology::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{counted, plural};
 use std::path::{Path, PathBuf};
 
 /// Lines that a message lists at most.
@@ -160,9 +161,10 @@ fn unmatched(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
             Diagnostic::warning(
                 "measure::unmatched",
                 format!(
-                    "{}: {} rows have no {what}: lines {}{more}",
+                    "{}: no {what} for {} ({} {}{more})",
                     path.display(),
-                    lines.len(),
+                    counted(lines.len(), "row"),
+                    plural(lines.len(), "line"),
                     shown.join(", ")
                 ),
             )

@@ -6,6 +6,7 @@
 //! shown then, and its code stands in `docs/MESSAGES.md`.
 
 mod console;
+mod copies;
 mod destination;
 pub mod files;
 mod interrupt;

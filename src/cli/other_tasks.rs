@@ -1,6 +1,5 @@
-//! Tasks of a controller's backup that are not among the files of a program.
+//! Tasks of a controller's backup: those that are not among the files of a program, and those whose robots the command line names.
 
-use super::compensate::TaskRobot;
 use driftpost::application::ProgramFiles;
 use rapid_program::program::{Overrides, Program, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -64,6 +63,37 @@ pub fn check_named(named: &[TaskRobot], program: &ProgramFiles) -> Result<(), Di
     }
 }
 
+/// A motion task of a backup with its robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TaskRobot {
+    /// The task's folder, `TASKn`.
+    pub task: String,
+    /// Name or file of the robot.
+    pub robot: String,
+    /// Its deformation table, where not the built-in one.
+    pub deformation: Option<PathBuf>,
+}
+
+/// `TASK=ROBOT[,DEFORMATION]`, as an option has it.
+///
+/// # Errors
+/// How it is to be written.
+pub fn task_robot(text: &str) -> Result<TaskRobot, String> {
+    let how = || "write TASK=ROBOT or TASK=ROBOT,DEFORMATION, e.g. TASK2=irb4600,drift2.csv".to_owned();
+    let (task, rest) = text.split_once('=').ok_or_else(how)?;
+    let (robot, deformation) = match rest.split_once(',') {
+        Some((robot, table)) => (robot, Some(table)),
+        None => (rest, None),
+    };
+    let [task, robot] = [task, robot].map(str::trim);
+    let empty = |part: &str| part.trim().is_empty();
+    if empty(task) || empty(robot) || deformation.is_some_and(empty) {
+        return Err(how());
+    }
+    let deformation = deformation.map(|table| PathBuf::from(table.trim()));
+    Ok(TaskRobot { task: task.to_owned(), robot: robot.to_owned(), deformation })
+}
+
 fn is_task(folder: &Path) -> bool {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     task_of(&name).is_some() && folder.is_dir()
@@ -113,5 +143,17 @@ mod tests {
             "SYS:CFG_1.0::\n#\nCAB_TASKS:\n\n      -Name \"T_ROB1\" -Type \"NORMAL\"\n\n      -Name \"T_BCK\"\n#\nOTHER:\n      -Name \"x\"\n",
         );
         assert_eq!(beside(&[loose]), ["all but one of the tasks T_ROB1, T_BCK"]);
+    }
+
+    #[test]
+    fn a_task_has_a_robot_and_perhaps_a_table() {
+        let of = |robot: &str, table: Option<&str>| TaskRobot {
+            task: "TASK2".into(),
+            robot: robot.into(),
+            deformation: table.map(PathBuf::from),
+        };
+        assert_eq!(task_robot("TASK2=irb140"), Ok(of("irb140", None)));
+        assert_eq!(task_robot("TASK2 = cell/b.toml, d/t.csv"), Ok(of("cell/b.toml", Some("d/t.csv"))));
+        assert!(["TASK2", "TASK2=", "=irb140", "TASK2=irb140,"].iter().all(|text| task_robot(text).is_err()));
     }
 }

@@ -72,7 +72,8 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "What is executed")]
     pub passes: u64,
 
-    /// The analog input or persistent that shows the true robot's temperature, for a deformation by temperature.
+    /// The analog input or persistent that shows the true robot's temperature, for a deformation by temperature
+    /// [default: the one that the emitted module's clock reads].
     #[arg(long, value_name = "NAME", help_heading = "The true robot")]
     pub thermometer: Option<String>,
 
@@ -182,10 +183,19 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         entry: args.entry.clone(),
         passes: args.passes,
         paths: true,
-        thermometer: args.thermometer.clone(),
+        thermometer: match &args.thermometer {
+            Some(name) => Some(name.clone()),
+            None => made_with.one("thermometer")?.map(str::to_owned),
+        },
         warming: args.warming.map(Into::into),
         gap_min: args.gap_min,
     };
+    if simulation.options.thermometer.is_none() && simulation.robot.is_by_temperature() {
+        console.say(
+            "the true robot deforms by temperature, and nothing shows it to the program: --thermometer NAME names the analog input or \
+             persistent that does",
+        );
+    }
     simulation.task = args.task.clone();
     simulation.disk = program.disk()?;
     let course = match scenario {

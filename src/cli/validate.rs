@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use driftpost::report::LocatedDiagnostic;
 use metrology::diagnose::{PoseSubset, RefitScope, ValidateError, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::counted;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -127,7 +128,7 @@ fn summarise(to: &mut dyn Write, found: &Validation) -> std::io::Result<()> {
         )?;
     }
     for [joint, n] in &found.joints_outside {
-        writeln!(to, "joint {joint} leaves the range the model was found in at {n} poses")?;
+        writeln!(to, "joint {joint} leaves the range the model was found in at {}", counted(*n, "pose"))?;
     }
     Ok(())
 }

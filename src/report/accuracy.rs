@@ -71,8 +71,8 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     let all = worst(found);
     writeln!(
         out,
-        "worst of {} poses: accuracy AP {}, repeatability RP {}, drift of accuracy dAP {}",
-        found.poses.len(),
+        "worst of {}: accuracy AP {}, repeatability RP {}, drift of accuracy dAP {}",
+        counted(found.poses.len(), "pose"),
         maybe(all.ap_m),
         maybe(all.rp_m),
         maybe(all.drift_m)

@@ -1,6 +1,7 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
 use super::cause_rows::{number, percent, plainly, rows};
+use super::counted;
 use metrology::diagnose::{Diagnosis, FalseRow, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
@@ -25,7 +26,7 @@ pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
     left(&mut page, d);
     line(&mut page, &format!("Next: {}.", next_step(d, arm)));
     line(&mut page, "");
-    line(&mut page, &format!("{robot}, {} rows, {} stations.", d.rows, d.stations));
+    line(&mut page, &format!("{robot}, {}, {}.", counted(d.rows, "row"), counted(d.stations, "station")));
     noise(&mut page, d);
     evidence(&mut page, d);
     limits(&mut page, d);

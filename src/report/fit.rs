@@ -1,5 +1,6 @@
 //! A fitted warm-up for people, as table and as JSON.
 
+use super::counted;
 use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;
@@ -21,9 +22,9 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
-        "{} touches of {} points, minutes {:.0} to {:.0}; noise of one coordinate {:.4} mm",
-        w.touches,
-        w.points.len(),
+        "{} of {}, minutes {:.0} to {:.0}; noise of one coordinate {:.4} mm",
+        counted(w.touches, "touch"),
+        counted(w.points.len(), "point"),
         w.span_min[0],
         w.span_min[1],
         mm_from_m(w.sigma_m)

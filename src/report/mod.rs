@@ -28,7 +28,6 @@ pub mod simulation;
 pub mod state;
 mod svg;
 mod table;
-mod words;
 
 pub use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
@@ -38,9 +37,9 @@ pub use json::{CompensationJson, messages, refusal, rounded};
 pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
 pub use page::{CompensationPage, DiagnosisPage, Page, ResultPage, SourceReview, write_page};
+pub use rapid_syntax::diagnostic::{counted, plural};
 #[cfg(feature = "mcap")]
 pub use recording::{LoggedCorrection, Recording, RecordingMoment, urdf};
 pub use review::{Review, write_review, write_verdict};
 pub use short_diff::{ShortDiff, write_coloured};
 pub use table::{Align, Table};
-pub use words::{counted, plural};

@@ -2,7 +2,7 @@
 //! kind of change it is.
 
 use super::diff::{Change, Lines, changes};
-use super::words::plural;
+use super::plural;
 use rapid_syntax::Edit;
 use std::io::{self, Write};
 

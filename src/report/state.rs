@@ -1,5 +1,6 @@
 //! The thermal state of a robot for people and as JSON.
 
+use super::counted;
 use metrology::diagnose::warmup::RobotState;
 use robot_model::deform::thermal_filter::TouchOutcome;
 use robot_model::units::mm_from_m;
@@ -29,7 +30,7 @@ pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
     let mut out = String::new();
     let refused = state.touches.iter().filter(|t| matches!(t.outcome, None | Some(TouchOutcome::Refused)));
     // writing to a String cannot fail
-    let _ = writeln!(out, "{} touches, {} refused\n", state.touches.len(), refused.count());
+    let _ = writeln!(out, "{}, {} refused\n", counted(state.touches.len(), "touch"), refused.count());
     let _ = writeln!(out, "   minute point         seen   off   share           smoothed");
     for t in &state.touches {
         let _ = writeln!(

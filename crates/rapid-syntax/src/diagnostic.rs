@@ -4,8 +4,10 @@
 //! in `docs/MESSAGES.md`.
 
 mod lines;
+mod words;
 
 pub use lines::LineIndex;
+pub use words::{counted, plural};
 
 use std::fmt;
 

@@ -31,6 +31,12 @@ impl TrueRobot {
         Self { model: Some(Arc::new(model.for_programs().0)), joint_temperature_c, ..self }
     }
 
+    /// Whether it deforms by a temperature, and not by the minute.
+    #[must_use]
+    pub fn is_by_temperature(&self) -> bool {
+        self.deformation.above_lowest().is_some()
+    }
+
     /// The constructive model of the robot.
     #[must_use]
     pub fn robot(&self) -> &Robot {

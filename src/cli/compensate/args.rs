@@ -8,6 +8,7 @@
 use super::touch::TouchArgs;
 use crate::cli::model;
 use crate::cli::number::{minutes, positive};
+use crate::cli::other_tasks::{TaskRobot, task_robot};
 use crate::cli::shared::{JointAngles, RobotName, joint_angles, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
@@ -272,17 +273,6 @@ pub struct Models {
     pub identified: Option<Named<Identified>>,
 }
 
-/// A motion task of a backup with its robot.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TaskRobot {
-    /// The task's folder, `TASKn`.
-    pub task: String,
-    /// Name or file of the robot.
-    pub robot: String,
-    /// Its deformation table, where not the built-in one.
-    pub deformation: Option<PathBuf>,
-}
-
 /// Temperatures of the joints, degrees Celsius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperatures(pub [f64; 6]);
@@ -530,22 +520,6 @@ fn clock(text: &str) -> Result<ClockName, String> {
     }
 }
 
-fn task_robot(text: &str) -> Result<TaskRobot, String> {
-    let how = || "write TASK=ROBOT or TASK=ROBOT,DEFORMATION, e.g. TASK2=irb4600,drift2.csv".to_owned();
-    let (task, rest) = text.split_once('=').ok_or_else(how)?;
-    let (robot, deformation) = match rest.split_once(',') {
-        Some((robot, table)) => (robot, Some(table)),
-        None => (rest, None),
-    };
-    let [task, robot] = [task, robot].map(str::trim);
-    let empty = |part: &str| part.trim().is_empty();
-    if empty(task) || empty(robot) || deformation.is_some_and(empty) {
-        return Err(how());
-    }
-    let deformation = deformation.map(|table| PathBuf::from(table.trim()));
-    Ok(TaskRobot { task: task.to_owned(), robot: robot.to_owned(), deformation })
-}
-
 fn until(text: &str) -> Result<Until, String> {
     if text == "auto" {
         return Ok(Until::Auto);
@@ -589,13 +563,5 @@ mod tests {
         assert_eq!(name_and_value("tGrip=[TRUE,[[-1,0,0]]]"), Ok(given.clone()));
         assert_eq!(name_and_value("tGrip := [TRUE,[[-1,0,0]]]"), Ok(given));
         assert!(name_and_value("tGrip").is_err());
-        let of = |robot: &str, table: Option<&str>| TaskRobot {
-            task: "TASK2".into(),
-            robot: robot.into(),
-            deformation: table.map(PathBuf::from),
-        };
-        assert_eq!(task_robot("TASK2=irb140"), Ok(of("irb140", None)));
-        assert_eq!(task_robot("TASK2 = cell/b.toml, d/t.csv"), Ok(of("cell/b.toml", Some("d/t.csv"))));
-        assert!(["TASK2", "TASK2=", "=irb140", "TASK2=irb140,"].iter().all(|text| task_robot(text).is_err()));
     }
 }

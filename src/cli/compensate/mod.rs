@@ -5,7 +5,7 @@ mod touch;
 mod watch;
 
 pub(in crate::cli) use args::temperatures;
-pub use args::{Args, TaskRobot, Temperatures};
+pub use args::{Args, Temperatures};
 use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing, Written, is_pgf};

@@ -37,7 +37,8 @@ fn a_folder_is_written_whole_under_the_same_names() {
     let output = driftpost(&["compensate", &folder, "--core", "separate", "--tolerance-mm", "0.05"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let made: Vec<String> = bench.files().into_iter().filter(|f| f.starts_with("cell_tc/")).collect();
-    let expected = ["RAPID/TASK1/Cell.MOD", "RAPID/TASK1/Idle.sys", "RAPID/TASK1/tcCore.mod", "notes.txt"];
+    let expected =
+        [".driftpost", "RAPID/TASK1/Cell.MOD", "RAPID/TASK1/Idle.sys", "RAPID/TASK1/tcCore.mod", "notes.txt"];
     assert_eq!(made, expected.map(|f| format!("cell_tc/{f}")));
     assert_eq!(fs::read(bench.path("cell_tc/notes.txt")).unwrap(), b"\xff\x00");
     assert_eq!(bench.text("cell_tc/RAPID/TASK1/Idle.sys"), bench.text("cell/RAPID/TASK1/Idle.sys"));

@@ -218,3 +218,23 @@ fn two_modules_of_one_name_are_refused_by_both() {
         assert!(err(output).contains(sentence) && err(output).contains("old/Cube45.mod"), "{}", err(output));
     }
 }
+
+/// Which signal shows the temperature is what the module was made with; of another program it must be said.
+#[test]
+fn the_thermometer_is_the_one_that_the_modules_clock_reads() {
+    let bench = Bench::default();
+    let to = bench.path("signal.mod").display().to_string();
+    let table = "fixtures/first_run/temperature.csv";
+    let words =
+        ["compensate", CUBE, "--clock", "signal:aiTemp", "--deformation", table, "-o", &to, "--diff", "none"];
+    let output = driftpost(&words);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let shown = ["simulate", &to, "--original", CUBE, "--deformation", table, "--minutes", "22,30,40"];
+    let output = driftpost(&shown);
+    assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+    assert!(!err(&output).contains("--thermometer"), "{}", err(&output));
+    // The original has no clock that says so.
+    let output = driftpost(&["simulate", CUBE, "--deformation", table, "--minutes", "40"]);
+    assert_eq!(output.status.code(), Some(1), "{} {}", out(&output), err(&output));
+    assert!(err(&output).contains("--thermometer NAME names the analog input"), "{}", err(&output));
+}

@@ -148,3 +148,46 @@ fn global_names_are_spoken_of_only_where_they_meet_others() {
     let second = run("b.mod");
     assert!(err(&second).contains("global names") && err(&second).contains("a.mod"), "{}", err(&second));
 }
+
+/// What is copied into the result as it was is no less somebody's work when it was changed there.
+#[test]
+fn a_copy_that_was_changed_is_overwritten_only_by_force() {
+    let bench = Bench::default();
+    bench.file("cell/Cube45.mod", std::fs::read(CUBE).unwrap());
+    bench.file("cell/Idle.sys", "MODULE Idle\n  VAR num n;\nENDMODULE\n");
+    bench.file("cell/notes.txt", "first");
+    let [cell, to] = ["cell", "out"].map(|name| bench.path(name).display().to_string());
+    let run =
+        |more: &[&str]| driftpost(&[&["compensate", &cell, "-o", &to, "--diff", "none"], more].concat());
+    assert_eq!(run(&[]).status.code(), Some(0), "{}", err(&run(&[])));
+    let record = bench.text("out/.driftpost");
+    let places: Vec<&str> = record.lines().filter_map(|line| Some(line.split_once("  ")?.1)).collect();
+    assert_eq!(places, ["Idle.sys", "notes.txt"]);
+    // The source changed since: its copy is as it was made, and follows.
+    bench.file("cell/Idle.sys", "MODULE Idle\n  VAR num other;\nENDMODULE\n");
+    bench.file("cell/notes.txt", "second");
+    assert_eq!(run(&[]).status.code(), Some(0), "{}", err(&run(&[])));
+    assert!(bench.text("out/Idle.sys").contains("other") && bench.text("out/notes.txt") == "second");
+    for name in ["Idle.sys", "notes.txt"] {
+        let path = format!("out/{name}");
+        let written = bench.text(&path);
+        bench.file(&path, format!("{written}! by hand\n"));
+        let output = run(&[]);
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        assert!(
+            err(&output).contains("error[output::changed]") && err(&output).contains(name),
+            "{}",
+            err(&output)
+        );
+        assert!(bench.text(&path).ends_with("by hand\n"), "{name}");
+        assert_eq!(run(&["--force"]).status.code(), Some(0), "{}", err(&run(&["--force"])));
+        assert_eq!(bench.text(&path), written);
+    }
+    // A folder that holds somebody else's file of the same name is no result.
+    bench.file("foreign/Idle.sys", "MODULE Idle\n  VAR num theirs;\nENDMODULE\n");
+    let foreign = bench.path("foreign").display().to_string();
+    let output = driftpost(&["compensate", &cell, "-o", &foreign, "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(2), "{}", err(&output));
+    assert!(err(&output).contains("output::changed"), "{}", err(&output));
+    assert!(bench.text("foreign/Idle.sys").contains("theirs"));
+}

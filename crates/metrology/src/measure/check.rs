@@ -3,6 +3,7 @@
 use super::fault::{Fault, FaultKind};
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::counted;
 use robot_model::robot::{JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
 
@@ -92,7 +93,10 @@ fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usiz
         warnings.push(
             Diagnostic::warning(
                 "measure::duplicates",
-                format!("{doubles} rows repeat an earlier row to the last digit (first: line {line})"),
+                format!(
+                    "{} to the last digit what an earlier row says (first: line {line})",
+                    if doubles == 1 { "1 row repeats".to_owned() } else { format!("{doubles} rows repeat") }
+                ),
             )
             .help("they are left out: a copied row is no measurement and would make the noise look smaller"),
         );
@@ -159,7 +163,7 @@ fn time_order(rows: &[MeasurementRow], checked: &mut RowCheck) {
         checked.warnings.push(
             Diagnostic::warning(
                 "measure::time-step-back",
-                format!("t_min steps back at {} rows (first: line {line})", back.len()),
+                format!("t_min steps back at {} (first: line {line})", counted(back.len(), "row")),
             )
             .help("check the clock; the stamps are used as they stand"),
         );

@@ -6,7 +6,7 @@
 use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
 use super::table::{Line, Table};
-use super::timestamp::TimestampFormat;
+use super::timestamp::{NoTime, TimestampFormat};
 use super::{MeasureError, Rotation};
 use csv::{ReaderBuilder, Trim};
 use robot_model::units::{
@@ -319,10 +319,12 @@ impl ColumnMap {
             return Ok(cell.to_owned());
         }
         if let (true, Some(timestamp)) = (our_name == "t_min", timestamp) {
-            let at_min = timestamp.parse_min(cell).ok_or_else(|| MeasureError::NotATime {
-                line,
-                text: cell.chars().take(40).collect(),
-                format: timestamp.format().to_owned(),
+            let text = || cell.chars().take(40).collect();
+            let at_min = timestamp.parse_min(cell).map_err(|why| match why {
+                NoTime::NotWrittenSo => {
+                    MeasureError::NotATime { line, text: text(), format: timestamp.format().to_owned() }
+                }
+                NoTime::DoesNotExist => MeasureError::NoSuchTime { line, text: text() },
             })?;
             return Ok(format!("{}", at_min - *start_min.get_or_insert(at_min)));
         }

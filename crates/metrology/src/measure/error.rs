@@ -90,6 +90,14 @@ pub enum MeasureError {
         /// How times are written.
         format: String,
     },
+    /// A cell that is written as a time and is none: a 30 February, an hour 25.
+    #[error("line {line}: there is no such date or time of day as '{text}'")]
+    NoSuchTime {
+        /// Line in the file, from 1.
+        line: u64,
+        /// The cell as written, cut to 40 characters.
+        text: String,
+    },
     /// Joints twice for the same id.
     #[error("id {id} stands twice in the file of joints, lines {} and {}", lines[0], lines[1])]
     DoubledId {

@@ -9,6 +9,15 @@ pub struct TimestampFormat {
     parts: Vec<Part>,
 }
 
+/// Why a text is no time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoTime {
+    /// It is written otherwise.
+    NotWrittenSo,
+    /// It is written so, and no calendar or clock has it: a 30 February, an hour 25.
+    DoesNotExist,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Part {
     Year,
@@ -56,8 +65,23 @@ impl TimestampFormat {
     }
 
     /// Minutes since some moment that is the same for all stamps.
-    #[must_use]
-    pub fn parse_min(&self, text: &str) -> Option<f64> {
+    ///
+    /// # Errors
+    /// Text that is written otherwise, and a date or a time of day that does not exist.
+    pub fn parse_min(&self, text: &str) -> Result<f64, NoTime> {
+        let ([year, month, day, hour, minute], second_s) = self.numbers(text).ok_or(NoTime::NotWrittenSo)?;
+        let exists = (1..100_000).contains(&year)
+            && (1..=12).contains(&month)
+            && (1..=days_of_month(year, month)).contains(&day)
+            && hour < 24
+            && minute < 60
+            && second_s < 61.0;
+        let at_min = || (days(year, month, day) * 1440 + hour * 60 + minute) as f64 + min_from_s(second_s);
+        exists.then(at_min).ok_or(NoTime::DoesNotExist)
+    }
+
+    /// Year, month, day, hour and minute, and seconds, as they are written.
+    fn numbers(&self, text: &str) -> Option<([i64; 5], f64)> {
         // Spreadsheets mark text by an apostrophe.
         let mut rest = text.trim().trim_start_matches('\'');
         let (mut year, mut month, mut day, mut hour, mut minute, mut second_s) = (1970, 1, 1, 0, 0, 0.0);
@@ -86,15 +110,14 @@ impl TimestampFormat {
                 }
             }
         }
-        let sane = rest.is_empty()
-            && (1..=12).contains(&month)
-            && (1..=31).contains(&day)
-            && hour < 24
-            && minute < 60
-            && second_s < 61.0
-            && (1..100_000).contains(&year);
-        sane.then(|| (days(year, month, day) * 1440 + hour * 60 + minute) as f64 + min_from_s(second_s))
+        rest.is_empty().then_some(([year, month, day, hour, minute], second_s))
     }
+}
+
+/// Days of a month of the Gregorian calendar, from 1.
+fn days_of_month(year: i64, month: i64) -> i64 {
+    let next = if month == 12 { days(year + 1, 1, 1) } else { days(year, month + 1, 1) };
+    next - days(year, month, 1)
 }
 
 /// Days since 1970-01-01 (Hinnant 2013, days_from_civil).
@@ -119,10 +142,23 @@ mod tests {
         assert!((to - from - 1440.0 - 59.5 / 60.0).abs() < 1e-6, "{}", to - from);
         assert_eq!(
             TimestampFormat::new("YYYY-MM-DDThh:mm").unwrap().parse_min("1970-01-02T01:30"),
-            Some(1530.0)
+            Ok(1530.0)
         );
-        assert_eq!(timestamp.parse_min("30.13.2024 00:00:00"), None);
-        assert_eq!(timestamp.parse_min("30.12.2024 00:00"), None);
+        for missing in
+            ["30.13.2024 00:00:00", "30.02.2024 00:00:00", "29.02.2023 00:00:00", "29.02.1900 00:00:00"]
+        {
+            assert_eq!(timestamp.parse_min(missing), Err(NoTime::DoesNotExist), "{missing}");
+        }
+        for missing in
+            ["31.04.2024 00:00:00", "00.04.2024 00:00:00", "01.04.2024 24:00:00", "01.04.2024 00:60:00"]
+        {
+            assert_eq!(timestamp.parse_min(missing), Err(NoTime::DoesNotExist), "{missing}");
+        }
+        assert_eq!(timestamp.parse_min("01.01.9223372036854775807 00:00:00"), Err(NoTime::DoesNotExist));
+        for there in ["29.02.2024 00:00:00", "29.02.2000 23:59:60", "31.12.2024 00:00:00"] {
+            assert!(timestamp.parse_min(there).is_ok(), "{there}");
+        }
+        assert_eq!(timestamp.parse_min("30.12.2024 00:00"), Err(NoTime::NotWrittenSo));
         assert!(TimestampFormat::new("DD hh:mm").is_err());
     }
 }

@@ -65,7 +65,8 @@ pub enum CompensateError {
     NoMotion,
     /// Every motion stays as it is.
     #[error(
-        "none of the {motions} motions can be compensated; the first, in line {line}, is kept because {} [{}]",
+        "{}, in line {line}, is kept because {} [{}]",
+        if *motions == 1 { "the one motion cannot be compensated: it".to_owned() } else { format!("none of the {motions} motions can be compensated; the first") },
         first.reason, first.code
     )]
     NothingToCompensate {

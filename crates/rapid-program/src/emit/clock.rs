@@ -5,14 +5,16 @@
 //! start are exact; only where the robot stood still is the state carried on, so that rounding does not
 //! add up from motion to motion.
 
+mod amount;
+
 use super::names::{MAX_NAME, Names};
 use super::number::num;
 use super::options::{Clock, EmitError, Sensor};
 use super::scale::Scaled;
-use super::touch::{ROOM, Touch};
+use super::touch::Touch;
 use crate::schedule::Schedule;
+use amount::Amount;
 use robot_model::deform::GrowthLaw;
-use robot_model::deform::thermal_filter::MOST_SHARE;
 
 const DATA: &str = include_str!("clock/data.mod");
 const DATA_SCHEDULE: &str = include_str!("clock/data_schedule.mod");
@@ -205,9 +207,9 @@ impl CoreText<'_> {
                 lines.push(String::new());
             }
             for line in part.lines() {
-                let line = match (line.strip_prefix("touch#"), self.touch) {
-                    (Some(_), None) => continue,
-                    (Some(line), Some(_)) => line,
+                let line = match (line.strip_prefix("touch#"), self.amount()) {
+                    (Some(_), Amount::OfTable) => continue,
+                    (Some(line), Amount::Learnt) => line,
                     (None, _) => line,
                 };
                 match (line, &self.choice) {
@@ -229,6 +231,11 @@ impl CoreText<'_> {
         lines
     }
 
+    /// Where the amount of drift and the time constants come from.
+    fn amount(&self) -> Amount {
+        if self.touch.is_some() { Amount::Learnt } else { Amount::OfTable }
+    }
+
     /// What stands for each `@NAME@`.
     fn numbers(&self, shares: bool) -> Vec<(&'static str, String)> {
         let law = self.law;
@@ -239,39 +246,28 @@ impl CoreText<'_> {
             }
             Choice::Scale(scaled) => (101, 1, scaled.settled_min(self.growth)),
         };
-        let full = if self.touch.is_some() { "tcAmount" } else { "1" };
-        let tau =
-            |tau_min: f64, name: &str| if self.touch.is_some() { name.to_owned() } else { num(tau_min) };
+        let amount = self.amount();
+        let full = amount.full();
         let warm = match law {
-            Law::TwoStage { .. } if self.touch.is_some() => "tcAmount,tcAmount".to_owned(),
-            Law::OneLag { .. } if self.touch.is_some() => "tcAmount,0".to_owned(),
-            Law::TwoStage { .. } => "1,1".to_owned(),
-            Law::OneLag { .. } => "1,0".to_owned(),
+            Law::TwoStage { .. } => format!("{full},{full}"),
+            Law::OneLag { .. } => format!("{full},0"),
             Law::Elapsed | Law::Sensor { .. } => format!("{},0", num(last_min.ceil() + 1.0)),
         };
         let start_at = match law {
             Law::TwoStage { tau_min, .. } => {
-                let lag = format!("tcLags(tcRunMinutes,{})", tau(*tau_min, "tcTau"));
-                let of = if self.touch.is_some() { "tcAmount*" } else { "" };
-                let (open, close) = if of.is_empty() { ("", "") } else { ("(", ")") };
-                format!(
-                    "tcBegin tcPart({of}{open}1-Exp(-{lag}){close}),\n        tcPart({of}{open}1-(1+{lag})*Exp(-{lag}){close});"
-                )
+                let lag = format!("tcLags(tcRunMinutes,{})", amount.tau(*tau_min, "tcTau"));
+                let [first, second] = [format!("1-Exp(-{lag})"), format!("1-(1+{lag})*Exp(-{lag})")]
+                    .map(|share| amount.times(&share));
+                format!("tcBegin tcPart({first}),\n        tcPart({second});")
             }
             Law::OneLag { tau_min, .. } => {
-                let grown = format!("1-Exp(-tcLags(tcRunMinutes,{}))", tau(*tau_min, "tcTau"));
-                match self.touch {
-                    Some(_) => format!("tcBegin tcPart(tcAmount*({grown})),0;"),
-                    None => format!("tcBegin tcPart({grown}),0;"),
-                }
+                let lag = format!("tcLags(tcRunMinutes,{})", amount.tau(*tau_min, "tcTau"));
+                format!("tcBegin tcPart({}),0;", amount.times(&format!("1-Exp(-{lag})")))
             }
             Law::Elapsed | Law::Sensor { .. } => "tcBegin tcRunMinutes,0;".to_owned(),
         };
         let grown = match (law, self.growth) {
-            (Law::TwoStage { .. } | Law::OneLag { .. }, _) if self.touch.is_some() => {
-                "    tcWarm:=tcHas;".to_owned()
-            }
-            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => "    tcWarm:=tcPart(1-tcE);".to_owned(),
+            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => amount.grown().to_owned(),
             (_, Some(GrowthLaw::TwoStage { tau_min })) => {
                 let lag = format!("tcLags(tcMinute,{})", num(tau_min));
                 format!("    tcWarm:=tcPart(1-(1+{lag})*Exp(-{lag}));")
@@ -301,9 +297,6 @@ impl CoreText<'_> {
             Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
             _ => [format!("tcScaleAt {index},1"), format!("tcScaleAt {},tcMode/100", num(last_min))],
         };
-        // Buckets are chosen by the share of the amplified table, as the minute at which a cold robot has it.
-        let reached = format!("tcMinuteOf(1-tcHas/{})", num(ROOM));
-        let index = if self.touch.is_some() { &reached } else { index };
         let mut numbers = vec![
             ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),
             ("@COUNT@", count.to_string()),
@@ -312,13 +305,13 @@ impl CoreText<'_> {
             ("@START_AT@", start_at),
             ("@GROWN@", grown),
             ("@WHAT@", what.to_owned()),
-            ("@INDEX@", index.to_owned()),
+            ("@INDEX@", amount.index(index)),
             ("@UNKNOWN@", unknown.to_owned()),
             ("@CANNOT@", cannot.to_owned()),
             ("@SCALE@", scale),
             ("@FORCED@", forced),
             ("@FULL@", full.to_owned()),
-            ("@MOST@", num(if self.touch.is_some() { MOST_SHARE } else { 1.0 })),
+            ("@MOST@", num(amount.most())),
         ];
         if let Some((touch, largest_m)) = self.touch {
             let lags = match law {
@@ -340,17 +333,10 @@ impl CoreText<'_> {
         if let Law::TwoStage { tau_min, tau_cool_min, gap_min }
         | Law::OneLag { tau_min, tau_cool_min, gap_min } = law
         {
-            let minute = match self.touch {
-                Some(_) => format!(
-                    "    tcHas:=tcPart(tcAmount-tcE);\n    tcMinute:=tcTau/{}*tcMinuteOf(tcE/tcAmount);",
-                    num(*tau_min)
-                ),
-                None => "    tcMinute:=tcMinuteOf(tcE);".to_owned(),
-            };
-            numbers.push(("@MINUTE@", minute));
-            numbers.push(("@TAU@", tau(*tau_min, "tcTau")));
+            numbers.push(("@MINUTE@", amount.minute(*tau_min)));
+            numbers.push(("@TAU@", amount.tau(*tau_min, "tcTau")));
             numbers.push(("@TABLE_TAU@", num(*tau_min)));
-            numbers.push(("@TAU_COOL@", tau(*tau_cool_min, "tcTauCool")));
+            numbers.push(("@TAU_COOL@", amount.tau(*tau_cool_min, "tcTauCool")));
             numbers.push(("@GAP@", num(*gap_min)));
         }
         numbers

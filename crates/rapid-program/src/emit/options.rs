@@ -112,7 +112,12 @@ impl EmitOptions {
             ("model", self.model.as_ref()),
         ];
         let files = files.into_iter().filter_map(|(name, file)| Some((name.to_owned(), file?.to_string())));
-        files.chain(self.settings.iter().cloned()).collect()
+        let thermometer = match &self.clock {
+            Clock::Sensor { source: Sensor::Signal(name) | Sensor::Pers(name), .. } => Some(name.clone()),
+            Clock::Warmth { .. } | Clock::Elapsed => None,
+        };
+        let thermometer = thermometer.map(|name| ("thermometer".to_owned(), name));
+        files.chain(thermometer).chain(self.settings.iter().cloned()).collect()
     }
 }
 
