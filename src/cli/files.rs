@@ -53,6 +53,18 @@ fn limited(from: &mut dyn Read, path: &Path, what: &str) -> Result<Vec<u8>, Diag
     Ok(bytes)
 }
 
+/// Refuses a result that no command would read again: neither `restore` nor `diff`.
+///
+/// # Errors
+/// `output::too-large`, naming the file `shown`.
+pub fn check_size(shown: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
+    if bytes.len() as u64 <= MOST_BYTES {
+        return Ok(());
+    }
+    let text = format!("{shown} would be larger than 1 GB, and `driftpost restore` would not read it");
+    Err(Diagnostic::error("output::too-large", text).help("split the program, or take another `--form`"))
+}
+
 fn too_large(path: &Path) -> Diagnostic {
     let text = format!("{} is larger than 1 GB", path.display());
     Diagnostic::error("input::too-large", text).help("split the program")
@@ -273,5 +285,22 @@ pub fn identity(path: &Path) -> PathBuf {
         (_, Some(name)) => fs::canonicalize(".").unwrap_or_default().join(name),
         (Some(parent), None) => identity(parent).parent().map(Path::to_path_buf).unwrap_or_default(),
         (None, None) => path.to_path_buf(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_result_is_as_large_as_what_is_read_and_no_larger() {
+        // Zeroed pages that nobody touches take no memory.
+        let bytes = vec![0; (1 << 30) + 1];
+        assert_eq!(check_size("out.mod", &bytes[..1 << 30]), Ok(()));
+        let said = check_size("out.mod", &bytes).unwrap_err();
+        assert!(
+            said.code == "output::too-large" && said.message.contains("out.mod would be larger"),
+            "{said:?}"
+        );
     }
 }

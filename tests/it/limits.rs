@@ -36,23 +36,39 @@ fn a_file_of_more_than_1_gb_is_refused_without_reading_it() {
     assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
 }
 
-#[test]
-#[ignore = "takes 4 GB of memory: cargo test --release --test it limits:: -- --ignored"]
-fn a_program_of_just_under_1_gb_is_read() {
-    let folder = tempfile::tempdir().unwrap();
+/// A program of one move and comments, so many bytes in all, and what becomes of it.
+fn of_size(folder: &Path, bytes: usize) -> (String, Output) {
     let line = format!("! {}\n", "x".repeat(997));
     let mut text =
         format!("MODULE Large\n  PROC main()\n    MoveL {},v100,fine,tool0;\n  ENDPROC\n", target(1));
-    text.extend(std::iter::repeat_n(line.as_str(), ((1 << 30) - 4096) / line.len()));
+    text.extend(std::iter::repeat_n(line.as_str(), bytes / line.len()));
     text.push_str("ENDMODULE\n");
-    fs::write(folder.path().join("in.mod"), &text).unwrap();
+    fs::write(folder.join("in.mod"), &text).unwrap();
     let arguments =
         ["compensate", "in.mod", "--robot", "irb140", "--form", "ramp", "--diff", "none", "-o", "out.mod"];
-    let output = driftpost(folder.path(), &arguments);
+    let output = driftpost(folder, &arguments);
+    (text, output)
+}
+
+#[test]
+#[ignore = "takes 4 GB of memory: cargo test --release --test it limits:: -- --ignored"]
+fn a_program_of_a_gb_is_compensated_and_restored() {
+    let folder = tempfile::tempdir().unwrap();
+    let (text, output) = of_size(folder.path(), (1 << 30) - (1 << 20));
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let output = driftpost(folder.path(), &["restore", "out.mod", "-o", "again.mod"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     assert!(fs::read(folder.path().join("again.mod")).unwrap() == text.as_bytes());
+}
+
+#[test]
+#[ignore = "takes 4 GB of memory: cargo test --release --test it limits:: -- --ignored"]
+fn a_result_that_would_be_too_large_to_be_restored_is_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, output) = of_size(folder.path(), (1 << 30) - 4096);
+    assert_eq!(output.status.code(), Some(2), "{}", err(&output));
+    assert!(err(&output).contains("error[output::too-large]"), "{}", err(&output));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
 /// A program of `count` routines, each called by the one before, compensated and restored.

@@ -9,7 +9,7 @@ pub use args::{Args, Temperatures};
 use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff};
 
 use super::destination::{Destination, Writing, Written, is_pgf};
-use super::files::{Output, Pending, place_all};
+use super::files::{Output, Pending, check_size, place_all};
 use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
@@ -148,6 +148,7 @@ fn write_result(
     let mut source = page.is_some().then(SourceReview::default);
     let mut accept = |program: &Program, file: EmittedFile| {
         let path = destination.path_of(&file, &given).display().to_string();
+        check_size(&path, &file.bytes)?;
         diff.add(program, &file, &path).map_err(|cause| no_output(&cause))?;
         if let (Some(review), Some(id)) = (&mut source, file.source) {
             let from = program.file(id);
