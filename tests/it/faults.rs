@@ -131,8 +131,10 @@ fn a_folder_that_goes_away_in_the_middle_is_told() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // Until something waits beside its place.
-    while fs::read_dir(&out).unwrap().next().is_none() {
+    // Until a result is being written beside its place. An empty file is the trial before the work, and a folder that goes away then is made anew.
+    let is_written =
+        |entry: std::io::Result<fs::DirEntry>| entry.unwrap().metadata().is_ok_and(|m| m.len() > 0);
+    while !fs::read_dir(&out).unwrap().any(is_written) {
         assert!(child.try_wait().unwrap().is_none(), "it was done before the folder could be taken away");
         std::thread::sleep(Duration::from_millis(1));
     }

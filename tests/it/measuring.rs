@@ -358,8 +358,8 @@ fn two_files_of_other_layouts_are_diagnosed_and_who_is_alone_is_named() {
     let output = command.output().unwrap();
     let answer = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{answer}");
-    assert!(answer.contains("sa_points.txt: 1 rows have no joints: lines 10"), "{answer}");
-    assert!(answer.contains("joints.csv: 1 rows have no point: lines 37"), "{answer}");
+    assert!(answer.contains("sa_points.txt: no joints for 1 row (line 10)"), "{answer}");
+    assert!(answer.contains("joints.csv: no point for 1 row (line 37)"), "{answer}");
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["causes"][0]["effect"], "joint_compliance");
     assert_eq!(json["causes"][0]["joint"], 2);
