@@ -324,6 +324,34 @@ fn false_readings_side_by_side_are_no_step() {
     }
 }
 
+/// Zeros of two joints in a row are two numbers that the six of the link between them can take up; and the link itself stays one.
+#[test]
+fn two_joint_offsets_in_a_row_are_no_link_geometry() {
+    let cases: [(&str, &[(&str, u64)]); 3] = [
+        ("joint_offset:3,joint_offset:4", &[("joint_offset", 3), ("joint_offset", 4)]),
+        ("joint_offset:4,joint_offset:5", &[("joint_offset", 4), ("joint_offset", 5)]),
+        ("link_geometry:4", &[("link_geometry", 4)]),
+    ];
+    for (effects, truth) in cases {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("sets");
+        let options = ["--effects", effects, "--sets", "3", "--n", "60", "--rho", "2", "--seed", "5"];
+        driftpost().arg("synth").arg(&out).args(options).assert().success();
+        for set in 0..3 {
+            let csv = fs::read(out.join(format!("set_000{set}/measurements.csv"))).unwrap();
+            let (_, said, json) = diagnose(&csv, &["--robot", "irb140"]);
+            let causes = json.as_ref().unwrap()["causes"].as_array().unwrap();
+            let mut found: Vec<(&str, u64)> = causes
+                .iter()
+                .filter(|cause| cause["posterior"].as_f64().unwrap() > 0.5)
+                .map(|cause| (cause["effect"].as_str().unwrap(), cause["joint"].as_u64().unwrap()))
+                .collect();
+            found.sort_unstable();
+            assert_eq!(found, truth, "{effects}, set {set}: {said}");
+        }
+    }
+}
+
 /// 18 sets of the exam's mixture; the same draws on every machine.
 #[test]
 fn a_small_fixed_exam() {

@@ -160,6 +160,64 @@ impl Library<'_> {
         }
     }
 
+    /// Geometry of one link against the offsets of any two joints in its place. The link's numbers hold the turns of the joints at its
+    /// ends, so that one cause explains what two did, while neither offset alone does: a search that adds one cause at a time stops there.
+    pub(super) fn split(&mut self, search: &mut Search<'_>) {
+        let odds = |gain: f64, log_prior: f64| gain + log_prior - NULL_PRIOR.ln();
+        for i in 0..search.chosen.len() {
+            let link = search.chosen[i].candidate;
+            if self.candidates[link].kind != EffectKind::LinkGeometry {
+                continue;
+            }
+            let others = search.others(&[i]);
+            let offsets = self.single_offsets();
+            let open: Vec<usize> = offsets.into_iter().filter(|&c| self.allowed(c, &others)).collect();
+            let columns: Vec<Vec<usize>> =
+                open.iter().map(|&c| self.columns_in_design(search.design, search.column_index, c)).collect();
+            self.extend(search.design);
+            let bare = search.nuisance(&others);
+            let single = odds(self.gain(&bare, search.subset, link), self.log_prior[link]);
+            let mut best: Option<(f64, [ChosenCause; 2])> = None;
+            for (k, &a) in open.iter().enumerate() {
+                let first = self.chosen(&bare, search.subset, a, &columns[k]);
+                let mut beside = search.nuisance(&others);
+                beside.grow(search.design, search.subset, &columns[k]);
+                for (&b, columns) in open.iter().zip(&columns).skip(k + 1) {
+                    let second = self.chosen(&beside, search.subset, b, columns);
+                    let both =
+                        odds(first.gain_nats, self.log_prior[a]) + odds(second.gain_nats, self.log_prior[b]);
+                    if second.gain_nats > DROP_NATS && best.as_ref().is_none_or(|(most, _)| both > *most) {
+                        best = Some((both, [first.clone(), second]));
+                    }
+                }
+            }
+            if let Some((_, [first, second])) = best.filter(|(both, _)| *both > single) {
+                search.near.extend([first.candidate, second.candidate]);
+                search.chosen[i] = first;
+                search.chosen.push(second);
+                return;
+            }
+        }
+    }
+
+    /// `candidate` as it would be chosen over `nuisance`.
+    fn chosen(
+        &self,
+        nuisance: &NuisanceModel,
+        subset: &[usize],
+        candidate: usize,
+        columns: &[usize],
+    ) -> ChosenCause {
+        let projected = nuisance.project(&self.products[candidate].sum(subset));
+        let peak = self.evidence(nuisance, &projected, candidate);
+        ChosenCause {
+            candidate,
+            columns: columns.to_vec(),
+            gain_nats: peak.log_evidence - nuisance.null().log_evidence,
+            size_ratio: peak.size_ratio,
+        }
+    }
+
     /// Takes out the joint offsets that came with the others and are not needed.
     pub(super) fn drop_offsets(&self, search: &mut Search<'_>) {
         let mut i = 0;

@@ -46,6 +46,9 @@ impl Library<'_> {
         let mut search = Search { design, subset, noise, column_index, chosen, near, tracked };
         for pass in 0..PASSES {
             self.add_while(&mut search, &mut nuisance, alarm_nats, uncalibrated);
+            if pass == 0 && search.chosen.len() <= MOST_SWAPPED {
+                self.split(&mut search);
+            }
             let many = search.chosen.len() > MOST_SWAPPED;
             // Over a fold the lines are chosen anew, but not settled: that takes as long as all the rest.
             let settled = pass > 0 || subset.len() < search.design.groups();
