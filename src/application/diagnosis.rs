@@ -81,7 +81,7 @@ impl Diagnosed {
     /// Writes the page; `name` and `sha256` are those of the measurements.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// What writing to `out` fails with.
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
         let Self { findings, robot, .. } = self;

@@ -12,7 +12,7 @@ impl Compensated<'_> {
     /// Writes the page of the compensation; `source` holds the changes of its files.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// What writing to `out` fails with.
     pub fn write_page(&self, source: SourceReview, out: &mut dyn Write) -> io::Result<()> {
         let drift = tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options).ok();
         let title = self.provenance.first().map_or("", |(_, program)| program.as_str());
@@ -36,7 +36,7 @@ impl Refusal {
     /// Writes the page of the reasons; `job` is what was asked for, where that was understood.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// What writing to `out` fails with.
     pub fn write_page(&self, title: &str, job: Option<&Compensation>, out: &mut dyn Write) -> io::Result<()> {
         let drift = self.plan.as_ref().zip(job).and_then(|(plan, job)| {
             let drift: TcpDrift =

@@ -37,7 +37,7 @@ pub struct JointRow<'a> {
     pub line: u64,
     /// Minutes of warm-up.
     pub t_min: f64,
-    /// Joint angles, radians.
+    /// Joint angles that are commanded, radians.
     pub q_rad: [f64; 6],
     /// Where the arm then stands, metres.
     pub position_m: [f64; 3],

@@ -48,7 +48,7 @@ pub struct ArmPose {
 /// Joints for a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
-    /// Joint angles, radians.
+    /// Joint angles of the controller's answer, radians.
     pub q_rad: [f64; 6],
 }
 

@@ -49,7 +49,7 @@ impl CompensationPage<'_> {
     /// Writes the page.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// What writing to `out` fails with.
     pub fn write(mut self, out: &mut dyn Write) -> io::Result<()> {
         let shown = self.shown();
         self.add_unchanged(shown.as_ref());

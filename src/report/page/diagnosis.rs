@@ -31,7 +31,7 @@ impl DiagnosisPage<'_> {
     /// Writes the page.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// What writing to `out` fails with.
     pub fn write(self, out: &mut dyn Write) -> io::Result<()> {
         let all = &self.findings.residuals;
         let step = all.len().div_ceil(MOST_ROWS).max(1);

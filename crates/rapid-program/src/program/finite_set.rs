@@ -30,7 +30,7 @@ pub(super) struct FiniteSet {
 /// What of a program's text gives data their values.
 #[derive(Debug, Default)]
 pub(super) struct FiniteSets<'a> {
-    /// Whole assignments.
+    /// What is assigned to each datum as a whole.
     assigned: BTreeMap<DatumId, Vec<(Ctx, &'a Expr)>>,
     /// Data of which a part is assigned.
     in_part: BTreeSet<DatumId>,

@@ -39,7 +39,7 @@ pub(super) fn predefined(name: &str) -> Option<(&'static str, Value)> {
     })
 }
 
-/// The predefined data.
+/// Data that every controller has.
 enum Predefined {
     Tool0,
     Wobj0,

@@ -24,7 +24,7 @@ pub struct ClosedForm {
 /// Joints that reach a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
-    /// Joint angles, radians.
+    /// Joint angles of the branch, radians.
     pub q_rad: [f64; 6],
     /// Which quadrants and which branch.
     pub configuration: Configuration,

@@ -139,6 +139,7 @@ mod tests {
     use super::*;
     use crate::kinematics::{Chain, FrameOffsets};
     use crate::robot::Robot;
+    use crate::robot::dh::tests::craig;
     use nalgebra::{Matrix4, Rotation3, Vector3};
 
     fn arm(text: &str) -> SerialArm {
@@ -173,19 +174,6 @@ mod tests {
         assert!((there.rotation.to_rotation_matrix().matrix() - turn.matrix()).norm() < 1e-15);
     }
 
-    /// Craig's modified Denavit-Hartenberg step (Introduction to Robotics, 3rd edition, eq. 3.6), written out.
-    fn craig(a: f64, alpha: f64, d: f64, theta: f64) -> Matrix4<f64> {
-        let ((sa, ca), (st, ct)) = (alpha.sin_cos(), theta.sin_cos());
-        #[rustfmt::skip]
-        let m = Matrix4::new(
-            ct, -st, 0.0, a,
-            st * ca, ct * ca, -sa, -sa * d,
-            st * sa, ct * sa, ca, ca * d,
-            0.0, 0.0, 0.0, 1.0,
-        );
-        m
-    }
-
     #[test]
     fn seven_joints_stand_where_published_denavit_hartenberg_parameters_say() {
         use std::f64::consts::FRAC_PI_2;
@@ -204,7 +192,7 @@ mod tests {
         for k in 0..5 {
             let q_rad: Joints = Joints::from_fn(7, |j| 1.3 * ((5 * k + 3 * j + 1) as f64).sin());
             let expected = published.iter().enumerate().fold(Matrix4::identity(), |m, (i, [a, alpha, d])| {
-                m * craig(*a, *alpha, *d, q_rad.get(i).copied().unwrap_or(0.0))
+                m * craig([*a, *alpha, *d, q_rad.get(i).copied().unwrap_or(0.0)])
             });
             let there = chain.forward(&q_rad).to_matrix();
             assert!((there - expected).norm() < 1e-14, "{there} {expected}");

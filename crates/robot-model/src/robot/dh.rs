@@ -212,7 +212,7 @@ impl Columns {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::kinematics::SerialChain;
     use crate::robot::Robot;
@@ -231,8 +231,8 @@ mod tests {
         m
     }
 
-    /// Craig's matrix (1986, eq. 3.6), element by element: mm, rad.
-    fn craig([a, alpha, d, theta]: [f64; 4]) -> Matrix4<f64> {
+    /// Craig's matrix (Introduction to Robotics, 1986, eq. 3.6), element by element: a, alpha, d, theta in radians and one unit of length.
+    pub(crate) fn craig([a, alpha, d, theta]: [f64; 4]) -> Matrix4<f64> {
         let ((st, ct), (sa, ca)) = (theta.sin_cos(), alpha.sin_cos());
         #[rustfmt::skip]
         let m = Matrix4::new(

@@ -5,7 +5,7 @@
 
 mod backup;
 mod built_in;
-mod dh;
+pub(crate) mod dh;
 mod error;
 mod file;
 mod joints;

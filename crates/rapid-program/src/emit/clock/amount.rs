@@ -7,7 +7,7 @@ use robot_model::deform::thermal_filter::MOST_SHARE;
 /// Where the amount of drift and the time constants come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amount {
-    /// The table: numbers.
+    /// The table: numbers in the text.
     OfTable,
     /// Touches of a fixed point: the data `tcAmount`, `tcTau`, `tcTauCool` and `tcHas`.
     Learnt,
