@@ -1,7 +1,7 @@
 //! Diagnosis of a robot from measured poses.
 
 use crate::report::{DiagnosisPage, diagnosis};
-use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify};
+use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify, gear_spectra};
 use metrology::measure::Measurements;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
@@ -78,14 +78,24 @@ impl Diagnosed {
         Ok(serde_json::to_string_pretty(&self.findings)? + "\n")
     }
 
-    /// Writes the page; `name` and `sha256` are those of the measurements.
+    /// Writes the page; `name` and `sha256` are those of the measurements. Gears have their whole spectra on it where a model was
+    /// asked for ([`Diagnosis::and_identify`]).
     ///
     /// # Errors
     /// What writing to `out` fails with.
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
-        let Self { findings, robot, .. } = self;
-        DiagnosisPage { title: name, findings, robot, text: &self.text(), provenance: &provenance }.write(out)
+        let Self { findings, robot, model } = self;
+        let spectra = model.as_ref().map(|model| gear_spectra(model, robot, &findings.residuals));
+        DiagnosisPage {
+            title: name,
+            findings,
+            robot,
+            spectra: &spectra.unwrap_or_default(),
+            text: &self.text(),
+            provenance: &provenance,
+        }
+        .write(out)
     }
 
     /// Residuals of every row before and after, as CSV.

@@ -93,7 +93,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
     let clean_out = args.clean_out.as_deref().map(files::Pending::new).transpose()?;
-    let job = Diagnosis { robot, options, identify: model_out.is_some() || rapid_out.is_some() };
+    let is_model_wanted = model_out.is_some() || rapid_out.is_some();
+    let job = Diagnosis { robot, options, identify: is_model_wanted || args.page.report.is_some() };
     let mut found = job.run(&measurements);
     let diagnosis = &found.findings;
     for warning in &diagnosis.warnings {
@@ -117,7 +118,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let text = text.ok_or_else(|| none(&found.findings, file.path()))?;
         file.write(text.as_bytes())?;
     }
-    if let (false, Some(model)) = (to_stdout, &found.model) {
+    if let (false, Some(model)) = (to_stdout, found.model.as_ref().filter(|_| is_model_wanted)) {
         console.out().write_all(rapid_data::axis_table(model).as_bytes())?;
     }
     if let Some(file) = clean_out {

@@ -45,6 +45,7 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
         Some([cool, sigma]) => writeln!(out, "cooling tau {cool:.1} +- {sigma:.1} min"),
         None => writeln!(out, "no stop: how fast it cools is not known"),
     };
+    false_touches(&mut out, w);
     out.push_str("\nHow far each point moves when settled (its own touches), mm\n");
     for point in &w.points {
         let [x, y, z] = [point.settled_m.x, point.settled_m.y, point.settled_m.z].map(mm_from_m);
@@ -73,6 +74,20 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
         forecast_at_targets(&mut out, there);
     }
     out
+}
+
+fn false_touches(out: &mut String, w: &WarmUp) {
+    let lines: Vec<String> =
+        w.residuals.iter().filter(|one| one.looks_false).map(|one| one.line.to_string()).collect();
+    if !lines.is_empty() {
+        let some = counted(lines.len(), "touch");
+        let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
+        let _ = writeln!(
+            out,
+            "{some} {verb} false, further off than noise takes one: {word} {}; the fit counts what looks false like the others: take it out and fit again",
+            lines.join(", ")
+        );
+    }
 }
 
 fn forecast_at_targets(out: &mut String, there: &TargetForecast) {
@@ -123,6 +138,10 @@ pub fn json(w: &WarmUp, there: Option<&TargetForecast>) -> Value {
         "prior_mm": mm_from_m(w.prior[0]), "prior_deg": deg_from_rad(w.prior[1]),
         "points": w.points.iter().map(|p| json!({ "point": p.name, "settled_mm": mm(&p.settled_m) })).collect::<Vec<_>>(),
         "parameters": parameters,
+        "residuals": w.residuals.iter().map(|one| json!({
+            "line": one.line, "point": one.point, "t_min": one.t_min, "before_mm": mm(&one.before_m), "after_mm": mm(&one.after_m),
+            "looks_false": one.looks_false,
+        })).collect::<Vec<_>>(),
         "targets": there.map(|t| json!({
             "drift_rms_mm": mm_from_m(t.drift_rms_m), "left_rms_mm": mm_from_m(t.left_rms_m),
             "shift_left_rms_mm": mm_from_m(t.shift_left_rms_m),

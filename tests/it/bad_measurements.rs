@@ -143,7 +143,11 @@ fn rows_that_tell_nothing_are_insufficient() {
 
 /// A file in which something is wrong: what the fault names.
 fn fault(text: &str) -> (String, String, Vec<u64>) {
-    let said = diagnose(text.as_bytes(), &[]);
+    fault_with(text, &[])
+}
+
+fn fault_with(text: &str, arguments: &[&str]) -> (String, String, Vec<u64>) {
+    let said = diagnose(text.as_bytes(), arguments);
     assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{}", said.text);
     let fault = &said.json.as_ref().unwrap()["fault"];
     let lines = fault["lines"].as_array().unwrap().iter().map(|line| line.as_u64().unwrap()).collect();
@@ -235,6 +239,62 @@ fn faults_of_some_rows_or_of_one_column_are_named_with_both() {
     let (kind, column, lines) = fault(&text);
     assert_eq!(some(&kind, &column), some("frozen_point", "x_mm, y_mm, z_mm"));
     assert_eq!(lines, [11, 12, 13, 14, 15]);
+}
+
+/// The sound file with `column` of each pose off by an even spread of `width_mm` to both sides, the same at every visit, so that
+/// repeats do not show it.
+fn scattered(column: impl Fn(&str) -> bool, width_mm: f64) -> String {
+    let pose: Vec<u64> =
+        SOUND.lines().skip(1).map(|line| line.split(',').nth(1).unwrap().parse().unwrap()).collect();
+    let mut of_column = std::collections::BTreeMap::new();
+    let names = SOUND.lines().next().unwrap().split(',');
+    for (k, name) in names.filter(|name| column(name)).enumerate() {
+        // Square roots of primes: multiples that fill the interval evenly and follow nothing.
+        of_column.insert(name.to_owned(), [2.0_f64, 3.0, 5.0][k].sqrt());
+    }
+    of_column.into_iter().fold(SOUND.clone(), |text, (name, step)| {
+        let header = text.lines().next().unwrap().to_owned();
+        let at = header.split(',').position(|n| n == name).unwrap();
+        let row = |(line, pose): (&str, &u64)| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            let even = 2.0 * ((*pose as f64 + 1.0).powi(2) * step).fract() - 1.0;
+            cells[at] = format!("{:.4}", cells[at].parse::<f64>().unwrap() + width_mm * even);
+            cells.join(",") + "\n"
+        };
+        header + "\n" + &text.lines().skip(1).zip(&pose).map(row).collect::<String>()
+    })
+}
+
+#[test]
+fn scatter_of_over_five_times_the_noise_is_a_fault_with_its_rows_and_column() {
+    // An even spread of 1 mm to both sides is 1 / sqrt 3 = 0.58 mm; in one of three columns 0.33 mm of a coordinate.
+    let stated = ["--sigma-mm", "0.05"];
+    let (kind, column, lines) = fault_with(&scattered(|name| name == "y_mm", 1.0), &stated);
+    assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "y_mm"));
+    assert!(lines.len() > 30 && lines.iter().all(|line| (2..=61).contains(line)), "{lines:?}");
+    let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
+    let (kind, column, _) = fault_with(&scattered(point, 1.0), &stated);
+    assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "x_mm, y_mm, z_mm"));
+    let less = diagnose(scattered(point, 0.3).as_bytes(), &stated);
+    assert_eq!(less.verdict(), "unexplained_scatter", "3.5 times: {}", less.text);
+}
+
+/// Thirty rows of joints to a tenth of a degree: half a millimetre of scatter, which is not the points' fault.
+#[test]
+fn rounded_joints_are_named_with_their_columns_in_few_rows() {
+    let folder = TempDir::new().unwrap();
+    let sets = folder.path().join("sets");
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("synth").arg(&sets);
+    command
+        .args(["--effects", "joint_rounding", "--n", "30", "--sets", "4", "--seed", "3"])
+        .assert()
+        .success();
+    for set in 0..4 {
+        let text = fs::read_to_string(sets.join(format!("set_{set:04}/measurements.csv"))).unwrap();
+        let (kind, column, _) = fault_with(&text, &["--sigma-mm", "0.02"]);
+        assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q1_deg to q6_deg"), "set {set}");
+    }
 }
 
 #[test]

@@ -324,18 +324,20 @@ fn false_readings_side_by_side_are_no_step() {
     }
 }
 
-/// Zeros of two joints in a row are two numbers that the six of the link between them can take up; and the link itself stays one.
+/// Zeros of two joints in a row are two numbers that the six of the link between them can take up, as are a zero and the next
+/// link; and the link itself stays one.
 #[test]
 fn two_joint_offsets_in_a_row_are_no_link_geometry() {
-    let cases: [(&str, &[(&str, u64)]); 3] = [
-        ("joint_offset:3,joint_offset:4", &[("joint_offset", 3), ("joint_offset", 4)]),
-        ("joint_offset:4,joint_offset:5", &[("joint_offset", 4), ("joint_offset", 5)]),
-        ("link_geometry:4", &[("link_geometry", 4)]),
+    let cases = [
+        ("2", "joint_offset:3,joint_offset:4", vec![("joint_offset", 3), ("joint_offset", 4)]),
+        ("2", "joint_offset:4,joint_offset:5", vec![("joint_offset", 4), ("joint_offset", 5)]),
+        ("1.2", "joint_offset:4,link_geometry:5", vec![("joint_offset", 4), ("link_geometry", 5)]),
+        ("2", "link_geometry:4", vec![("link_geometry", 4)]),
     ];
-    for (effects, truth) in cases {
+    for (rho, effects, truth) in cases {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("sets");
-        let options = ["--effects", effects, "--sets", "3", "--n", "60", "--rho", "2", "--seed", "5"];
+        let options = ["--effects", effects, "--sets", "3", "--n", "60", "--rho", rho, "--seed", "5"];
         driftpost().arg("synth").arg(&out).args(options).assert().success();
         for set in 0..3 {
             let csv = fs::read(out.join(format!("set_000{set}/measurements.csv"))).unwrap();

@@ -163,7 +163,13 @@ fn fixed_points_touched_again_need_no_tracker() {
         }
     }
     assert!(n.iter().all(|n| *n >= 12), "{n:?}");
-    assert_found(&answer(&csv), "joint_compliance", 2);
+    let found = answer(&csv);
+    // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape,
+    // which no robot file knows better than to a tenth. Nothing else may stand beside the gear.
+    let named: Vec<_> = found.causes.iter().map(|c| (c.effect.name(), c.joint)).collect();
+    assert_eq!(named, [("joint_compliance", Some(2)), ("link_bending", Some(1))], "{}", found.reason);
+    assert_eq!(found.verdict, Verdict::Ambiguous, "{}", found.reason);
+    assert!(found.causes[0].posterior > 0.9, "{:?}", found.causes);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::arm::{Arm, Disturbance};
 use super::csv::csv;
 use super::effect::{ArmState, Effect};
 use super::outside;
-use super::poses::{CommandedRow, MoreRows, RunSpec, states_and_more, states_of};
+use super::poses::{CommandedRow, MoreRows, RunSpec, elsewhere, states_and_more, states_of};
 use super::recipe::Recipe;
 use super::rng::Rng;
 use super::run::MeasuredRun;
@@ -65,13 +65,24 @@ pub fn continued_set(
     let distinct = recipe.n - recipe.repeats.min(recipe.n / 2);
     let poses = (0..recipe.n).map(|k| if k >= distinct { k - distinct } else { k });
     let poses = poses.chain(more.rows.iter().map(|row| distinct + row.pose)).collect();
-    measured(
-        &arm,
-        robot_name,
-        recipe,
-        RunRows { tool_m, states, poses, later: more.seed, amplitudes: None },
-        rng,
-    )
+    let own = states[..recipe.n].to_vec();
+    let rows = RunRows { tool_m, states, poses, later: more.seed, amplitudes: None };
+    let mut set = measured(&arm, robot_name, recipe, rows, rng)?;
+    let others = (0..OTHER_ROWS.div_ceil(recipe.n)).flat_map(|_| elsewhere(robot, &arm, rng, &run, &own));
+    let others = MeasuredRun::new(&arm, tool_m, others.collect());
+    set.truth.oracle_ratio_elsewhere = Some(oracle_ratio(&others, &set.truth));
+    Some(set)
+}
+
+/// Rows at other poses that a shrink is held against: the registration's nine parameters are then nothing.
+const OTHER_ROWS: usize = 1000;
+
+/// What is left at the rows of `run` without the effects of `truth`, over what is there with them, rms, noise with both.
+fn oracle_ratio(run: &MeasuredRun<'_>, truth: &Truth) -> f64 {
+    let effects: Vec<(Effect, f64)> = truth.effects.iter().map(|put| (put.effect, put.amplitude)).collect();
+    let noise_rms_m = m_from_mm(truth.sigma_mm) * 3.0_f64.sqrt();
+    let effect_rms_m = run.rms_m(&run.off_m(&effects, &Disturbance::default()));
+    noise_rms_m / noise_rms_m.hypot(effect_rms_m)
 }
 
 /// A data set over poses that others planned, with a tool of theirs and the recipe's effects at these `amplitudes`; the
@@ -181,6 +192,7 @@ fn measured(
         geometry: recipe.geometry,
         before_rms_mm: mm_from_m(run.sound_rms_m(&with, &is_outlier)),
         oracle_rms_mm: mm_from_m(run.sound_rms_m(&without, &is_outlier)),
+        oracle_ratio_elsewhere: None,
     };
     let csv = csv(&run, recipe, &poses, &effects, &background, &with, [rng, &mut later]);
     let stated = tool_m.map(|c| mm_from_m(c) + 0.5 * rng.normal());
@@ -247,6 +259,9 @@ mod tests {
             assert!((set.truth.oracle_rms_mm / noise_mm - 1.0).abs() < 0.22, "{}", set.truth.oracle_rms_mm);
             let whole = (wanted * wanted + 1.0).sqrt() * noise_mm;
             assert!((set.truth.before_rms_mm / whole - 1.0).abs() < 0.15, "{}", set.truth.before_rms_mm);
+            // Noise over all, as everywhere: an effect of the same rms at other poses drawn alike.
+            let elsewhere = set.truth.oracle_ratio_elsewhere.unwrap() * (wanted * wanted + 1.0).sqrt();
+            assert!((elsewhere - 1.0).abs() < 0.2, "{elsewhere}");
         }
     }
 

@@ -154,24 +154,13 @@ pub(super) fn states_and_more(
     run: &RunSpec,
     more: MoreRows<'_>,
 ) -> Vec<ArmState> {
-    let RunSpec { spread, n, repeats, tool_m, payloads_kg } = *run;
+    let RunSpec { n, repeats, tool_m, payloads_kg, .. } = *run;
     let climate = Climate::new(arm.joints(), rng);
     let mut out: Vec<ArmState> = Vec::with_capacity(n);
     let distinct = n - repeats.min(n / 2);
     for k in 0..n {
-        let q_rad = if k >= distinct {
-            out[k - distinct].q_rad
-        } else {
-            let mut tries = 0;
-            loop {
-                let q = joints(robot, rng, spread, k, distinct);
-                let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(tool_m)).coords;
-                tries += 1;
-                if fits(&point_m, spread) || tries > 5_000 {
-                    break q;
-                }
-            }
-        };
+        let q_rad =
+            if k >= distinct { out[k - distinct].q_rad } else { drawn(robot, arm, rng, run, k, distinct) };
         let direction = Joints::from_fn(arm.joints(), |_| rng.sign() as i8);
         let row = CommandedRow { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
         out.push(climate.state(arm, tool_m, k, &row));
@@ -179,6 +168,42 @@ pub(super) fn states_and_more(
     let from = if more.from_cold { 0 } else { n };
     out.extend(more.rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, from + k, row)));
     out
+}
+
+/// Joints of row `k` of `distinct`.
+fn drawn(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec, k: usize, distinct: usize) -> Joints {
+    let mut tries = 0;
+    loop {
+        let q = joints(robot, rng, run.spread, k, distinct);
+        let point_m = (arm.flange(&q, &Disturbance::default()) * Point3::from(run.tool_m)).coords;
+        tries += 1;
+        if fits(&point_m, run.spread) || tries > 5_000 {
+            return q;
+        }
+    }
+}
+
+/// The moments of `states` at other poses and directions, drawn as those of the run were.
+#[must_use]
+pub(super) fn elsewhere(
+    robot: &SerialArm,
+    arm: &Arm,
+    rng: &mut Rng,
+    run: &RunSpec,
+    states: &[ArmState],
+) -> Vec<ArmState> {
+    let n = states.len();
+    let other = |(k, state): (usize, &ArmState)| {
+        let q_rad = drawn(robot, arm, rng, run, k, n);
+        ArmState {
+            q_rad,
+            direction: Joints::from_fn(arm.joints(), |_| rng.sign() as i8),
+            torque_n_m: arm.gravity_torque_n_m(&q_rad, state.payload_kg, &state.payload_at_m),
+            point_m: (arm.flange(&q_rad, &Disturbance::default()) * Point3::from(run.tool_m)).coords,
+            ..*state
+        }
+    };
+    states.iter().enumerate().map(other).collect()
 }
 
 /// The moments of a run that others planned.

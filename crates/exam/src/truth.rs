@@ -64,6 +64,10 @@ pub struct Truth {
     pub before_rms_mm: f64,
     /// rms once every effect that was put in is taken out, mm: what an oracle reaches.
     pub oracle_rms_mm: f64,
+    /// The one over the other at many other poses drawn alike, with this noise: what a shrink promises. `None`: the poses were
+    /// planned, and no others are like them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub oracle_ratio_elsewhere: Option<f64>,
 }
 
 /// Everything of one exam that the diagnosis may not see.

@@ -31,6 +31,13 @@ pub fn deg_from_rad(rad: f64) -> f64 {
     rad.to_degrees()
 }
 
+/// Milliradians from radians.
+#[inline]
+#[must_use]
+pub fn mrad_from_rad(rad: f64) -> f64 {
+    rad * 1000.0
+}
+
 /// Kilograms from grams.
 #[inline]
 #[must_use]

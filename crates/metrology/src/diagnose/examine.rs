@@ -9,9 +9,10 @@ use super::options::Options;
 use super::outcome::{
     Cause, Detectable, Diagnosis, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
 };
+use super::rounding::Suspicion;
 use super::{
-    dataset, design, effects, false_row, heldout, identify, model, next_measurements, rounding, search,
-    verdict, zeros,
+    dataset, design, effects, false_row, heldout, identify, model, next_measurements, noise_fault, rounding,
+    search, verdict, zeros,
 };
 use crate::measure::{
     Fault, FaultKind, Measurements, PartFault, Row, Stations, alone, check_rows, describe_move, find_fault,
@@ -198,12 +199,23 @@ fn evaluate(
     let folds = heldout::folds(&linear.dataset);
     let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
     let (model, mut workspace) = model::build(linear, &candidates, noise, stations.targets, &folds.group_of);
-    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace)
+    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace, Suspicion::None)
         .or_else(|| too_many_false(measurements, stations, &model))
     {
         return faulty(&fault);
     }
     let judgement = verdict::judge(&model, &mut workspace, linear);
+    if let Some(fault) = noise_fault::noise_beyond_stated(
+        measurements,
+        robot,
+        stations,
+        linear,
+        &model,
+        &workspace,
+        &judgement,
+    ) {
+        return faulty(&fault);
+    }
     let mut no_model = None;
     if let Some(to) = identified {
         match identify::identify(measurements, robot, stations, linear, &model, &workspace, options.tool_m) {

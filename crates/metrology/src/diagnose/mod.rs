@@ -10,6 +10,7 @@ mod effects;
 mod evidence;
 mod examine;
 mod false_row;
+mod gear_spectrum;
 mod gp_alternative;
 mod heldout;
 mod identify;
@@ -17,6 +18,7 @@ mod linearise;
 mod marginal;
 mod model;
 mod next_measurements;
+mod noise_fault;
 mod normal_equations;
 mod options;
 mod outcome;
@@ -34,6 +36,7 @@ mod zeros;
 
 pub use compare::{CompareError, MeasurementComparison, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
+pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use options::Options;
 pub use outcome::{
     Cause, Detectable, Diagnosis, ErrorReduction, FalseRow, HeldOutBlock, JointZero, JointZeros, Location,

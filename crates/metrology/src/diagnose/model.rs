@@ -78,7 +78,8 @@ pub fn build<'a>(
         return plain;
     }
     let wandering = settled(linear, candidates, noise, targets, group_of, start);
-    if wandering.0.slow.is_some() && odds_of(&wandering) > odds_of(&plain) { wandering } else { plain }
+    let odds = |(model, workspace): &(Model, Workspace<'_>)| odds_of(model, workspace);
+    if wandering.0.slow.is_some() && odds(&wandering) > odds(&plain) { wandering } else { plain }
 }
 
 /// Where a search begins.
@@ -128,7 +129,8 @@ impl Start {
 const SLOW_PRIOR: f64 = 0.1;
 
 /// ln odds of all that a model holds over nothing, one after the other.
-fn odds_of((model, workspace): &(Model, Workspace<'_>)) -> f64 {
+#[must_use]
+pub fn odds_of(model: &Model, workspace: &Workspace<'_>) -> f64 {
     let mut design = workspace.design.clone();
     let groups: Vec<usize> = (0..design.groups()).collect();
     let null = |design: &Design, also: &[usize]| {

@@ -2,7 +2,7 @@
 
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
-use super::model::{Model, Workspace, solve};
+use super::model::{Model, Workspace, odds_of, solve};
 use crate::measure::{Fault, FaultKind, MeasurementRow, Measurements};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
@@ -21,6 +21,15 @@ const OFTEN: f64 = 0.2;
 /// Rounding must be likelier than plain noise by so much, nats.
 const CLEAR_NATS: f64 = 8.0;
 
+/// How clearly rounding has to show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Suspicion {
+    /// Nothing else speaks against the file.
+    None,
+    /// The file is wrong; the question is in which column.
+    FileIsWrong,
+}
+
 /// Whether the joints' decimals explain the scatter better than plain noise.
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
@@ -30,13 +39,15 @@ pub fn find(
     linear: &Linearised,
     model: &Model,
     workspace: &Workspace<'_>,
+    suspicion: Suspicion,
 ) -> Option<Fault> {
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
     if !all_seen {
         return None;
     }
     let step_deg = common_step_deg(measurements)?;
-    let clear_nats = if COMMANDED_DEG.contains(&step_deg) { CLEAR_NATS } else { ODD_NATS };
+    let proves_nothing = COMMANDED_DEG.contains(&step_deg) && suspicion == Suspicion::None;
+    let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     // Uniform over one step.
     let variance = rad_from_deg(step_deg).powi(2) / 12.0;
     // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
@@ -98,9 +109,9 @@ pub fn find(
     );
     let best = points(&model.residuals);
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
-    let parameters = model.chosen.iter().map(|c| c.columns.len() as f64 + 1.0).sum::<f64>();
-    let price = 0.5 * parameters * (3.0 * n).ln();
-    let without_causes = rounded(&bare) > plain(&bare) + clear_nats && rounded(&bare) > plain(&best) - price;
+    // Lines of a gear follow the rounding of joints that stood at few angles: what they take is weighed with their price.
+    let gain_nats = rounded(&bare) - plain(&bare);
+    let without_causes = gain_nats > clear_nats && gain_nats > odds_of(model, workspace);
     let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
     let plain_m2 = mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {

@@ -1,7 +1,7 @@
 //! The deformed arm at one moment: a table's offsets and an identified model's terms, under the conditions of one pose.
 
 use super::gravity::loads_at;
-use super::identified::{ArmDelta, Identified, PoseState, ThermalState};
+use super::identified::{ArmDelta, Identified, PoseState, Term, ThermalState};
 use crate::kinematics::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian, SerialOffsets};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -120,6 +120,15 @@ impl DeformedArm {
     }
 }
 
+/// What the arm at one pose differs by from the nominal one: the same as a table's offsets and joints that are turned.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ArmDeviation {
+    /// Added to the commanded joints, radians.
+    pub turns_rad: [f64; 6],
+    /// Added to the frames of the joints and of the flange.
+    pub offsets: FrameOffsets,
+}
+
 /// The offsets of six joints and the flange.
 fn serial(offsets: &FrameOffsets) -> SerialOffsets {
     let mut all = SerialOffsets::default();
@@ -154,6 +163,19 @@ impl ArmUnder<'_> {
         self.on_chain(q_rad, |chain, q_rad, _| chain.point_m(q_rad, on_flange_m))
     }
 
+    /// How the arm differs from the nominal one when the controller commands `q_rad`.
+    #[must_use]
+    pub fn deviation(&self, q_rad: &[f64; 6]) -> ArmDeviation {
+        let Some(terms) = self.arm.terms.as_deref() else {
+            return ArmDeviation { turns_rad: [0.0; 6], offsets: self.arm.offsets };
+        };
+        let delta = self.delta(terms, q_rad, |_| true);
+        ArmDeviation {
+            turns_rad: std::array::from_fn(|i| delta.turns_rad[i]),
+            offsets: of_six(&delta.offsets),
+        }
+    }
+
     /// `work` with the chain and the joints at which it really stands.
     #[inline]
     fn on_chain<T>(
@@ -162,7 +184,8 @@ impl ArmUnder<'_> {
         work: impl FnOnce(&Chain, &[f64; 6], Option<&ArmDelta>) -> T,
     ) -> T {
         let Some(terms) = self.arm.terms.as_deref() else { return work(&self.arm.table, q_rad, None) };
-        let delta = self.delta(terms, q_rad);
+        // frames that stay as they are wherever the arm stands are in the chain already
+        let delta = self.delta(terms, q_rad, |term| !terms.fixed_frames || term.kind.only_turns());
         let really_rad = std::array::from_fn(|i| q_rad[i] + delta.turns_rad[i]);
         if terms.fixed_frames {
             return work(&self.arm.table, &really_rad, Some(&delta));
@@ -170,7 +193,8 @@ impl ArmUnder<'_> {
         work(&terms.frames.chain(&of_six(&delta.offsets)), &really_rad, Some(&delta))
     }
 
-    fn delta(&self, terms: &Terms, q_rad: &[f64; 6]) -> ArmDelta {
+    /// What the wanted terms do, on top of the table.
+    fn delta(&self, terms: &Terms, q_rad: &[f64; 6], is_wanted: impl Fn(&Term) -> bool) -> ArmDelta {
         let mut delta = ArmDelta { offsets: serial(&self.arm.offsets), ..ArmDelta::default() };
         let payload = &self.conditions.payload;
         let gravity = terms.needs_load.then(|| {
@@ -188,11 +212,7 @@ impl ArmUnder<'_> {
             loads: gravity.as_ref().map(|(loads, frames)| (loads, frames.as_slice())),
             payload_kg: payload.mass_kg,
         };
-        for term in &terms.model.terms {
-            if !terms.fixed_frames || term.kind.only_turns() {
-                term.add(&at, &mut delta);
-            }
-        }
+        terms.model.terms.iter().filter(|term| is_wanted(term)).for_each(|term| term.add(&at, &mut delta));
         delta
     }
 }
@@ -219,7 +239,7 @@ impl Arm for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Growth, Term, Value};
+    use crate::deform::identified::{Growth, Value};
     use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
 
@@ -305,6 +325,35 @@ mod tests {
         assert!((there.translation.vector - goal.translation.vector).norm() < 1e-11);
         assert!(solved.iterations <= 6, "{solved:?}");
         assert!((solved.q_rad[2] - Q_RAD[2]).abs() > 5e-4);
+    }
+
+    /// The nominal chain with the deviation put in by hand is the deformed arm: with frames that depend on the joints, and with
+    /// frames that do not.
+    #[test]
+    fn a_deviation_is_all_that_the_arm_differs_by() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let conditions =
+            Conditions { payload: Payload { mass_kg: 3.0, cog_m: [0.0, 0.0, 0.1] }, direction: [1; 6] };
+        let growth = Term {
+            growth: Growth::Law(GrowthLaw::Exp { tau_min: 30.0 }),
+            ..term(EffectKind::ThermalLinkGrowth, Some(1), &[1e-4, 0.0])
+        };
+        let fixed = vec![
+            growth,
+            term(EffectKind::LinkGeometry, Some(1), &[1e-4, 2e-4, -1e-4, 1e-4, 3e-4, -2e-4]),
+            term(EffectKind::JointCompliance, Some(1), &[5e-6]),
+            Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[2e-4, -1e-4]) },
+        ];
+        let bending = term(EffectKind::LinkBending, Some(1), &[1e-6, 2e-7]);
+        for terms in [fixed.clone(), [fixed, vec![bending]].concat()] {
+            let arm = arm(terms, 20.0);
+            let under = arm.under(&conditions);
+            let ArmDeviation { turns_rad, offsets } = under.deviation(&Q_RAD);
+            let turned: [f64; 6] = std::array::from_fn(|i| Q_RAD[i] + turns_rad[i]);
+            let by_hand = Chain::with_offsets(&robot, &offsets).forward(&turned);
+            assert!((by_hand.to_matrix() - under.forward(&Q_RAD).to_matrix()).norm() < 1e-14);
+            assert!(turns_rad[1].abs() > 1e-5 && offsets.0[2].iter().any(|v| v.abs() > 1e-5));
+        }
     }
 
     #[test]

@@ -16,7 +16,7 @@ mod table;
 pub mod thermal_filter;
 mod warmth;
 
-pub use arm::{ArmUnder, Conditions, DeformedArm, Payload};
+pub use arm::{ArmDeviation, ArmUnder, Conditions, DeformedArm, Payload};
 pub use effect_kind::{EffectKind, UnknownEffect};
 pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw};

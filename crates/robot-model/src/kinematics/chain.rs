@@ -142,7 +142,7 @@ pub struct Chain {
     /// Frame i in frame i-1, both turned so that joints turn about z; the last is the flange.
     pub(super) steps: [Step; 7],
     /// The joint's own frame in its turned one.
-    turned_from_joint: [Mat3; 6],
+    pub(super) turned_from_joint: [Mat3; 6],
 }
 
 /// A joint's frame, or the flange's, in the one before.

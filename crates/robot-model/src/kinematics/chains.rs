@@ -6,7 +6,7 @@ use super::chain::{self, Chain, Pose, Step, Walk};
 use super::dispatch::{self, Kernel, on_widest};
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::solve::{SolveError, Solved, solve};
-use super::solve_eight::SolveEight;
+use super::solve_eight::{Found, SolveEight};
 use nalgebra::Isometry3;
 
 /// Arms with constant frames, side by side: one robot at many moments.
@@ -34,8 +34,7 @@ impl Chains {
     ) {
         let goal = Pose::of(base_from_flange).splat();
         for (chains, frames) in self.chains.chunks(LANES).zip(&self.eights) {
-            let found =
-                worth_it(chains.len()).then(|| on_widest(SolveEight { frames, goal: &goal, start_q_rad }));
+            let found = worth_it(chains.len()).then(|| solve_arms(frames, &goal, start_q_rad));
             for (k, chain) in chains.iter().enumerate() {
                 let lane = found.as_ref().and_then(|found| found.lane(k));
                 visit(lane.map_or_else(|| solve(chain, base_from_flange, start_q_rad), Ok));
@@ -54,8 +53,7 @@ impl Chain {
         mut visit: impl FnMut(Result<Solved, SolveError>),
     ) {
         for goals in base_from_flange.chunks(LANES) {
-            let found = worth_it(goals.len())
-                .then(|| on_widest(SolveEight { frames: self, goal: &eight_poses(goals), start_q_rad }));
+            let found = worth_it(goals.len()).then(|| solve_poses(self, goals, start_q_rad));
             for (k, goal) in goals.iter().enumerate() {
                 let lane = found.as_ref().and_then(|found| found.lane(k));
                 visit(lane.map_or_else(|| solve(self, goal, start_q_rad), Ok));
@@ -70,12 +68,7 @@ impl Chain {
         mut visit: impl FnMut(Result<Solved, SolveError>),
     ) {
         for some in poses.chunks(LANES) {
-            let found = worth_it(some.len()).then(|| {
-                let goals: Vec<Isometry3<f64>> = some.iter().map(|(goal, _)| *goal).collect();
-                let start_q_rad: [Lanes; 6] =
-                    std::array::from_fn(|j| lanes::gather(some, |(_, q_rad)| q_rad[j]));
-                on_widest(SolveEight { frames: self, goal: &eight_poses(&goals), start_q_rad: &start_q_rad })
-            });
+            let found = worth_it(some.len()).then(|| solve_poses_from(self, some));
             for (k, (goal, start_q_rad)) in some.iter().enumerate() {
                 let lane = found.as_ref().and_then(|found| found.lane(k));
                 visit(lane.map_or_else(|| solve(self, goal, start_q_rad), Ok));
@@ -88,14 +81,43 @@ impl Chain {
     pub fn forward_each(&self, q_rad: &[[f64; 6]], mut visit: impl FnMut(Isometry3<f64>)) {
         for some in q_rad.chunks(LANES) {
             if worth_it(some.len()) {
-                let joints = std::array::from_fn(|j| lanes::gather(some, |q_rad| q_rad[j]));
-                let there = on_widest(ForwardEight { chain: self, q_rad: &joints });
+                let there = forward_eight(self, some);
                 (0..some.len()).for_each(|k| visit(there.lane(k).isometry()));
             } else {
                 some.iter().for_each(|q_rad| visit(self.forward(q_rad)));
             }
         }
     }
+}
+
+// What follows is generic over nothing and never inlined: so the kernels, which are long, are compiled for each width here once, and
+// not again in each crate for each closure that is called with their answers.
+
+/// Up to eight arms at one goal, from the same joints.
+#[inline(never)]
+fn solve_arms(frames: &[Step<Lanes>; 7], goal: &Pose<Lanes>, start_q_rad: &[f64; 6]) -> Found<Lanes> {
+    on_widest(SolveEight { frames, goal, start_q_rad })
+}
+
+/// One arm at up to eight goals, from the same joints.
+#[inline(never)]
+fn solve_poses(chain: &Chain, goals: &[Isometry3<f64>], start_q_rad: &[f64; 6]) -> Found<Lanes> {
+    on_widest(SolveEight { frames: chain, goal: &eight_poses(goals), start_q_rad })
+}
+
+/// The same from joints of their own.
+#[inline(never)]
+fn solve_poses_from(chain: &Chain, some: &[(Isometry3<f64>, [f64; 6])]) -> Found<Lanes> {
+    let goals: Vec<Isometry3<f64>> = some.iter().map(|(goal, _)| *goal).collect();
+    let start_q_rad: [Lanes; 6] = std::array::from_fn(|j| lanes::gather(some, |(_, q_rad)| q_rad[j]));
+    on_widest(SolveEight { frames: chain, goal: &eight_poses(&goals), start_q_rad: &start_q_rad })
+}
+
+/// One arm at up to eight joints.
+#[inline(never)]
+fn forward_eight(chain: &Chain, some: &[[f64; 6]]) -> Pose<Lanes> {
+    let joints = std::array::from_fn(|j| lanes::gather(some, |q_rad| q_rad[j]));
+    on_widest(ForwardEight { chain, q_rad: &joints })
 }
 
 /// Fewer cost as much one at a time.

@@ -2,7 +2,7 @@
 //!
 //! The answers are those of one at a time, to the bit; a machine without wide vectors takes one at a time.
 
-use super::chain::{self, Chain, Pose, Walk};
+use super::chain::{self, Chain, Pose, Step, Walk};
 use super::chains::{Chains, worth_it};
 use super::dispatch::{Kernel, on_widest};
 use super::lanes::{self, LANES, Lanes, Wide};
@@ -37,9 +37,7 @@ impl FlangePoints {
     #[must_use]
     pub fn new(points: Vec<FlangePoint>) -> Self {
         let eight = |some: &[FlangePoint]| Eight {
-            sin_cos: on_widest(SinCosEight(std::array::from_fn(|j| {
-                lanes::gather(some, |(q_rad, _)| q_rad[j])
-            }))),
+            sin_cos: sin_cos_eight(std::array::from_fn(|j| lanes::gather(some, |(q_rad, _)| q_rad[j]))),
             on_flange_m: std::array::from_fn(|k| lanes::gather(some, |(_, on_flange_m)| on_flange_m[k])),
         };
         let eights = points.chunks(LANES).filter(|some| worth_it(some.len())).map(eight).collect();
@@ -68,7 +66,7 @@ impl Chain {
             if worth_it(some.len())
                 && let Some(Eight { sin_cos, on_flange_m }) = eights.next()
             {
-                let there = on_widest(PointEight { frames: self, sin_cos, on_flange_m });
+                let there = points_of_one(self, sin_cos, on_flange_m);
                 (0..some.len()).for_each(|k| visit(lane(&there, k)));
             } else {
                 some.iter().for_each(|(q_rad, on_flange_m)| visit(self.point_m(q_rad, on_flange_m)));
@@ -96,8 +94,8 @@ impl Chains {
                         std::array::from_fn(|j| lanes::gather(some, |q_rad| q_rad[j]))
                     }
                 };
-                let sin_cos = on_widest(SinCosEight(joints));
-                let there = on_widest(PointEight { frames, sin_cos: &sin_cos, on_flange_m: &carried_m });
+                let sin_cos = sin_cos_eight(joints);
+                let there = points_of_arms(frames, &sin_cos, &carried_m);
                 (0..chains.len()).for_each(|k| visit(lane(&there, k)));
             } else {
                 for (k, chain) in chains.iter().enumerate() {
@@ -126,6 +124,25 @@ impl ArmsJoints<'_> {
             Self::Each(all) => all.get(arm).unwrap_or(&[0.0; 6]),
         }
     }
+}
+
+// Compiled once, here: as in `chains`.
+
+#[inline(never)]
+fn sin_cos_eight(joints: [Lanes; 6]) -> SinCos {
+    on_widest(SinCosEight(joints))
+}
+
+/// Eight points of one arm.
+#[inline(never)]
+fn points_of_one(chain: &Chain, sin_cos: &SinCos, on_flange_m: &Vec3<Lanes>) -> Vec3<Lanes> {
+    on_widest(PointEight { frames: chain, sin_cos, on_flange_m })
+}
+
+/// A point of each of eight arms.
+#[inline(never)]
+fn points_of_arms(frames: &[Step<Lanes>; 7], sin_cos: &SinCos, on_flange_m: &Vec3<Lanes>) -> Vec3<Lanes> {
+    on_widest(PointEight { frames, sin_cos, on_flange_m })
 }
 
 fn lane(there_m: &Vec3<Lanes>, k: usize) -> Vector3<f64> {

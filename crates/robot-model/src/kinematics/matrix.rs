@@ -156,6 +156,9 @@ pub(crate) fn rotation_vector(to: &Mat3, from: &Mat3) -> Vec3 {
 /// Up to which length [`small_rotation`] is exact to rounding, radians.
 pub(crate) const SMALL_RAD: f64 = 1e-2;
 
+/// The rotation by nothing.
+pub(crate) const IDENTITY: Mat3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 pub(crate) fn isometry(rotation: &Mat3, position: &Vec3) -> Isometry3<f64> {
     let m = Matrix3::from_fn(|i, j| rotation[i][j]);
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m));

@@ -4,6 +4,7 @@
 //! Pure functions over constant models; knows nothing of RAPID or of files. Inside, rotations and positions
 //! are plain arrays; `nalgebra` types stand at the public edge.
 
+mod calibrate;
 mod chain;
 mod chains;
 mod closed_form;
@@ -22,6 +23,7 @@ mod solve_eight;
 mod structure;
 mod wide_frames;
 
+pub use calibrate::{CalibrateError, Calibration, CalibrationOptions, MeasuredPose, calibrate};
 pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 pub use chains::Chains;
 pub use closed_form::{ClosedForm, Solution};

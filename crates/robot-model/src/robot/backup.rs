@@ -13,7 +13,12 @@ pub struct BackedUp {
     pub robot: Robot,
     /// The controller corrects it by a calibration of its own (Absolute Accuracy).
     pub absolute_accuracy: bool,
+    /// Where the robot's base stands, where that is not the world's own frame.
+    pub base_frame: Option<BaseFrame>,
 }
+
+/// Where a robot's base stands in the world: metres, and a quaternion with w first.
+pub type BaseFrame = ([f64; 3], [f64; 4]);
 
 /// Keys and values of one `-name "x" -key value ...` entry; a key without a value has an empty one.
 type Entry<'t> = Vec<(&'t str, &'t str)>;
@@ -58,8 +63,41 @@ impl BackedUp {
             .is_some_and(|calib| !calib.to_ascii_lowercase().ends_with("uncalib"));
         let unit = get(entry, "name").unwrap_or_default();
         robot.source = format!("{unit} of a controller's backup, type {kind}; dimensions: {}", robot.source);
-        Ok(Self { robot, absolute_accuracy: calibrated })
+        Ok(Self { robot, absolute_accuracy: calibrated, base_frame: base_frame(entry)? })
     }
+
+    /// Names of the robots whose bases stand elsewhere than in the world's frame, and whether all do; reads what it can.
+    #[must_use]
+    pub fn moved_bases(text: &str) -> (Vec<String>, bool) {
+        let all = entries(text, "ROBOT");
+        let robots: Vec<_> = all.iter().filter(|entry| get(entry, "use_robot_type").is_some()).collect();
+        let moved = robots.iter().filter(|entry| !matches!(base_frame(entry), Ok(None)));
+        let names: Vec<String> =
+            moved.map(|entry| get(entry, "name").unwrap_or("a robot").to_owned()).collect();
+        let all = names.len() == robots.len();
+        (names, all)
+    }
+}
+
+/// `-base_frame_pos_x` and its kin; `None` where the base is the world's frame.
+fn base_frame(entry: &Entry<'_>) -> Result<Option<BaseFrame>, RobotError> {
+    let number = |key: String, default: f64| match get(entry, &key) {
+        Some(text) => text
+            .parse::<f64>()
+            .ok()
+            .filter(|n| n.is_finite())
+            .ok_or_else(|| wrong(format!("{key} is {text:?}, no number"))),
+        None => Ok(default),
+    };
+    let (mut at, mut turned) = ([0.0; 3], [1.0, 0.0, 0.0, 0.0]);
+    for (value, axis) in at.iter_mut().zip(["x", "y", "z"]) {
+        *value = number(format!("base_frame_pos_{axis}"), 0.0)?;
+    }
+    for (k, value) in turned.iter_mut().enumerate() {
+        *value = number(format!("base_frame_orient_u{k}"), *value)?;
+    }
+    let moved = at.iter().chain(&turned[1..]).any(|part| *part != 0.0);
+    Ok(moved.then_some((at, turned)))
 }
 
 /// The built-in robot of a type such as `ROB1_4600_2.55_40`: number, reach in metres, payload.
@@ -156,6 +194,7 @@ mod tests {
         let first = BackedUp::from_moc(MOC, None).unwrap();
         assert_eq!(first.robot.name, "ABB IRB 140-6/0.8");
         assert!(!first.absolute_accuracy);
+        assert_eq!(first.base_frame, Some(([0.0, 0.0, -0.5], [1.0, 0.0, 0.0, 0.0])));
         assert_eq!(first.robot.joints[0].range_rad, Some([-2.5, 1.5]));
         assert_eq!(
             first.robot.joints[1].range_rad,
@@ -163,6 +202,11 @@ mod tests {
             "no bound there"
         );
         let second = BackedUp::from_moc(&MOC.replace('\n', "\r\n"), Some("rob_2")).unwrap();
+        assert_eq!(second.base_frame, None);
+        assert_eq!(BackedUp::moved_bases(MOC), (vec!["ROB_1".to_owned()], false));
+        let turned = MOC.replace("-base_frame_pos_z -0.5", "-base_frame_orient_u0 0 -base_frame_orient_u1 1");
+        let hung = BackedUp::from_moc(&turned, None).unwrap().base_frame;
+        assert_eq!(hung, Some(([0.0; 3], [0.0, 1.0, 0.0, 0.0])));
         assert_eq!((second.robot.name.as_str(), second.absolute_accuracy), ("ABB IRB 4600-40/2.55", true));
         assert_eq!(second.robot.joints[0].range_rad, Some([-2.0, 1.0]));
     }

@@ -66,14 +66,14 @@ impl Design {
                 }
                 own.extend([sums[0], sums[1], sums[1], sums[2]]);
             }
-            products[c] = Products { p: 2, own, cross: vec![Vec::new(); self.groups.len()] };
+            products[c] = Products { p: 2, own, cross: Vec::new(), groups: self.groups.len() };
         }
     }
 
     /// Brings the members' products up to date with columns appended since: one matrix product per group.
     pub fn extend_turning(&self, turning: &Turning, products: &mut [Products]) {
         let Some(first) = turning.members.first().and_then(|&c| products.get(c)) else { return };
-        let known = first.cross.first().map_or(0, |c| c.len() / 2);
+        let known = first.columns();
         let columns = &self.turn_products[turning.joint][known..];
         if columns.is_empty() {
             return;
@@ -91,12 +91,10 @@ impl Design {
             })
             .collect();
         for (k, &c) in turning.members.iter().enumerate() {
-            for (to, from) in products[c].cross.iter_mut().zip(&crossed) {
-                to.reserve_exact(2 * from.ncols());
-                for column in from.column_iter() {
-                    to.push(column[2 * k]);
-                    to.push(column[2 * k + 1]);
-                }
+            let to = &mut products[c].cross;
+            to.reserve(2 * columns.len() * crossed.len());
+            for column in 0..columns.len() {
+                to.extend(crossed.iter().flat_map(|from| [from[(2 * k, column)], from[(2 * k + 1, column)]]));
             }
         }
     }

@@ -11,8 +11,8 @@ pub struct Projected {
     with_y: DVector<f64>,
     /// With the geometry's columns.
     geometry: DMatrix<f64>,
-    /// Along each of the nuisance model's directions.
-    hat: Vec<DVector<f64>>,
+    /// How many of the nuisance model's directions are projected out.
+    known: usize,
 }
 
 impl NuisanceModel {
@@ -25,7 +25,7 @@ impl NuisanceModel {
             own: sums.own.clone(),
             with_y: sums.cross.column(0).into_owned(),
             geometry,
-            hat: Vec::with_capacity(self.directions.len()),
+            known: 0,
         };
         self.update(&mut projected, sums);
         projected
@@ -33,23 +33,78 @@ impl NuisanceModel {
 
     /// Projects out the directions that the nuisance model has gained.
     pub fn update(&self, candidate: &mut Projected, sums: &Sums) {
-        let p = sums.own.nrows();
-        for k in candidate.hat.len()..self.directions.len() {
-            let mut hat = DVector::<f64>::zeros(p);
-            for (c, d) in self.directions[k].iter().enumerate().filter(|(_, d)| **d != 0.0) {
-                for a in 0..p {
-                    hat[a] += d * sums.cross[(a, c)];
-                }
-            }
-            for a in 0..p {
-                candidate.with_y[a] -= hat[a] * self.y_hat[k];
-                for b in 0..p {
-                    candidate.own[(a, b)] -= hat[a] * hat[b];
-                }
-                candidate.geometry.column_mut(a).axpy(-hat[a], &self.geometry_hat[k], 1.0);
-            }
-            candidate.hat.push(hat);
+        match sums.own.nrows() {
+            0 => {}
+            1 => self.update_of(candidate, sums, [0.0; 1]),
+            2 => self.update_of(candidate, sums, [0.0; 2]),
+            3 => self.update_of(candidate, sums, [0.0; 3]),
+            6 => self.update_of(candidate, sums, [0.0; 6]),
+            p => self.update_of(candidate, sums, vec![0.0; p]),
         }
+    }
+
+    /// The same with room for one number of each parameter: an array where their count is a constant.
+    fn update_of(&self, candidate: &mut Projected, sums: &Sums, mut hat: impl AsMut<[f64]>) {
+        let hat = hat.as_mut();
+        let p = hat.len();
+        for k in candidate.known..self.directions.len() {
+            hat.fill(0.0);
+            let columns = sums.cross.as_slice().chunks_exact(p);
+            for (d, column) in self.directions[k].iter().zip(columns).filter(|(d, _)| **d != 0.0) {
+                for (to, from) in hat.iter_mut().zip(column) {
+                    *to += d * from;
+                }
+            }
+            let own = candidate.own.as_mut_slice().chunks_exact_mut(p);
+            for ((own, with_y), along) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat) {
+                *with_y -= along * self.y_hat[k];
+                for (to, other) in own.iter_mut().zip(&*hat) {
+                    *to -= along * other;
+                }
+            }
+            for (a, along) in hat.iter().enumerate() {
+                candidate.geometry.column_mut(a).axpy(-along, &self.geometry_hat[k], 1.0);
+            }
+        }
+        candidate.known = self.directions.len();
+    }
+
+    /// What the flat columns, and geometry at `ratio`, take of a candidate, given as `projected` and by its `sums`: (directions x
+    /// parameters), so that the products of two candidates lose the products of these.
+    #[must_use]
+    pub fn taken(&self, projected: &Projected, sums: &Sums, ratio: f64) -> DMatrix<f64> {
+        let p = sums.own.nrows();
+        let flat = self.directions.len();
+        let mut taken = DMatrix::zeros(flat + self.lambda.len(), p);
+        for (k, direction) in self.directions.iter().enumerate() {
+            let columns = sums.cross.as_slice().chunks_exact(p.max(1));
+            for (d, column) in direction.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
+                for (a, from) in column.iter().enumerate() {
+                    taken[(k, a)] += d * from;
+                }
+            }
+        }
+        let with_geometry = &self.turn * &projected.geometry;
+        for (k, weight) in self.geometry_shares(ratio).enumerate() {
+            taken.row_mut(flat + k).copy_from(&(weight * with_geometry.row(k)));
+        }
+        taken
+    }
+
+    /// The same of the data.
+    #[must_use]
+    pub fn taken_of_data(&self, ratio: f64) -> DVector<f64> {
+        let geometry = self.geometry_shares(ratio).zip(self.gy.iter()).map(|(weight, g)| weight * g);
+        DVector::from_iterator(
+            self.directions.len() + self.lambda.len(),
+            self.y_hat.iter().copied().chain(geometry),
+        )
+    }
+
+    /// Roots of the share that geometry at `ratio` takes along each of its directions.
+    fn geometry_shares(&self, ratio: f64) -> impl Iterator<Item = f64> + '_ {
+        let r2 = ratio * ratio;
+        self.lambda.iter().map(move |l| (r2 / (1.0 + r2 * l)).sqrt())
     }
 
     /// Share of the candidate's own signal that the flat columns leave.
@@ -76,8 +131,8 @@ impl NuisanceModel {
     #[must_use]
     pub fn evidence(&self, candidate: &Projected) -> EvidencePeak {
         let with_geometry = &self.turn * &candidate.geometry;
-        self.over_ratios(self.signal_of_unit_size(candidate), |ratio| {
-            self.size_terms(candidate, &with_geometry, ratio)
+        self.over_ratios(self.signal_of_unit_size(candidate), |ratio, terms| {
+            self.size_terms(candidate, &with_geometry, ratio, 1, terms);
         })
     }
 
@@ -108,7 +163,7 @@ impl NuisanceModel {
             .map(|point| {
                 let off: f64 = self
                     .pairs(candidate, &with_geometry, point.ratio)
-                    .into_iter()
+                    .iter()
                     .filter(|(h, _)| *h > 0.0)
                     .map(|(h, u)| u * u / h)
                     .sum();
@@ -127,9 +182,10 @@ impl NuisanceModel {
         let with_geometry = &self.turn * &candidate.geometry;
         let signal_of_unit_size = self.signal_of_unit_size(candidate);
         let mut best = EvidencePeak::NONE;
+        let mut terms = Vec::with_capacity(self.size_ratios.len());
         for point in screening_grid {
-            let terms = self.size_terms(candidate, &with_geometry, point.ratio);
-            for (size, off, gain) in terms.into_iter().step_by(2) {
+            self.size_terms(candidate, &with_geometry, point.ratio, 2, &mut terms);
+            for &(size, off, gain) in &terms {
                 let (log, sigma_m) = self.marginal.at(point.q - off);
                 let log =
                     point.base + log + gain + size_prior(size * point.sigma_m, size * signal_of_unit_size);
@@ -152,9 +208,32 @@ impl NuisanceModel {
     }
 
     /// The candidate's signal and its product with the data along its own directions, geometry at `ratio` out.
-    fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Vec<(f64, f64)> {
+    fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
+        if candidate.own.nrows() == 2 {
+            return self.two_pairs(candidate, with_geometry, ratio);
+        }
         let (own, with_y) = self.reduced(candidate, with_geometry, ratio);
-        diagonal(own, &with_y)
+        Pairs::of(own, &with_y)
+    }
+
+    /// The same of two parameters, as the thousands of gear lines have.
+    fn two_pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
+        let mut own = [candidate.own[(0, 0)], candidate.own[(0, 1)], candidate.own[(1, 1)]];
+        let mut with_y = [candidate.with_y[0], candidate.with_y[1]];
+        if ratio > 0.0 {
+            let r2 = ratio * ratio;
+            for (k, l) in self.lambda.iter().enumerate() {
+                let f = r2 / (1.0 + r2 * l);
+                let row = [with_geometry[(k, 0)], with_geometry[(k, 1)]];
+                let by = [f * row[0], f * row[1]];
+                with_y[0] -= by[0] * self.gy[k];
+                with_y[1] -= by[1] * self.gy[k];
+                own[0] -= by[0] * row[0];
+                own[1] -= by[0] * row[1];
+                own[2] -= by[1] * row[1];
+            }
+        }
+        Pairs::of_two(own, with_y)
     }
 
     /// The candidate with itself and with the data, geometry at `ratio` out.
@@ -198,34 +277,34 @@ impl NuisanceModel {
         mean / (peak.sigma_m * covariance[(0, 0)].max(1e-300).sqrt())
     }
 
-    /// For each size ratio: it, what it takes off the squares, and what it adds to ln evidence.
+    /// For each size ratio, or every `step`-th: it, what it takes off the squares, and what it adds to ln evidence; into `terms`.
     fn size_terms(
         &self,
         candidate: &Projected,
         with_geometry: &DMatrix<f64>,
         ratio: f64,
-    ) -> Vec<(f64, f64, f64)> {
+        step: usize,
+        terms: &mut Vec<(f64, f64, f64)>,
+    ) {
         let pairs = self.pairs(candidate, with_geometry, ratio);
-        self.size_ratios
-            .iter()
-            .map(|&size| {
-                let s2 = size * size;
-                let mut off = 0.0;
-                let mut log_det = 0.0;
-                let mut det = 1.0_f64;
-                for &(h, u) in &pairs {
-                    let h = h.max(0.0);
-                    off += s2 / (1.0 + s2 * h) * u * u;
-                    det *= 1.0 + s2 * h;
-                    // One logarithm for many factors, short of overflow.
-                    if det > 1e100 {
-                        log_det += det.ln();
-                        det = 1.0;
-                    }
+        terms.clear();
+        terms.extend(self.size_ratios.iter().step_by(step).map(|&size| {
+            let s2 = size * size;
+            let mut off = 0.0;
+            let mut log_det = 0.0;
+            let mut det = 1.0_f64;
+            for &(h, u) in pairs.iter() {
+                let h = h.max(0.0);
+                off += s2 / (1.0 + s2 * h) * u * u;
+                det *= 1.0 + s2 * h;
+                // One logarithm for many factors, short of overflow.
+                if det > 1e100 {
+                    log_det += det.ln();
+                    det = 1.0;
                 }
-                (size, off, -0.5 * (log_det + det.ln()))
-            })
-            .collect()
+            }
+            (size, off, -0.5 * (log_det + det.ln()))
+        }));
     }
 }
 
@@ -238,21 +317,39 @@ pub struct ScreeningPoint {
     sigma_m: f64,
 }
 
-/// Eigenvalues of `own` with `with_y` turned into its eigenvectors.
-fn diagonal(own: DMatrix<f64>, with_y: &DVector<f64>) -> Vec<(f64, f64)> {
-    match own.nrows() {
-        1 => vec![(own[(0, 0)], with_y[0])],
-        2 => {
-            let (a, b, d) = (own[(0, 0)], own[(0, 1)], own[(1, 1)]);
-            let angle = 0.5 * (2.0 * b).atan2(a - d);
-            let (s, c) = angle.sin_cos();
-            let first = a * c * c + 2.0 * b * s * c + d * s * s;
-            vec![(first, c * with_y[0] + s * with_y[1]), (a + d - first, c * with_y[1] - s * with_y[0])]
+/// Eigenvalues of a candidate's matrix with its products with the data turned into its eigenvectors.
+enum Pairs {
+    /// Of one or two parameters; a missing second is zero, which takes and prices nothing.
+    Few([(f64, f64); 2]),
+    /// Of more.
+    Many(Vec<(f64, f64)>),
+}
+
+impl Pairs {
+    fn of_two([a, b, d]: [f64; 3], with_y: [f64; 2]) -> Self {
+        let angle = 0.5 * (2.0 * b).atan2(a - d);
+        let (s, c) = angle.sin_cos();
+        let first = a * c * c + 2.0 * b * s * c + d * s * s;
+        Self::Few([(first, c * with_y[0] + s * with_y[1]), (a + d - first, c * with_y[1] - s * with_y[0])])
+    }
+
+    fn of(own: DMatrix<f64>, with_y: &DVector<f64>) -> Self {
+        if own.nrows() == 1 {
+            return Self::Few([(own[(0, 0)], with_y[0]), (0.0, 0.0)]);
         }
-        _ => {
-            let eigen = own.symmetric_eigen();
-            let turned = eigen.eigenvectors.transpose() * with_y;
-            eigen.eigenvalues.iter().copied().zip(turned.iter().copied()).collect()
+        let eigen = own.symmetric_eigen();
+        let turned = eigen.eigenvectors.transpose() * with_y;
+        Self::Many(eigen.eigenvalues.iter().copied().zip(turned.iter().copied()).collect())
+    }
+}
+
+impl std::ops::Deref for Pairs {
+    type Target = [(f64, f64)];
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Few(pairs) => pairs,
+            Self::Many(pairs) => pairs,
         }
     }
 }

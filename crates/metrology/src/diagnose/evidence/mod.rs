@@ -58,6 +58,8 @@ pub struct NuisanceModel {
     marginal: Marginal,
     /// ln-spaced s_g/sigma, beginning with 0.
     ratios: Vec<f64>,
+    /// For each of them the squares that geometry leaves, and its ln determinant.
+    at_ratios: Vec<(f64, f64)>,
     size_ratios: Vec<f64>,
     /// <y, y> with the flat columns projected out.
     yy: f64,
@@ -103,6 +105,7 @@ impl NuisanceModel {
             noise,
             marginal: noise.marginal_over(rows),
             ratios: Vec::new(),
+            at_ratios: Vec::new(),
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
             directions: Vec::new(),
@@ -229,6 +232,7 @@ impl NuisanceModel {
         self.m = (self.rows - flat as f64).max(1.0);
         self.marginal = self.noise.marginal_over(self.m);
         (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
+        self.at_ratios = self.ratios.iter().map(|&ratio| self.with_ratio(ratio)).collect();
     }
 
     /// Degrees of freedom left by the flat columns.
@@ -248,7 +252,10 @@ impl NuisanceModel {
     /// Evidence without any candidate.
     #[must_use]
     pub fn null(&self) -> EvidencePeak {
-        self.over_ratios(0.0, |_| vec![(0.0, 0.0, 0.0)])
+        self.over_ratios(0.0, |_, terms| {
+            terms.clear();
+            terms.push((0.0, 0.0, 0.0));
+        })
     }
 
     /// Evidence without geometry, and with: how much the tolerances are needed.
@@ -284,13 +291,14 @@ impl NuisanceModel {
     fn over_ratios(
         &self,
         signal_of_unit_size: f64,
-        terms: impl Fn(f64) -> Vec<(f64, f64, f64)>,
+        terms: impl Fn(f64, &mut Vec<(f64, f64, f64)>),
     ) -> EvidencePeak {
         let mut best = EvidencePeak::NONE;
         let mut total = f64::NEG_INFINITY;
-        for &ratio in &self.ratios {
-            let (q, log_det) = self.with_ratio(ratio);
-            for (size, off, gain) in terms(ratio) {
+        let mut at_ratio = Vec::with_capacity(self.size_ratios.len());
+        for (&ratio, &(q, log_det)) in self.ratios.iter().zip(&self.at_ratios) {
+            terms(ratio, &mut at_ratio);
+            for &(size, off, gain) in &at_ratio {
                 let (log, sigma_m) = self.marginal.at(q - off);
                 let mut log = log - 0.5 * log_det + gain + geometry_prior(ratio * sigma_m);
                 if size > 0.0 {

@@ -209,3 +209,40 @@ fn assert_within_the_error_stated(problem: &Problem, seed: u64) {
     let [gain, exact_gain] = [found, exact].map(|[without, with]| with - without);
     assert!((gain - exact_gain).abs() < GAIN_ERROR_NATS, "problem {seed}: {gain} for {exact_gain}");
 }
+
+/// Products less what registration and geometry take, against the inverse of the data's covariance under geometry, in the
+/// complement of the registration's columns.
+#[test]
+fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
+    const RATIO: f64 = 2e4;
+    let problem = problem(5, 2e-5, 1.0, 0.5);
+    let noise = NoisePrior { known: None, from_repeats: false };
+    let (design, nuisance) = problem.nuisance(noise);
+    let sums = design.products(&design.columns_of(&problem.dataset, &problem.candidate)).sum(&[0]);
+    let (taken, of_data) =
+        (nuisance.taken(&nuisance.project(&sums), &sums, RATIO), nuisance.taken_of_data(RATIO));
+    let own = sums.own[(0, 0)] - taken.column(0).norm_squared();
+    let with_data = sums.cross[(0, 0)] - taken.column(0).dot(&of_data);
+
+    let flat = dense(&problem.dataset, |o| {
+        let mut out = Vec::new();
+        registration::twists(&problem.dataset, o, 1, &mut out);
+        out
+    });
+    let geometry = dense(&problem.dataset, geometry_columns);
+    let a = dense(&problem.dataset, |o| {
+        let mut out = Vec::new();
+        problem.candidate.scaled_signature(&problem.dataset, o, &mut out);
+        out
+    });
+    let data = DVector::from_iterator(a.nrows(), problem.residuals.iter().flat_map(|r| r[..3].to_vec()));
+    let outer = &flat * flat.clone().pseudo_inverse(1e-12).unwrap();
+    let left = |m: &DMatrix<f64>| m - &outer * m;
+    let geometry = left(&geometry);
+    let covariance =
+        DMatrix::identity(a.nrows(), a.nrows()) + &geometry * geometry.transpose() * RATIO.powi(2);
+    let weighted = covariance.try_inverse().unwrap() * left(&a);
+    let exact = [left(&a).dot(&weighted), data.dot(&weighted.column(0))];
+    assert!((own - exact[0]).abs() < 1e-6 * exact[0], "{own} {exact:?}");
+    assert!((with_data - exact[1]).abs() < 1e-6 * exact[1].abs(), "{with_data} {exact:?}");
+}

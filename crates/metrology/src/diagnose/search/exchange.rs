@@ -30,7 +30,7 @@ pub(super) struct Search<'s> {
 
 impl Search<'_> {
     /// What is chosen, but those in the places `without`.
-    fn others(&self, without: &[usize]) -> Vec<ChosenCause> {
+    pub(super) fn others(&self, without: &[usize]) -> Vec<ChosenCause> {
         let kept = self.chosen.iter().enumerate().filter(|(i, _)| !without.contains(i));
         kept.map(|(_, one)| one.clone()).collect()
     }
@@ -160,48 +160,8 @@ impl Library<'_> {
         }
     }
 
-    /// Geometry of one link against the offsets of any two joints in its place. The link's numbers hold the turns of the joints at its
-    /// ends, so that one cause explains what two did, while neither offset alone does: a search that adds one cause at a time stops there.
-    pub(super) fn split(&mut self, search: &mut Search<'_>) {
-        let odds = |gain: f64, log_prior: f64| gain + log_prior - NULL_PRIOR.ln();
-        for i in 0..search.chosen.len() {
-            let link = search.chosen[i].candidate;
-            if self.candidates[link].kind != EffectKind::LinkGeometry {
-                continue;
-            }
-            let others = search.others(&[i]);
-            let offsets = self.single_offsets();
-            let open: Vec<usize> = offsets.into_iter().filter(|&c| self.allowed(c, &others)).collect();
-            let columns: Vec<Vec<usize>> =
-                open.iter().map(|&c| self.columns_in_design(search.design, search.column_index, c)).collect();
-            self.extend(search.design);
-            let bare = search.nuisance(&others);
-            let single = odds(self.gain(&bare, search.subset, link), self.log_prior[link]);
-            let mut best: Option<(f64, [ChosenCause; 2])> = None;
-            for (k, &a) in open.iter().enumerate() {
-                let first = self.chosen(&bare, search.subset, a, &columns[k]);
-                let mut beside = search.nuisance(&others);
-                beside.grow(search.design, search.subset, &columns[k]);
-                for (&b, columns) in open.iter().zip(&columns).skip(k + 1) {
-                    let second = self.chosen(&beside, search.subset, b, columns);
-                    let both =
-                        odds(first.gain_nats, self.log_prior[a]) + odds(second.gain_nats, self.log_prior[b]);
-                    if second.gain_nats > DROP_NATS && best.as_ref().is_none_or(|(most, _)| both > *most) {
-                        best = Some((both, [first.clone(), second]));
-                    }
-                }
-            }
-            if let Some((_, [first, second])) = best.filter(|(both, _)| *both > single) {
-                search.near.extend([first.candidate, second.candidate]);
-                search.chosen[i] = first;
-                search.chosen.push(second);
-                return;
-            }
-        }
-    }
-
     /// `candidate` as it would be chosen over `nuisance`.
-    fn chosen(
+    pub(super) fn chosen(
         &self,
         nuisance: &NuisanceModel,
         subset: &[usize],

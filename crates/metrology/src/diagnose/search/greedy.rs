@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Share of it that a further effect has to pass: where one effect is at work, more are.
-const BESIDE: f64 = 0.8;
+pub(super) const BESIDE: f64 = 0.8;
 /// Gear lines that are added together when each is this clear.
 const LINES_AT_ONCE: usize = 7;
 const CLEAR_NATS: f64 = 25.0;
@@ -46,8 +46,11 @@ impl Library<'_> {
         let mut search = Search { design, subset, noise, column_index, chosen, near, tracked };
         for pass in 0..PASSES {
             self.add_while(&mut search, &mut nuisance, alarm_nats, uncalibrated);
+            let candidates =
+                |search: &Search<'_>| search.chosen.iter().map(|c| c.candidate).collect::<Vec<_>>();
+            let before = candidates(&search);
             if pass == 0 && search.chosen.len() <= MOST_SWAPPED {
-                self.split(&mut search);
+                self.split(&mut search, alarm_nats);
             }
             let many = search.chosen.len() > MOST_SWAPPED;
             // Over a fold the lines are chosen anew, but not settled: that takes as long as all the rest.
@@ -55,9 +58,6 @@ impl Library<'_> {
             if search.chosen.len() < 2 || many && settled {
                 break;
             }
-            let candidates =
-                |search: &Search<'_>| search.chosen.iter().map(|c| c.candidate).collect::<Vec<_>>();
-            let before = candidates(&search);
             if many {
                 self.settle_lines(&mut search);
             } else {

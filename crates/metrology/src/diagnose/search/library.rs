@@ -9,6 +9,7 @@ use crate::diagnose::gp_alternative::{self, GpAlternative};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Joints;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
@@ -51,6 +52,8 @@ pub struct Library<'a> {
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
     pub(super) angles: Joints<usize>,
+    /// Pairs of causes that the search over all data weighed in the place of one.
+    pub(super) near_pairs: Vec<[usize; 2]>,
 }
 
 /// A GP alternative over the data.
@@ -118,6 +121,7 @@ impl<'a> Library<'a> {
             columns,
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
+            near_pairs: Vec::new(),
         }
     }
 
@@ -149,6 +153,14 @@ impl<'a> Library<'a> {
             .filter(|structure| !structure.sums.own.is_empty())
             .collect();
         self.gp_alternatives.extend(more);
+    }
+
+    /// A candidate's whitened columns.
+    pub(super) fn columns_at(&self, design: &Design, candidate: usize) -> Cow<'_, [Vec<f64>]> {
+        match &self.columns[candidate] {
+            Some(columns) => Cow::Borrowed(columns),
+            None => Cow::Owned(design.columns_of(self.dataset, &self.candidates[candidate])),
+        }
     }
 
     /// Gives back the memory of many columns; they are computed again where they are needed.

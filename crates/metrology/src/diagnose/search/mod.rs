@@ -6,6 +6,7 @@ mod chosen;
 mod exchange;
 mod greedy;
 mod library;
+mod pairs;
 mod ranking;
 
 pub use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};

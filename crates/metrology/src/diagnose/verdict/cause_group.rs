@@ -11,6 +11,10 @@ const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
 const CREDIBLE: f64 = 0.95;
 
+/// How well the shape of a beam's bending, or of a base's tilt, is known, as a share of its signal: walls, ribs and bearings are
+/// in no robot file.
+const SHAPE_KNOWN_TO: f64 = 0.1;
+
 /// A cause over all its variants in one ranking.
 pub struct CauseGroup {
     /// Index of its likeliest candidate.
@@ -105,6 +109,40 @@ pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>
     cause_groups[0].probability += more;
 }
 
+/// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and a rival are both of what
+/// gives under load.
+pub fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) {
+    use EffectKind::{BaseTilt, JointCompliance, LinkBending};
+    let kinds: Vec<EffectKind> =
+        cause_groups.iter().map(|g| workspace.library.candidates[g.best].kind).collect();
+    let rough = |kind: EffectKind| matches!(kind, LinkBending | BaseTilt);
+    let of_load = |kind: EffectKind| rough(kind) || kind == JointCompliance;
+    let doubtful =
+        |rival: EffectKind| of_load(kinds[0]) && of_load(rival) && (rough(kinds[0]) || rough(rival));
+    let Some(first) = cause_groups.first() else { return };
+    let mut probabilities: Vec<f64> = cause_groups.iter().map(|g| g.probability).collect();
+    let shared: Vec<bool> = kinds.iter().map(|&kind| doubtful(kind)).collect();
+    raise_rivals(&mut probabilities, &shared, SHAPE_KNOWN_TO, first.gain_nats);
+    for (group, probability) in cause_groups.iter_mut().zip(probabilities) {
+        group.probability = probability;
+    }
+    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+}
+
+/// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` rival's signal is known to
+/// a share `s` only: such a shape leaves s² of the `gain_nats` unexplained whichever of the two is true, so a rival's odds grow by
+/// exp(s² gain), to the first's own at most. The sum stays.
+fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f64) {
+    let before: f64 = probabilities.iter().sum();
+    let Some((&mut first, rivals)) = probabilities.split_first_mut() else { return };
+    let odds = (s * s * gain_nats.max(0.0)).exp();
+    for (rival, _) in rivals.iter_mut().zip(&shared[1..]).filter(|&(_, &shared)| shared) {
+        *rival = (*rival * odds).min(first);
+    }
+    let after: f64 = probabilities.iter().sum();
+    probabilities.iter_mut().for_each(|p| *p *= before / after);
+}
+
 /// The likeliest groups that together make up nearly all of the causes' probability.
 #[must_use]
 pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
@@ -142,4 +180,30 @@ type Key = (EffectKind, Option<usize>, Option<usize>);
 
 fn key(c: &Candidate) -> Key {
     (c.kind, c.variant.joint, c.variant.joint_b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::raise_rivals;
+
+    /// A gain of 100 ln 2 nats and a shape known to a tenth double a rival's odds: .6 : .2 : .2 becomes .6 : .4 : .2.
+    #[test]
+    fn a_rough_shape_gives_its_rivals_back_their_odds() {
+        let mut probabilities = [0.6, 0.2, 0.2];
+        raise_rivals(&mut probabilities, &[true, true, false], 0.1, 100.0 * 2.0_f64.ln());
+        for (p, by_hand) in probabilities.iter().zip([0.5, 1.0 / 3.0, 1.0 / 6.0]) {
+            assert!((p - by_hand).abs() < 1e-12, "{probabilities:?}");
+        }
+    }
+
+    /// However much was gained, nothing that is shared becomes likelier than the first; what explains nothing keeps its odds.
+    #[test]
+    fn a_rival_comes_level_at_most() {
+        let mut level = [0.9, 0.1];
+        raise_rivals(&mut level, &[true, true], 0.1, 1e6);
+        assert!((level[0] - 0.5).abs() < 1e-12 && (level[1] - 0.5).abs() < 1e-12, "{level:?}");
+        let mut kept = [0.9, 0.1];
+        raise_rivals(&mut kept, &[true, true], 0.1, -5.0);
+        assert_eq!(kept, [0.9, 0.1]);
+    }
 }

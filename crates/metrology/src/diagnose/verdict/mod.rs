@@ -15,7 +15,7 @@ use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::outcome::{Cause, Location, Verdict};
 use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
-use cause_group::{cause_groups, credible, join_nested, scan};
+use cause_group::{cause_groups, credible, doubt_shapes, join_nested, scan};
 use noise::{
     MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, joint_scatter, reduced_chi_square, slow_noise,
     slowness,
@@ -168,6 +168,7 @@ fn with_causes(
         let (ranking, _) = scan(model, workspace, chosen, Some(i));
         let mut cause_groups = cause_groups(workspace, &ranking);
         join_nested(workspace, &mut cause_groups);
+        doubt_shapes(workspace, &mut cause_groups);
         let Some(first) = cause_groups.first() else { continue };
         let near = credible(&cause_groups);
         let nothing =

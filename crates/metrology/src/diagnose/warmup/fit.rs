@@ -1,13 +1,15 @@
 //! The fit of a warm-up: every history of warmth weighed by its evidence, and what the touches say under the likeliest.
 
 use super::fitted::{TouchedPoint, WarmUp};
-use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min, warmth};
+use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min};
 use super::parameters::{PARAMETERS, signature};
+use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
+use super::touch_residuals::touch_residuals;
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
 use crate::measure::{self, RegisterError, Station, Touches, register};
-use nalgebra::{DMatrix, Matrix3xX, Vector3};
+use nalgebra::{DMatrix, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::{Chain, SerialChain};
@@ -163,6 +165,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
             settled_m: p.sums(&history, &stops).settled_m(),
         })
         .collect();
+    let residuals = touch_residuals(&points, &touches.points, &history, &stops, &settled);
     Ok(WarmUp {
         growth: history.law,
         tau_sigma_min: spread(|h| h.law.tau_min(), history.law.tau_min().unwrap_or(0.0)),
@@ -174,6 +177,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         covariance,
         prior: chosen.prior,
         points: touched,
+        residuals,
         span_min: [first_min, last_min],
         touches: touches.touches.len(),
     })
@@ -235,22 +239,6 @@ fn observed_m(
     Ok(stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose)).collect())
 }
 
-/// The touches of one point in one pose.
-pub(super) struct Point {
-    index: usize,
-    q_rad: [f64; 6],
-    signature: Matrix3xX<f64>,
-    t_min: Vec<f64>,
-    observed_m: Vec<Vector3<f64>>,
-}
-
-impl Point {
-    fn sums(&self, history: &ThermalHistory, stops: &[Standstill]) -> Sums {
-        let grown = warmth(history, stops, &self.t_min);
-        Sums::new(&self.signature, &grown, &self.observed_m)
-    }
-}
-
 fn grouped(
     touches: &Touches,
     chain: &Chain,
@@ -268,6 +256,7 @@ fn grouped(
                         point: touches.points.get(touch.point).cloned().unwrap_or_default(),
                     });
                 }
+                point.lines.push(touch.line);
                 point.t_min.push(touch.t_min);
                 point.observed_m.push(*observed);
             }
@@ -275,6 +264,7 @@ fn grouped(
                 index: touch.point,
                 q_rad: touch.q_rad,
                 signature: signature(chain, &touch.q_rad, tool_m),
+                lines: vec![touch.line],
                 t_min: vec![touch.t_min],
                 observed_m: vec![*observed],
             }),

@@ -2,6 +2,7 @@
 
 use super::history::Standstill;
 use super::parameters::PARAMETERS;
+use super::touch_residuals::TouchResidual;
 use nalgebra::{DMatrix, Vector3};
 use robot_model::deform::identified::{Growth, Identified, MeasuredRange, PayloadScaling, Term, Value};
 use robot_model::deform::{Deformation, EffectKind, GrowthLaw};
@@ -31,6 +32,8 @@ pub struct WarmUp {
     pub prior: [f64; 2],
     /// Each point: name, joints, and how far it moves when settled, as touched, metres.
     pub points: Vec<TouchedPoint>,
+    /// Every touch that took part, in the order of time.
+    pub residuals: Vec<TouchResidual>,
     /// Minutes of the first and last touch.
     pub span_min: [f64; 2],
     /// Number of touches used.

@@ -9,9 +9,11 @@ mod fit;
 mod fitted;
 mod history;
 mod parameters;
+mod point;
 mod posterior;
 mod targets;
 mod thermal_state;
+mod touch_residuals;
 
 pub use fit::{FitError, FitOptions, fit};
 pub use fitted::{TouchedPoint, WarmUp};
@@ -21,3 +23,4 @@ pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_target
 pub use thermal_state::{
     PlannedInterval, PlannedPoint, RobotState, StateError, StateOptions, TouchState, thermal_state,
 };
+pub use touch_residuals::TouchResidual;

@@ -34,8 +34,8 @@ pub struct StateOptions {
 /// Why touches tell nothing.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum StateError {
-    /// The deformation grows by no law of lags.
-    #[error("the deformation has no growth law with a time constant, whose share touches could tell")]
+    /// The deformation grows by no law of lags, or by several.
+    #[error("the deformation follows no one growth law with a time constant, whose share touches could tell")]
     NoLaw,
     /// A point has less than two touches, or all have.
     #[error(

@@ -4,6 +4,7 @@
 //! by [`Identified::from_toml`] and [`Identified::to_toml`]; its layout is described in `docs/MODEL.md`. Knows
 //! nothing of how a model is found, nor of RAPID.
 
+mod drift;
 mod error;
 mod file;
 mod parameters;

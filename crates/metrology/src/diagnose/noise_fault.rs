@@ -1,0 +1,76 @@
+//! Scatter that no instrument has whose noise was stated or repeated, and that nothing recorded explains: a fault of the file.
+
+use super::linearise::{Linearised, shift_m};
+use super::model::{Model, Workspace};
+use super::rounding::{self, Suspicion};
+use super::verdict::Judgement;
+use super::{Verdict, dataset::Twist};
+use crate::measure::{Fault, FaultKind, Measurements, Stations};
+use nalgebra::Vector3;
+use robot_model::robot::SerialArm;
+use robot_model::units::mm_from_m;
+
+/// Noise about the best model over what is stated or repeated, from which on the file is wrong.
+const BEYOND: f64 = 5.0;
+/// A coordinate that carries this share of the squares carries the fault; of three alike each has a third.
+const ONE_COLUMN: f64 = 0.9;
+const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// The fault, with the rows that are further off than the noise could make them and the column that it is in.
+///
+/// Structure that follows a joint, the place or time is no fault, however large: it is an error of the arm, or something that was
+/// not recorded.
+#[must_use]
+pub(super) fn noise_beyond_stated(
+    measurements: &Measurements,
+    robot: &SerialArm,
+    stations: &Stations,
+    linear: &Linearised,
+    model: &Model,
+    workspace: &Workspace<'_>,
+    judgement: &Judgement,
+) -> Option<Fault> {
+    let (known_m, _) = model.noise.known?;
+    let noise_m = model.noise_m();
+    if judgement.verdict != Verdict::UnexplainedScatter || noise_m < BEYOND * known_m {
+        return None;
+    }
+    let rounded = rounding::find(measurements, linear, model, workspace, Suspicion::FileIsWrong);
+    if rounded.is_some() {
+        return rounded;
+    }
+    let kept = || (0..model.residuals.len()).filter(|&i| !model.outliers[i]);
+    let limit_m = BEYOND * known_m;
+    let far = kept().filter(|&i| shift_m(&model.residuals[i]) > limit_m);
+    let rows = far.filter_map(|i| stations.stations.get(i)).flat_map(|station| &station.rows);
+    let lines: Vec<u64> = rows.filter_map(|&row| measurements.rows.get(row)).map(|row| row.line).collect();
+    let column = one_coordinate(linear, kept().map(|i| &model.residuals[i])).map(str::to_owned);
+    let of_joint = || judgement.place.joint.map(|joint| robot.column(joint - 1));
+    let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));
+    let said =
+        if model.noise.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
+    Some(Fault::in_rows(FaultKind::NoiseBeyondStated, &column, lines, |count, which| {
+        format!(
+            "{said} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \
+             explains it: {count} rows ({which}) are more than {:.2} mm off; look at {column}",
+            mm_from_m(known_m),
+            mm_from_m(noise_m),
+            mm_from_m(limit_m)
+        )
+    }))
+}
+
+/// The coordinate of the instrument that nearly all of the scatter is in.
+fn one_coordinate<'a>(
+    linear: &Linearised,
+    residuals: impl Iterator<Item = &'a Twist>,
+) -> Option<&'static str> {
+    let turn = linear.registration.instrument_from_base.rotation;
+    let squares: Vector3<f64> = residuals
+        .map(|left| {
+            let seen = turn * Vector3::new(left[0], left[1], left[2]);
+            seen.component_mul(&seen)
+        })
+        .sum();
+    (0..3).find(|&k| squares[k] > ONE_COLUMN * squares.sum()).map(|k| AXES[k])
+}

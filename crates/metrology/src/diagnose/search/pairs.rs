@@ -1,0 +1,242 @@
+//! One cause against any two in its place: what two do together can look like a third, while neither is seen without the
+//! other. A search that adds one cause at a time stops there.
+//!
+//! All pairs are compared at the noise and the geometry of the model as it stands, in closed form with sizes of about the
+//! usual; the few that come near are then weighed as every cause is.
+
+use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR};
+use super::exchange::Search;
+use super::greedy::BESIDE;
+use super::library::Library;
+use crate::diagnose::evidence::{NuisanceModel, Projected};
+use nalgebra::{DMatrix, DVector};
+use robot_model::deform::EffectKind;
+use std::collections::BTreeMap;
+
+/// So many pairs are weighed in full.
+const SHORT_LIST: usize = 5;
+/// Those whose first look is this far behind what they would replace are not, nats.
+const FAR_BEHIND_NATS: f64 = 6.0;
+/// In larger sets only the offsets of two joints are tried: with so many rows little else looks alike.
+const MOST_STATIONS: usize = 1000;
+/// Parameters of two causes, at most.
+const MOST_PARAMETERS: usize = 16;
+
+/// Causes that a pair may be made of, at fixed noise: products with each other and with the data over the noise's
+/// variance, all nuisance taken out.
+struct Pool {
+    candidates: Vec<usize>,
+    /// First column of each, and one past the last.
+    starts: Vec<usize>,
+    gram: DMatrix<f64>,
+    with_data: DVector<f64>,
+}
+
+impl Pool {
+    /// ln evidence of the causes `which` over none, parameters ~ N(0, 1) in prior sigmas.
+    fn log_evidence(&self, which: &[usize]) -> f64 {
+        let columns: Vec<usize> = which.iter().flat_map(|&k| self.starts[k]..self.starts[k + 1]).collect();
+        let n = columns.len().min(MOST_PARAMETERS);
+        // Cholesky with the data as a last row (Golub and Van Loan 2013, ch. 4.2), on the stack: there are thousands of pairs.
+        let mut lower = [[0.0; MOST_PARAMETERS]; MOST_PARAMETERS];
+        let (mut log_det, mut square) = (0.0, 0.0);
+        let mut half = [0.0; MOST_PARAMETERS];
+        for r in 0..n {
+            for c in 0..=r {
+                let known: f64 = (0..c).map(|k| lower[r][k] * lower[c][k]).sum();
+                let value = self.gram[(columns[r], columns[c])] + f64::from(u8::from(r == c)) - known;
+                lower[r][c] = if r == c { value.max(1e-12).sqrt() } else { value / lower[c][c] };
+            }
+            let known: f64 = (0..r).map(|k| lower[r][k] * half[k]).sum();
+            half[r] = (self.with_data[columns[r]] - known) / lower[r][r];
+            log_det += lower[r][r].ln();
+            square += half[r] * half[r];
+        }
+        0.5 * square - log_det
+    }
+}
+
+impl Library<'_> {
+    /// Each chosen cause against the likeliest two in its place; where none was found, two against nothing.
+    pub(super) fn split(&mut self, search: &mut Search<'_>, alarm_nats: f64) {
+        let whole = search.subset.len() == search.design.groups();
+        if !whole && self.near_pairs.is_empty() {
+            return;
+        }
+        let now = search.nuisance(&search.chosen).null();
+        let places: Vec<Option<usize>> = match search.chosen.len() {
+            0 => vec![None],
+            count => (0..count).map(Some).collect(),
+        };
+        for place in places {
+            if place.is_some_and(|i| !self.may_be_imitation(search.chosen[i].candidate)) {
+                continue;
+            }
+            let others = search.others(place.as_slice());
+            let bare = search.nuisance(&others);
+            let single = place.map(|i| search.chosen[i].candidate);
+            let pool = self.pool(search, &bare, (now.geometry_ratio, now.sigma_m), &others, single);
+            let pairs = self.likely_pairs(&pool, single);
+            if whole {
+                self.near_pairs.extend(&pairs);
+            }
+            let single_odds = single.map(|c| self.odds(self.gain(&bare, search.subset, c), c));
+            let mut best: Option<(f64, [ChosenCause; 2])> = None;
+            for [a, b] in pairs {
+                let [at_a, at_b] =
+                    [a, b].map(|c| self.columns_in_design(search.design, search.column_index, c));
+                self.extend(search.design);
+                let first = self.chosen(&bare, search.subset, a, &at_a);
+                let mut beside = search.nuisance(&others);
+                beside.grow(search.design, search.subset, &at_a);
+                let second = self.chosen(&beside, search.subset, b, &at_b);
+                let gain_nats = first.gain_nats + second.gain_nats;
+                let odds = self.odds(first.gain_nats, a) + self.odds(second.gain_nats, b);
+                let enough = match single_odds {
+                    Some(single_odds) => odds > single_odds,
+                    None => gain_nats > (1.0 + BESIDE) * alarm_nats,
+                };
+                let needed = second.gain_nats > DROP_NATS;
+                if enough && needed && best.as_ref().is_none_or(|(most, _)| odds > *most) {
+                    best = Some((odds, [first, second]));
+                }
+            }
+            if let Some((_, [first, second])) = best {
+                search.near.extend([first.candidate, second.candidate]);
+                match place {
+                    Some(i) => search.chosen[i] = first,
+                    None => search.chosen.push(first),
+                }
+                search.chosen.push(second);
+                return;
+            }
+        }
+    }
+
+    /// ln odds of a candidate that gains so much over nothing.
+    fn odds(&self, gain_nats: f64, candidate: usize) -> f64 {
+        gain_nats + self.log_prior[candidate] - NULL_PRIOR.ln()
+    }
+
+    /// Whether two other causes can look like `candidate`: not like a line of a gear, or what happens at one moment.
+    fn may_be_imitation(&self, candidate: usize) -> bool {
+        let this = &self.candidates[candidate];
+        this.kind != EffectKind::GearMesh && this.variant.t0_min().is_none() && !self.all_offsets(candidate)
+    }
+
+    /// Of each effect and joint the variant that is likeliest over `bare`, and the cause `single` that they are held against, at
+    /// the geometry and the noise of `at`.
+    fn pool(
+        &self,
+        search: &Search<'_>,
+        bare: &NuisanceModel,
+        (geometry_ratio, sigma_m): (f64, f64),
+        others: &[ChosenCause],
+        single: Option<usize>,
+    ) -> Pool {
+        let grid = bare.screening_grid(&bare.null());
+        let mut of_cause: BTreeMap<_, (f64, usize, Projected)> = BTreeMap::new();
+        for tracked in &search.tracked {
+            let c = tracked.candidate;
+            if Some(c) != single && !(self.may_be_of_pair(search, c) && self.allowed(c, others)) {
+                continue;
+            }
+            let projected = bare.project(&tracked.sums);
+            // What stands there now is compared as it is.
+            let first_look = match Some(c) == single {
+                true => f64::INFINITY,
+                false => bare.screening_evidence(&projected, &grid).log_evidence + self.log_prior[c],
+            };
+            let candidate = &self.candidates[c];
+            let cause = (candidate.kind, candidate.variant.joint, candidate.variant.joint_b);
+            if of_cause.get(&cause).is_none_or(|known| first_look > known.0) {
+                of_cause.insert(cause, (first_look, c, projected));
+            }
+        }
+        let candidates: Vec<usize> = of_cause.values().map(|found| found.1).collect();
+        let columns: Vec<_> = candidates.iter().map(|&c| self.columns_at(search.design, c)).collect();
+        let mut starts = vec![0];
+        starts.extend(columns.iter().scan(0, |end, columns| {
+            *end += columns.len();
+            Some(*end)
+        }));
+        let all: Vec<&[f64]> = columns.iter().flat_map(|c| c.iter().map(Vec::as_slice)).collect();
+        let mut gram = search.design.products_among(&all, search.subset);
+        let mut with_data = DVector::zeros(all.len());
+        let data = bare.taken_of_data(geometry_ratio);
+        let mut taken = DMatrix::zeros(data.len(), all.len());
+        for (start, (_, c, projected)) in starts.iter().zip(of_cause.values()) {
+            let sums = &search.tracked[*c].sums;
+            let width = sums.own.nrows();
+            taken.columns_mut(*start, width).copy_from(&bare.taken(projected, sums, geometry_ratio));
+            with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));
+        }
+        with_data -= taken.tr_mul(&data);
+        gram -= taken.transpose() * &taken;
+        let precision = sigma_m.powi(-2);
+        Pool { candidates, starts, gram: gram * precision, with_data: with_data * precision }
+    }
+
+    /// Whether `candidate` may be one of two: over a part of the data only what came near over all of them.
+    fn may_be_of_pair(&self, search: &Search<'_>, candidate: usize) -> bool {
+        let whole = search.subset.len() == search.design.groups();
+        let small = self.dataset.observations.len() <= MOST_STATIONS;
+        let offset = self.candidates[candidate].kind == EffectKind::JointOffset;
+        self.may_be_imitation(candidate)
+            && (small || offset)
+            && (whole || self.near_pairs.iter().flatten().any(|&near| near == candidate))
+    }
+
+    /// The pairs that at a first look are about as likely as `single`, or as nothing, the likeliest first.
+    fn likely_pairs(&self, pool: &Pool, single: Option<usize>) -> Vec<[usize; 2]> {
+        let odds = |which: &[usize]| -> f64 {
+            let prior = which.iter().map(|&k| self.odds(0.0, pool.candidates[k])).sum::<f64>();
+            pool.log_evidence(which) + prior
+        };
+        let own = single.and_then(|c| pool.candidates.iter().position(|&other| other == c));
+        let needed = own.map_or(0.0, |k| odds(&[k])) - FAR_BEHIND_NATS;
+        let mut pairs: Vec<(f64, [usize; 2])> = Vec::new();
+        for a in (0..pool.candidates.len()).filter(|&a| Some(a) != own) {
+            for b in (a + 1..pool.candidates.len()).filter(|&b| Some(b) != own) {
+                let both = odds(&[a, b]);
+                if both > needed {
+                    pairs.push((both, [pool.candidates[a], pool.candidates[b]]));
+                }
+            }
+        }
+        pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+        pairs.truncate(SHORT_LIST);
+        pairs.into_iter().map(|(_, pair)| pair).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three causes of 2, 3 and 1 parameters over 20 rows: against the determinant and the inverse of the data's whole
+    /// covariance, I + A A'.
+    #[test]
+    fn a_pair_is_as_likely_as_the_dense_covariance_says() {
+        let columns = DMatrix::from_fn(20, 6, |r, c| ((r * 7 + c * 13 + r * c) % 11) as f64 / 4.0 - 1.2);
+        let data = DVector::from_fn(20, |r, _| ((r * 5) % 7) as f64 - 3.0);
+        let pool = Pool {
+            candidates: vec![7, 8, 9],
+            starts: vec![0, 2, 5, 6],
+            gram: columns.tr_mul(&columns),
+            with_data: columns.tr_mul(&data),
+        };
+        for (which, taken) in [(vec![0], 0..2), (vec![0, 2], 0..2), (vec![1, 2], 2..6)] {
+            let mut a = columns.columns(taken.start, taken.len()).into_owned();
+            if which == [0, 2] {
+                a = a.insert_column(2, 0.0);
+                a.set_column(2, &columns.column(5));
+            }
+            let covariance = DMatrix::identity(20, 20) + &a * a.transpose();
+            let log_det = covariance.determinant().ln();
+            let square = data.dot(&(covariance.try_inverse().unwrap() * &data));
+            let exact = -0.5 * log_det - 0.5 * square + 0.5 * data.norm_squared();
+            assert!((pool.log_evidence(&which) - exact).abs() < 1e-9, "{which:?}");
+        }
+    }
+}
