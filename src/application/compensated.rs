@@ -140,17 +140,19 @@ impl Compensated<'_> {
         error.map_or(Ok(()), |error| Err(Diagnostic::error(error.code(), error.to_string())))
     }
 
-    /// The table of joints at every minute.
+    /// The table of joints at every minute, of several tasks one below the other: the file of a row says whose it is.
     ///
     /// # Errors
     /// Those of `out`; there is none where the schedule goes by temperature.
-    pub fn write_joints(&self, out: &mut dyn Write) -> io::Result<()> {
-        let rows = joints_every_minute(&self.program, &self.plan, self.robot, self.deformation, self.options)
-            .map_err(|error| io::Error::other(Diagnostic::error(error.code(), error.to_string())))?;
+    pub fn write_joints(all: &[Self], out: &mut dyn Write) -> io::Result<()> {
         let mut table = report::JointTable::new(out)?;
-        for row in rows {
-            if let Some(row) = JointRow::of_program(&self.program, &row) {
-                table.add(row)?;
+        for Self { program, plan, robot, deformation, options, .. } in all {
+            let rows = joints_every_minute(program, plan, robot, deformation, options)
+                .map_err(|error| io::Error::other(Diagnostic::error(error.code(), error.to_string())))?;
+            for row in rows {
+                if let Some(row) = JointRow::of_program(program, &row) {
+                    table.add(row)?;
+                }
             }
         }
         table.finish()

@@ -6,7 +6,7 @@ use super::program_files::{ProgramFiles, check_modules, check_names, check_text}
 use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
 use rapid_program::compensate::plan::Totals;
-use rapid_program::compensate::{self, CompensateError, FormChoice, Options};
+use rapid_program::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
 use rapid_program::emit::{Clock, EmitOptions, EmittedFile, ROOM, emit_each};
 use rapid_program::program::motion::SkipReason;
 use rapid_program::program::{Overrides, Program, is_of_task};
@@ -107,7 +107,7 @@ impl Compensation {
     pub fn with_model(robot: impl Into<Named<Robot>>, identified: Named<Identified>) -> Self {
         let [max_m, max_rad] = Self::largest_correction(true);
         let mut new = Self::new(robot, Named::of_model_alone(&identified, None));
-        new.emit.growth = None;
+        new.emit.growth = new.deformation.model.one_law(Some(&identified.model));
         new.emit.deformation = None;
         new.emit.model = Some(identified.source);
         new.options.max_correction_m = max_m;
@@ -172,19 +172,26 @@ impl Compensation {
             messages.push(LocatedDiagnostic::new(why, &program.files));
             Err(Box::new(Refusal { program, messages, ..Refusal::default() }))
         };
-        let models = (&self.robot.model, &self.deformation.model);
-        if self.touch.is_some() && self.options.model.is_some() {
-            return refuse(program, messages, TouchRequest::beside_model());
-        }
-        let touch = self.touch.as_ref().map(|touch| touch.of(&program, &self.overrides, models));
+        let arm = TouchingArm {
+            robot: &self.robot.model,
+            deformation: &self.deformation.model,
+            model: self.options.model.as_deref(),
+            payload_kg: self.options.payload_kg,
+        };
+        let touch = self.touch.as_ref().map(|touch| touch.of(&program, &self.overrides, &arm));
         let touch = match touch.transpose() {
             Ok(touch) => touch,
             Err(why) => return refuse(program, messages, why),
         };
-        let with_room = (touch.is_some() && self.options.form == FormChoice::Schedule)
-            .then(|| self.deformation.model.scaled(ROOM));
-        let deformation = with_room.as_ref().unwrap_or(&self.deformation.model);
-        let mut plan = match compensate::plan(&program, &self.robot.model, deformation, &self.options) {
+        let with_room = (touch.is_some() && self.options.form == FormChoice::Schedule).then(|| {
+            let model = self.options.model.as_ref().map(|model| Arc::new(model.with_drift(ROOM)));
+            (self.deformation.model.scaled(ROOM), Options { model, ..self.options.clone() })
+        });
+        let (deformation, asked) = match &with_room {
+            Some((deformation, options)) => (deformation, options),
+            None => (&self.deformation.model, &self.options),
+        };
+        let mut plan = match compensate::plan(&program, &self.robot.model, deformation, asked) {
             Ok(plan) => plan,
             Err(error) => {
                 let (why, kept) = why_no_plan(error);

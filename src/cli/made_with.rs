@@ -70,14 +70,16 @@ impl MadeWith {
     /// What is wrong with a name or a file, or that it is not there.
     pub fn robot(&self, option: Option<&str>) -> Result<Robot, Diagnostic> {
         if let Some(name) = option {
-            return model::robot(name);
+            return model::robot_of_program(name);
         }
-        let Some((value, module)) = self.place("robot")? else { return model::robot(DEFAULT_ROBOT) };
-        let Some(source) = Provenance::parse(value) else { return model::robot(DEFAULT_ROBOT) };
+        let Some((value, module)) = self.place("robot")? else {
+            return model::robot_of_program(DEFAULT_ROBOT);
+        };
+        let Some(source) = Provenance::parse(value) else { return model::robot_of_program(DEFAULT_ROBOT) };
         if Robot::built_in_file(&source.name).is_some_and(|file| sha256(file.as_bytes()) == source.sha256) {
-            return model::robot(&source.name);
+            return model::robot_of_program(&source.name);
         }
-        model::robot(&found("robot", &source, module)?.to_string_lossy())
+        model::robot_of_program(&found("robot", &source, module)?.to_string_lossy())
     }
 
     /// The deformation and the model that the modules name; `growth` is an option that wins.

@@ -7,6 +7,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
 use robot_model::robot::{BackedUp, DhConvention, Robot, SerialArm};
+use robot_model::units::mm_from_m;
 use std::path::{Path, PathBuf};
 
 /// As [`robot`], with what the header of an emitted program says of it.
@@ -143,6 +144,54 @@ pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
         BackedUp::from_moc(&String::from_utf8_lossy(&bytes), unit)
             .map_err(|error| in_file(&path.display().to_string(), error.into()))
     }))
+}
+
+/// The robot that moves a program: as [`robot`], its base in the world's frame.
+///
+/// # Errors
+/// As [`robot`]; `robot::base-frame` where a backup says that the base stands elsewhere.
+pub fn robot_of_program(name: &str) -> Result<Robot, Diagnostic> {
+    if let Some((at, turned)) = backup(name).transpose()?.and_then(|backup| backup.base_frame) {
+        let at_mm = at.map(mm_from_m);
+        return Err(base_frame(&format!(
+            "the base of {name} stands at {at_mm:?} mm, turned by {turned:?}, in the world"
+        )));
+    }
+    robot(name)
+}
+
+/// Refuses a program in a backup whose robots all stand elsewhere than in the world's frame; says which robots do where not all do.
+///
+/// # Errors
+/// `robot::base-frame`.
+pub fn base_beside(program: &Path) -> Result<Option<Diagnostic>, Diagnostic> {
+    let real = std::fs::canonicalize(program).unwrap_or_else(|_| program.to_owned());
+    let moc = real.ancestors().take(5).map(|folder| folder.join("SYSPAR").join("MOC.cfg"));
+    let Some(text) = moc.filter_map(|path| std::fs::read(path).ok()).next() else { return Ok(None) };
+    let (moved, all) = BackedUp::moved_bases(&String::from_utf8_lossy(&text));
+    match (moved.is_empty(), all) {
+        (true, _) => Ok(None),
+        (false, true) => Err(base_frame(&format!(
+            "by the backup's MOC.cfg the base of {} stands elsewhere than in the world's frame",
+            moved.join(", ")
+        ))),
+        (false, false) => {
+            let text = format!(
+                "by the backup's MOC.cfg the base of {} stands elsewhere than in the world's frame",
+                moved.join(", ")
+            );
+            Ok(Some(
+                Diagnostic::warning("robot::base-frame", text)
+                    .help("a program of that robot would be corrected for another place: do not load it"),
+            ))
+        }
+    }
+}
+
+fn base_frame(text: &str) -> Diagnostic {
+    Diagnostic::error("robot::base-frame", text.to_owned()).help(
+        "targets are given in the world, and corrections are made for an arm whose base is the world's frame; work objects of this one would be taken for other places",
+    )
 }
 
 fn moc_of(folder: &str) -> PathBuf {

@@ -143,12 +143,18 @@ fn put_in_place(
             outcome = Outcome::Difference;
         }
         for touched in &restored.touched {
-            let into = match touched.into {
-                ModifiedIn::Motion => "the motion",
-                ModifiedIn::Declaration => "the declaration",
+            let (how, what_now) = match touched.into {
+                ModifiedIn::Motion => ("touched up on the controller", "its new value is in the motion"),
+                ModifiedIn::Declaration => {
+                    ("touched up on the controller", "its new value is in the declaration")
+                }
+                ModifiedIn::DeclarationAlone => (
+                    "changed where it is declared",
+                    "the corrected motions went by its array, as it was made; those of the original go by the new value",
+                ),
             };
             console.say(format_args!(
-                "{}:{}: {} was touched up on the controller by {:.4} {}; its new value is in {into}",
+                "{}:{}: {} was {how} by {:.4} {}; {what_now}",
                 path.display(),
                 touched.line,
                 touched.target,

@@ -76,10 +76,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (law, [cold, settled]) = match &args.model {
         Some(path) => {
             let identified = model::identified(path)?;
-            let law = identified.model.growth();
+            let model = Arc::new(identified.model.for_programs().0);
+            let law = model.growth().filter(|law| model.drifts_beside(*law).is_empty());
             let of = |t_min: f64| {
                 let when = ThermalState { t_min, joint_temperature_c: None };
-                let model = Arc::new(identified.model.for_programs().0);
                 DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
             };
             (law, [of(0.0), of(f64::INFINITY)])

@@ -371,21 +371,62 @@ fn the_self_test_tells_the_robot_from_another() {
                 q_rad = same.q_rad;
             }
             q_rad[2] += add_rad;
-            TestTarget { robtarget: text.clone(), tool: "tT".into(), wobj: Some("wW".into()), q_rad }
+            let (tool, wobj) = ("tT".into(), Some("wW".into()));
+            TestTarget { robtarget: text.clone(), tool, wobj, frames: [Isometry3::identity(); 2], q_rad }
         };
         cell::cube_targets().iter().take(7).map(target).collect()
     };
-    for (add_rad, says) in [(0.0, "are those assumed"), (1e-3, "NOT the kinematics assumed")] {
-        let mut cell = Cell::cube_with(&model, "irb140", &tests(add_rad));
+    let shown = |tests: &[TestTarget], prepare: &dyn Fn(&mut Cell)| -> Vec<String> {
+        let mut cell = Cell::cube_with(&model, "irb140", tests);
         cell.set("tcF1", 1.0);
         cell.controller.calendar_mut().step_s = 1e-6;
+        prepare(&mut cell);
         cell.call("tcSelfTest");
         let shown: Vec<String> = cell.controller.take_messages().into_iter().map(|m| m.text).collect();
-        assert!(shown.iter().any(|text| text.contains(says)), "{shown:?}");
-        assert!(shown.iter().any(|text| text.starts_with("tcSelfTest: ms for a correction 0")), "{shown:?}");
         assert!(shown.iter().all(|text| text.len() <= 80), "{shown:?}");
         assert_eq!(cell.controller.arm().unwrap().q_rad(), None, "nothing moves");
+        // One conclusion, whatever happens.
+        let concludes = |text: &&String| {
+            ["are those assumed", "NOT the kinematics", "tcSelfTest: not measured"]
+                .iter()
+                .any(|part| text.contains(part))
+        };
+        assert_eq!(shown.iter().filter(concludes).count(), 1, "{shown:?}");
+        shown
+    };
+    let says = |shown: &[String], text: &str| shown.iter().any(|line| line.contains(text));
+    for (add_rad, conclusion) in [(0.0, "are those assumed"), (1e-3, "NOT the kinematics assumed")] {
+        let shown = shown(&tests(add_rad), &|_| {});
+        assert!(says(&shown, conclusion) && says(&shown, "tcSelfTest: ms for a correction 0"), "{shown:?}");
     }
+    let run = |text: &'static str| {
+        move |cell: &mut Cell| {
+            let module = format!("MODULE P\n  PROC prepare()\n    {text}\n  ENDPROC\nENDMODULE\n");
+            cell.controller.load("p.mod", module.as_bytes()).unwrap();
+            cell.call("prepare");
+        }
+    };
+    let good = tests(0.0);
+    // The program has not set its tool yet, or the work object has been moved: the joints are for another one.
+    for change in ["tT.tframe.trans.z:=0.02;", "wW.oframe.rot:=OrientZYX(0.2,0,0);", "wW.uframe.trans.x:=-5;"]
+    {
+        let shown = shown(&good, &run(change));
+        assert!(says(&shown, "not measured, a tool or work object is not as in its motion"), "{shown:?}");
+    }
+    let displaced = shown(&good, &run("PDispSet [[0,0,1],[1,0,0,0]];"));
+    assert!(says(&displaced, "not measured, a program displacement is on"), "{displaced:?}");
+    // A target that the robot does not reach, and an error of another kind.
+    let far = |text: &str| {
+        let mut tests = good.clone();
+        tests[1].robtarget = text.to_owned();
+        tests
+    };
+    let beyond = shown(&far("[[4000,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"), &|_| {});
+    assert!(says(&beyond, "a target has no joints"), "{beyond:?}");
+    let broken = shown(&good, &run("tT.tframe.rot.q2:=1;"));
+    assert!(says(&broken, "tcSelfTest: not measured, error "), "{broken:?}");
+    let off = shown(&good, &|cell| cell.controller.set("tcOn", Value::Bool(false)).unwrap());
+    assert!(says(&off, "are those assumed") && says(&off, "no time of a correction, original"), "{off:?}");
 }
 
 #[test]
@@ -398,6 +439,7 @@ fn the_text_is_ascii_short_and_names_begin_with_tc() {
         robtarget: cell::cube_targets()[0].clone(),
         tool: "tT".into(),
         wobj: None,
+        frames: [Isometry3::identity(); 2],
         q_rad: [0.1; 6],
     }];
     for line in model.data(&tests).iter().chain(&model.routines(&tests)) {

@@ -159,20 +159,40 @@ fn a_target_that_is_read_as_data_is_kept_or_named() {
     assert_eq!(
         statuses(&made),
         [
-            (20, "keep::calibration"), // MToolTCPCalib
-            (21, "keep::calibration"),
-            (22, "keep::calibration"), // DefFrame
-            (23, "keep::calibration"), // WZSphDef, by way of `corner`
-            (24, "compensated"),
+            (21, "keep::calibration"), // MToolTCPCalib
+            (22, "keep::calibration"),
+            (23, "keep::calibration"), // DefFrame
+            (24, "keep::calibration"), // WZSphDef, by way of `corner`
             (25, "compensated"),
             (26, "compensated"),
+            (27, "compensated"),
         ]
     );
-    assert!(reason(&made, 20).contains("MToolTCPCalib") && reason(&made, 20).contains("line 27 of"));
+    assert!(reason(&made, 21).contains("MToolTCPCalib") && reason(&made, 21).contains("line 28 of"));
     let said = messages(&made, "target::read-as-data");
     assert_eq!(said.len(), 2, "{said:?}");
-    assert!(said.iter().any(|m| m.starts_with("pHome ") && m.contains("IF in line 31")), "{said:?}");
-    assert!(said.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 33")), "{said:?}");
+    assert!(said.iter().any(|m| m.starts_with("pHome ") && m.contains("IF in line 32")), "{said:?}");
+    assert!(said.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 34")), "{said:?}");
+}
+
+/// Whichever way a reading of the warm arm's place takes, the model must not be asked about it.
+#[test]
+fn where_the_arm_stands_is_not_corrected_again() {
+    let compensation = compensation().in_form(FormChoice::Auto);
+    let files = program(&["where_it_stands.mod"]);
+    let made = compensation.run(&files).unwrap();
+    assert_eq!(
+        statuses(&made),
+        [
+            (12, "compensated"),
+            (13, "compensated"),
+            (15, "keep::own-position"), // through two parameters
+            (18, "compensated"),        // what a routine moves to is not set by it
+            (22, "keep::own-position"), // in a handler
+            (23, "keep::own-position"),
+            (38, "keep::own-position"), // one of its calls hands over a reading
+        ]
+    );
 }
 
 #[test]
@@ -410,4 +430,39 @@ fn what_is_to_be_kept_is_not_asked_at_run_time_either() {
         assert!(kept.contains(line), "{line}: {kept}");
     }
     assert!(kept.contains("tcLive(Offs(pStart,20*i,15*j,0),"), "{kept}");
+}
+
+/// What a program loads comes from the controller's disk, where the originals lie.
+#[test]
+fn a_module_that_the_program_loads_is_named() {
+    let files = program(&["loading/Main.mod", "loading/PART_A.MOD"]);
+    let compensation = compensation();
+    let made = compensation.run(&files).unwrap();
+    assert_eq!(statuses(&made), [(7, "compensated"), (5, "compensated")]);
+    assert_eq!(
+        messages(&made, "load::from-disk"),
+        ["Part_A is loaded by the program, from the controller's disk"]
+    );
+    assert_eq!(
+        messages(&made, "load::not-given"),
+        [
+            "part_b.mod, which the program loads, is not among the given files",
+            "which module is loaded here only run time tells"
+        ]
+    );
+    assert_eq!(messages(&made, "resolve::routine-not-given"), ["rother is not among the given files"]);
+}
+
+/// What an operator sets on the pendant goes past the arrays of `schedule`; `ramp` goes by it.
+#[test]
+fn a_pers_in_a_target_of_a_schedule_is_named() {
+    let files = program(&["set_on_the_pendant.mod"]);
+    for (form, said) in [(FormChoice::Schedule, 1), (FormChoice::Ramp, 0), (FormChoice::Auto, 0)] {
+        let compensation = compensation().in_form(form);
+        let made = compensation.run(&files).unwrap();
+        assert!(statuses(&made).iter().all(|(_, status)| *status == "compensated"), "{form:?}");
+        let messages = messages(&made, "schedule::pers-value");
+        assert_eq!(messages.len(), said, "{form:?}");
+        assert!(messages.iter().all(|m| m.starts_with("line 12: nUp is a PERS")), "{messages:?}");
+    }
 }

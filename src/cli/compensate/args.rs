@@ -41,7 +41,7 @@ pub struct Args {
         long,
         value_name = "TASK=ROBOT[,DEFORMATION]",
         value_parser = task_robot,
-        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "start_joints", "home", "touch", "joints_csv", "report", "in_place"],
+        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "start_joints", "home", "touch", "in_place"],
         help_heading = "Robot and deformation"
     )]
     pub task: Vec<TaskRobot>,
@@ -250,7 +250,7 @@ pub struct Args {
 
     /// A recording of the warm-up for Foxglove and Rerun (MCAP), and the arm as URDF beside it.
     #[cfg(feature = "mcap")]
-    #[arg(long, value_name = "FILE.mcap", help_heading = "Results")]
+    #[arg(long, value_name = "FILE.mcap", conflicts_with = "task", help_heading = "Results")]
     pub mcap: Option<PathBuf>,
 
     /// Show every motion and every message, however many there are.
@@ -359,6 +359,7 @@ impl Args {
     /// What is wrong with a name or a file.
     pub fn models(&self, of_task: Option<&TaskRobot>) -> Result<Models, Diagnostic> {
         let name = of_task.map_or(&self.robot.name, |task| &task.robot);
+        model::robot_of_program(name)?;
         let robot = model::robot_with_source(name)?;
         let backup = model::backup(name).transpose()?;
         if backup.is_some_and(|backup| backup.absolute_accuracy) && !self.absolute_accuracy {
@@ -449,7 +450,7 @@ impl Args {
         Ok(EmitOptions {
             form: self.form.into(),
             clock,
-            growth: deformation.model.growth().copied().filter(|_| self.model.is_none()),
+            growth: deformation.model.one_law(model.map(|model| &model.model)),
             core: self.core.map(|core| match core {
                 CoreName::Embedded => Core::Embedded,
                 CoreName::Separate => Core::Separate,

@@ -10,10 +10,11 @@ use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff
 
 use super::destination::{Destination, Writing, Written, is_pgf};
 use super::files::{Output, Pending, check_size, place_all};
+use super::model;
 use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
-use driftpost::report::{self, ShortDiff, SourceReview};
+use driftpost::report::{self, LocatedDiagnostic, ShortDiff, SourceReview};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -104,7 +105,9 @@ fn run_once(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             console.say("nothing was written");
             if let Some(mut page) = page {
                 let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
-                refusal.write_page(&title.join(", "), jobs.first(), page.out())?;
+                // of several jobs it does not say whose the refusal is
+                let job = <&[Compensation; 1]>::try_from(jobs.as_slice()).ok().map(|[job]| job);
+                refusal.write_page(&title.join(", "), job, page.out())?;
                 page.place()?;
             }
             json.map_or(Ok(()), |json| json.stream(console, |out| Ok(refusal.write_json(out)?)))?;
@@ -127,6 +130,9 @@ fn write_result(
     let destination = Destination::new(&given, args.output.as_deref(), args.in_place, args.force)?;
     *jobs = args.jobs()?;
     other_tasks::check_named(&args.task, &program)?;
+    if let Some(moved) = given.paths.first().map(|path| model::base_beside(path)).transpose()?.flatten() {
+        console.explain(&[LocatedDiagnostic::new(moved, &[])], true);
+    }
     let beside = other_tasks::beside(&given.paths);
     jobs.iter_mut().for_each(|job| job.overrides.other_tasks.clone_from(&beside));
     destination.keep_apart(&[
@@ -145,41 +151,49 @@ fn write_result(
 
     // File by file: the result of a large program is larger than what is needed to make it.
     let mut writing = Writing::default();
-    let mut source = page.is_some().then(SourceReview::default);
-    let mut accept = |program: &Program, file: EmittedFile| {
-        let path = destination.path_of(&file, &given).display().to_string();
-        check_size(&path, &file.bytes)?;
-        diff.add(program, &file, &path).map_err(|cause| no_output(&cause))?;
-        if let (Some(review), Some(id)) = (&mut source, file.source) {
-            let from = program.file(id);
-            review.add(&from.path, &path, &from.bytes, &file.edits);
-        }
-        writing.add(&destination, &given, file)
-    };
+    let mut sources = Vec::with_capacity(jobs.len());
     let mut all_made = Vec::with_capacity(jobs.len());
     for job in jobs.iter() {
+        let mut source = SourceReview::default();
+        let mut accept = |program: &Program, file: EmittedFile| {
+            let path = destination.path_of(&file, &given).display().to_string();
+            check_size(&path, &file.bytes)?;
+            diff.add(program, &file, &path).map_err(|cause| no_output(&cause))?;
+            if let Some(id) = file.source.filter(|_| page.is_some()) {
+                let from = program.file(id);
+                source.add(&from.path, &path, &from.bytes, &file.edits);
+            }
+            writing.add(&destination, &given, file)
+        };
         let made = console.while_busy("compensating", || job.run_each(&program, &mut accept))?;
         console.explain(&made.messages, args.all);
         all_made.push(made);
+        sources.push(source);
     }
-    // A table, a page or a recording is asked for of one robot alone.
+    // A recording is asked for of one robot alone.
     let [made, ..] = all_made.as_slice() else { return Ok(Ok(())) };
     // All is written whole beside its place before anything is put there.
     let prepared = || -> Result<_, Diagnostic> {
         if args.joints_csv.is_some() {
-            made.check_joints()?;
+            all_made.iter().try_for_each(Compensated::check_joints)?;
         }
         let filled = |error: anyhow::Error| {
             error.downcast().unwrap_or_else(|error| no_output(&std::io::Error::other(error)))
         };
-        joints_file.fill(|out| Ok(made.write_joints(out)?)).map_err(filled)?;
+        joints_file.fill(|out| Ok(Compensated::write_joints(&all_made, out)?)).map_err(filled)?;
         if let Some(json) = json.as_mut() {
             json.fill(|out| Ok(write_json(&all_made, out)?)).map_err(filled)?;
         }
-        if let (Some(page), Some(source)) = (page.as_mut(), source) {
+        if let Some(page) = page.as_mut() {
             let mut out = BufWriter::with_capacity(1 << 16, page.out());
-            let written = made.write_page(source, &mut out).and_then(|()| out.flush());
-            written.map_err(|cause| no_output(&cause))?;
+            let written = match sources.pop() {
+                Some(source) if made.task.is_none() => made.write_page(source, &mut out),
+                last => {
+                    sources.extend(last);
+                    Compensated::write_page_of_tasks(&all_made, sources, &mut out)
+                }
+            };
+            written.and_then(|()| out.flush()).map_err(|cause| no_output(&cause))?;
         }
         let mut written = writing.finish(&destination, &given)?;
         written.pending.extend(recording(args, made)?);
@@ -239,9 +253,7 @@ fn show(
         if let Some(module) = &written.standard {
             console.out().write_all(module)?;
         }
-        if let [made] = all_made {
-            joints.stream(console, |out| Ok(made.write_joints(out)?))?;
-        }
+        joints.stream(console, |out| Ok(Compensated::write_joints(all_made, out)?))?;
         json.stream(console, |out| Ok(write_json(all_made, out)?))?;
         if is_quiet {
             return Ok(console.out().flush()?);

@@ -36,7 +36,7 @@ fn out(words: &[&str]) -> Out {
         Ok(made) => {
             let (mut review, mut joints) = (Vec::new(), Vec::new());
             made.write_review(&mut review, args.all).unwrap();
-            made.write_joints(&mut joints).unwrap();
+            Compensated::write_joints(std::slice::from_ref(&made), &mut joints).unwrap();
             made.write_json(&mut json).unwrap();
             texts.extend([review, joints].map(|text| String::from_utf8(text).unwrap()));
             made.messages

@@ -57,6 +57,10 @@ pub struct TouchArgs {
         help_heading = "Touches"
     )]
     pub touch_sigma_mm: f64,
+
+    /// Writes each touch to a file in the controller's HOME, as `driftpost state` reads it.
+    #[arg(long, requires = "touch", help_heading = "Touches")]
+    pub touch_log: bool,
 }
 
 /// A point's name and the names of its target, tool and work object.
@@ -93,7 +97,8 @@ impl TouchArgs {
             }
         };
         let (name, point) = (point.name.clone(), point.data.clone());
-        Ok(Some(TouchRequest { name, point, by, sigma_m: m_from_mm(self.touch_sigma_mm) }))
+        let (sigma_m, log) = (m_from_mm(self.touch_sigma_mm), self.touch_log);
+        Ok(Some(TouchRequest { name, point, by, sigma_m, log }))
     }
 }
 

@@ -92,6 +92,32 @@ fn a_description_that_is_no_arm_is_refused_with_its_line() {
     assert!(err(&output).contains("robot::format"));
 }
 
+/// A program inside a backup whose robot stands elsewhere, whatever `--robot` names.
+#[test]
+fn the_backup_round_a_program_tells_where_the_base_stands() {
+    let bench = Bench::default();
+    let moc = fs::read_to_string("fixtures/robots/backup/SYSPAR/MOC.cfg").unwrap();
+    let program = bench.file("RAPID/TASK1/PROGMOD/Cube45.mod", fs::read(CUBE).unwrap());
+    let run = |moc: &str| {
+        bench.file("SYSPAR/MOC.cfg", moc);
+        let output = driftpost(&["compensate", &program, "-o", "-", "--tolerance-mm", "0.05"]);
+        (output.status.code(), err(&output))
+    };
+    let (code, said) = run(&moc);
+    assert!(
+        code == Some(0) && said.contains("warning[robot::base-frame]") && said.contains("of ROB_1 stands"),
+        "{said}"
+    );
+    let (code, said) =
+        run(&moc.replace("\"r2_calib\"\\", "\"r2_calib\" -base_frame_orient_u0 0 -base_frame_orient_u1 1\\"));
+    assert!(
+        code == Some(2) && said.contains("error[robot::base-frame]") && said.contains("ROB_1, ROB_2"),
+        "{said}"
+    );
+    let (code, said) = run(&moc.replace(" -base_frame_pos_z -0.5", ""));
+    assert!(code == Some(0) && !said.contains("base-frame"), "{said}");
+}
+
 #[test]
 fn a_backup_tells_type_bounds_and_calibration() {
     let output = driftpost(&["robot", "--robot", "backup:fixtures/robots/backup"]);
@@ -120,6 +146,16 @@ fn a_backup_tells_type_bounds_and_calibration() {
     assert!(err(&refused).contains("robot::absolute-accuracy"), "{}", err(&refused));
     let taken = compensate(&["--absolute-accuracy"]);
     assert_eq!(taken.status.code(), Some(0), "{}", err(&taken));
+    // Its first robot stands 500 mm below the world's frame: every work object would be taken for another place.
+    for command in [&["compensate", CUBE, "-o", "-"][..], &["simulate", CUBE]] {
+        let output = driftpost(&[command, &["--robot", "backup:fixtures/robots/backup"]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            err(&output).contains("robot::base-frame") && err(&output).contains("-500.0"),
+            "{}",
+            err(&output)
+        );
+    }
     let output = driftpost(&["robot", "--robot", "backup:nowhere"]);
     assert!(err(&output).contains("input::missing"), "{}", err(&output));
 }

@@ -2,6 +2,7 @@
 
 use super::{Bench, CUBE, driftpost, err, out};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::fs;
 
 const LARGE: &str = "irb4600";
@@ -93,6 +94,51 @@ fn each_task_is_corrected_for_its_own_robot() {
                 .map(|folder| fs::read(bench.path(&folder).join(place)).unwrap());
             assert_eq!(was, is, "{form}: {place}");
         }
+    }
+}
+
+/// One table of joints, the file of a row saying whose it is: every minute of a target is in it once, and a joint target's angles are those of
+/// the source. The JSON and the page have the tasks as lists.
+#[test]
+fn joints_and_page_of_several_tasks_are_one_file_each() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let second = format!("TASK2={LARGE},{}", bench.file("drift2.csv", TABLE));
+    let to = |name: &str| bench.path(name).display().to_string();
+    let words =
+        ["compensate", &source, "--task", "TASK1=irb140", "--task", &second, "--growth", "two-stage:60"];
+    let results =
+        ["-o", &to("out"), "--diff", "none", "--joints-csv", &to("joints.csv"), "--report", &to("page.html")];
+    let output = driftpost(&[&words[..], &results, &["--json", &to("all.json")]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let table = bench.text("joints.csv");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((rows[0][0], rows.iter().filter(|row| row[0] == "target").count()), ("target", 1));
+    let of = |task: &str| rows.iter().filter(|row| row[1].contains(task)).collect::<Vec<_>>();
+    let [cube, press] = [of("TASK1"), of("TASK2")];
+    let minutes =
+        |rows: &[&Vec<&str>]| rows.iter().map(|row| row[3].to_owned()).collect::<BTreeSet<_>>().len();
+    assert_eq!((cube.len(), press.len()), (46 * minutes(&cube), 3 * minutes(&press)));
+    assert_eq!(rows.len(), 1 + cube.len() + press.len());
+    let home: Vec<f64> = press[0][4..10].iter().map(|q| q.parse().unwrap()).collect();
+    // at minute 0 nothing is deformed yet: the joints of jHome
+    assert!(
+        home.iter().zip([0.0, 0.0, 10.0, 0.0, 60.0, 0.0]).all(|(q, of)| (q - of).abs() < 1e-6),
+        "{home:?}"
+    );
+    let page = bench.text("page.html");
+    let (_, data) = page.split_once("id=\"data\">").unwrap();
+    let data: Value = serde_json::from_str(data.split_once("</script>").unwrap().0).unwrap();
+    let report = json(&bench, "all.json");
+    for (k, (task, motions)) in [("TASK1", 46), ("TASK2", 3)].into_iter().enumerate() {
+        let [of_page, of_json] = [&data["data"]["tasks"][k], &report["tasks"][k]];
+        assert_eq!(
+            (&of_page["task"], &of_page["worst_before_mm"]),
+            (&task.into(), &of_json["worst_before_mm"])
+        );
+        assert_eq!(data["view"]["tasks"][k]["points"]["motion"].as_array().unwrap().len(), motions);
+        let files = data["view"]["tasks"][k]["source"]["files"].as_array().unwrap();
+        assert!(files.len() == 1 && files[0].to_string().contains(task), "{task}: {files:?}");
     }
 }
 

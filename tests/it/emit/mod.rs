@@ -355,6 +355,40 @@ fn touched_up_targets_keep_their_new_value() {
     assert_eq!(text, expected);
 }
 
+/// A name of the file's own that some form would add is not taken for what was left of it.
+#[test]
+fn data_named_as_another_form_asks_are_the_files_own() {
+    for name in ["tcAt", "tcLive", "TCATJ", "tcK"] {
+        let source = String::from_utf8_lossy(NAMED).replace("VAR num k;", &format!("VAR num {name};"));
+        assert!(source.contains(name));
+        let restored = restore(&lone(source.as_bytes())).unwrap();
+        assert!(restored.exact && restored.bytes == source.as_bytes(), "{name}");
+    }
+}
+
+/// In the form schedule the motions go by arrays: a target that is changed where it is declared moves none of them.
+#[test]
+fn a_target_changed_in_its_declaration_alone_is_told() {
+    let bytes = lone(NAMED);
+    let declared = edited(&bytes, "robtarget p10:=", "[400,", "[402.5,");
+    let restored = restore(&declared).unwrap();
+    let [told] = restored.touched.as_slice() else { panic!("{:?}", restored.touched) };
+    assert_eq!((told.into, told.target.as_str(), told.unit), (ModifiedIn::DeclarationAlone, "p10", "mm"));
+    assert_eq!((told.moved, told.line), (2.5, line_of(&declared, "robtarget p10:=")));
+    let text = String::from_utf8(restored.bytes).unwrap();
+    assert!(text.contains("p10:=[[402.5,") && text.contains("MoveL p10,"), "{text}");
+    // Its array touched up to another place: two originals.
+    let both = edited(&declared, "robtarget tcp10_2{4}:=[", "[400,0,350.02]", "[401,0,350.02]");
+    match restore(&both) {
+        Err(error @ RestoreError::DeclaredOtherwise { .. }) => {
+            assert_eq!(error.code(), "restore::disagree");
+            let said = error.to_string();
+            assert!(said.contains("402.5") && said.contains("[[401,"), "{said}");
+        }
+        what => panic!("{what:?}"),
+    }
+}
+
 #[test]
 fn a_touched_up_element_means_the_original_without_its_own_correction() {
     let program = toy::program(&[("cell/named.mod", NAMED)]);

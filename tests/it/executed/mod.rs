@@ -1,6 +1,7 @@
 //! Emitted programs executed by the virtual controller on the deformed robot reach what the originals meant.
 
 mod cell;
+mod counting;
 mod every_program;
 mod forms;
 mod live;

@@ -142,7 +142,7 @@ const HEAD: &str = "  PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50
 
 /// A name, what stands in the module behind main's first motion, the routines, and whether the motion `MoveL pX` of them is
 /// corrected; each is either right or left alone.
-const NASTY: [(&str, &str, &str, bool); 21] = [
+const NASTY: [(&str, &str, &str, bool); 27] = [
     (
         "assigned anew from constants",
         "r pA;",
@@ -153,12 +153,48 @@ const NASTY: [(&str, &str, &str, bool); 21] = [
         "assigned anew from itself",
         "r pA;",
         "PROC r(robtarget pX) pX:=Offs(pX,0,0,5); MoveL pX,v100,fine,tGun; ENDPROC",
-        false,
+        true,
     ),
     (
         "changed in part",
         "r pA;",
         "PROC r(robtarget pX) pX.trans.z:=230; MoveL pX,v100,fine,tGun; ENDPROC",
+        true,
+    ),
+    (
+        "changed in part from what it was",
+        "r;",
+        "PROC r() VAR robtarget pX; pX:=pA; pX.trans.z:=pX.trans.z+12; MoveL pX,v100,fine,tGun; ENDPROC",
+        true,
+    ),
+    (
+        "moved on from call to call",
+        "pV:=pA; r; pV:=Offs(pV,15,0,0); r; pV.trans.y:=pV.trans.y-20; r;",
+        "PROC r() VAR robtarget pX; pX:=Offs(pV,0,0,3); MoveL pX,v100,fine,tGun; ENDPROC",
+        true,
+    ),
+    (
+        "turned about from cycle to cycle",
+        "n:=1-n; r;",
+        "PROC r() VAR robtarget pX; pX:=Offs(pA,0,0,10*n); MoveL pX,v100,fine,tGun; ENDPROC",
+        false,
+    ),
+    (
+        "moved on in a loop",
+        "pV:=pA; WHILE n<3 DO n:=n+1; r; pV:=Offs(pV,5,0,0); ENDWHILE",
+        "PROC r() VAR robtarget pX; pX:=pV; MoveL pX,v100,fine,tGun; ENDPROC",
+        false,
+    ),
+    (
+        "moved by what is read",
+        "r;",
+        "PROC r() VAR robtarget pX; pX:=pA; pX.trans.x:=pX.trans.x+AInput(aiX); MoveL pX,v100,fine,tGun; ENDPROC",
+        false,
+    ),
+    (
+        "known on one way, moved by a search on the other",
+        "pV:=pA; IF bOften SearchL\\Stop,diX,pV,pB,v50,tGun; r;",
+        "PROC r() VAR robtarget pX; pX:=pV; MoveL pX,v100,fine,tGun; ENDPROC",
         false,
     ),
     ("called by a name", "r pA; %\"r\"% pB;", "PROC r(robtarget pX) MoveL pX,v100,fine,tGun; ENDPROC", false),

@@ -42,7 +42,7 @@ fn every_motion_of_real_programs_is_known_or_has_a_reason() {
                         println!("{}:{}: {text}\n    {}", file.path, motion.line, keep.reason);
                     }
                 } else {
-                    assert!(motion.targets.iter().all(|t| t.value().is_some()));
+                    assert!(motion.targets.iter().all(|t| t.values().next().is_some()));
                     assert!(!motion.targets.is_empty());
                     let framed = motion.setup.tool.is_some() && motion.setup.wobj.is_some();
                     assert!(motion.setup.path == How::AbsJoint || framed);

@@ -60,6 +60,33 @@ fn a_function_that_is_not_given_may_write_what_it_is_handed() {
 }
 
 #[test]
+fn what_the_controllers_own_instructions_hand_back_is_not_constant() {
+    let read = |call: &str| {
+        let data = format!("{}\nVAR num n:=5;\nPERS robtarget q:={};", data(), at(1, 1, 1));
+        codes(&main_of(&data, &format!("{call};\nMoveL Offs(q,n,0,0),v100,fine,t;")))
+    };
+    for call in [
+        "WaitAI ai1\\GT,3\\MaxTime:=2\\ValueAtTimeout:=n",
+        "SocketReceive s1\\Str:=st\\NoRecBytes:=n",
+        "RMQGetMsgHeader msg\\UserDef:=n",
+        "CamGetParameter cam1,\"x\"\\NumVar:=n",
+        "CamGetResult cam1,q",
+        "ReadErrData td,n,k,l",
+        "TPReadNum n,\"offset?\"",
+    ] {
+        assert_eq!(read(call), ["keep::runtime-target"], "{call}");
+    }
+    for call in ["TPWrite \"x\"\\Num:=n", "WaitDI di1,1\\MaxTime:=n", "SetGO go1,n", "Stop"] {
+        assert_eq!(read(call), ["-"], "{call}");
+    }
+    let tool = |call: &str| codes(&main_of(&data(), &format!("{call};\n{MOVE}")));
+    assert_eq!(tool("SToolRotCalib p1,p2,p3,t"), ["keep::tool-unknown"]);
+    assert_eq!(tool("GripLoad t.tload"), ["-"]);
+    // A routine that is not given is taken to leave tools alone, whatever it is called.
+    assert_eq!(tool("GetReady t"), ["-"]);
+}
+
+#[test]
 fn a_loops_variable_hides_others_of_its_name_inside_the_loop_alone() {
     let data =
         format!("{}\nCONST num i:=2;\nCONST robtarget ps{{2}}:=[{},{}];", data(), at(1, 0, 0), at(2, 0, 0));

@@ -100,3 +100,24 @@ fn routines_with_motion_are_known_by_name() {
     assert_eq!(read.routines[0].module, "M");
     assert_eq!(read.motions[1].setup.routine, RoutineId(1));
 }
+
+#[test]
+fn after_the_arm_was_moved_otherwise_it_stands_anywhere() {
+    for moved in [
+        "EGMRunPose e,EGM_STOP_HOLD\\x;",
+        "LoadId TOOL_LOAD_ID,MASS_WITH_AX3,t;",
+        "PathRecMoveBwd;",
+        "StepBwdPath 50,1;",
+    ] {
+        let read = main_of(
+            "",
+            &format!(
+                "MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n{moved}\nMoveL {},v100,fine,tool0;",
+                at(5, 5, 5)
+            ),
+        );
+        assert!(read.motions[1].previous.is_none() && !read.motions[1].from_start, "{moved}");
+        let said = read.diagnostics.iter().any(|d| d.code == "resolve::routine-not-given");
+        assert!(!said, "{moved} is the controller's own");
+    }
+}

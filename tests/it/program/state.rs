@@ -165,6 +165,9 @@ fn displacements_keep_motion_until_they_are_off() {
         ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispSet [[0,0,0],[1,0,0,0]];", "keep::displacement"),
         ("EOffsSet [1,0,0,0,0,0];", "EOffsOff;", "keep::external-offset"),
         ("SoftAct 1,50;", "SoftDeact;", "keep::soft-servo"),
+        ("CSSAct 1\\StiffnessNonSoftDir:=50;", "CSSDeact;", "keep::soft-servo"),
+        ("FCAct t;", "FCDeact;", "keep::soft-servo"),
+        ("SingArea\\LockAxis4;", "SingArea \\Wrist;", "keep::locked-axis"),
         ("SyncMoveOn sync1,tasks;", "SyncMoveOff sync2;", "keep::multimove"),
     ] {
         let body = format!("{MOVE}{on}\n{MOVE}{off}\n{MOVE}");
@@ -197,6 +200,21 @@ fn what_is_gripped() {
     // load0 weighs a gram. The last motion is that of hold, called with the part in the gripper.
     assert_eq!(kg, [Some(0.0), Some(4.5), Some(4.5), Some(0.001), None, None, Some(4.5)]);
     assert_eq!(read.motions[1].setup.grip.map(|load| load.cog_m), Some([0.01, 0.0, 0.08]));
+}
+
+#[test]
+fn the_total_load_of_one_motion() {
+    let load = "PERS loaddata part:=[4.5,[10,0,80],[1,0,0,0],0,0,0];\nPERS loaddata all:=[7,[0,0,90],[1,0,0,0],0,0,0];";
+    let with = |load: &str| MOVE.replace("w;", &format!("w\\TLoad:={load};"));
+    let body = format!("GripLoad part;\n{}{}{}{MOVE}", with("all"), with("load0"), with("other"));
+    let read = main_of(&format!("{}\n{load}", data()), &body);
+    let own_kg = read.motions[3].setup.tool.as_ref().unwrap().load.mass_kg;
+    let kg = |m: &rapid_program::program::motion::Motion| {
+        (m.setup.tool.as_ref().unwrap().load.mass_kg, m.setup.grip.map(|grip| grip.mass_kg))
+    };
+    let all: Vec<_> = read.motions.iter().map(kg).collect();
+    // load0 counts as not given; of what is not known the message of GripLoad tells.
+    assert_eq!(all, [(7.0, Some(0.0)), (own_kg, Some(4.5)), (own_kg, None), (own_kg, Some(4.5))]);
 }
 
 #[test]

@@ -242,6 +242,10 @@ fn every_kind_of_motion_finds_its_arguments() {
         ("ArcLStart p,v100,seam1,weld1,fine,tool0;", "ArcLStart", "-"),
         ("ArcLEnd p,v100,seam1,weld1,fine,tool0;", "ArcLEnd", "-"),
         ("ArcC c,p,v100,seam1,weld1,z10,tool0;", "ArcC", "-"),
+        ("ArcL\\On,p,v100,seam1,weld1,weave1,z10,tool0;", "ArcL", "-"), // S4C: Weave is no option
+        ("ArcC c,p,v100,seam1,weld1,weave1,z10,tool0;", "ArcC", "-"),
+        ("MoveL p,v100,z10,z10;", "MoveL", "keep::wrong-type"),
+        ("CSSDeactMoveL p,v100,tool0;", "CSSDeactMoveL", "keep::instruction"),
         ("SearchL di1,sp,p,v100,tool0;", "SearchL", "keep::search"),
         ("SearchC di1,sp,c,p,v100,tool0;", "SearchC", "keep::search"),
         ("MoveL\\Conc,p,v100,z10,tool0\\Corr;", "MoveL", "keep::path-correction"),

@@ -4,7 +4,11 @@
 //! shorter, cools as nobody knows, and has worked for a while that is not what the start routine is told. It moves by
 //! `robot_model::deform::Warmth`, nothing of the filter; the touches are searches of the virtual controller.
 
+mod laws;
+mod log;
+mod model;
 mod refusals;
+mod s4c;
 mod shift;
 mod state;
 
@@ -13,7 +17,7 @@ use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rapid_program::compensate::FormChoice;
-use rapid_program::emit::TouchBy;
+use rapid_program::emit::{Core, TouchBy};
 use robot_model::deform::{DeformedArm, GrowthLaw, Warmth};
 use robot_model::kinematics::{Chain, ClosedForm};
 use virtual_controller::compare::Evaluator;
@@ -62,6 +66,23 @@ fn search() -> TouchBy {
 
 /// The cell's program with `tcTouch`, or without.
 fn emitted(form: FormChoice, growth: GrowthLaw, touch: Option<(TouchBy, f64)>) -> Vec<u8> {
+    files(form, growth, touch, Core::Embedded).remove(0)
+}
+
+/// The files of the cell's program, the core's behind it where it is a module of its own.
+fn files(form: FormChoice, growth: GrowthLaw, touch: Option<(TouchBy, f64)>, core: Core) -> Vec<Vec<u8>> {
+    let mut job = job(form, growth, touch);
+    job.emit.core = Some(core);
+    run(&job)
+}
+
+fn run(job: &Compensation) -> Vec<Vec<u8>> {
+    let program = ProgramFiles::one("Cell.mod", SOURCE.as_bytes().to_vec());
+    let made = job.run(&program).unwrap_or_else(|refusal| panic!("{:?}", refusal.messages));
+    made.files.into_iter().map(|file| file.bytes).collect()
+}
+
+fn job(form: FormChoice, growth: GrowthLaw, touch: Option<(TouchBy, f64)>) -> Compensation {
     let robot = Robot::built_in("irb140").unwrap();
     let deformation = Deformation::from_static(Deformation::paper().settled(), growth);
     let mut job = Compensation::new(robot, deformation).in_form(form);
@@ -70,10 +91,9 @@ fn emitted(form: FormChoice, growth: GrowthLaw, touch: Option<(TouchBy, f64)>) -
         point: ["pSphere", "tool0", "wobj0"].map(str::to_owned),
         by,
         sigma_m: sigma_mm / 1e3,
+        log: false,
     });
-    let program = ProgramFiles::one("Cell.mod", SOURCE.as_bytes().to_vec());
-    let mut made = job.run(&program).unwrap_or_else(|refusal| panic!("{:?}", refusal.messages));
-    made.files.remove(0).bytes
+    job
 }
 
 /// A robot of its own, and what measures it.
@@ -121,13 +141,19 @@ struct Cell {
 
 impl Cell {
     fn new(program: &[u8], truth: &Truth) -> Self {
+        Self::of(&[program.to_vec()], truth)
+    }
+
+    fn of(files: &[Vec<u8>], truth: &Truth) -> Self {
         let arm = Robot::built_in("irb140").unwrap();
         let mut original = Controller::with_robot(&arm).unwrap();
         original.load("Cell.mod", SOURCE.as_bytes()).unwrap();
         assert!(original.call("main", 1).unwrap().is_good());
         let intended = original.arm_mut().unwrap().take_moves();
         let mut controller = Controller::with_robot(&arm).unwrap();
-        controller.load("Cell.mod", program).unwrap();
+        for file in files {
+            controller.load("Cell.mod", file).unwrap();
+        }
         controller.calendar_mut().held = true;
         controller.put_sphere(Sphere {
             signal: "diTouch".into(),

@@ -7,7 +7,7 @@ use robot_model::deform::GrowthLaw;
 
 const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
 
-fn as_the_table() -> Truth {
+pub fn as_the_table() -> Truth {
     Truth {
         amount: 1.0,
         law: LAW,
@@ -72,7 +72,7 @@ fn with_routine() -> Cell {
 }
 
 impl Cell {
-    fn seen(&mut self, off_mm: [f64; 3]) {
+    pub fn seen(&mut self, off_mm: [f64; 3]) {
         let at: Vec<f64> = super::CENTRE_MM.iter().zip(off_mm).map(|(c, off)| c + off).collect();
         let text = format!("[{},{},{}]", at[0], at[1], at[2]);
         let value =
@@ -118,7 +118,7 @@ fn what_cannot_be_is_refused_and_leaves_the_state() {
 }
 
 /// By how much the settled arm is told to go elsewhere at the sphere, mm: of the arm's own kinematics.
-fn settled_mm() -> [f64; 3] {
+pub fn settled_mm() -> [f64; 3] {
     use robot_model::deform::{Conditions, DeformedArm};
     use robot_model::kinematics::{Chain, ClosedForm, solve};
     let arm = driftpost::Robot::built_in("irb140").unwrap();

@@ -13,24 +13,32 @@ const TOLD: &str = "started";
 
 /// What a shift came to, mm.
 #[derive(Clone, Copy, Debug, Default)]
-struct Came {
-    rms: f64,
-    worst: f64,
+pub struct Came {
+    pub rms: f64,
+    pub worst: f64,
     /// Share of the moments at which the truth lies within the interval stated for 90 per cent.
-    covered: f64,
+    pub covered: f64,
 }
 
-fn program(form: FormChoice, touch: Option<f64>) -> Vec<u8> {
-    let law = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
-    let text = emitted(form, law, touch.map(|sigma_mm| (search(), sigma_mm)));
-    let text = String::from_utf8(text).unwrap();
+/// The cell's program of a table that grows by a law, touching with a noise in mm or not.
+pub fn program(form: FormChoice, law: GrowthLaw, touch: Option<f64>) -> Vec<u8> {
+    told(emitted(form, law, touch.map(|sigma_mm| (search(), sigma_mm))))
+}
+
+/// With a routine that says how long the arm has worked.
+pub fn told(program: Vec<u8>) -> Vec<u8> {
+    let text = String::from_utf8(program).unwrap();
     text.replacen("  PROC main()", "  PROC started()\n    tcStartAt 40;\n  ENDPROC\n  PROC main()", 1)
         .into_bytes()
 }
 
 /// A shift with a touch every so many minutes of work.
-fn shift(program: &[u8], truth: &Truth, every_min: Option<u32>) -> Came {
-    let mut cell = Cell::new(program, truth);
+pub fn shift(program: &[u8], truth: &Truth, every_min: Option<u32>) -> Came {
+    shift_in(&mut Cell::new(program, truth), program, truth, every_min)
+}
+
+/// The same in a cell that is there.
+pub fn shift_in(cell: &mut Cell, program: &[u8], truth: &Truth, every_min: Option<u32>) -> Came {
     cell.call(TOLD);
     let (mut came, mut n, mut within, mut seen) = (Came::default(), 0_u32, 0_u32, 0_u32);
     let mut since_touch = u32::MAX;
@@ -66,13 +74,13 @@ fn shift(program: &[u8], truth: &Truth, every_min: Option<u32>) -> Came {
 }
 
 /// What the program multiplies the share's deviation by to show it, mm.
-fn largest_mm(program: &[u8]) -> f64 {
+pub fn largest_mm(program: &[u8]) -> f64 {
     let text = String::from_utf8_lossy(program);
     let behind = text.split("tcTouchSigma:=").find_map(|part| part.split_once("*Sqrt(")).unwrap().0;
     behind.parse().unwrap()
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let n = values.len();
     (values[(n - 1) / 2] + values[n / 2]) / 2.0
@@ -80,7 +88,8 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 /// Medians over so many runs, touching every so many minutes or not at all, and the mean of what is covered.
 fn medians(sigma_mm: f64, every_min: Option<u32>, runs: u64) -> Came {
-    let text = program(FormChoice::Ramp, every_min.map(|_| sigma_mm));
+    let law = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
+    let text = program(FormChoice::Ramp, law, every_min.map(|_| sigma_mm));
     let all: Vec<Came> =
         (0..runs).map(|seed| shift(&text, &Truth::drawn(seed, sigma_mm), every_min)).collect();
     let worst = |came: &Came| came.worst;

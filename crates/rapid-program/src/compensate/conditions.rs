@@ -5,6 +5,7 @@ use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::nominal::Resolved;
 use crate::program::Program;
+use crate::program::data::{LoadData, ToolData};
 use crate::program::motion::{Motion, MotionId};
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
@@ -38,13 +39,17 @@ pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolve
 /// What hangs on the flange in a motion: the tool's load data (RAPID gives its centre in the flange's frame) and what is
 /// gripped (its centre in the tool's frame), where that is known.
 fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
-    let tool = motion.setup.tool.as_ref();
+    let grip = motion.setup.grip.unwrap_or_default();
+    payload_of(motion.setup.tool.as_ref(), grip, given_kg)
+}
+
+/// What hangs on the flange with a tool and what it grips.
+pub(super) fn payload_of(tool: Option<&ToolData>, grip: LoadData, given_kg: Option<f64>) -> Payload {
     let load = tool.map(|tool| tool.load).unwrap_or_default();
     if let Some(mass_kg) = given_kg {
         return Payload { mass_kg, cog_m: load.cog_m };
     }
     let own_kg = if load.mass_kg > NO_LOAD_KG { load.mass_kg } else { 0.0 };
-    let grip = motion.setup.grip.unwrap_or_default();
     let Some(tool) = tool.filter(|tool| tool.robhold && grip.mass_kg > NO_LOAD_KG) else {
         return Payload { mass_kg: own_kg, cog_m: load.cog_m };
     };
@@ -115,7 +120,10 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
         identified.terms.iter().filter(|t| t.kind == EffectKind::Backlash).filter_map(|t| t.joint).collect();
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
-            let text = format!("line {}: what GripLoad has put on the tool is not known here", motion.line);
+            let text = format!(
+                "line {}: what GripLoad has put on the tool, or \\TLoad says, is not known here",
+                motion.line
+            );
             let message = Diagnostic::warning("model::gripload", text).at(span_of(motion));
             let help =
                 "the tool's own load data are taken; --payload-kg KG names the whole load on the flange";

@@ -76,14 +76,19 @@ impl<'a> ProgramPoints<'a> {
     /// How far each stands from where it is meant to be at a moment, uncorrected, metres.
     pub(super) fn displacements_m(&self, moment: Moment) -> Vec<[f64; 3]> {
         let arm = self.model.arm(moment);
-        let of_some = |places: &[(MotionId, u32)]| {
-            let mut displacements_m = Vec::with_capacity(places.len());
+        // Each thread writes into its own part: the displacements of a large program are not held twice.
+        let mut displacements_m = vec![[0.0; 3]; self.points.len()];
+        let parts = displacements_m.par_chunks_mut(WORTH_SHARING);
+        self.points.par_chunks(WORTH_SHARING).zip(parts).for_each(|(places, part)| {
             let points = Drifting::new(places.iter().filter_map(|&place| self.at(place)));
-            points.displacements_m(&arm, |displacement_m| displacements_m.push(displacement_m.into()));
-            displacements_m
-        };
-        let all: Vec<Vec<[f64; 3]>> = self.points.par_chunks(WORTH_SHARING).map(of_some).collect();
-        all.concat()
+            let mut part = part.iter_mut();
+            points.displacements_m(&arm, |displacement_m| {
+                if let Some(place) = part.next() {
+                    *place = displacement_m.into();
+                }
+            });
+        });
+        displacements_m
     }
 }
 

@@ -7,11 +7,13 @@ use super::plan::{Status, Summary};
 use super::wobj_shift_baseline;
 use crate::program::Program;
 use crate::program::motion::MotionId;
-use crate::schedule::{Chosen, Moment, Schedule};
+use crate::schedule::{Bucket, Chosen, Moment, Schedule};
 
-/// The fine check's step, minutes, and how far it goes in the last bucket.
+/// The fine check's step, minutes.
 const FINE_MIN: f64 = 0.25;
+/// How far it goes in the last bucket, and by what share of the time since it began its steps widen there: the drift comes to rest.
 const LAST_MIN: f64 = 1000.0;
+const WIDENING: f64 = 0.01;
 
 /// The figures of no motion.
 pub(super) fn none_yet(chosen: &Chosen) -> Summary {
@@ -63,11 +65,7 @@ impl Tally {
         let mut summary = self.summary;
         let model = compensated.model;
         for (bucket, (_, furthest)) in schedule.buckets.iter().zip(&self.furthest) {
-            let to_min = bucket.to_min.unwrap_or(bucket.from_min + LAST_MIN);
-            let steps = ((to_min - bucket.from_min) / FINE_MIN).ceil();
-            let moments: Vec<Moment> = (0..=steps as u32)
-                .map(|k| Moment::Minute((bucket.from_min + FINE_MIN * f64::from(k)).min(to_min)))
-                .collect();
+            let moments = fine_moments(bucket);
             let motion =
                 furthest.map(MotionId::index).and_then(|i| resolved.get(i).zip(program.motions.get(i)));
             let points = motion.into_iter().flat_map(|(resolved, motion)| resolved.points(motion, model));
@@ -77,4 +75,15 @@ impl Tally {
         summary.rigid_shift_worst_m = wobj_shift_baseline::worst_m(compensated, schedule);
         summary
     }
+}
+
+/// The moments of a bucket that the fine check looks at, its ends included.
+fn fine_moments(bucket: &Bucket) -> Vec<Moment> {
+    let (length_min, widening) = match bucket.to_min {
+        Some(to_min) => (to_min - bucket.from_min, 0.0),
+        None => (LAST_MIN, WIDENING),
+    };
+    let later = |since_min: &f64| Some(since_min + FINE_MIN.max(widening * since_min));
+    let inside = std::iter::successors(Some(0.0), later).take_while(|&since_min| since_min < length_min);
+    inside.chain([length_min]).map(|since_min| Moment::Minute(bucket.from_min + since_min)).collect()
 }

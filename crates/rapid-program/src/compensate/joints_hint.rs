@@ -4,7 +4,7 @@
 
 use crate::program::Program;
 use csv::{ReaderBuilder, StringRecord, Trim};
-use rapid_syntax::diagnostic::{Diagnostic, LineIndex};
+use rapid_syntax::diagnostic::{Diagnostic, LineIndex, counted};
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -154,8 +154,9 @@ impl JointsHint {
                 let what = match targets {
                     0 => format!("there is no motion in line {line} of {path}"),
                     _ => format!(
-                        "the motions in line {line} of {path} have {targets} targets, the hint {} rows for it",
-                        joints.len()
+                        "line {line} of {path} moves to {}, and the hint has {} for it",
+                        counted(targets, "target"),
+                        counted(joints.len(), "row")
                     ),
                 };
                 return Err(JointsHintError::Place { row: joints[0].row, what });

@@ -51,6 +51,7 @@ impl Messages {
         self.add_statuses(program, planned);
         self.add_paths(program, planned, options);
         self.add_search_results(program, planned);
+        self.add_values_of_the_file(program, planned);
         self.add_long_gaps(program, long_gaps);
     }
 
@@ -132,6 +133,33 @@ impl Messages {
             self.add(
                 Some(motion.setup.routine),
                 Diagnostic::warning("live::search-result", message).at(span_of(motion)).help(help),
+            );
+        }
+    }
+
+    /// Targets of the form schedule in which the file's value of a PERS stands.
+    fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
+        for (id, (name, declared)) in &program.made_of_pers {
+            let of = |planned: &&PlannedMotion| {
+                planned.status == Status::Compensated && planned.form == Form::Schedule
+            };
+            let (Some(motion), Some(_)) =
+                (program.motions.get(id.index()), planned.get(id.index()).filter(of))
+            else {
+                continue;
+            };
+            let message = format!(
+                "line {}: {name} is a PERS: in the form schedule this motion goes by the value that the file has, and no longer by \
+                 what is set on the controller",
+                motion.line
+            );
+            let help = "--form ramp and --form auto go by its value of the moment; else check it against the controller, and compensate anew when it is changed";
+            self.add(
+                Some(motion.setup.routine),
+                Diagnostic::warning("schedule::pers-value", message)
+                    .at(span_of(motion))
+                    .label(*declared, "declared here")
+                    .help(help),
             );
         }
     }

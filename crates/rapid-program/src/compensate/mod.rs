@@ -46,7 +46,7 @@ pub use options::{FormChoice, Options};
 pub use planner::plan;
 pub use selection::Selection;
 pub use tcp_drift::{DriftPoint, TcpDrift, tcp_drift};
-pub use touch_reference::TouchReference;
+pub use touch_reference::{TouchReference, TouchingArm};
 
 #[cfg(test)]
 mod tests;

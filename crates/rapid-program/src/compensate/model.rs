@@ -102,9 +102,9 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The law by which all that the arm deforms grows, where there is one for all.
+    /// The law by which all of the arm's drift grows, where there is one for all.
     pub(super) fn growth_alone(&self) -> Option<GrowthLaw> {
-        self.deformation.growth().copied().filter(|_| self.identified.is_none())
+        self.deformation.one_law(self.identified.as_deref())
     }
 
     /// What the table moves the frames by at a moment.

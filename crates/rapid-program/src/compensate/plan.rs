@@ -127,6 +127,28 @@ pub enum Correction {
     },
 }
 
+impl Correction {
+    /// The shift of a robtarget, metres; `None` of a joint target.
+    #[must_use]
+    pub fn shift_m(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Pose { shift_m, .. } => Some(*shift_m),
+            Self::Joints { .. } => None,
+        }
+    }
+}
+
+impl Corrected {
+    /// Where a robtarget is, metres; `None` of a joint target.
+    #[must_use]
+    pub fn position_m(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Pose { position_m, .. } => Some(*position_m),
+            Self::Joints { .. } => None,
+        }
+    }
+}
+
 impl PlannedTarget {
     /// The target as programmed, where `written` is what the motion says.
     #[must_use]

@@ -307,9 +307,11 @@ fn keep_one_of_several(program: &Program, options: &Options, resolved: &mut [Res
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if is_one_of_several(motion) && resolved.kept().is_none() {
             let count = motion.targets.iter().map(|target| target.elements().len()).max().unwrap_or(0);
-            let why = format!(
-                "its target is one of {count}, and only run time tells which: --form ramp and --form auto correct it"
-            );
+            let which = match count {
+                1 => "its target is worked out on the way".to_owned(),
+                count => format!("its target is one of {count}, and only run time tells which"),
+            };
+            let why = format!("{which}: --form ramp and --form auto correct it");
             resolved.keep(Arc::new(placement::keep("keep::one-of", why)));
         }
     }

@@ -77,9 +77,15 @@ impl Ramp {
         };
         let functions = match model.growth_alone() {
             Some(law) => {
-                let of_share = Self::new(model, TimeFunctions::share(), &found, until_min);
+                let off_cold = model.identified.as_ref().is_some_and(|model| model.is_off_cold());
+                let of_share = if off_cold { TimeFunctions::from_cold() } else { TimeFunctions::share() };
+                let of_share = Self::new(model, of_share, &found, until_min);
                 let half = law.minute_of(0.5).filter(|_| of_share.worst_m(model, samples) > tolerance_m);
-                half.map_or(of_share.functions, TimeFunctions::share_squared)
+                match half {
+                    None => of_share.functions,
+                    Some(half_min) if off_cold => TimeFunctions::from_cold_squared(half_min),
+                    Some(half_min) => TimeFunctions::share_squared(half_min),
+                }
             }
             None => of_courses(model, samples, &found, tolerance_m),
         };

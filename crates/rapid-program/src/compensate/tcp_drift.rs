@@ -10,7 +10,7 @@ use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
 use rayon::prelude::*;
-use robot_model::deform::{Deformation, DeformedArm};
+use robot_model::deform::{ArmDeviation, Conditions, Deformation, DeformedArm};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
 use std::borrow::Cow;
@@ -32,10 +32,19 @@ pub struct TcpDrift {
     pub shares: Vec<Vec<f64>>,
     /// The table's offsets at each node.
     pub offsets: Vec<FrameOffsets>,
-    /// What an identified model adds is in the displacements, and not in `offsets`.
+    /// An identified model adds to `offsets`: [`TcpDrift::deviations`] has both.
     pub has_model: bool,
     /// The targets, motion by motion.
     pub points: Vec<DriftPoint>,
+    arms: Vec<DeformedArm>,
+}
+
+impl TcpDrift {
+    /// For each node how the arm at a target differs from the nominal one, table and identified model together.
+    #[must_use]
+    pub fn deviations(&self, point: &DriftPoint) -> Vec<ArmDeviation> {
+        self.arms.iter().map(|arm| arm.under(&point.conditions).deviation(&point.q_rad)).collect()
+    }
 }
 
 /// A target that drifts.
@@ -51,6 +60,8 @@ pub struct DriftPoint {
     pub flange_point_m: [f64; 3],
     /// Where it is meant to stand, in the base, metres.
     pub target_point_m: [f64; 3],
+    /// Load and direction there, where a model asks for them.
+    pub conditions: Conditions,
     /// At each node how far it stands from there without correction, in the base, metres.
     pub displacements_m: Vec<[f64; 3]>,
 }
@@ -86,6 +97,7 @@ pub fn tcp_drift(
         offsets: moments.iter().map(|&moment| model.offsets(moment)).collect(),
         has_model: model.identified.is_some(),
         points: points.into_iter().flatten().collect(),
+        arms,
     })
 }
 
@@ -141,6 +153,7 @@ fn of_motion(
             motion: id,
             value,
             q_rad: point.q_rad,
+            conditions,
             flange_point_m: point.flange_point_m.into(),
             target_point_m: point.target_point_m.into(),
             displacements_m: arms.iter().map(|arm| point.miss_m(arm, &point.q_rad).into()).collect(),

@@ -174,7 +174,7 @@ impl CoreText<'_> {
         }
         if let Some((touch, _)) = self.touch {
             let numbers = self.numbers(false);
-            lines.extend(touch.data().into_iter().map(|line| filled(line, &numbers)));
+            lines.extend(touch.data(!self.task_data).into_iter().map(|line| filled(line, &numbers)));
         }
         let line = |line: String| {
             names.rename(&if self.task_data { line } else { line.replacen("TASK PERS", "PERS", 1) })
@@ -198,7 +198,7 @@ impl CoreText<'_> {
             Choice::Scale(scaled) => scaled.routines(),
         };
         let numbers = self.numbers(shares);
-        let touch = self.touch.map(|(touch, _)| touch.routines());
+        let touch = self.touch.map(|(touch, _)| touch.routines(!self.task_data));
         let parts = asked.iter().map(String::as_str).chain([UPDATE]).chain(law.iter().copied());
         let parts = parts.chain(touch.into_iter().flatten());
         let mut lines = Vec::new();
@@ -207,10 +207,12 @@ impl CoreText<'_> {
                 lines.push(String::new());
             }
             for line in part.lines() {
-                let line = match (line.strip_prefix("touch#"), self.amount()) {
-                    (Some(_), Amount::OfTable) => continue,
-                    (Some(line), Amount::Learnt) => line,
-                    (None, _) => line,
+                // What stands in a line of its own for touches, or for their log.
+                let line = match (line.strip_prefix("touch#"), line.strip_prefix("log#")) {
+                    (Some(line), _) if self.touch.is_some() => line,
+                    (_, Some(line)) if self.touch.is_some_and(|(touch, _)| touch.log) => line,
+                    (None, None) => line,
+                    _ => continue,
                 };
                 match (line, &self.choice) {
                     ("@CASES@", Choice::Bucket(schedule)) => {

@@ -8,10 +8,13 @@ use super::live::{self, Cap, Function, LiveModel};
 use super::names::Names;
 use super::options::{Core, EmitError, EmitOptions};
 use super::scale::Scaled;
+use super::touch::ROOM;
 use crate::compensate::LiveBasis;
-use crate::compensate::plan::{Form, Plan, Status, Totals};
+use crate::compensate::plan::{Corrected, Corrections, Form, Plan, PlannedTarget, Status, Totals};
 use crate::program::Program;
 use crate::program::motion::Target;
+use crate::schedule::{Bucket, Moment};
+use nalgebra::Vector3;
 use rapid_syntax::diagnostic::FileId;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::FrameOffsets;
@@ -113,12 +116,41 @@ fn core_text<'e>(
             live,
         })),
     };
-    let touch = options.touch.as_ref().map(|touch| (touch, totals.max_correction_m));
+    let largest_m = || largest_drift_m(plan, options.growth).unwrap_or(totals.max_correction_m);
+    let touch = options.touch.as_ref().map(|touch| (touch, largest_m()));
     if touch.is_some() {
-        can_touch((law, options.growth), &choice, s4c)
-            .map_err(|why| EmitError::CannotTouch(why.to_owned()))?;
+        can_touch((law, options), &choice, s4c).map_err(|why| EmitError::CannotTouch(why.to_owned()))?;
     }
     Ok(CoreText { law, growth: options.growth, choice, task_data: !s4c, touch })
+}
+
+/// By how much the table's drift moves the target that it moves most, metres; `None` where no robtarget is corrected by numbers.
+///
+/// What the cold arm is off already is no drift, and the buckets of a program that touches go up to [`ROOM`] times the drift.
+fn largest_drift_m(plan: &Plan, growth: Option<GrowthLaw>) -> Option<f64> {
+    let cold = plan.functions.as_ref().and_then(|functions| {
+        functions.nodes.iter().position(|node| matches!(node, Moment::Minute(t_min) if *t_min == 0.0))
+    });
+    let share = |bucket: Option<&Bucket>| Some(growth?.at(bucket?.at_min));
+    let buckets = &plan.schedule.buckets;
+    let of_target = |target: &PlannedTarget| match &target.corrections {
+        Corrections::AtNodes(nodes) => {
+            let settled = Vector3::from(nodes.first()?.shift_m()?);
+            let cold = match cold {
+                Some(cold) => Vector3::from(nodes.get(cold)?.shift_m()?),
+                None => Vector3::zeros(),
+            };
+            Some((settled - cold).norm())
+        }
+        Corrections::InBuckets(corrected) => {
+            let at_m = |corrected: Option<&Corrected>| Some(Vector3::from(corrected?.position_m()?));
+            let moved_m = (at_m(corrected.last())? - at_m(corrected.first())?).norm();
+            let shares = ROOM * (share(buckets.last())? - share(buckets.first())?);
+            (shares > 0.0).then_some(moved_m / shares)
+        }
+    };
+    let compensated = plan.motions.iter().filter(|planned| planned.status == Status::Compensated);
+    compensated.flat_map(|planned| &planned.targets).filter_map(of_target).reduce(f64::max)
 }
 
 /// Whether some motion asks for one of a few targets.
@@ -132,16 +164,24 @@ fn one_of(program: &Program, plan: &Plan) -> bool {
 
 /// Why a touch would tell the clock nothing, where it would not.
 fn can_touch(
-    (law, growth): (&Law, Option<GrowthLaw>),
+    (law, options): (&Law, &EmitOptions),
     choice: &Choice<'_>,
     s4c: bool,
 ) -> Result<(), &'static str> {
-    if s4c {
-        return Err("an S4C controller has no CalcJointT, by which a touch is checked");
-    }
-    if growth.is_none() || !matches!(law, Law::TwoStage { .. } | Law::OneLag { .. }) {
+    if s4c && options.touch.as_ref().is_some_and(|touch| touch.log) {
         return Err(
-            "a touch tells the lags of a growth law: use --clock warmth, and a static table with --growth",
+            "an S4C controller has no CalcJointT, from which the joints of a log come: leave --touch-log out",
+        );
+    }
+    if !matches!(law, Law::TwoStage { .. } | Law::OneLag { .. }) {
+        return Err(
+            "a touch tells the lags of a growth law, which the clock must follow: use --clock warmth",
+        );
+    }
+    if options.growth.is_none() {
+        return Err(
+            "the rows of a scheduled table have courses of their own, and a touch tells one share: give a static table with --growth \
+             (`fit` makes one of touches), or a model whose terms grow by one law",
         );
     }
     match choice {

@@ -98,6 +98,13 @@ pub fn header_text(
             names.core("tcTouchSigma"),
             names.core("tcTouchSaid"),
         ));
+        if touch.log {
+            about.push(format!(
+                "Each touch is a line of the file in HOME that {} names, for driftpost state; {} begins a new one",
+                names.core("tcLogFile"),
+                names.core("tcColdStart"),
+            ));
+        }
     }
     about.push("To remove: load the original file, or get it back with `driftpost restore`".to_owned());
     about.push(match core {

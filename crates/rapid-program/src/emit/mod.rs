@@ -38,4 +38,4 @@ pub use identity::{Difference, differences};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};
-pub use touch::{ROOM, Touch, TouchBy};
+pub use touch::{ROOM, Touch, TouchBy, TouchFrames};

@@ -10,7 +10,7 @@ use rapid_syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
 
 /// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
 /// a file declares one itself it is taken.
-const PUBLIC: [&str; 18] = [
+const PUBLIC: [&str; 19] = [
     "tcColdStart",
     "tcWarmStart",
     "tcStartAt",
@@ -29,7 +29,13 @@ const PUBLIC: [&str; 18] = [
     "tcAmount",
     "tcTau",
     "tcTauCool",
+    "tcLogFile",
 ];
+
+/// What motions ask in the one form or the other: where a given file has such a name it is another one in every form, so that
+/// what asks is told from what is the file's own.
+pub(super) const ASKED: [&str; 9] =
+    ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
 
 /// The longest identifier that RAPID takes, characters.
 pub const MAX_NAME: usize = 32;
@@ -65,7 +71,7 @@ impl Names {
     /// Names that collide with none of `taken`; `core` is the core's RAPID text.
     #[must_use]
     pub fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
-        let mut ours = BTreeSet::new();
+        let mut ours: BTreeSet<String> = ASKED.map(str::to_owned).into();
         for text in core {
             words(text.as_bytes(), |word| {
                 if begins_with_tc(word) {

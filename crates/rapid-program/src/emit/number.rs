@@ -3,6 +3,7 @@
 //! RAPID's `num` is IEEE single precision; a longer text says nothing more, a shorter one moves the
 //! target. Fixed notation, no exponent, no `-0`.
 
+use nalgebra::Isometry3;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// Below this a value is written `0`: in mm, degrees or as part of a quaternion it moves nothing by more
@@ -90,6 +91,18 @@ pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) {
 /// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`.
 pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) {
     write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)));
+}
+
+/// A frame as RAPID's `pose`, mm.
+#[must_use]
+pub fn pose(frame: &Isometry3<f64>) -> String {
+    let turn = frame.rotation;
+    let mut text = vec![b'['];
+    write_pos(&mut text, frame.translation.vector.into());
+    text.push(b',');
+    write_orient(&mut text, [turn.w, turn.i, turn.j, turn.k]);
+    text.push(b']');
+    String::from_utf8_lossy(&text).into_owned()
 }
 
 /// A number as RAPID text.

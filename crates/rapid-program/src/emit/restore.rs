@@ -7,6 +7,7 @@
 mod altered;
 mod arrays;
 mod comment_block;
+mod declared;
 mod findings;
 mod removal;
 
@@ -16,7 +17,7 @@ pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::check::hex;
 use super::header;
 use super::insertion;
-use super::names::words;
+use super::names::{ASKED, words};
 use altered::altered_code;
 use comment_block::{comment_block, header_of};
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
@@ -88,8 +89,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
         added.extend(arrays.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
-        let asked = ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
-        added.extend(asked.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
+        added.extend(ASKED.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
     }
     let (sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;

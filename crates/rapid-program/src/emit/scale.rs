@@ -10,6 +10,8 @@ const DATA: &str = include_str!("clock/data_scaled.mod");
 const CHOOSE: &str = include_str!("clock/scaled.mod");
 const SHARE: &str = include_str!("clock/scale_share.mod");
 const SQUARED: &str = include_str!("clock/scale_squared.mod");
+const FROM_COLD: &str = include_str!("clock/scale_from_cold.mod");
+const FROM_COLD_SQUARED: &str = include_str!("clock/scale_from_cold_squared.mod");
 const KNOTS: &str = include_str!("clock/knots.mod");
 const AT: &str = include_str!("clock/at.mod");
 const AT_ONE: &str = include_str!("clock/at_one.mod");
@@ -43,7 +45,7 @@ impl Course {
     /// Whether the functions are of the growth law's share.
     #[must_use]
     pub fn is_of_share(&self) -> bool {
-        matches!(self, Self::Share | Self::ShareSquared)
+        !matches!(self, Self::Knots { .. })
     }
 }
 
@@ -57,7 +59,9 @@ impl Scaled<'_> {
             lines.extend(live.data(tests));
         }
         match &self.functions.course {
-            Course::Share | Course::ShareSquared => lines.push("  LOCAL VAR num tcWarm:=0;".to_owned()),
+            Course::Share | Course::ShareSquared | Course::FromCold | Course::FromColdSquared => {
+                lines.push("  LOCAL VAR num tcWarm:=0;".to_owned());
+            }
             Course::Knots { at_min, values } => {
                 let columns = self.functions.count() + 1;
                 lines.push(format!("  LOCAL CONST num tcKnot{{{},{columns}}}:=[", at_min.len()));
@@ -91,6 +95,8 @@ impl Scaled<'_> {
         let scale = match &self.functions.course {
             Course::Share => SHARE.to_owned(),
             Course::ShareSquared => SQUARED.to_owned(),
+            Course::FromCold => FROM_COLD.to_owned(),
+            Course::FromColdSquared => FROM_COLD_SQUARED.to_owned(),
             Course::Knots { at_min, values } => {
                 let functions: Vec<String> = (1..=count)
                     .map(|r| {
@@ -151,7 +157,7 @@ impl Scaled<'_> {
     pub fn settled_min(&self, growth: Option<GrowthLaw>) -> f64 {
         match &self.functions.course {
             Course::Knots { at_min, .. } => at_min.last().copied().unwrap_or(0.0),
-            Course::Share | Course::ShareSquared => {
+            Course::Share | Course::ShareSquared | Course::FromCold | Course::FromColdSquared => {
                 SETTLED_LAGS * growth.and_then(|law| law.tau_min()).unwrap_or(0.0)
             }
         }

@@ -3,15 +3,24 @@
 //! The filter is [`thermal_filter`](robot_model::deform::thermal_filter)'s; its RAPID stands in `clock/touch*.mod`. The clock
 //! carries on how the lags depend on what was known at the last touch, so that a touch needs no history.
 
-use super::number::num;
-use nalgebra::Vector3;
+use super::number::{num, pose};
+use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::thermal_filter as filter;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 const DATA: &str = include_str!("clock/data_touch.mod");
 const TOUCH: &str = include_str!("clock/touch.mod");
+const STANDS: &str = include_str!("clock/touch_stands.mod");
+const STANDS_S4C: &str = include_str!("clock/touch_stands_s4c.mod");
+const FRAMES_S4C: [&str; 3] = [
+    "  LOCAL CONST pose tcTouchAt:=@POSE_AT@;",
+    "  LOCAL CONST pose tcTouchTool:=@POSE_HELD@;",
+    "  LOCAL CONST pose tcTouchOn:=@POSE_ON@;",
+];
 const SEARCH: &str = include_str!("clock/touch_search.mod");
 const ROUTINE: &str = include_str!("clock/touch_routine.mod");
+const LOG: &str = include_str!("clock/touch_log.mod");
+const LOG_DATA: [&str; 2] = ["  TASK PERS string tcLogFile:=\"\";", "  LOCAL PERS num tcLogged{3}:=[0,0,0];"];
 
 /// What `tcTouch` touches and how.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,12 +33,31 @@ pub struct Touch {
     pub by: TouchBy,
     /// One standard deviation of a coordinate of what is found, metres.
     pub sigma_m: f64,
+    /// Each touch is written to a file in HOME, as `driftpost state` reads it.
+    pub log: bool,
     /// Those of the three that are LOCAL to their module.
     pub local: Vec<String>,
+    /// Target, tool and work object as they were reckoned with.
+    pub frames: TouchFrames,
     /// Nominal joints at the point, radians.
     pub q_rad: [f64; 6],
-    /// By how much the settled arm must be told to go elsewhere to touch it, in the work object's axes, metres.
+    /// By how much the cold arm must be told to go elsewhere to touch it, in the work object's axes, metres.
+    pub cold_m: Vector3<f64>,
+    /// By how much further the settled one must be, metres.
     pub settled_m: Vector3<f64>,
+}
+
+/// A target, a tool and a work object: what a controller without `CalcJointT` knows the joints by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TouchFrames {
+    /// The target in the work object, metres.
+    pub object_from_tcp: Isometry3<f64>,
+    /// `cf1`, `cf4`, `cf6` and `cfx` of the target.
+    pub conf: [i32; 4],
+    /// The tool's tip on the flange, metres.
+    pub flange_from_tcp: Isometry3<f64>,
+    /// The work object in the base, metres.
+    pub base_from_object: Isometry3<f64>,
 }
 
 /// In the form `schedule` there are buckets up to so many times the table's settled drift, for what touches find.
@@ -52,16 +80,22 @@ pub enum TouchBy {
 }
 
 impl Touch {
-    /// The data declarations, one a line.
+    /// The data declarations, one a line; `s4c`: of an S4C controller.
     #[must_use]
-    pub fn data(&self) -> Vec<String> {
-        DATA.lines().map(str::to_owned).collect()
+    pub fn data(&self, s4c: bool) -> Vec<String> {
+        let frames = FRAMES_S4C.iter().copied().filter(|_| s4c);
+        let log = LOG_DATA.iter().copied().filter(|_| self.log);
+        DATA.lines().chain(log).chain(frames).map(str::to_owned).collect()
     }
 
-    /// Names of the emitted routines: the one to call and the one it calls.
+    /// The texts of the routines: the one to call, the one that knows the point again, the one it is found by, the one that logs.
+    ///
+    /// An S4C controller has no `CalcJointT`: it knows the point again by its frames.
     #[must_use]
-    pub fn routines(&self) -> [&'static str; 2] {
-        [TOUCH, if matches!(self.by, TouchBy::Search { .. }) { SEARCH } else { ROUTINE }]
+    pub fn routines(&self, s4c: bool) -> Vec<&'static str> {
+        let stands = if s4c { STANDS_S4C } else { STANDS };
+        let probe = if matches!(self.by, TouchBy::Search { .. }) { SEARCH } else { ROUTINE };
+        [TOUCH, stands, probe].into_iter().chain(self.log.then_some(LOG)).collect()
     }
 
     /// What stands for each `@NAME@`: of `two` lags or one with these time constants of warming and cooling, minutes, and the
@@ -91,10 +125,16 @@ impl Touch {
         };
         let sum: Vec<String> = (1..=5).map(|k| format!("{}*({})", seen_row(k), of_known(k))).collect();
         let [point, tool, wobj] = &self.point;
+        let cold = match self.cold_m.map(mm_from_m) {
+            cold if cold == Vector3::zeros() => point.clone(),
+            cold => format!("Offs({point},{},{},{})", num(cold.x), num(cold.y), num(cold.z)),
+        };
         let lag =
             |name: &str, k: usize| format!("tcHeld({name}+tcG{{2,{k}}}*tcOff,0,{})", num(filter::MOST_SHARE));
         let agree = filter::AGREE.powi(2) * 2.0 * variance / square;
         let mut numbers = vec![
+            ("@NAME@", self.name.clone()),
+            ("@COLD@", cold),
             ("@POINT@", point.clone()),
             ("@TOOL@", format!("{tool}\\WObj:={wobj}")),
             ("@SECOND_HALF@", if two { "tcPart(tcAmount/2)".to_owned() } else { "0".to_owned() }),
@@ -128,6 +168,15 @@ impl Touch {
             ("@TABLE_TAU@", num(tau_min)),
         ];
         numbers.extend(["@Q11@", "@Q22@", "@Q33@", "@Q44@", "@Q55@"].into_iter().zip((0..5).map(hour)));
+        let [cf1, cf4, cf6, cfx] = self.frames.conf.map(|cf| format!("({cf})"));
+        numbers.extend([("@CF1@", cf1), ("@CF4@", cf4), ("@CF6@", cf6), ("@CFX@", cfx)]);
+        numbers.extend([
+            ("@HELD@", tool.clone()),
+            ("@ON@", wobj.clone()),
+            ("@POSE_AT@", pose(&self.frames.object_from_tcp)),
+            ("@POSE_HELD@", pose(&self.frames.flange_from_tcp)),
+            ("@POSE_ON@", pose(&self.frames.base_from_object)),
+        ]);
         let [q1, q2, q3, q4, q5, q6] = self.q_rad.map(|q| format!("({})", num(deg_from_rad(q))));
         numbers.extend([("@Q1@", q1), ("@Q2@", q2), ("@Q3@", q3), ("@Q4@", q4), ("@Q5@", q5), ("@Q6@", q6)]);
         match &self.by {

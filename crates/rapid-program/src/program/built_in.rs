@@ -1,21 +1,9 @@
-//! The controller's own functions, by name in lower case, and which of their arguments they write. ABB,
-//! "RAPID Instructions, Functions and Data types", lists them; a function of another name may write
-//! whatever it is handed.
+//! The controller's own functions, by name in lower case. ABB, "RAPID Instructions, Functions and Data types",
+//! lists them; a function of another name may write whatever it is handed.
 
 /// Whether a function is the controller's own.
 pub(super) fn is_built_in_function(name: &str) -> bool {
     FUNCTIONS.binary_search(&name).is_ok()
-}
-
-/// Positions of the arguments that a function writes, those without a backslash counted from 0.
-pub(super) fn written_by_function(name: &str) -> &'static [usize] {
-    match name {
-        "strtoval" | "readdir" => &[1],
-        "getnextsym" | "getnextmechunit" | "getnextcyclicbool" => &[0, 1],
-        "testandset" => &[0],
-        "calcrotaxframez" | "calcrotaxisframe" | "defaccframe" => &[3, 4],
-        _ => &[],
-    }
 }
 
 const FUNCTIONS: &[&str] = &[

@@ -305,6 +305,13 @@ impl<'a> ConstEvaluator<'a> {
                 value => Ok(Typed { value: value.clone(), type_name: Some(components[at].1) }),
             },
             (Value::Reached(_), ..) => Err(needs_kinematics("a component of CalcRobT")),
+            (Value::Parts(_), _, None) if base.type_name.is_some() => {
+                let type_name = base.type_name.map_or("", |name| self.index.type_text(name));
+                Err(why(
+                    "keep::not-declared",
+                    format!("the type {type_name} is not declared in the given files"),
+                ))
+            }
             _ => {
                 let name = as_text(self.index.text(ctx.file, name));
                 Err(why("keep::wrong-type", format!("there is no component {name} here")))

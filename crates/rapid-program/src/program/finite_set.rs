@@ -1,12 +1,13 @@
 //! Every value that an expression can have, where it is one of a few that are all known: of data that are assigned from
-//! constants, of parameters whose calls all hand over such values, of variables of FOR loops with constant bounds.
+//! constants, of parameters whose calls all hand over such values, of variables of FOR loops with constant bounds. What is
+//! changed in part or from what it was, the ways through the program tell ([`targets_on_ways`](super::state::targets_on_ways)).
 //!
 //! A superset is enough: which of the values it is, run time tells. What may be changed in another way (in part, by an
 //! instruction, through a parameter, in a trap or a handler, by another task, by a name that is computed) has no such set.
 
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
 use super::tracked::names_in;
 use super::value::Value;
 use super::writes::{How, match_arguments};
@@ -60,8 +61,7 @@ impl<'a> FiniteSets<'a> {
     pub(super) fn new(index: &Index<'a>) -> Self {
         let mut sets = Self::default();
         for routine in &index.routines {
-            let handlers = routine.tree.handlers.iter().map(|h| &h.body);
-            for body in std::iter::once(&routine.tree.body).chain(handlers) {
+            for body in bodies(routine.tree) {
                 every_statement(body, &mut |stmt| {
                     let ctx = routine.ctx;
                     match &stmt.kind {
@@ -92,6 +92,17 @@ impl<'a> FiniteSets<'a> {
             }
         }
         sets
+    }
+
+    /// Whether one of the data is a parameter that a call may hand over which the text does not tell.
+    pub(super) fn are_handed_unseen(&self, index: &Index<'_>, data: &BTreeSet<DatumId>) -> bool {
+        data.iter().any(|&datum| match index.data[datum].kind {
+            DatumKind::Param { optional, .. } => {
+                let routine = index.data[datum].ctx.routine;
+                optional || self.any_called || routine.is_none_or(|id| self.doubtful.contains(&id))
+            }
+            DatumKind::LoopVariable | DatumKind::Declared(_) => false,
+        })
     }
 
     fn assign(&mut self, index: &Index<'a>, ctx: Ctx, target: &'a Expr, value: &'a Expr) {

@@ -87,22 +87,29 @@ pub(super) struct Binding<'a> {
     pub(super) value: Option<&'a Expr>,
 }
 
-/// What, once in force, shifts or softens all motion.
+/// What, once in force, shifts, softens or binds all motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Blocker {
     /// Program displacement: PDispOn, PDispSet.
     Displacement,
     /// Offsets of external axes: EOffsOn, EOffsSet.
     ExternalOffset,
-    /// The soft servo: SoftAct.
+    /// The soft servo or force control: SoftAct, CSSAct, FCAct.
     SoftServo,
+    /// Axis 4 is locked: SingArea\LockAxis4.
+    LockedAxis,
     /// Motion together with others: SyncMoveOn.
     MultiMove,
 }
 
 /// All blockers, in the order in which a state has them.
-pub(super) const BLOCKERS: [Blocker; 4] =
-    [Blocker::Displacement, Blocker::ExternalOffset, Blocker::SoftServo, Blocker::MultiMove];
+pub(super) const BLOCKERS: [Blocker; 5] = [
+    Blocker::Displacement,
+    Blocker::ExternalOffset,
+    Blocker::SoftServo,
+    Blocker::LockedAxis,
+    Blocker::MultiMove,
+];
 
 /// What is carried along the ways.
 pub(super) trait ForwardAnalysis<'a> {

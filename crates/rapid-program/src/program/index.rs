@@ -332,8 +332,7 @@ impl<'a> Index<'a> {
             }
         }
         let mut loop_variables = Vec::new();
-        let handlers = tree.handlers.iter().map(|h| &h.body);
-        for body in std::iter::once(&tree.body).chain(handlers) {
+        for body in bodies(tree) {
             every_statement(body, &mut |stmt| match &stmt.kind {
                 StmtKind::Data(decl) => self.add_data(file, decl, ctx, task),
                 StmtKind::For(looped) => {
@@ -377,6 +376,11 @@ impl<'a> Index<'a> {
             }
         }
     }
+}
+
+/// The statements of a routine, then those of each of its handlers.
+pub(super) fn bodies(routine: &Routine) -> impl Iterator<Item = &[Stmt]> {
+    std::iter::once(routine.body.as_slice()).chain(routine.handlers.iter().map(|h| h.body.as_slice()))
 }
 
 /// Calls `visit` with every statement, the outer before the inner, in source order.

@@ -1,5 +1,5 @@
 //! What the controller's own instructions do, as far as motion goes: which argument of a move is which,
-//! which instructions write an argument, and which are known not to matter.
+//! and which instructions are known not to matter.
 //!
 //! Names are in lower case; positions count the arguments without a backslash, from 0, as ABB's
 //! reference manual orders them.
@@ -33,6 +33,13 @@ pub(super) enum Special {
     External,
     /// It is known to move the arm, not how its targets are used.
     Unsupported,
+}
+
+impl MoveForm {
+    /// Whether seam and weld data stand between speed and zone.
+    pub(super) fn has_seam(&self) -> bool {
+        self.zone.is_some_and(|zone| zone == self.speed + 3)
+    }
 }
 
 /// The move instruction of a name in lower case.
@@ -108,6 +115,7 @@ const MOVES: &[(&str, MoveForm)] = &[
     ("capc", unsupported("CapC", Circular)),
     ("capl", unsupported("CapL", Linear)),
     ("contactl", unsupported("ContactL", Linear)),
+    ("cssdeactmovel", unsupported("CSSDeactMoveL", Linear)),
     ("dispc", unsupported("DispC", Circular)),
     ("displ", unsupported("DispL", Linear)),
     ("egmmovec", unsupported("EGMMoveC", Circular)),
@@ -149,41 +157,27 @@ const MOVES: &[(&str, MoveForm)] = &[
     ("trigglios", simple("TriggLIOs", Linear)),
 ];
 
-/// Positions of the arguments that an instruction writes.
-pub(super) fn written_arguments(name: &str) -> &'static [usize] {
-    match name {
-        "incr" | "decr" | "add" | "clear" | "bitset" | "bitclear" | "getsysdata" | "tpreadfk"
-        | "tpreadnum" | "tpreaddnum" => &[0],
-        "searchl" | "searchc" | "searchextj" | "getdataval" | "readanybin" | "readvararr"
-        | "rmqgetmsgdata" | "packrawbytes" | "packdnheader" | "sortdata" => &[1],
-        "readcfgdata" | "matrixsolve" | "stoolrotcalib" | "unpackrawbytes" => &[2],
-        "mtooltcpcalib" | "stooltcpcalib" => &[4, 5, 6],
-        "mtoolrotcalib" => &[2, 3],
-        "loadid" => &[2],
-        "fitcircle" => &[1, 2, 3],
-        _ => &[],
-    }
-}
-
-/// Arguments with a backslash that an instruction or function writes.
-pub(super) fn is_written_option(name: &str) -> bool {
-    matches!(
-        name,
-        "breakflag"
-            | "errornumber"
-            | "timeflag"
-            | "result"
-            | "str"
-            | "rawdata"
-            | "data"
-            | "getdata"
-            | "breaklist"
-    )
-}
-
 /// Whether an instruction is the controller's own and leaves tool, work object and place alone.
 pub(super) fn harmless(name: &str) -> bool {
     HARMLESS_STARTS.iter().any(|start| name.starts_with(start)) || HARMLESS.binary_search(&name).is_ok()
+}
+
+/// Whether an instruction, no move itself, may take the arm elsewhere.
+pub(super) fn moves_arm(name: &str) -> bool {
+    matches!(
+        name,
+        "egmrunjoint"
+            | "egmrunpose"
+            | "indamove"
+            | "indcmove"
+            | "inddmove"
+            | "indrmove"
+            | "loadid"
+            | "pathrecmovebwd"
+            | "pathrecmovefwd"
+            | "setleadthrough"
+            | "stepbwdpath"
+    )
 }
 
 /// Whole families whose names no user's routine is likely to begin with.
@@ -197,6 +191,7 @@ const HARMLESS: &[&str] = &[
     "add",
     "aliasio",
     "aliasioreset",
+    "arcrefresh",
     "bitclear",
     "bitset",
     "bookerrno",
@@ -204,6 +199,9 @@ const HARMLESS: &[&str] = &[
     "break",
     "callbyvar",
     "cancelload",
+    "capaptrsetup",
+    "caprefresh",
+    "capweavesync",
     "checkprogref",
     "cirpathmode",
     "clear",
@@ -216,10 +214,14 @@ const HARMLESS: &[&str] = &[
     "connect",
     "copyfile",
     "copyrawbytes",
+    "cssact",
+    "cssdeact",
     "cyclicbrakecheck",
     "deactevent",
     "deactunit",
     "decr",
+    "ditheract",
+    "ditherdeact",
     "dropsensor",
     "dropwobj",
     "eoffsoff",
@@ -231,8 +233,12 @@ const HARMLESS: &[&str] = &[
     "errwrite",
     "exit",
     "exitcycle",
+    "fcact",
+    "fcdeact",
+    "fcsupforce",
     "fitcircle",
     "getdataval",
+    "getjointdata",
     "getsysdata",
     "gettorquemargin",
     "gettrapdata",
@@ -243,12 +249,18 @@ const HARMLESS: &[&str] = &[
     "ienable",
     "ierror",
     "incr",
+    "indamove",
+    "indcmove",
+    "inddmove",
     "indreset",
+    "indrmove",
+    "initsuperv",
     "invertdo",
     "iobusstart",
     "iobusstate",
     "iodisable",
     "ioenable",
+    "ipathpos",
     "ipers",
     "irmqmessage",
     "isleep",
@@ -272,6 +284,8 @@ const HARMLESS: &[&str] = &[
     "pathlengthreset",
     "pathlengthstart",
     "pathlengthstop",
+    "pathrecmovebwd",
+    "pathrecmovefwd",
     "pathrecstart",
     "pathrecstop",
     "pathresol",
@@ -299,6 +313,7 @@ const HARMLESS: &[&str] = &[
     "restopath",
     "rewind",
     "save",
+    "scwrite",
     "set",
     "setalldataval",
     "setao",
@@ -306,11 +321,18 @@ const HARMLESS: &[&str] = &[
     "setdataval",
     "setdo",
     "setgo",
+    "setleadthrough",
     "setsysdata",
     "setuiostate",
+    "siclose",
+    "siconnect",
+    "sigetcyclic",
     "singarea",
+    "sisetcyclic",
+    "skipwarn",
     "softact",
     "softdeact",
+    "softelbow",
     "sortdata",
     "speedlimaxis",
     "speedlimcheckpoint",
@@ -321,13 +343,20 @@ const HARMLESS: &[&str] = &[
     "startload",
     "startmove",
     "startmoveretry",
+    "stcalib",
+    "stclose",
     "stepbwdpath",
+    "stindgun",
+    "stindgunreset",
     "stoolrotcalib",
     "stooltcpcalib",
     "stop",
+    "stopen",
     "stopmove",
     "stopmovereset",
     "storepath",
+    "sttune",
+    "sttunereset",
     "supsyncsensoroff",
     "supsyncsensoron",
     "syncmoveoff",

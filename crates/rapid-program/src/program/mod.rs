@@ -23,7 +23,8 @@ mod flow;
 mod functions;
 mod index;
 mod instructions;
-pub mod made_for;
+pub mod loads;
+mod made_for;
 mod mod_ref;
 mod motion_site;
 mod names;
@@ -40,6 +41,7 @@ mod target;
 mod tracked;
 mod value;
 mod writes;
+mod written_by;
 
 pub use file_pairs::FilePairs;
 pub use fixed_point::FixedPoint;
@@ -48,7 +50,7 @@ pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 use module_facts::Facts;
 use motion::{Loop, Motion, MotionId, RoutineInfo};
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Span};
 use std::collections::BTreeMap;
 
 /// What is said from outside about a program, beside its text.
@@ -85,6 +87,8 @@ pub struct Program {
     pub motions: Vec<Motion>,
     /// The motions that run just before those with several such; [`Motion::from_start`] says whether these may be the first.
     pub junctions: BTreeMap<MotionId, Vec<MotionId>>,
+    /// The motions whose targets a PERS goes into, with its name and declaration: a controller may hold another value than the file.
+    pub made_of_pers: BTreeMap<MotionId, (String, Span)>,
     /// Modules, remarks, routines that a program can begin with.
     pub facts: Facts,
     /// The joints of [`Overrides::home`], radians.

@@ -2,7 +2,7 @@
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
-use super::index::{Ctx, Index, RoutineIndex, every_statement, inner_bodies};
+use super::index::{Ctx, Index, RoutineIndex, bodies, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
 use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
@@ -263,8 +263,7 @@ fn not_read_beside(body: &[Stmt], position: usize) -> Option<TextRange> {
 
 fn gotos(tree: &Routine) -> Vec<(TextRange, u32)> {
     let mut out = Vec::new();
-    let handlers = tree.handlers.iter().map(|h| &h.body);
-    for body in std::iter::once(&tree.body).chain(handlers) {
+    for body in bodies(tree) {
         every_statement(body, &mut |stmt| {
             if let StmtKind::Goto(name) = stmt.kind {
                 out.push((name, stmt.range.start));
@@ -293,9 +292,11 @@ fn move_args<'a>(index: &Index<'_>, ctx: Ctx, form: &MoveForm, args: &'a [Arg]) 
         }
     }
     let at = |position: usize| positional.get(position).copied();
+    // Older arc instructions have Weave as one more argument before the zone.
+    let weave = usize::from(form.has_seam() && form.tool.is_some_and(|tool| positional.len() == tool + 2));
     out.targets = form.targets.iter().filter_map(|&p| at(p)).collect();
     out.speed = at(form.speed);
-    out.zone = form.zone.and_then(at);
-    out.tool = form.tool.and_then(at);
+    out.zone = form.zone.and_then(|zone| at(zone + weave));
+    out.tool = form.tool.and_then(|tool| at(tool + weave));
     out
 }

@@ -1,11 +1,12 @@
 //! Targets that are read from where the robot stands, or that a search has found: they hold the drift already.
 
-use super::expressions::{every_call, expressions_of};
-use super::index::{Ctx, DatumId, Index, Resolved, every_statement};
+use super::expressions::{every_call, expressions_of, root_of};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies, every_statement};
 use super::names::lower_case;
 use super::tracked::{names_in, sources};
+use super::writes::match_arguments;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{ArgKind, Callee, Expr, StmtKind};
+use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ParamMode, Stmt, StmtKind};
 use std::collections::BTreeSet;
 
 /// Functions of the controller that read where the robot stands.
@@ -24,7 +25,7 @@ impl OwnPositions {
     /// Those of a program: by assignment, by declaration, as an argument, through functions.
     pub(super) fn new(index: &Index<'_>) -> Self {
         let found = Self { readings: &READINGS, ..Self::default() };
-        let reads = index.routines.iter().any(|routine| found.reads(index, routine.ctx, &routine.tree.body));
+        let reads = index.routines.iter().any(|routine| found.reads(index, routine));
         if reads { found.closed(index) } else { found }
     }
 
@@ -32,7 +33,7 @@ impl OwnPositions {
     pub(super) fn of_searches(index: &Index<'_>) -> Self {
         let mut found = Self::default();
         for routine in &index.routines {
-            every_statement(&routine.tree.body, &mut |stmt| {
+            in_all(routine, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
                 let Callee::Name(name) = call.callee else { return };
                 let is_search = lower_case(index.text(routine.ctx.file, name)).starts_with("search");
@@ -53,13 +54,15 @@ impl OwnPositions {
     /// With all that their values go into.
     fn closed(self, index: &Index<'_>) -> Self {
         let mut found = self;
-        let sources = sources(index);
+        let (sources, handed_back) = (sources(index), handed_back(index));
+        // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
+        let mut set = found.data.clone();
         loop {
-            let before = (found.data.len(), found.routines.len());
+            let before = (found.data.len(), found.routines.len(), set.len());
             for (id, routine) in index.routines.iter().enumerate() {
                 let ctx = routine.ctx;
                 let (mut data, mut returns) = (Vec::new(), false);
-                every_statement(&routine.tree.body, &mut |stmt| match &stmt.kind {
+                in_all(routine, &mut |stmt| match &stmt.kind {
                     StmtKind::Assign(assign) if found.is_read(index, ctx, &assign.value) => {
                         // Only what is assigned itself: `p.robconf` of a reading is no reading.
                         names_in(index, ctx, &assign.target, &mut |datum| data.push(datum));
@@ -67,15 +70,19 @@ impl OwnPositions {
                     StmtKind::Return(Some(value)) if found.is_read(index, ctx, value) => returns = true,
                     _ => {}
                 });
-                found.data.extend(data);
+                set.extend(data);
                 if returns {
                     found.routines.insert(id);
                 }
             }
+            let back: Vec<DatumId> =
+                handed_back.iter().filter(|(_, from)| set.contains(from)).map(|(to, _)| *to).collect();
+            set.extend(back);
+            found.data.extend(&set);
             let more: Vec<DatumId> =
                 sources.iter().filter(|(_, from)| found.data.contains(from)).map(|(to, _)| *to).collect();
             found.data.extend(more);
-            if before == (found.data.len(), found.routines.len()) {
+            if before == (found.data.len(), found.routines.len(), set.len()) {
                 return found;
             }
         }
@@ -97,13 +104,49 @@ impl OwnPositions {
         }
     }
 
-    fn reads(&self, index: &Index<'_>, ctx: Ctx, body: &[rapid_syntax::tree::Stmt]) -> bool {
+    fn reads(&self, index: &Index<'_>, routine: &RoutineEntry<'_>) -> bool {
         let mut read = false;
-        every_statement(body, &mut |stmt| {
+        in_all(routine, &mut |stmt| {
             for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, _| read |= self.is_reading(index, ctx, name));
+                every_call(expr, &mut |name, _| read |= self.is_reading(index, routine.ctx, name));
             }
         });
         read
     }
+}
+
+/// Calls `visit` with every statement of a routine, its handlers' included.
+fn in_all<'a>(routine: &RoutineEntry<'a>, visit: &mut impl FnMut(&'a Stmt)) {
+    bodies(routine.tree).for_each(|body| every_statement(body, visit));
+}
+
+/// What a routine's parameter by reference has become goes into what was handed over: `(to, from)`.
+fn handed_back(index: &Index<'_>) -> Vec<(DatumId, DatumId)> {
+    let mut out = Vec::new();
+    let mut enter = |ctx: Ctx, callee: TextRange, args: &[Arg]| {
+        let Some(name) = index.name_at(ctx.file, callee) else { return };
+        let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
+        for (param, value, own) in match_arguments(index, ctx, callee, args) {
+            let by_value = matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
+            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
+            if let Some(root) = root.filter(|_| !by_value)
+                && let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx)
+            {
+                out.push((datum, param));
+            }
+        }
+    };
+    for routine in &index.routines {
+        in_all(routine, &mut |stmt| {
+            if let StmtKind::Call(call) = &stmt.kind
+                && let Callee::Name(name) = call.callee
+            {
+                enter(routine.ctx, name, &call.args);
+            }
+            for expr in expressions_of(stmt) {
+                every_call(expr, &mut |name, args| enter(routine.ctx, name, args));
+            }
+        });
+    }
+    out
 }

@@ -6,7 +6,7 @@ mod skip_reasons;
 
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
-use super::finite_set::FiniteSets;
+use super::finite_set::{FiniteSet, FiniteSets};
 use super::index::Index;
 use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason, Target};
@@ -16,11 +16,11 @@ use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
-use super::state::{State, View, states_at_motions};
+use super::state::{State, View, states_at_motions, targets_on_ways};
 use super::tracked::TrackedData;
 use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
-use motion_target::MotionTargets;
+use motion_target::{MotionTargets, calls_own};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
@@ -49,6 +49,13 @@ impl Program {
         let tracked = TrackedData::new(&index, &writes, &sites);
         let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
         let states = states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
+        let of_targets = TrackedData::of_targets(&index, &writes, &sites);
+        let on_ways = if of_targets.data.is_empty() {
+            BTreeMap::new()
+        } else {
+            let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
+            targets_on_ways(&mut evaluator, &sites, &ways, &of_targets)
+        };
         let order = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());
         facts.retain(|file| is_of_task(&index.file(file).path, task));
@@ -62,6 +69,7 @@ impl Program {
             found_positions: OwnPositions::of_searches(&index),
             read_as_data: ReadAsData::new(&index),
             finite_sets: FiniteSets::new(&index),
+            on_ways,
             base_fixed: overrides.base_fixed,
             nests,
             recent_setups: VecDeque::new(),
@@ -69,6 +77,7 @@ impl Program {
             kept_over: BTreeMap::new(),
             guesses: BTreeMap::new(),
             read_elsewhere: BTreeMap::new(),
+            made_of_pers: BTreeMap::new(),
         };
         let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
         let mut junctions = BTreeMap::new();
@@ -82,13 +91,16 @@ impl Program {
                 }
                 Before::Unknown => (None, false),
             };
-            motions.push(Motion { previous, from_start, ..finish.motion(&site, state.as_deref()) });
+            let motion = finish.motion(&site, motions.len(), state.as_deref());
+            motions.push(Motion { previous, from_start, ..motion });
         }
+        let made_of_pers = std::mem::take(&mut finish.made_of_pers);
         diagnostics.extend(finish.evaluator.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
         diagnostics.extend(finish.read_elsewhere.into_values());
         diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
+        diagnostics.extend(super::loads::warnings(&index));
         for (name, at) in &not_given {
             let text = format!("{name} is not among the given files");
             diagnostics.push(
@@ -100,7 +112,7 @@ impl Program {
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::forget_bodies);
-        Self { files, routines, loops, motions, junctions, facts, home_rad, diagnostics }
+        Self { files, routines, loops, motions, junctions, made_of_pers, facts, home_rad, diagnostics }
     }
 }
 
@@ -120,10 +132,14 @@ struct MotionReader<'f, 'a> {
     read_as_data: ReadAsData,
     /// The values that data can have, where they are a few.
     finite_sets: FiniteSets<'a>,
+    /// The values that targets can have by the ways that lead to them, by the motion's position.
+    on_ways: BTreeMap<usize, FiniteSet>,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
     /// Targets that are read as data elsewhere, once each.
     read_elsewhere: BTreeMap<usize, Diagnostic>,
+    /// The first PERS of each motion's targets.
+    made_of_pers: BTreeMap<MotionId, (String, Span)>,
     /// Speeds and zones that are not predefined, once each.
     guesses: BTreeMap<String, Diagnostic>,
 }
@@ -132,20 +148,21 @@ struct MotionReader<'f, 'a> {
 const RECENT_SETUPS: usize = 16;
 
 impl<'a> MotionReader<'_, 'a> {
-    fn motion(&mut self, site: &MotionSite<'a>, state: Option<&State>) -> Motion {
+    fn motion(&mut self, site: &MotionSite<'a>, at: usize, state: Option<&State>) -> Motion {
         let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
         let mut reasons = SkipReasons::of_statement(site, ctx, &args);
         reasons.add_state(state, &args);
         let MotionTargets { targets, reached, read_elsewhere } =
-            self.targets(&args, (ctx, form.path), &mut reasons);
+            self.targets(&args, (ctx, form.path, at), &mut reasons);
         let known: &dyn TrackedValues = match state {
             Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,
         };
         let (speed, zone) = (self.speed(&args, ctx, known), self.zone(&args, ctx, known));
         let (tool, wobj) = self.frames(&args, (ctx, form.path), known, &mut reasons);
+        let (tool, grip) = self.total_load(&args, ctx, known, (tool, state.and_then(|state| state.grip)));
         if !self.same_frames(&args, ctx, &reached) {
             reasons.add_other_frames();
         }
@@ -172,13 +189,16 @@ impl<'a> MotionReader<'_, 'a> {
                 Path::Joint => state.conf_j,
                 Path::AbsJoint => Some(false),
             }),
-            grip: state.and_then(|state| state.grip),
+            grip,
         };
         let (skip_reason, known_at_run_time) = reasons.first();
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
             for (datum, warning) in read_elsewhere {
                 self.read_elsewhere.entry(datum).or_insert(warning);
+            }
+            if let Some(pers) = self.first_pers(&args, ctx) {
+                self.made_of_pers.insert(MotionId::new(at), pers);
             }
         }
         Motion {
@@ -189,7 +209,11 @@ impl<'a> MotionReader<'_, 'a> {
             targets: targets.into_iter().collect(),
             previous: None,
             from_start: false,
-            run_time: (known_at_run_time || one_of) && args.tool.is_some() && args.conditional.is_empty(),
+            run_time: (known_at_run_time || one_of)
+                && args.tool.is_some()
+                && args.conditional.is_empty()
+                // Tool and work object are named twice then: in the question and in the motion.
+                && ![args.tool, args.wobj].into_iter().flatten().any(|expr| calls_own(index, ctx, expr)),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
         }

@@ -1,7 +1,7 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
 use super::expressions::{every_call, expressions_of, value_of};
-use super::index::{Ctx, DatumId, Index, every_statement};
+use super::index::{Ctx, DatumId, Index, bodies, every_statement};
 use super::instructions::move_form;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
@@ -51,8 +51,7 @@ impl ReadAsData {
     pub(super) fn new(index: &Index<'_>) -> Self {
         let mut direct = BTreeMap::new();
         for routine in &index.routines {
-            let handlers = routine.tree.handlers.iter().map(|h| &h.body);
-            for body in std::iter::once(&routine.tree.body).chain(handlers) {
+            for body in bodies(routine.tree) {
                 every_statement(body, &mut |stmt| statement(index, routine.ctx, stmt, &mut direct));
             }
         }

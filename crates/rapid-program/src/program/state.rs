@@ -8,20 +8,23 @@
 //! on with TRYNEXT or RETRY, it goes on with that.
 
 mod steps;
+mod targets;
+
+pub(super) use targets::targets_on_ways;
 
 use super::data::LoadData;
 
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::flow::{BLOCKERS, ForwardAnalysis, RoutineCfg, every_step, walk};
-use super::index::{DatumId, DatumKind, RoutineIndex};
+use super::index::{Ctx, DatumId, DatumKind, RoutineIndex};
 use super::mod_ref::{RoutineEffects, routine_effects};
 use super::motion::SkipReason;
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
-use rapid_syntax::tree::{DataKind, RoutineKind};
-use std::collections::BTreeSet;
+use rapid_syntax::tree::{DataKind, Expr, RoutineKind};
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// States a routine is walked with one by one; behind it only what they have in common counts.
@@ -49,7 +52,7 @@ pub(super) struct State {
     /// What the last GripLoad said; `None` = not known.
     pub(super) grip: Option<LoadData>,
     /// In the order of [`BLOCKERS`]: why it is, or may be, in force.
-    pub(super) blockers: [Option<Why>; 4],
+    pub(super) blockers: [Option<Why>; BLOCKERS.len()],
 }
 
 /// A state as the values of the data that are tracked.
@@ -72,20 +75,7 @@ pub(super) fn states_at_motions<'a>(
     control_flow: &ControlFlow<'a>,
     tracked: &TrackedData,
 ) -> Vec<Option<Rc<State>>> {
-    let routines = control_flow.routines.len();
-    let mut walker = Walker {
-        at_motions: vec![None; motions],
-        last_seen: None,
-        walked: vec![Vec::new(); routines],
-        common: vec![None; routines],
-        busy: Vec::new(),
-        steps: 0,
-        in_handlers: Vec::new(),
-        effects: routine_effects(control_flow),
-        evaluator,
-        control_flow,
-        tracked,
-    };
+    let mut walker = Walker::new(evaluator, motions, control_flow, tracked);
     walker.run();
     walker.at_motions
 }
@@ -104,6 +94,15 @@ struct Walker<'w, 'a> {
     effects: Vec<RoutineEffects>,
     /// What the handlers of each routine and those they call may change.
     in_handlers: Vec<RoutineEffects>,
+    /// Motions whose target is looked at on every visit.
+    watched: BTreeMap<usize, Watched<'a>>,
+}
+
+/// The target of a motion, and what it was on the visits so far; `None` where that is not known or too much.
+struct Watched<'a> {
+    target: &'a Expr,
+    ctx: Ctx,
+    values: Option<Vec<Value>>,
 }
 
 /// What a routine leaves.
@@ -125,6 +124,31 @@ struct Busy {
     /// Where an error may have come in this walk.
     failed: Option<State>,
     recursive: bool,
+}
+
+impl<'w, 'a> Walker<'w, 'a> {
+    fn new(
+        evaluator: &'w mut ConstEvaluator<'a>,
+        motions: usize,
+        control_flow: &'w ControlFlow<'a>,
+        tracked: &'w TrackedData,
+    ) -> Self {
+        let routines = control_flow.routines.len();
+        Self {
+            at_motions: vec![None; motions],
+            last_seen: None,
+            walked: vec![Vec::new(); routines],
+            common: vec![None; routines],
+            busy: Vec::new(),
+            steps: 0,
+            in_handlers: Vec::new(),
+            effects: routine_effects(control_flow),
+            watched: BTreeMap::new(),
+            evaluator,
+            control_flow,
+            tracked,
+        }
+    }
 }
 
 impl Walker<'_, '_> {
@@ -206,12 +230,22 @@ impl Walker<'_, '_> {
                 DatumKind::Declared(_) => self.evaluator.initial(datum),
                 DatumKind::Param { .. } | DatumKind::LoopVariable => self.evaluator.datum(datum, &Constant),
             };
-            let value = value.unwrap_or_else(Value::Unknown);
+            let mut value = value.unwrap_or_else(Value::Unknown);
+            if !self.watched.is_empty() && matches!(kind, DatumKind::Declared(_)) {
+                // What a cycle of the program has left in it the next one begins with.
+                value = Value::Unknown(unknown("it may be as the cycle before has left it"));
+            }
             slots.push(SlotState { value, declared: persistent, set_at: None });
         }
         // From its beginning a program grips nothing.
         let grip = Some(LoadData::default());
-        State { slots, conf_l: Some(true), conf_j: Some(true), grip, blockers: [const { None }; 4] }
+        State {
+            slots,
+            conf_l: Some(true),
+            conf_j: Some(true),
+            grip,
+            blockers: [const { None }; BLOCKERS.len()],
+        }
     }
 
     /// A state of which nothing is known that the program changes.
@@ -227,6 +261,7 @@ impl Walker<'_, '_> {
 
     /// What a motion sees on one more visit.
     fn record(&mut self, motion: usize, state: &State) {
+        self.watch(motion, state);
         let seen = self.at_motions.get_mut(motion).and_then(Option::take);
         let seen = match seen {
             None => match self.last_seen.take() {

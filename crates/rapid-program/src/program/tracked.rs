@@ -3,7 +3,7 @@
 
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::flow::Slot;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, bodies, every_statement};
 use super::motion_site::MotionSites;
 use super::writes::{Writes, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
@@ -17,18 +17,8 @@ pub(super) struct TrackedData {
 }
 
 impl TrackedData {
-    /// What must be tracked for the motions of a program.
+    /// What must be tracked for the tools, work objects, speeds and zones of a program's motions.
     pub(super) fn new(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
-        let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
-        let can_be = |datum: DatumId| {
-            let entry = &index.data[datum];
-            let changes = match entry.kind {
-                DatumKind::Param { .. } => true,
-                DatumKind::Declared(DataKind::Const) | DatumKind::LoopVariable => false,
-                DatumKind::Declared(_) => writes.first(datum).is_some(),
-            };
-            changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
-        };
         let mut wanted = BTreeSet::new();
         for site in &sites.motions {
             let args = site.args(index);
@@ -39,6 +29,34 @@ impl TrackedData {
                 });
             }
         }
+        Self::of(index, writes, wanted)
+    }
+
+    /// What must be tracked for the targets of motions that have one.
+    pub(super) fn of_targets(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
+        let mut wanted = BTreeSet::new();
+        for site in &sites.motions {
+            if let [target] = &site.args(index).targets[..] {
+                names_in(index, site.ctx(index), target, &mut |datum| {
+                    wanted.insert(datum);
+                });
+            }
+        }
+        Self::of(index, writes, wanted)
+    }
+
+    /// Those that can be tracked, and whatever their values are made of.
+    fn of(index: &Index<'_>, writes: &Writes, wanted: BTreeSet<DatumId>) -> Self {
+        let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
+        let can_be = |datum: DatumId| {
+            let entry = &index.data[datum];
+            let changes = match entry.kind {
+                DatumKind::Param { .. } => true,
+                DatumKind::Declared(DataKind::Const) | DatumKind::LoopVariable => false,
+                DatumKind::Declared(_) => writes.first(datum).is_some(),
+            };
+            changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
+        };
         let sources = sources(index);
         let mut new: Vec<DatumId> = wanted.into_iter().collect();
         while let Some(datum) = new.pop() {
@@ -67,39 +85,41 @@ pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
     let mut out = BTreeSet::new();
     for routine in &index.routines {
         let ctx = routine.ctx;
-        every_statement(&routine.tree.body, &mut |stmt| {
-            match &stmt.kind {
-                StmtKind::Assign(assign) => {
-                    if let Some((root, _)) = root_of(&assign.target)
-                        && let Some(to) = datum_at(index, ctx, root)
-                    {
-                        names_in(index, ctx, &assign.value, &mut |from| {
-                            out.insert((to, from));
-                        });
+        for body in bodies(routine.tree) {
+            every_statement(body, &mut |stmt| {
+                match &stmt.kind {
+                    StmtKind::Assign(assign) => {
+                        if let Some((root, _)) = root_of(&assign.target)
+                            && let Some(to) = datum_at(index, ctx, root)
+                        {
+                            names_in(index, ctx, &assign.value, &mut |from| {
+                                out.insert((to, from));
+                            });
+                        }
                     }
-                }
-                StmtKind::Data(decl) => {
-                    if let Some(init) = &decl.init
-                        && let Some(to) = datum_at(index, ctx, decl.name)
-                    {
-                        names_in(index, ctx, init, &mut |from| {
-                            out.insert((to, from));
-                        });
+                    StmtKind::Data(decl) => {
+                        if let Some(init) = &decl.init
+                            && let Some(to) = datum_at(index, ctx, decl.name)
+                        {
+                            names_in(index, ctx, init, &mut |from| {
+                                out.insert((to, from));
+                            });
+                        }
                     }
-                }
-                StmtKind::Call(call) => {
-                    if let Callee::Name(name) = &call.callee {
-                        arguments(index, ctx, *name, &call.args, &mut out);
+                    StmtKind::Call(call) => {
+                        if let Callee::Name(name) = &call.callee {
+                            arguments(index, ctx, *name, &call.args, &mut out);
+                        }
                     }
+                    _ => {}
                 }
-                _ => {}
-            }
-            for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, args| {
-                    arguments(index, ctx, name, args, &mut out);
-                });
-            }
-        });
+                for expr in expressions_of(stmt) {
+                    every_call(expr, &mut |name, args| {
+                        arguments(index, ctx, name, args, &mut out);
+                    });
+                }
+            });
+        }
     }
     out
 }
@@ -132,7 +152,14 @@ fn datum_at(index: &Index<'_>, ctx: Ctx, name: rapid_syntax::diagnostic::TextRan
     }
 }
 
-/// Calls `visit` with every datum that an expression names.
+/// Whether a function asks about its argument, whatever that is worth.
+fn asks_about(index: &Index<'_>, ctx: Ctx, function: rapid_syntax::diagnostic::TextRange) -> bool {
+    let name = super::names::lower_case(index.text(ctx.file, function));
+    matches!(&*name, "argname" | "dim" | "ispers" | "isvar" | "present" | "type")
+        && !index.declares_routine(function, ctx)
+}
+
+/// Calls `visit` with every datum whose value an expression reads.
 pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut impl FnMut(DatumId)) {
     match &expr.kind {
         ExprKind::Name => {
@@ -151,6 +178,7 @@ pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut imp
             names_in(index, ctx, &binary.lhs, visit);
             names_in(index, ctx, &binary.rhs, visit);
         }
+        ExprKind::Call(call) if asks_about(index, ctx, call.name) => {}
         ExprKind::Call(call) => {
             call.args.iter().filter_map(value_of).for_each(|e| names_in(index, ctx, e, visit));
         }

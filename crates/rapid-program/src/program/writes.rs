@@ -1,13 +1,14 @@
 //! Which data a program changes while it runs, and where: by assignment, whole or by component, by an
 //! instruction that writes its argument, or through a routine that writes its parameter.
 
-use super::built_in::{is_built_in_function, written_by_function};
+use super::built_in::is_built_in_function;
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
-use super::instructions::{is_written_option, move_form, written_arguments};
+use super::instructions::move_form;
 use super::names::Sym;
 use super::other_tasks;
 use super::value;
+use super::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{
     Arg, ArgKind, CallStmt, Callee, DataKind, Expr, ExprKind, ModuleItem, ParamMode, RoutineKind, Stmt,
@@ -269,33 +270,14 @@ impl Scan<'_, '_> {
             return self.handed_to(&call.args, routine, ctx, at);
         }
         let how = if any_time { How::AnyTime } else { How::Instruction };
-        self.built_in(&call.args, written_arguments(&lower), ctx, Write { at, how });
+        for expr in written_by_instruction(self.index, ctx, &lower, &call.args) {
+            self.written(expr, ctx, Write { at, how });
+        }
         match lower.as_str() {
             "setdataval" => self.by_name(call.args.first().and_then(positional), at),
             "setalldataval" => self.by_type(&call.args, ctx, at),
             _ if super::instructions::harmless(&lower) || move_form(&lower).is_some() => {}
             _ => self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful }),
-        }
-    }
-
-    fn built_in(&mut self, args: &[Arg], positions: &[usize], ctx: Ctx, write: Write) {
-        let mut position = 0;
-        for arg in args {
-            match &arg.kind {
-                ArgKind::Positional(expr) => {
-                    if positions.contains(&position) {
-                        self.written(expr, ctx, write);
-                    }
-                    position += 1;
-                }
-                ArgKind::Named { name, value: Some(value) } => {
-                    let name = super::names::lower_case(self.index.text(ctx.file, *name));
-                    if is_written_option(&name) {
-                        self.written(value, ctx, write);
-                    }
-                }
-                ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => {}
-            }
         }
     }
 
@@ -377,8 +359,9 @@ impl Scan<'_, '_> {
                     self.handed_to(args, id, ctx, at);
                 }
                 Some(Resolved::Nowhere) | None if is_built_in_function(&lower) => {
-                    let write = Write { at, how: How::AnyTime };
-                    self.built_in(args, written_by_function(&lower), ctx, write);
+                    for expr in written_by_function(self.index, ctx, &lower, args) {
+                        self.written(expr, ctx, Write { at, how: How::AnyTime });
+                    }
                 }
                 Some(Resolved::Nowhere) | None => {
                     let how = if any_time { How::AnyTime } else { How::Perhaps };

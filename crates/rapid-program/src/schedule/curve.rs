@@ -245,7 +245,11 @@ impl Stretch<'_> {
     fn radius(&self, d_m: &[[f64; 3]], enough_m: f64) -> f64 {
         let enough = enough_m * enough_m;
         let furthest = |worst: f64, node: &[[f64; 3]]| {
-            node.iter().zip(d_m).fold(worst, |worst, (&a, &b)| worst.max(norm2(minus(a, b))))
+            // Not `f64::max`, which looks for NaN in both.
+            node.iter().zip(d_m).fold(worst, |worst, (&a, &b)| {
+                let apart = norm2(minus(a, b));
+                if apart > worst { apart } else { worst }
+            })
         };
         let mut worst = self.to.iter().fold(0.0, |worst, (_, end)| furthest(worst, end));
         worst = if worst > enough { worst } else { furthest(worst, &self.from.1) };

@@ -24,6 +24,12 @@ pub enum Course {
     /// Two functions of the share: s(2s - 1), with its node at the settled state, and 4s(1 - s), with its node where half
     /// of the drift has come: what a correction has of second order in the drift is met as well.
     ShareSquared,
+    /// Two functions of the share: s, with its node at the settled state, and 1 - s, with its node at the cold one, where the arm is
+    /// off already.
+    FromCold,
+    /// Three functions of the share: s(2s - 1), 4s(1 - s) and (1 - s)(1 - 2s), with their nodes at the settled state, where half of
+    /// the drift has come, and at the cold one.
+    FromColdSquared,
     /// Linear between knots, held before the first and after the last.
     Knots {
         /// Minutes of the knots, ascending.
@@ -46,6 +52,19 @@ impl TimeFunctions {
         Self { nodes: vec![Moment::Settled, Moment::Minute(half_min)], course: Course::ShareSquared }
     }
 
+    /// Two functions of the share, of an arm that is off when it is cold.
+    #[must_use]
+    pub fn from_cold() -> Self {
+        Self { nodes: vec![Moment::Settled, Moment::Minute(0.0)], course: Course::FromCold }
+    }
+
+    /// Three functions of the share, of an arm that is off when it is cold; half of the drift has come at `half_min`.
+    #[must_use]
+    pub fn from_cold_squared(half_min: f64) -> Self {
+        let nodes = vec![Moment::Settled, Moment::Minute(half_min), Moment::Minute(0.0)];
+        Self { nodes, course: Course::FromColdSquared }
+    }
+
     /// How many there are.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -58,6 +77,12 @@ impl TimeFunctions {
         match &self.course {
             Course::Share => vec![share],
             Course::ShareSquared => vec![share * (2.0 * share - 1.0), 4.0 * share * (1.0 - share)],
+            Course::FromCold => vec![share, 1.0 - share],
+            Course::FromColdSquared => vec![
+                share * (2.0 * share - 1.0),
+                4.0 * share * (1.0 - share),
+                (1.0 - share) * (1.0 - 2.0 * share),
+            ],
             Course::Knots { at_min, values } => {
                 let after = at_min.partition_point(|&knot| knot <= t_min);
                 match (after.checked_sub(1), values.get(after)) {
@@ -176,6 +201,15 @@ mod tests {
             assert!((f[0] + f[1] * 0.25 - share * share).abs() < 1e-15);
         }
         assert_eq!(TimeFunctions::share().at(0.25, 3.0), [0.25]);
+        // From the cold arm on: what is constant is kept, and linear, and square.
+        let (two, three) = (TimeFunctions::from_cold(), TimeFunctions::from_cold_squared(77.0));
+        for share in [0.0, 0.1, 0.5, 0.73, 1.0, 1.3] {
+            let (f, g) = (two.at(share, 0.0), three.at(share, 0.0));
+            assert!((f[0] + f[1] - 1.0).abs() < 1e-15 && f[0] == share);
+            assert!((g[0] + g[1] + g[2] - 1.0).abs() < 1e-14);
+            assert!((g[0] + g[1] * 0.5 - share).abs() < 1e-14);
+            assert!((g[0] + g[1] * 0.25 - share * share).abs() < 1e-14);
+        }
     }
 
     #[test]

@@ -116,7 +116,10 @@ fn rows_that_belong_to_no_motion_are_refused() {
         said(&[(7, APPROACH_DEG)]),
         "joints hint, line 2: there is no motion in line 7 of cell/Part.mod"
     );
-    assert!(said(&[(1, APPROACH_DEG), (1, APPROACH_DEG)]).contains("have 1 targets, the hint 2 rows"));
+    assert!(
+        said(&[(1, APPROACH_DEG), (1, APPROACH_DEG)])
+            .contains("moves to 1 target, and the hint has 2 rows for it")
+    );
     let other =
         JointsHint::read(b"file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\nOther.mod,1,0,0,0,0,0,0\n");
     let options = Options { joints_hint: Some(Arc::new(other.unwrap())), ..Options::default() };

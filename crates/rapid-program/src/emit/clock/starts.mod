@@ -1,5 +1,6 @@
   PROC tcColdStart()
     ! To be called once, when the robot is cold
+log#    tcLogFile:="";
     tcBegin 0,0;
   ENDPROC
 

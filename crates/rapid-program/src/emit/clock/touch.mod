@@ -10,7 +10,7 @@
       tcRefuse "the arm is not where it should be";
       RETURN;
     ENDIF
-    tcWhere:=Offs(@POINT@,@DX@*tcHas,@DY@*tcHas,@DZ@*tcHas);
+    tcWhere:=Offs(@COLD@,@DX@*tcHas,@DY@*tcHas,@DZ@*tcHas);
     tcProbe tcWhere,tcFound,tcIs;
     tcUpdate;
     IF NOT tcIs THEN
@@ -18,7 +18,8 @@
     ELSEIF NOT tcAlive OR NOT tcStands(tcFound) THEN
       tcRefuse "the arm is not where it should be";
     ELSE
-      tcWhere:=@POINT@;
+log#      tcLog tcFound;
+      tcWhere:=@COLD@;
       tcLearn tcFound.trans.x-tcWhere.trans.x,tcFound.trans.y-tcWhere.trans.y,tcFound.trans.z-tcWhere.trans.z;
     ENDIF
   ENDPROC
@@ -27,19 +28,6 @@
     tcTouchSaid:="Touch refused: "+tcWhy;
     TPWrite tcTouchSaid;
   ENDPROC
-
-  LOCAL FUNC bool tcStands(robtarget tcP)
-    ! Whether a target means the joints that were reckoned with, and nothing shifts it
-    VAR jointtarget tcJ;
-    IF C_PROGDISP.pdisp.trans.x<>0 OR C_PROGDISP.pdisp.trans.y<>0 OR C_PROGDISP.pdisp.trans.z<>0
-      OR C_PROGDISP.pdisp.rot.q2<>0 OR C_PROGDISP.pdisp.rot.q3<>0 OR C_PROGDISP.pdisp.rot.q4<>0
-      RETURN FALSE;
-    tcJ:=CalcJointT(tcP,@TOOL@);
-    RETURN Abs(tcJ.robax.rax_1-@Q1@)<1 AND Abs(tcJ.robax.rax_2-@Q2@)<1 AND Abs(tcJ.robax.rax_3-@Q3@)<1
-      AND Abs(tcJ.robax.rax_4-@Q4@)<1 AND Abs(tcJ.robax.rax_5-@Q5@)<1 AND Abs(tcJ.robax.rax_6-@Q6@)<1;
-  ERROR
-    RETURN FALSE;
-  ENDFUNC
 
   LOCAL PROC tcForget()
     ! After a start the lags are as good as unknown; what was learnt of the robot stays

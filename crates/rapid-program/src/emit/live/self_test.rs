@@ -3,9 +3,11 @@
 use super::text::num;
 use crate::compensate::plan::{Plan, Status};
 use crate::emit::aggregate::is_plain;
-use crate::emit::number::write_robjoint;
+use crate::emit::number::{pose, write_robjoint};
 use crate::program::Program;
+use crate::program::data::WobjData;
 use crate::program::motion::TargetValue;
+use nalgebra::Isometry3;
 use robot_model::units::mm_from_m;
 
 /// A target whose joints are known.
@@ -17,6 +19,8 @@ pub struct TestTarget {
     pub tool: String,
     /// Name of the work object.
     pub wobj: Option<String>,
+    /// Where the tool's tip is on the flange and the work object in the base, metres: the joints are for these.
+    pub frames: [Isometry3<f64>; 2],
     /// The nominal joints there, radians.
     pub q_rad: [f64; 6],
 }
@@ -33,9 +37,11 @@ pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<I
         let name = |text: &[u8]| String::from_utf8(text.to_vec()).ok();
         let [tool, wobj] = motion.setup.frame_arguments.each_ref().map(Option::as_deref);
         let (tool, wobj) = (name(tool?)?, wobj.and_then(name));
+        let on = motion.setup.wobj.as_ref().map_or_else(Isometry3::identity, WobjData::frame_from_object);
+        let frames = [motion.setup.tool.as_ref()?.frame_from_tcp, on];
         let robtarget =
             String::from_utf8(text.to_vec()).ok().filter(|_| is_plain(text) && text.len() < 160)?;
-        Some(TestTarget { robtarget, tool, wobj, q_rad: planned.nominal_q_rad })
+        Some(TestTarget { robtarget, tool, wobj, frames, q_rad: planned.nominal_q_rad })
     })
 }
 
@@ -63,6 +69,9 @@ pub(super) fn data(tests: &[TestTarget]) -> Vec<String> {
         let joints = String::from_utf8_lossy(&joints).into_owned();
         lines.push(format!("  LOCAL CONST robtarget tcTestP{}:={};", k + 1, test.robtarget));
         lines.push(format!("  LOCAL CONST robjoint tcTestJ{}:={joints};", k + 1));
+        for (name, frame) in ["tcTestT", "tcTestW"].into_iter().zip(&test.frames) {
+            lines.push(format!("  LOCAL CONST pose {name}{}:={};", k + 1, pose(frame)));
+        }
     }
     lines
 }
@@ -79,7 +88,8 @@ pub(super) fn routines(tests: &[TestTarget]) -> Vec<String> {
             "@TESTS@" => {
                 for (k, test) in tested(tests).iter().enumerate() {
                     let k = k + 1;
-                    lines.push(format!("    tcTest tcTestP{k},tcTestJ{k},tcJoint,tcWay,{};", with(test)));
+                    let own = format!("tcTestP{k},tcTestJ{k},tcTestT{k},tcTestW{k}");
+                    lines.push(format!("    tcTest {own},tcJoint,tcWay,tcOther,{};", with(test)));
                 }
             }
             _ => {

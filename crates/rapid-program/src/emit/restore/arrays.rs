@@ -10,6 +10,8 @@ use robot_model::units::deg_from_rad;
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
 const AGREE: f64 = 0.005;
+/// A declared value that is nearer to the array's original than this is the same, mm or degrees.
+const SAME: f64 = 1e-4;
 /// Numbers of a robtarget.
 const ROBTARGET: usize = 17;
 
@@ -36,6 +38,8 @@ pub(super) struct Meant {
     /// In `mm` or `deg`.
     pub(super) unit: &'static str,
     place: Place,
+    /// What it was, where element 1 still says so.
+    was: Option<Place>,
 }
 
 impl Meant {
@@ -43,6 +47,16 @@ impl Meant {
     pub(super) fn agrees(&self, other: &Self) -> bool {
         let (far, turned) = self.place.distance(&other.place);
         far <= AGREE && turned <= AGREE
+    }
+
+    /// Whether the declared value of the target, as text, is what it was, where that can be told, or what is meant now.
+    pub(super) fn allows(&self, declared: &[u8]) -> bool {
+        let agrees = |at: &Place, to: &Place| {
+            let (far, turned) = at.distance(to);
+            far <= AGREE && turned <= AGREE
+        };
+        let (Some(was), Some(at)) = (&self.was, Place::of(declared)) else { return true };
+        agrees(&at, was) || agrees(&at, &self.place)
     }
 }
 
@@ -72,6 +86,16 @@ impl Place {
                 (a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), 0.0)
             }
             _ => (f64::INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// How far it is from another, and in what unit it is told.
+    fn moved_from(&self, from: &Self) -> (f64, &'static str) {
+        let (far, turned) = self.distance(from);
+        match self {
+            Self::Joints(_) => (far, "deg"),
+            Self::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
+            Self::Pose(..) => (far, "mm"),
         }
     }
 
@@ -107,6 +131,13 @@ impl<'b> Array<'b> {
             _ => first_element.to_vec(),
         });
         plain.then_some(Self { bytes, range: data.range, indexed, rows, was, letters })
+    }
+
+    /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
+    pub(super) fn declared_apart(&self, row: usize, declared: &[u8]) -> Option<(f64, &'static str)> {
+        let first = Place::of(self.rows.get(row)?.first()?.of(self.bytes))?;
+        let (moved, unit) = Place::of(declared)?.moved_from(&first);
+        (moved > SAME).then_some((moved, unit))
     }
 
     /// For each row the original that its touched-up elements mean; `None` where none was. `shares`: for each bucket how much
@@ -162,23 +193,19 @@ impl<'b> Array<'b> {
             (share == 0.0 || span.abs() > 1e-9).then(|| at.without(times, &a, &b)).flatten()
         };
         let was = original_of(&a, from_share).ok_or(None)?;
+        let first = if changed.contains(&0) { None } else { place(0) };
         let mut found: Option<Meant> = None;
         for &k in changed {
             let text = row.get(k).ok_or(None)?.of(self.bytes);
             let (at, share) = (Place::of(text).ok_or(None)?, share(k).ok_or(None)?);
             let original = original_of(&at, share).ok_or(None)?;
-            let (far, turned) = original.distance(&was);
-            let (moved, unit) = match original {
-                Place::Joints(_) => (far, "deg"),
-                Place::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
-                Place::Pose(..) => (far, "mm"),
-            };
+            let (moved, unit) = original.moved_from(&was);
             let text = if k == 0 { text.to_vec() } else { written(&original, text) };
-            let meant = Meant { text, moved, unit, place: original };
+            let meant = Meant { text, moved, unit, place: original, was: first.clone() };
             match &found {
-                Some(first) if !first.agrees(&meant) => {
+                Some(other) if !other.agrees(&meant) => {
                     let spelled = |meant: &Meant| String::from_utf8_lossy(&meant.text).into_owned();
-                    return Err(Some((spelled(first), spelled(&meant))));
+                    return Err(Some((spelled(other), spelled(&meant))));
                 }
                 Some(_) => {}
                 None => found = Some(meant),

@@ -26,6 +26,8 @@ pub enum ModifiedIn {
     Motion,
     /// Into the target's declaration.
     Declaration,
+    /// In the target's declaration alone: the array, by which the motions went, is as it was made.
+    DeclarationAlone,
 }
 
 /// Why there is no original.
@@ -53,6 +55,22 @@ pub enum RestoreError {
         /// What the other means.
         second: String,
     },
+    /// The declaration of a target and its array were changed, and mean different originals.
+    #[error(
+        "line {line}: {target} is declared as {declared} now, and its array {array} was touched up and means {meant}; undo one of them"
+    )]
+    DeclaredOtherwise {
+        /// The target.
+        target: String,
+        /// The name of its array.
+        array: String,
+        /// The line of the declaration, from 1.
+        line: u32,
+        /// What the declaration says.
+        declared: String,
+        /// What the array means.
+        meant: String,
+    },
     /// The module was edited where it must not be.
     #[error("line {line}: {what}; take the original file, or undo that edit")]
     Damaged {
@@ -70,7 +88,7 @@ impl RestoreError {
         match self {
             Self::NotEmitted => "restore::not-emitted",
             Self::IsCore => "restore::core",
-            Self::Disagree { .. } => "restore::disagree",
+            Self::Disagree { .. } | Self::DeclaredOtherwise { .. } => "restore::disagree",
             Self::Damaged { .. } => "restore::damaged",
         }
     }

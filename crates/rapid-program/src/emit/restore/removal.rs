@@ -27,11 +27,11 @@ pub(super) struct Remover<'w> {
 }
 
 /// A motion's argument that names an array.
-struct Use<'w> {
+pub(super) struct Use<'w> {
     expr: TextRange,
     /// The source's own index, where the array is one of many targets.
     index: Option<TextRange>,
-    routine: &'w Routine,
+    pub(super) routine: &'w Routine,
 }
 
 impl<'w> Remover<'w> {
@@ -39,7 +39,7 @@ impl<'w> Remover<'w> {
         RestoreError::Damaged { line: self.lines.line(range.start), what: what.into() }
     }
 
-    fn text(&self, range: TextRange) -> String {
+    pub(super) fn text(&self, range: TextRange) -> String {
         String::from_utf8_lossy(range.of(self.bytes)).into_owned()
     }
 
@@ -106,7 +106,7 @@ impl<'w> Remover<'w> {
     }
 
     /// The parts of an aggregate.
-    fn parts(&self, expr: &Expr) -> Vec<TextRange> {
+    pub(super) fn parts(&self, expr: &Expr) -> Vec<TextRange> {
         match &expr.kind {
             ExprKind::Aggregate(parts) => parts.iter().map(|part| part.range).collect(),
             ExprKind::Numbers => self.parts_of_numbers(expr.range),
@@ -210,8 +210,8 @@ impl<'w> Remover<'w> {
             })?;
             meant.insert(name, rows);
         }
+        let mut touched = self.declared_otherwise(arrays, uses, (&meant, declarations))?;
         let declared = self.declare(arrays, uses, (&meant, declarations))?;
-        let mut touched = Vec::new();
         for (name, array) in arrays {
             let uses = uses.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
             let rows = meant.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
@@ -275,12 +275,7 @@ impl<'w> Remover<'w> {
 
     /// Puts touched-up values into the elements of the array that the motions name.
     fn declare_elements(&mut self, array: &Array, rows: &[Option<Meant>]) -> Result<(), RestoreError> {
-        let named = self.module.items.iter().find_map(|item| match item {
-            ModuleItem::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(&array.was) => Some(data),
-            _ => None,
-        });
-        let elements =
-            named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default();
+        let elements = self.declared_elements(array);
         for (row, new) in rows.iter().enumerate() {
             let Some(new) = new else { continue };
             let Some(range) = elements.get(row) else {

@@ -28,7 +28,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 }
                 _ => out.push(Node::Step(FlowStep::Motions { first: motion, count: 1 })),
             }
-            self.written(&call.args, call, at, out);
+            self.written(call, at, out);
             return;
         }
         match &call.callee {
@@ -39,7 +39,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                     out.push(self.known_call(vec![routine], &call.args, skipped));
                 }
                 None => {
-                    self.written(&call.args, call, at, out);
+                    self.written(call, at, out);
                     self.instruction(*name, call, at, out);
                 }
             },
@@ -139,6 +139,10 @@ impl<'a> CfgBuilder<'_, 'a> {
         let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
+        }
+        if whole && routines.is_empty() {
+            let at = Span { file: ctx.file, range: expr.range };
+            self.out.not_given.entry(start).or_insert(at);
         }
         if !whole || routines.is_empty() {
             out.push(Node::Step(FlowStep::UnknownPosition));

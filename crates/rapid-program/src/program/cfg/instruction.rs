@@ -6,32 +6,21 @@ use crate::program::convert;
 use crate::program::data::LoadData;
 use crate::program::expressions::{root_of, words};
 use crate::program::flow::{Blocker, FlowStep, Node};
-use crate::program::instructions::{harmless, is_written_option, written_arguments};
+use crate::program::instructions::{harmless, moves_arm};
 use crate::program::names::{as_text, lower_case};
 use crate::program::writes::NotGiven;
+use crate::program::written_by::written_by_instruction;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{Arg, ArgKind, CallStmt, Callee};
+use rapid_syntax::tree::{ArgKind, CallStmt, Callee};
 
 impl<'a> CfgBuilder<'_, 'a> {
     /// Tracked data that an instruction writes.
-    pub(super) fn written(&self, args: &'a [Arg], call: &CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+    pub(super) fn written(&self, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
         let Callee::Name(name) = &call.callee else { return };
-        let positions = written_arguments(&lower_case(self.text(*name)));
-        let mut position = 0;
-        for arg in args {
-            let (expr, writes) = match &arg.kind {
-                ArgKind::Positional(expr) => {
-                    position += 1;
-                    (expr, positions.contains(&(position - 1)))
-                }
-                ArgKind::Named { name, value: Some(expr) } => {
-                    (&**expr, is_written_option(&lower_case(self.text(*name))))
-                }
-                ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => continue,
-            };
-            if writes
-                && let Some((root, _)) = root_of(expr)
+        let lower = lower_case(self.text(*name));
+        for expr in written_by_instruction(self.index(), self.ctx, &lower, &call.args) {
+            if let Some((root, _)) = root_of(expr)
                 && let Some(slot) = self.slot(root)
             {
                 let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
@@ -57,6 +46,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         };
         let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
         let on = if conditional { None } else { Some(!has("off")) };
+        let locks = conditional || has("lockaxis4");
         let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
         let offsets_nothing = lower == "eoffsset" && self.offsets_nothing(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
@@ -74,8 +64,13 @@ impl<'a> CfgBuilder<'_, 'a> {
                 FlowStep::Blocker(Blocker::ExternalOffset, active("an offset of external axes is in force"))
             }
             "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, None),
-            "softact" => FlowStep::Blocker(Blocker::SoftServo, active("the soft servo is active")),
-            "softdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "softact" | "cssact" => FlowStep::Blocker(Blocker::SoftServo, active("the soft servo is active")),
+            "fcact" => FlowStep::Blocker(Blocker::SoftServo, active("force control is active")),
+            "softdeact" | "cssdeact" | "fcdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "singarea" if locks => {
+                FlowStep::Blocker(Blocker::LockedAxis, active("axis 4 is locked, whatever a target needs"))
+            }
+            "singarea" => FlowStep::Blocker(Blocker::LockedAxis, None),
             "syncmoveon" => {
                 FlowStep::Blocker(Blocker::MultiMove, active("the robot moves together with others"))
             }
@@ -89,6 +84,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 FlowStep::UnknownPosition
             }
             "exitcycle" => return out.push(Node::Stop),
+            _ if moves_arm(&lower) => FlowStep::UnknownPosition,
             _ if harmless(&lower) => return,
             _ => {
                 let first = Span { file: self.ctx.file, range: name };
@@ -140,7 +136,10 @@ impl<'a> CfgBuilder<'_, 'a> {
                 "gripload" => FlowStep::Grip(None),
                 "pdispon" | "pdispset" | "pdispoff" => FlowStep::Blocker(Blocker::Displacement, named()),
                 "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
-                "softact" | "softdeact" => FlowStep::Blocker(Blocker::SoftServo, named()),
+                "softact" | "softdeact" | "cssact" | "fcact" => {
+                    FlowStep::Blocker(Blocker::SoftServo, named())
+                }
+                "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
                 "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
                 _ => match self.slot(word) {
                     Some(slot) => {

@@ -4,7 +4,7 @@ use super::MotionReader;
 use super::skip_reasons::{SkipReasons, keep};
 use crate::program::const_eval::TrackedValues;
 use crate::program::convert;
-use crate::program::data::{SpeedData, ToolData, WobjData, ZoneData};
+use crate::program::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
 use crate::program::index::Ctx;
 use crate::program::motion::{Path, SkipReason};
 use crate::program::motion_site::MoveArgs;
@@ -65,6 +65,27 @@ impl<'a> MotionReader<'_, 'a> {
         let folded = self.evaluator.fold(expr, ctx, known);
         let wobj = folded.and_then(|t| whole(&t.value, convert::wobjdata));
         wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written(), &why))
+    }
+
+    /// What `\TLoad` says of the load of one motion: in place of the tool's own and of what is gripped; `load0` says nothing.
+    pub(super) fn total_load(
+        &mut self,
+        args: &MoveArgs<'a>,
+        ctx: Ctx,
+        known: &dyn TrackedValues,
+        (tool, grip): (Option<ToolData>, Option<LoadData>),
+    ) -> (Option<ToolData>, Option<LoadData>) {
+        const NO_LOAD_KG: f64 = 0.001;
+        if !args.has("tload") {
+            return (tool, grip);
+        }
+        let given = args.options.iter().find(|(name, _)| name == "tload").and_then(|(_, value)| *value);
+        let load = given.and_then(|expr| self.evaluator.fold(expr, ctx, known).ok());
+        match load.and_then(|load| convert::loaddata(&load.value).ok()) {
+            Some(load) if load.mass_kg <= NO_LOAD_KG => (tool, grip),
+            Some(load) => (tool.map(|tool| ToolData { load, ..tool }), Some(LoadData::default())),
+            None => (tool, None),
+        }
     }
 
     pub(super) fn speed(
@@ -154,7 +175,8 @@ fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -
     }
 }
 fn unknown_data(code: &'static str, what: &str, name: &str, why: &Why) -> SkipReason {
-    let code = if why.code == other_tasks::CODE { why.code } else { code };
+    // What is no tool is none at run time either.
+    let code = if [other_tasks::CODE, "keep::wrong-type"].contains(&why.code) { why.code } else { code };
     let reason = format!("the {what} {name} is not known: {}", why.reason);
     SkipReason { code, reason, because: why.because }
 }

@@ -2,16 +2,20 @@
 
 use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
+use crate::program::built_in::is_built_in_function;
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
 use crate::program::data::RobTarget;
-use crate::program::index::{Ctx, DatumId};
+use crate::program::expressions::every_call;
+use crate::program::finite_set::FiniteSet;
+use crate::program::index::{Ctx, DatumId, DatumKind, Index};
 use crate::program::motion::{Origin, Path, SkipReason, Target, TargetValue};
 use crate::program::motion_site::MoveArgs;
 use crate::program::names::{as_text, lower_case};
+use crate::program::tracked::names_in;
 use crate::program::value::{DataName, Reached, Value};
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
-use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, UnaryOp};
+use rapid_syntax::tree::{Arg, ArgKind, DataKind, Expr, ExprKind, UnaryOp};
 use robot_model::units::mm_from_m;
 use std::rc::Rc;
 
@@ -29,14 +33,15 @@ impl<'a> MotionReader<'_, 'a> {
     pub(super) fn targets(
         &mut self,
         args: &MoveArgs<'a>,
-        (ctx, path): (Ctx, Path),
+        (ctx, path, motion): (Ctx, Path, usize),
         reasons: &mut SkipReasons,
     ) -> MotionTargets {
         let index = self.evaluator.index;
         let joints_wanted = path == Path::AbsJoint;
         let (mut targets, mut reached, mut read_elsewhere) = (Vec::new(), Vec::new(), Vec::new());
+        let on_ways = self.on_ways.remove(&motion);
         for expr in &args.targets {
-            let (target, failed, calc) = self.target(expr, ctx, joints_wanted);
+            let (target, failed, calc) = self.target(expr, (ctx, joints_wanted), on_ways.as_ref());
             if let Some((datum, reading)) = self.read_as_data.of_target(index, ctx, expr) {
                 match reading.why_kept(index) {
                     Some(why) => reasons.add(why),
@@ -82,11 +87,25 @@ impl<'a> MotionReader<'_, 'a> {
         reached.iter().all(own)
     }
 
+    /// Name and declaration of the first PERS that a motion's targets name.
+    pub(super) fn first_pers(&self, args: &MoveArgs<'a>, ctx: Ctx) -> Option<(String, Span)> {
+        let index = self.evaluator.index;
+        let mut first = None;
+        for expr in &args.targets {
+            names_in(index, ctx, expr, &mut |datum| {
+                if index.data[datum].kind == DatumKind::Declared(DataKind::Pers) {
+                    first.get_or_insert(datum);
+                }
+            });
+        }
+        first.map(|datum| (self.evaluator.name_of(datum), index.declaration(datum)))
+    }
+
     fn target(
         &mut self,
         expr: &'a Expr,
-        ctx: Ctx,
-        joints_wanted: bool,
+        (ctx, joints_wanted): (Ctx, bool),
+        on_ways: Option<&FiniteSet>,
     ) -> (Target, Option<SkipReason>, Option<Rc<Reached>>) {
         let (origin, literal) = self.origin(expr, ctx);
         let mut calc = None;
@@ -118,7 +137,7 @@ impl<'a> MotionReader<'_, 'a> {
             Err(why) => {
                 let elements = self.elements(expr, ctx, joints_wanted);
                 let target = match elements.is_empty() && !joints_wanted && is_known_at_run_time(&why) {
-                    true => target.with_one_of(self.one_of(expr, ctx)),
+                    true => target.with_one_of(self.one_of(expr, ctx, on_ways)),
                     false => target.with_elements(elements),
                 };
                 return (target, Some((*why).clone()), calc);
@@ -135,9 +154,13 @@ impl<'a> MotionReader<'_, 'a> {
     }
 
     /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none.
-    fn one_of(&mut self, expr: &'a Expr, ctx: Ctx) -> Vec<TargetValue> {
-        let Some(set) = self.finite_sets.of(&mut self.evaluator, expr, ctx) else { return Vec::new() };
+    ///
+    /// `on_ways`: what they are by the ways that lead to the motion.
+    fn one_of(&mut self, expr: &'a Expr, ctx: Ctx, on_ways: Option<&FiniteSet>) -> Vec<TargetValue> {
+        let set = self.finite_sets.of(&mut self.evaluator, expr, ctx);
         let index = self.evaluator.index;
+        let on_ways = on_ways.filter(|set| !self.finite_sets.are_handed_unseen(index, &set.made_of));
+        let Some(set) = set.or_else(|| on_ways.cloned()) else { return Vec::new() };
         if set.made_of.iter().any(|&datum| self.read_as_data.why_kept(index, datum).is_some()) {
             return Vec::new();
         }
@@ -164,7 +187,10 @@ impl<'a> MotionReader<'_, 'a> {
         }
         let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
         let base = &element_of.base;
-        let ([_], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
+        let ([index], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
+        if calls_own(self.evaluator.index, ctx, index) && !self.is_bucket(index, ctx) {
+            return Vec::new(); // asked twice, for the element and for its correction, it may answer differently
+        }
         let Ok(Value::Parts(parts)) = self.evaluator.fold(base, ctx, &Constant).map(|typed| typed.value)
         else {
             return Vec::new();
@@ -174,6 +200,13 @@ impl<'a> MotionReader<'_, 'a> {
             false => convert::robtarget(part).map(TargetValue::Rob).ok(),
         };
         parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// Whether an index asks for the bucket in force, as this program emits it: `tcK()`.
+    fn is_bucket(&self, index: &Expr, ctx: Ctx) -> bool {
+        let ExprKind::Call(call) = &index.kind else { return false };
+        let name = lower_case(self.evaluator.index.text(ctx.file, call.name));
+        call.args.is_empty() && (name == "tck" || name.starts_with("tck_"))
     }
 
     /// The original of a target with a correction, and the settled target: the sum of all corrections where there are several
@@ -231,6 +264,16 @@ impl<'a> MotionReader<'_, 'a> {
             _ => (Origin::Expression, None),
         }
     }
+}
+
+/// Whether an expression calls a function other than the controller's own: it may do more than answer.
+pub(super) fn calls_own(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+    let mut calls = false;
+    every_call(expr, &mut |name, _| {
+        let written = lower_case(index.text(ctx.file, name));
+        calls |= index.declares_routine(name, ctx) || !is_built_in_function(&written);
+    });
+    calls
 }
 
 /// Whether two targets are too near to be told apart by where they are.

@@ -65,6 +65,7 @@ impl SkipReasons {
                     Blocker::Displacement => "keep::displacement",
                     Blocker::ExternalOffset => "keep::external-offset",
                     Blocker::SoftServo => "keep::soft-servo",
+                    Blocker::LockedAxis => "keep::locked-axis",
                     Blocker::MultiMove => "keep::multimove",
                 };
                 self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });

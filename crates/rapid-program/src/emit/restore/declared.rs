@@ -1,0 +1,75 @@
+//! Targets that were changed where they are declared, while the motions of the form schedule go by arrays made of them.
+
+use super::arrays::{Array, Meant};
+use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
+use super::removal::{Remover, Use};
+use crate::emit::point::Declarations;
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::ModuleItem;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl<'w> Remover<'w> {
+    /// Targets whose declaration was changed: motions of arrays go by element 1.
+    pub(super) fn declared_otherwise(
+        &self,
+        arrays: &BTreeMap<String, Array<'w>>,
+        uses: &BTreeMap<&str, Vec<Use<'w>>>,
+        (meant, declarations): (&BTreeMap<&str, Vec<Option<Meant>>>, &Declarations<'w>),
+    ) -> Result<Vec<ModifiedTarget>, RestoreError> {
+        let (mut found, mut told) = (Vec::new(), BTreeSet::new());
+        for (name, array) in arrays.iter().filter(|_| self.record.is_whole) {
+            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
+            let values = match routine {
+                Some(_) if array.indexed => self.declared_elements(array),
+                Some(routine) => declarations.initial_value(&array.was, routine).into_iter().collect(),
+                None => Vec::new(),
+            };
+            let rows = meant.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
+            for (row, (value, new)) in values.into_iter().zip(rows).enumerate() {
+                let text = value.of(self.bytes);
+                let target = || {
+                    let was = String::from_utf8_lossy(&array.was);
+                    if array.indexed { format!("{was}{{{}}}", row + 1) } else { was.into_owned() }
+                };
+                let line = self.lines.line(value.start);
+                match new {
+                    Some(new) if !new.allows(text) => {
+                        return Err(RestoreError::DeclaredOtherwise {
+                            target: target(),
+                            array: name.clone(),
+                            line,
+                            declared: self.text(value),
+                            meant: String::from_utf8_lossy(&new.text).into_owned(),
+                        });
+                    }
+                    Some(_) => {}
+                    None => {
+                        if let Some((moved, unit)) = array.declared_apart(row, text)
+                            && told.insert(value.start)
+                        {
+                            found.push(ModifiedTarget {
+                                array: Some(name.clone()),
+                                target: target(),
+                                value: self.text(value),
+                                line,
+                                into: ModifiedIn::DeclarationAlone,
+                                moved,
+                                unit,
+                            });
+                        }
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The elements of the array that a motion named, where it is declared in this module.
+    pub(super) fn declared_elements(&self, array: &Array) -> Vec<TextRange> {
+        let named = self.module.items.iter().find_map(|item| match item {
+            ModuleItem::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(&array.was) => Some(data),
+            _ => None,
+        });
+        named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default()
+    }
+}
