@@ -4,7 +4,7 @@ use super::counted;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
-use virtual_controller::session::{ErrorStatistics, Pass, WorstMove};
+use virtual_controller::session::{ErrorStatistics, Pass, ScenarioMark, WorstMove};
 use virtual_controller::{EffortRange, Message, Report};
 
 fn statistics_json(s: &ErrorStatistics) -> Value {
@@ -17,6 +17,10 @@ fn worst_json(w: &WorstMove) -> Value {
 
 fn message_json(m: &Message) -> Value {
     json!({ "source": m.source, "text": m.text, "file": m.at.file, "line": m.at.line })
+}
+
+fn mark_json(m: &ScenarioMark) -> Value {
+    json!({ "from_min": m.from_min, "to_min": m.to_min, "standing": m.is_standing, "words": m.words })
 }
 
 /// What a function takes that motions call: each count as `[least, most]`.
@@ -42,6 +46,7 @@ pub fn json(report: &Report) -> Value {
     };
     json!({
         "minutes": report.passes.iter().map(pass).collect::<Vec<_>>(),
+        "marks": report.marks.iter().map(mark_json).collect::<Vec<_>>(),
         "worst": report.worst.as_ref().map(worst_json),
         "switches": report.switches.iter()
             .map(|s| json!({ "t_min": s.t_min, "jump_mm": mm_from_m(s.jump_m) })).collect::<Vec<_>>(),

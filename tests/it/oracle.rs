@@ -26,10 +26,11 @@ const PHASES: usize = 16;
 const MOMENTS: usize = 24;
 const HOLDS: usize = 12;
 /// Scales of the background's geometry with their probabilities: none, or uniform from 0.1 to 0.5.
-const SCALES: [(f64, f64); 6] = [(0.0, 0.5), (0.14, 0.1), (0.22, 0.1), (0.3, 0.1), (0.38, 0.1), (0.46, 0.1)];
+pub(super) const SCALES: [(f64, f64); 6] =
+    [(0.0, 0.5), (0.14, 0.1), (0.22, 0.1), (0.3, 0.1), (0.38, 0.1), (0.46, 0.1)];
 
 /// A measurement run, and how a disturbance shows in it, in units of the noise.
-struct Reading {
+pub(super) struct Reading {
     arm: Arm,
     tool_m: Vector3<f64>,
     states: Vec<ArmState>,
@@ -39,7 +40,7 @@ struct Reading {
 }
 
 impl Reading {
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         if self.sigma.1.is_some() { 6 } else { 3 }
     }
 
@@ -61,13 +62,13 @@ impl Reading {
         DVector::from_vec(values)
     }
 
-    fn effect(&self, effect: Effect) -> DVector<f64> {
+    pub(super) fn effect(&self, effect: Effect) -> DVector<f64> {
         let step = 1e-3 * effect.usual()[0];
         self.column(step, |now, to| effect.disturb(&self.arm, step, now, to))
     }
 
     /// Base, target and, where orientation is measured, its target: what the registration takes.
-    fn registration(&self) -> Vec<DVector<f64>> {
+    pub(super) fn registration(&self) -> Vec<DVector<f64>> {
         let mut columns = Vec::new();
         for axis in 0..3 {
             columns.push(self.column(1e-6, |_, d| d.base_m[axis] = 1e-6));
@@ -85,7 +86,7 @@ impl Reading {
     }
 
     /// Geometry of all joints, one tolerance each.
-    fn geometry(&self) -> Vec<DVector<f64>> {
+    pub(super) fn geometry(&self) -> Vec<DVector<f64>> {
         let mut columns = Vec::new();
         for seat in 0..6 {
             for axis in 0..3 {
@@ -98,7 +99,7 @@ impl Reading {
 }
 
 /// An orthonormal basis of the columns' span.
-fn basis(columns: &[DVector<f64>]) -> DMatrix<f64> {
+pub(super) fn basis(columns: &[DVector<f64>]) -> DMatrix<f64> {
     let scaled: Vec<DVector<f64>> = columns.iter().map(|c| c / c.norm().max(1e-12)).collect();
     let svd = DMatrix::from_columns(&scaled).svd(true, false);
     let stated: Vec<usize> = (0..scaled.len()).filter(|&i| svd.singular_values[i] > 1e-8).collect();
@@ -106,7 +107,7 @@ fn basis(columns: &[DVector<f64>]) -> DMatrix<f64> {
 }
 
 /// Rows of the points alone.
-fn points(column: &DVector<f64>, rows: usize) -> DVector<f64> {
+pub(super) fn points(column: &DVector<f64>, rows: usize) -> DVector<f64> {
     let kept = column.iter().enumerate().filter(|(i, _)| i % rows < 3).map(|(_, v)| *v);
     DVector::from_vec(kept.collect())
 }
@@ -201,18 +202,24 @@ impl Forms<'_> {
     }
 }
 
-/// Set number `number`: its recipe and its run, from the same draws as `synth` takes them.
-fn question(robot: &SerialArm, number: u64) -> (Recipe, Reading) {
+/// Set number `number` of `seed`: its recipe and its run, from the same draws as `synth` takes them; `None` where `recipe` has none.
+pub(super) fn question(
+    robot: &SerialArm,
+    seed: u64,
+    number: u64,
+    recipe: impl Fn(usize, &mut Rng) -> Option<Recipe>,
+) -> Option<(Recipe, Reading)> {
     let arm = Arm::new(robot);
-    let (mut rng, mut robot_under_test) = (Rng::new(SEED, number), Rng::new(SEED, number));
+    let (mut rng, mut robot_under_test) = (Rng::new(seed, number), Rng::new(seed, number));
     loop {
-        let recipe = weak_recipe(number as usize, &mut rng);
-        let _ = weak_recipe(number as usize, &mut robot_under_test);
+        let drawn = recipe(number as usize, &mut rng);
+        let _ = recipe(number as usize, &mut robot_under_test);
         let tool_m = Vector3::new(
             robot_under_test.uniform(0.03, 0.12),
             robot_under_test.uniform(-0.08, 0.08),
             robot_under_test.uniform(0.05, 0.15),
         );
+        let recipe = drawn?;
         let Recipe { spread, n, repeats, payloads_kg, sigma_mm, .. } = recipe;
         let states =
             states(robot, &arm, &mut robot_under_test, &RunSpec { spread, n, repeats, tool_m, payloads_kg });
@@ -221,13 +228,15 @@ fn question(robot: &SerialArm, number: u64) -> (Recipe, Reading) {
             let flanges = states.iter().map(|m| arm.flange(&m.q_rad, &still)).collect();
             let sigma_m = sigma_mm * 1e-3;
             let sigma = (sigma_m, recipe.recorded.orientation.then_some(sigma_m / 0.1));
-            return (recipe, Reading { arm, tool_m, states, flanges, sigma });
+            return Some((recipe, Reading { arm, tool_m, states, flanges, sigma }));
         }
     }
 }
 
-fn log_sum(values: &[f64]) -> f64 {
+pub(super) fn log_sum(values: &[f64]) -> f64 {
     let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // All impossible: nothing to scale by.
+    let top = if top.is_finite() { top } else { 0.0 };
     top + values.iter().map(|v| (v - top).exp()).sum::<f64>().ln()
 }
 
@@ -273,7 +282,8 @@ fn what_could_be_known_of_weak_effects() {
     let robot = SerialArm::built_in("irb140").unwrap();
     let (mut asked, mut first, mut two) = (0.0, 0.0, 0.0);
     for number in 0..SETS {
-        let (recipe, seen) = question(&robot, number);
+        let weak = |number, rng: &mut Rng| Some(weak_recipe(number, rng));
+        let (recipe, seen) = question(&robot, SEED, number, weak).unwrap();
         let (truth, rho) = recipe.effects[0];
         let registration = seen.registration();
         let point_columns: Vec<DVector<f64>> = registration.iter().map(|c| points(c, seen.rows())).collect();

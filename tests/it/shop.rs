@@ -49,6 +49,7 @@ fn robot_under_test(effects: &[(Effect, f64)]) -> VirtualRobot {
         geometry: 0.0,
         before_rms_mm: 0.0,
         oracle_rms_mm: 0.0,
+        oracle_ratio_elsewhere: None,
     };
     VirtualRobot::from_truth(&SerialArm::built_in("irb140").unwrap(), &truth)
 }

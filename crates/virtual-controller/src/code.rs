@@ -5,6 +5,7 @@
 
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{BinaryOp, UnaryOp};
+use std::cell::Cell;
 use std::rc::Rc;
 
 /// A name in lower case.
@@ -14,6 +15,41 @@ pub(super) type Name = Rc<str>;
 #[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub kind: ExprKind,
+    /// Names, numbers and operators alone: to evaluate it changes nothing.
+    pub is_pure: bool,
+}
+
+impl Expr {
+    /// An expression out of its parts.
+    pub fn new(kind: ExprKind) -> Self {
+        let is_pure = match &kind {
+            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Local(_) | ExprKind::Name(_) => true,
+            ExprKind::Field(base, _) => base.is_pure,
+            ExprKind::Index(base, indices) => base.is_pure && indices.iter().all(|index| index.is_pure),
+            ExprKind::Unary(_, operand) => operand.is_pure,
+            ExprKind::Binary(_, lhs, rhs) => lhs.is_pure && rhs.is_pure,
+            ExprKind::Str(_) | ExprKind::Aggregate(_) | ExprKind::Call(_) | ExprKind::Opaque => false,
+        };
+        Self { kind, is_pure }
+    }
+}
+
+/// A name that is none of the routine's own.
+#[derive(Clone, Debug)]
+pub(super) struct NameRef {
+    /// In lower case.
+    pub name: Name,
+    pub spelt: Rc<str>,
+    /// The data it meant when it was looked up last.
+    pub found: Cell<Option<Found>>,
+}
+
+/// The data that a name means in a module, for as long as no module comes or goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub module: usize,
+    pub changes: u64,
+    pub datum: Option<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -23,8 +59,8 @@ pub(super) enum ExprKind {
     Bool(bool),
     /// A parameter, local or loop variable of the routine, by its position.
     Local(usize),
-    /// Anything else with a name, with its spelling.
-    Name(Name, Rc<str>),
+    /// Anything else with a name.
+    Name(NameRef),
     Field(Box<Expr>, Name),
     Index(Box<Expr>, Vec<Expr>),
     Aggregate(Vec<Expr>),

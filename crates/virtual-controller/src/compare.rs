@@ -3,6 +3,7 @@
 use super::arm::Move;
 use super::path::{CartesianPath, PathKind};
 use nalgebra::Isometry3;
+use rapid_syntax::diagnostic::counted;
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm};
 
@@ -13,7 +14,7 @@ const SAMPLES: u32 = 5;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Mismatch {
     /// One run has more moves.
-    #[error("the original makes {original} moves, the program {program}")]
+    #[error("the original makes {}, the program {program}", counted(*original, "move"))]
     Length {
         /// Moves of the original.
         original: usize,
@@ -152,5 +153,17 @@ impl Evaluator<'_> {
             Some(m.setup.object_from_tcp(&truth.under(&m.conditions()).forward(&m.q_rad?)).translation.vector)
         };
         Some((at(a)? - at(b)?).norm())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Mismatch;
+
+    #[test]
+    fn one_move_is_no_moves() {
+        let said = |original, program| Mismatch::Length { original, program }.to_string();
+        assert_eq!(said(1, 2), "the original makes 1 move, the program 2");
+        assert_eq!(said(3, 1), "the original makes 3 moves, the program 1");
     }
 }

@@ -1,9 +1,12 @@
 //! From the tree of a routine to the flat form it is executed in.
 
-use super::code::{Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, Name, Op, Param};
+use super::code::{
+    Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, Name, NameRef, Op, Param,
+};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree;
 use rapid_syntax::{SourceFile, number_value, parts_of_numbers, string_value};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -302,9 +305,9 @@ impl<'f> Compiler<'f> {
         let lower: Name = spelt.to_lowercase().into();
         let kind = match self.scope.get(&lower) {
             Some(&slot) => ExprKind::Local(slot),
-            None => ExprKind::Name(lower, spelt.into()),
+            None => ExprKind::Name(NameRef { name: lower, spelt: spelt.into(), found: Cell::new(None) }),
         };
-        Expr { kind }
+        Expr::new(kind)
     }
 
     fn expr(&self, expr: &tree::Expr) -> Expr {
@@ -347,7 +350,7 @@ impl<'f> Compiler<'f> {
             E::Paren(inner) => return self.expr(inner),
             E::Placeholder | E::Opaque => ExprKind::Opaque,
         };
-        Expr { kind }
+        Expr::new(kind)
     }
 }
 

@@ -76,6 +76,17 @@ impl Controller {
         self.machine.disk.files.insert(Disk::file_name(path), bytes.to_vec());
     }
 
+    /// The files on the controller's disk by name in lower case, those that a program wrote among them.
+    #[must_use]
+    pub fn files(&self) -> &BTreeMap<String, Vec<u8>> {
+        &self.machine.disk.files
+    }
+
+    /// Whether the disk refuses to be written to from now on, as a full one does.
+    pub fn protect_disk(&mut self, protected: bool) {
+        self.machine.disk.protected = protected;
+    }
+
     /// Whether a routine of this name is loaded, LOCAL ones included.
     #[must_use]
     pub fn has_routine(&self, name: &str) -> bool {
@@ -233,7 +244,7 @@ impl Controller {
             self.machine.data.forget(datum);
         }
         for (id, datum) in self.program.data.iter().enumerate() {
-            if datum.kind != DataKind::Pers {
+            if datum.kind == DataKind::Var {
                 self.machine.data.forget(id);
             }
         }

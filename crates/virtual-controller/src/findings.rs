@@ -80,11 +80,26 @@ pub struct BucketSwitch {
     pub jump_m: f64,
 }
 
+/// Something that happened to the cell in a scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScenarioMark {
+    /// When it began, minutes since the beginning by the steady clock.
+    pub from_min: f64,
+    /// When it was over.
+    pub to_min: f64,
+    /// Whether the robot stood meanwhile.
+    pub is_standing: bool,
+    /// What it is called, short enough for a time axis.
+    pub words: String,
+}
+
 /// What a simulation found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     /// What was found pass by pass, in order.
     pub passes: Vec<Pass>,
+    /// What happened beside plain work, in order; empty without a scenario.
+    pub marks: Vec<ScenarioMark>,
     /// The worst of all.
     pub worst: Option<WorstMove>,
     /// Changes of the bucket in use, in order.

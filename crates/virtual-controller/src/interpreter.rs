@@ -10,6 +10,7 @@ mod endless;
 mod eval;
 mod exec;
 mod outside;
+mod pure;
 
 pub(super) use arguments::Args;
 

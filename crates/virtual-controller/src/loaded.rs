@@ -3,7 +3,7 @@
 //! Constant while it runs, but for modules that the program itself loads and unloads. Values of data are the
 //! machine's; initial values are evaluated when they are first asked for, this file knows where they stand.
 
-use super::code::{Code, Name};
+use super::code::{Code, Found, Name, NameRef};
 use super::compile::{self, latin1, lower_case_name};
 use super::outcome::SourceLine;
 use super::predefined::{self, Types};
@@ -100,6 +100,8 @@ pub(super) struct LoadedProgram {
     own_data: BTreeMap<Name, usize>,
     /// Files that were read so far.
     files: u32,
+    /// How often modules came or went.
+    changes: u64,
     global_data: BTreeMap<Name, usize>,
     global_routines: BTreeMap<Name, usize>,
     global_types: BTreeMap<Name, Type>,
@@ -123,6 +125,7 @@ impl LoadedProgram {
             own_data: own.iter().enumerate().map(|(id, (name, _))| ((*name).into(), id)).collect(),
             types,
             files: 0,
+            changes: 0,
             global_data: BTreeMap::new(),
             global_routines: BTreeMap::new(),
             global_types: predefined::types(),
@@ -199,6 +202,7 @@ impl LoadedProgram {
         module: &tree::Module,
         dynamic: Option<&str>,
     ) -> Result<usize, String> {
+        self.changes += 1;
         let id = self.modules.len();
         let name = latin1(file, module.name);
         if self.modules.iter().any(|m| m.loaded && m.name.eq_ignore_ascii_case(&name)) {
@@ -319,6 +323,7 @@ impl LoadedProgram {
 
     /// Take a module out of memory; the data whose values are lost with it.
     pub fn unload(&mut self, id: usize) -> Vec<usize> {
+        self.changes += 1;
         let Some(module) = self.modules.get_mut(id) else { return Vec::new() };
         module.loaded = false;
         let data = std::mem::take(&mut module.data);
@@ -345,6 +350,18 @@ impl LoadedProgram {
     pub fn datum(&self, module: usize, name: &str) -> Option<usize> {
         let local = self.modules.get(module).and_then(|m| m.data.get(name));
         local.or_else(|| self.global_data.get(name)).copied()
+    }
+
+    /// The same for a name in a routine, which is looked up once for as long as no module comes or goes.
+    pub fn named_datum(&self, module: usize, named: &NameRef) -> Option<usize> {
+        match named.found.get() {
+            Some(found) if found.module == module && found.changes == self.changes => found.datum,
+            _ => {
+                let datum = self.datum(module, &named.name);
+                named.found.set(Some(Found { module, changes: self.changes, datum }));
+                datum
+            }
+        }
     }
 
     /// The routine a name means in a module; `MODULE:ROUTINE` names one of another module.

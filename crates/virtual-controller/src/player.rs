@@ -3,11 +3,11 @@
 use super::controller::Backup;
 use super::outcome::SimulateError;
 use super::plant::Plant;
-use super::scenario::{Scenario, ScenarioStep, date_time};
-use super::session::Session;
+use super::scenario::{Scenario, ScenarioStep, date_time, mark_words};
+use super::session::{ScenarioMark, Session};
 use super::warming::{GAP_MIN, WarmthHistory};
 use robot_model::deform::Index;
-use robot_model::units::seconds_from_min;
+use robot_model::units::{min_from_s, seconds_from_min};
 
 impl Scenario {
     /// Carry it out on a session.
@@ -40,8 +40,15 @@ impl Scenario {
         let history = WarmthHistory::new(warmth, warming, gap_min, now_s);
         let plant = Plant::new(history, goes_by_temperature);
         let mut player = Player { plant, backup: session.program.backup(), session };
-        for step in self.parsed()? {
-            player.step(&step)?;
+        for (step, text) in self.parsed()?.iter().zip(&self.steps) {
+            let from_min = player.now_min();
+            player.step(step)?;
+            player.session.report.marks.extend(mark_words(text).map(|words| ScenarioMark {
+                from_min,
+                to_min: player.now_min(),
+                is_standing: matches!(step, ScenarioStep::Stand(_) | ScenarioStep::PowerOff(_)),
+                words,
+            }));
         }
         Ok(())
     }
@@ -112,6 +119,10 @@ impl Player<'_> {
     /// The program's steady clock, seconds.
     fn now_s(&self) -> f64 {
         self.session.program.calendar().steady_s()
+    }
+
+    fn now_min(&self) -> f64 {
+        min_from_s(self.now_s())
     }
 
     /// Searches of what is executed next meet the arm as it is now.

@@ -198,6 +198,8 @@ const ERRORS: &[&str] = &[
     "err_maxretry",
     "err_notequal",
     "err_unkino",
+    "err_fileopen",
+    "err_fileacc",
 ];
 
 /// The number of an error name.

@@ -33,7 +33,7 @@ pub struct Scenario {
     /// Spheres that searches find.
     #[serde(default, rename = "sphere")]
     pub spheres: Vec<Sphere>,
-    /// What happens, in order: `run 60`, or as a table `{ run = 60 }`.
+    /// What happens, in order: `run 60`, or as a table `{ run = 60 }`; `stand 45 lunch` has a name.
     #[serde(alias = "step", alias = "scenario", deserialize_with = "steps")]
     pub steps: Vec<String>,
 }
@@ -142,11 +142,12 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
     let mut words = text.split_whitespace();
     let name = words.next().unwrap_or("");
     let rest: Vec<&str> = words.collect();
-    let minutes = || match rest.as_slice() {
-        [n] => match n.parse::<f64>() {
-            Ok(n) if n.is_finite() && (0.0..=1e7).contains(&n) => Ok(n),
-            _ => Err(bad("a number of minutes, 0 or more, is asked for")),
-        },
+    let minutes = || match rest.first().map(|n| n.parse::<f64>()) {
+        Some(Ok(n)) if n.is_finite() && (0.0..=1e7).contains(&n) => Ok(n),
+        _ => Err(bad("a number of minutes, 0 or more, is asked for")),
+    };
+    let minutes_alone = || match rest.as_slice() {
+        [_] => minutes(),
         _ => Err(bad("one number of minutes is asked for")),
     };
     let word = |at: usize| rest.get(at).map(|w| (*w).to_owned()).ok_or_else(|| bad("a name is missing"));
@@ -168,7 +169,7 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
         }
         "unit_down" => ScenarioStep::Unit(word(0)?, true),
         "unit_up" => ScenarioStep::Unit(word(0)?, false),
-        "set_clock_back" => ScenarioStep::SetClockBack(minutes()?),
+        "set_clock_back" => ScenarioStep::SetClockBack(minutes_alone()?),
         "set_date" => {
             let (date, time) = date_time(&rest.join(" "))?;
             ScenarioStep::SetDate(date, time)
@@ -176,11 +177,43 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
         "backup" if rest.is_empty() => ScenarioStep::Backup,
         "restore_backup" if rest.is_empty() => ScenarioStep::RestoreBackup,
         _ => {
-            return Err(bad("steps are run MIN, stand MIN, pass, pp_to_main, power_off [MIN], call PROC, \
+            return Err(bad(
+                "steps are run MIN [WORDS], stand MIN [WORDS], pass, pp_to_main, power_off [MIN [WORDS]], call PROC, \
                  set NAME VALUE, temperature DEGREES, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
-                 set_date YYYY-MM-DD HH:MM:SS, backup, restore_backup"));
+                 set_date YYYY-MM-DD HH:MM:SS, backup, restore_backup",
+            ));
         }
     })
+}
+
+/// What a step is called on a time axis: the words behind its minutes, else what happens; `None` for work without a name.
+pub(super) fn mark_words(text: &str) -> Option<String> {
+    let mut words = text.split_whitespace();
+    let name = words.next()?;
+    let rest: Vec<&str> = words.collect();
+    let own = || rest.get(1..).filter(|own| !own.is_empty()).map(|own| own.join(" "));
+    let first = || rest.first().copied().unwrap_or_default();
+    match name {
+        "run" => own(),
+        "pass" => None,
+        "stand" => own().or_else(|| Some(format!("stands {} min", first()))),
+        "power_off" if rest.is_empty() => Some("power off".to_owned()),
+        "power_off" => own().or_else(|| Some(format!("power off {} min", first()))),
+        "pp_to_main" => Some("PP to main".to_owned()),
+        "call" => Some(match first().to_ascii_lowercase().as_str() {
+            "tccoldstart" => "cold start".to_owned(),
+            "tcwarmstart" => "warm start".to_owned(),
+            _ => first().to_owned(),
+        }),
+        "set" | "signal" => Some(format!("{} = {}", first(), rest.get(1..).unwrap_or_default().join(" "))),
+        "temperature" => Some(format!("{} °C", first())),
+        "unit_down" => Some(format!("{} down", first())),
+        "unit_up" => Some(format!("{} up", first())),
+        "set_clock_back" => Some(format!("clock back {} min", first())),
+        "set_date" => Some(format!("date {}", rest.join(" "))),
+        "restore_backup" => Some("backup restored".to_owned()),
+        other => Some(other.to_owned()),
+    }
 }
 
 /// Days of a month of the Gregorian calendar.
@@ -235,7 +268,10 @@ mod tests {
                 ScenarioStep::PpToMain
             ]
         );
-        for wrong in ["run", "run -1", "run nan", "jump 3", "set_date 2026-13-01 00:00:00", "set x", ""] {
+        assert_eq!(parse_step("stand 45 lunch").unwrap(), ScenarioStep::Stand(45.0));
+        let wrong =
+            ["run", "run -1", "run nan", "run lunch", "jump 3", "set_date 2026-13-01 00:00:00", "set x", ""];
+        for wrong in [&wrong[..], &["set_clock_back 3 lunch", "stand lunch 45"]].concat() {
             assert!(parse_step(wrong).is_err(), "{wrong}");
         }
         for (date, exists) in [
@@ -248,6 +284,26 @@ mod tests {
             assert_eq!(parse_step(&format!("set_date {date} 00:00:00")).is_ok(), exists, "{date}");
         }
         assert!(Scenario::from_toml("walk = []").is_err());
+    }
+
+    #[test]
+    fn what_happens_has_words_for_a_time_axis() {
+        for (step, words) in [
+            ("stand 45 lunch", Some("lunch")),
+            ("run 480 second shift", Some("second shift")),
+            ("run 480", None),
+            ("pass", None),
+            ("stand 45", Some("stands 45 min")),
+            ("power_off 600 night", Some("night")),
+            ("power_off", Some("power off")),
+            ("call tcColdStart", Some("cold start")),
+            ("call rGrip", Some("rGrip")),
+            ("set tcMode -2", Some("tcMode = -2")),
+            ("temperature 31.5", Some("31.5 °C")),
+            ("set_clock_back 60", Some("clock back 60 min")),
+        ] {
+            assert_eq!(mark_words(step).as_deref(), words, "{step}");
+        }
     }
 
     #[test]

@@ -10,7 +10,7 @@ use robot_model::kinematics::{Chain, ClosedForm};
 use robot_model::units::min_from_s;
 use std::collections::BTreeSet;
 
-pub use super::findings::{BucketSwitch, ErrorStatistics, Pass, Report, WorstMove};
+pub use super::findings::{BucketSwitch, ErrorStatistics, Pass, Report, ScenarioMark, WorstMove};
 
 /// A file of a program: its path and bytes.
 pub type ProgramFile<'f> = (&'f str, &'f [u8]);

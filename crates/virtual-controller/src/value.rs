@@ -214,26 +214,29 @@ impl Value {
         out
     }
 
-    /// The value as data of type `ty` would hold it; `None` where RAPID has no such assignment.
-    #[must_use]
-    pub fn coerced(self, ty: &Type) -> Option<Self> {
+    /// The value as data of type `ty` would hold it.
+    ///
+    /// # Errors
+    /// What type it is of, where RAPID has no such assignment.
+    pub fn coerced(self, ty: &Type) -> Result<Self, String> {
         match (self, ty) {
-            (Self::Literal(x), Type::Dnum) => Some(Self::Dnum(x)),
-            (Self::Literal(x), Type::Num) => Some(Self::Num(x as f32)),
+            (Self::Literal(x), Type::Dnum) => Ok(Self::Dnum(x)),
+            (Self::Literal(x), Type::Num) => Ok(Self::Num(x as f32)),
             (v @ Self::Num(_), Type::Num)
             | (v @ Self::Dnum(_), Type::Dnum)
             | (v @ Self::Bool(_), Type::Bool)
             | (v @ Self::Str(_), Type::Str)
-            | (v @ Self::Clock(_), Type::Clock) => Some(v),
-            (Self::Literal(x), Type::Other(_)) => Some(Self::Num(x as f32)),
-            (v, Type::Other(_)) => Some(v),
-            (Self::Record(r, parts), Type::Record(want)) => {
-                (r.name == want.name).then(|| Self::Record(want.clone(), parts))
+            | (v @ Self::Clock(_), Type::Clock) => Ok(v),
+            (Self::Literal(x), Type::Other(_)) => Ok(Self::Num(x as f32)),
+            (v, Type::Other(_)) => Ok(v),
+            (Self::Record(r, parts), Type::Record(want)) if r.name == want.name => {
+                Ok(Self::Record(want.clone(), parts))
             }
             (Self::Array(parts), Type::Array(inner)) => {
-                parts.into_iter().map(|p| p.coerced(inner)).collect::<Option<_>>().map(Self::Array)
+                let parts: Result<_, String> = parts.into_iter().map(|p| p.coerced(inner)).collect();
+                parts.map(Self::Array).map_err(|_| "array".to_owned())
             }
-            _ => None,
+            (other, _) => Err(other.type_name()),
         }
     }
 }
@@ -283,9 +286,9 @@ mod tests {
 
     #[test]
     fn a_literal_becomes_what_it_meets_and_kinds_do_not_mix() {
-        assert_eq!(Value::Literal(16_777_217.0).coerced(&Type::Num), Some(Value::Num(16_777_216.0)));
-        assert_eq!(Value::Literal(16_777_217.0).coerced(&Type::Dnum), Some(Value::Dnum(16_777_217.0)));
-        assert_eq!(Value::Num(1.0).coerced(&Type::Dnum), None);
-        assert_eq!(Value::Bool(true).coerced(&Type::Num), None);
+        assert_eq!(Value::Literal(16_777_217.0).coerced(&Type::Num), Ok(Value::Num(16_777_216.0)));
+        assert_eq!(Value::Literal(16_777_217.0).coerced(&Type::Dnum), Ok(Value::Dnum(16_777_217.0)));
+        assert_eq!(Value::Num(1.0).coerced(&Type::Dnum), Err("num".to_owned()));
+        assert_eq!(Value::Bool(true).coerced(&Type::Num), Err("bool".to_owned()));
     }
 }

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod memory;
+mod pure;
 mod searching;
 mod stepping;
 mod warming;

@@ -135,8 +135,8 @@ pub(super) fn call_by_name(vm: &mut Interpreter<'_>, routine: &str) -> Result<()
 fn add(vm: &mut Interpreter<'_>, args: &Args<'_>, data: Data, by: Value) -> Result<(), Fault> {
     let Some((place, ty)) = data else { return fatal(format!("{} wants data", args.callee)) };
     let sum = match (vm.read(&place)?, by.coerced(&ty)) {
-        (Value::Num(a), Some(Value::Num(b))) => Value::Num(a + b),
-        (Value::Dnum(a), Some(Value::Dnum(b))) => Value::Dnum(a + b),
+        (Value::Num(a), Ok(Value::Num(b))) => Value::Num(a + b),
+        (Value::Dnum(a), Ok(Value::Dnum(b))) => Value::Dnum(a + b),
         _ => return fatal(format!("{} of a {}", args.callee, ty.name())),
     };
     vm.write(&place, sum)
@@ -146,13 +146,17 @@ fn clear(vm: &mut Interpreter<'_>, args: &Args<'_>, data: Data) -> Result<(), Fa
     let Some((place, ty)) = data else { return fatal(format!("{} wants data", args.callee)) };
     vm.read(&place)?;
     match Value::Literal(0.0).coerced(&ty) {
-        Some(zero) => vm.write(&place, zero),
-        None => fatal(format!("{} of a {}", args.callee, ty.name())),
+        Ok(zero) => vm.write(&place, zero),
+        Err(_) => fatal(format!("{} of a {}", args.callee, ty.name())),
     }
 }
 
-/// The line TPWrite shows: its text and the value of an option.
-fn with_option(vm: &mut Interpreter<'_>, args: &Args<'_>, mut line: String) -> Result<String, Fault> {
+/// The line that TPWrite shows and Write writes: its text and the value of an option.
+pub(super) fn with_option(
+    vm: &mut Interpreter<'_>,
+    args: &Args<'_>,
+    mut line: String,
+) -> Result<String, Fault> {
     for option in ["num", "bool", "pos", "orient", "dnum"] {
         if let Some(e) = args.named(option) {
             line.push_str(&written(&vm.eval(e, None)?));

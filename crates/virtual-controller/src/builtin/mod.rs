@@ -4,6 +4,7 @@
 
 mod clock;
 mod data;
+mod files;
 mod geometry;
 mod math;
 mod modules;
@@ -34,12 +35,13 @@ const FUNCTIONS: [&[Function]; 7] = [
     modules::FUNCTIONS,
 ];
 
-const INSTRUCTIONS: [&[Instruction]; 5] = [
+const INSTRUCTIONS: [&[Instruction]; 6] = [
     moves::INSTRUCTIONS,
     data::INSTRUCTIONS,
     clock::INSTRUCTIONS,
     signals::INSTRUCTIONS,
     modules::INSTRUCTIONS,
+    files::INSTRUCTIONS,
 ];
 
 static FUNCTION_BY_NAME: LazyLock<HashMap<&str, &Function>> =

@@ -4,7 +4,7 @@ use super::data::call_by_name;
 use super::parameter::{ExtJoint, Instruction, Parameter, RobTarget, Unevaluated, instruction, string};
 use super::tools::{setup, setup_of, tool_and_object};
 use crate::arm::{Arm, Move, Solved};
-use crate::code::{Arg, Expr, ExprKind};
+use crate::code::{Arg, Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
@@ -214,7 +214,7 @@ impl Search {
         if args.callee != "searchl" {
             return Ok(None);
         }
-        let ExprKind::Name(_, signal) = &args.at(0)?.kind else { return Ok(None) };
+        let ExprKind::Name(NameRef { spelt: signal, .. }) = &args.at(0)?.kind else { return Ok(None) };
         let (Some(arm), Some(target)) = (vm.arm.as_deref(), targets.last()) else { return Ok(None) };
         let Some(feeler) = vm.machine.spheres.feeler(signal, setup) else { return Ok(None) };
         if arm.q_rad().is_some_and(|q_rad| feeler.gap_m(&q_rad) <= 0.0) {
@@ -282,7 +282,7 @@ fn name_of_target(expr: &Expr) -> String {
             Some(Arg::Positional(first)) => name_of_target(first),
             _ => String::new(),
         },
-        ExprKind::Name(_, spelt) => spelt.to_string(),
+        ExprKind::Name(name) => name.spelt.to_string(),
         ExprKind::Index(base, _) | ExprKind::Field(base, _) => name_of_target(base),
         _ => String::new(),
     }
@@ -315,8 +315,9 @@ fn move_time_s(
 /// TCP speed (mm/s) and reorientation speed (deg/s); a name like v83 that is declared nowhere says
 /// its own.
 fn speed(vm: &mut Interpreter<'_>, expr: &Expr) -> Result<(f64, f64), Fault> {
-    if let ExprKind::Name(name, spelt) = &expr.kind
-        && vm.resolve_datum(name, spelt).is_none()
+    if let ExprKind::Name(named) = &expr.kind
+        && let NameRef { name, spelt, .. } = named
+        && vm.resolve_datum(named).is_none()
         && predefined::constant(&vm.program.types, name).is_none()
     {
         vm.report("controller", format!("speed {spelt} is declared nowhere"));

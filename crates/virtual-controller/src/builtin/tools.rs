@@ -1,6 +1,6 @@
 //! Tool, work object and load of a move, as they are at that moment.
 
-use crate::code::{Expr, ExprKind};
+use crate::code::{Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
 use crate::interpreter::Interpreter;
 use crate::machine::{Access, DataRoot};
@@ -31,8 +31,9 @@ fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Valu
         "tool0" => vm.program.types.tooldata.clone(),
         _ => vm.program.types.wobjdata.clone(),
     };
-    if let ExprKind::Name(name, spelt) = &expr.kind
-        && vm.resolve_datum(name, spelt).is_none()
+    if let ExprKind::Name(named) = &expr.kind
+        && let NameRef { name, spelt, .. } = named
+        && vm.resolve_datum(named).is_none()
         && predefined::constant(&vm.program.types, name).is_none()
     {
         vm.report("controller", format!("{spelt} is declared nowhere; taken as {plain}"));

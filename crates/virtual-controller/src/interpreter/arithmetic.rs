@@ -78,7 +78,7 @@ fn whole(op: BinaryOp, a: f64, b: f64) -> Result<f64, Fault> {
     Ok(if op == BinaryOp::IntDiv { quotient } else { a - quotient * b })
 }
 
-fn single(op: BinaryOp, a: f32, b: f32) -> Result<f32, Fault> {
+pub(super) fn single(op: BinaryOp, a: f32, b: f32) -> Result<f32, Fault> {
     let out = match op {
         BinaryOp::Add => a + b,
         BinaryOp::Sub => a - b,

@@ -100,8 +100,8 @@ impl Interpreter<'_> {
     /// A place, or the controller's own tool0, wobj0 and load0, which are PERS that no module declares.
     fn data_ref_or_own(&mut self, expr: &Expr) -> Result<Option<(DataRef, Type)>, Fault> {
         let place = self.data_ref(expr)?;
-        let (None, ExprKind::Name(name, _)) = (&place, &expr.kind) else { return Ok(place) };
-        Ok(self.program.own_datum(name).map(|(datum, ty)| (DataRef::data(datum), ty)))
+        let (None, ExprKind::Name(named)) = (&place, &expr.kind) else { return Ok(place) };
+        Ok(self.program.own_datum(&named.name).map(|(datum, ty)| (DataRef::data(datum), ty)))
     }
 
     /// Signals, devices and data of unknown types are handed on by what they are.
@@ -110,7 +110,7 @@ impl Interpreter<'_> {
             return Ok(Binding::Ref(place));
         }
         match &expr.kind {
-            ExprKind::Name(name, _) => Ok(Binding::Signal(name.clone())),
+            ExprKind::Name(named) => Ok(Binding::Signal(named.name.clone())),
             ExprKind::Local(slot) => match self.machine.stack.local(*slot).cloned() {
                 Some(bound) => Ok(bound),
                 None => fatal("no such local"),
@@ -122,7 +122,7 @@ impl Interpreter<'_> {
     /// The name of the signal an argument means.
     pub fn signal_name(&mut self, expr: &Expr) -> Result<Name, Fault> {
         match &expr.kind {
-            ExprKind::Name(name, _) => Ok(name.clone()),
+            ExprKind::Name(named) => Ok(named.name.clone()),
             ExprKind::Local(slot) => match self.machine.stack.local(*slot) {
                 Some(Binding::Signal(name)) => Ok(name.clone()),
                 _ => fatal("a signal is asked for"),

@@ -27,7 +27,7 @@ impl Interpreter<'_> {
                     Binding::Absent => fatal("an optional argument that was not given is used"),
                 }
             }
-            ExprKind::Name(name, spelt) => Ok(self.resolve_datum(name, spelt).and_then(|d| {
+            ExprKind::Name(named) => Ok(self.resolve_datum(named).and_then(|d| {
                 let ty = self.program.data.get(d)?.ty.clone();
                 Some((DataRef::data(d), ty))
             })),
@@ -101,8 +101,8 @@ impl Interpreter<'_> {
             },
         };
         for select in &place.path {
-            let (Selector::Field(at) | Selector::Element(at)) = select;
-            match value.parts().get(*at) {
+            let at = select.position();
+            match value.parts().get(at) {
                 Some(part) => value = part,
                 None => return fatal(format!("index {} outside of the array", at + 1)),
             }
@@ -148,18 +148,17 @@ impl Interpreter<'_> {
                 _ => return fatal("an index outside of the array"),
             }
         }
-        let given = value.type_name();
         match value.coerced(ty) {
-            Some(Value::Str(text)) if text.chars().count() > 80 => {
+            Ok(Value::Str(text)) if text.chars().count() > 80 => {
                 fatal(format!("a string of {} characters; 80 fit", text.chars().count()))
             }
-            Some(value) => {
+            Ok(value) => {
                 let is_changed = *target != value;
                 *target = value;
                 self.machine.changes += u64::from(is_changed);
                 Ok(())
             }
-            None => fatal(format!("a {given} is assigned to data of type {}", ty.name())),
+            Err(given) => fatal(format!("a {given} is assigned to data of type {}", ty.name())),
         }
     }
 
@@ -215,9 +214,11 @@ impl Interpreter<'_> {
         }
         let Some(init) = init else { return Ok(ty.initial_array(&sizes)) };
         let value = self.eval(init, Some(ty))?;
-        let given = value.type_name();
-        let Some(value) = value.coerced(ty) else {
-            return fatal(format!("{name}: a {given} as initial value of a {}", ty.name()));
+        let value = match value.coerced(ty) {
+            Ok(value) => value,
+            Err(given) => {
+                return fatal(format!("{name}: a {given} as initial value of a {}", ty.name()));
+            }
         };
         if !fits(&value, &sizes) {
             return fatal(format!("{name}: the initial value has another number of elements than {sizes:?}"));
@@ -225,8 +226,8 @@ impl Interpreter<'_> {
         Ok(value)
     }
 
-    /// A part of a CONST whose value is an aggregate, without evaluating the rest of it: arrays of
-    /// targets are large, and a program reads one element at a time.
+    /// A part of a CONST whose value is an aggregate, without evaluating the rest of it, where that would take much memory: a long
+    /// program has arrays of targets for each motion, and reads one element at a time.
     fn constant_part(&mut self, id: usize, path: &[Selector]) -> Result<Option<Value>, Fault> {
         let Some(datum) = self.program.data.get(id) else { return Ok(None) };
         if path.is_empty() || datum.kind != DataKind::Const || self.machine.data.known(id).is_some() {
@@ -236,29 +237,33 @@ impl Interpreter<'_> {
         let mut ty = datum.ty.clone();
         let Some(m) = self.program.modules.get(module) else { return Ok(None) };
         let file = m.file.clone();
-        let Some(mut expr) = m.data_decl(at).and_then(|d| d.init.clone()) else { return Ok(None) };
+        let Some(init) = m.data_decl(at).and_then(|d| d.init.as_ref()) else { return Ok(None) };
+        if self.machine.data.keep_constant(init.range.len()) {
+            return Ok(None);
+        }
+        let mut expr = init.clone();
         for select in path {
             let mut parts = match expr.kind {
                 tree::ExprKind::Aggregate(parts) => parts.into_vec(),
                 tree::ExprKind::Numbers => parts_of_numbers(&file.bytes, expr.range),
                 _ => return Ok(None),
             };
-            let (Selector::Field(at) | Selector::Element(at)) = select;
+            let at = select.position();
             let inner = match (&ty, select) {
                 (Type::Array(inner), Selector::Element(_)) => Some((**inner).clone()),
                 (Type::Record(r), Selector::Field(at)) => r.fields.get(*at).map(|(_, ty)| ty.clone()),
                 _ => None,
             };
             match inner {
-                Some(inner) if *at < parts.len() => (expr, ty) = (parts.swap_remove(*at), inner),
+                Some(inner) if at < parts.len() => (expr, ty) = (parts.swap_remove(at), inner),
                 _ => return fatal(format!("index {} outside of the array", at + 1)),
             }
         }
         let expr = compile::constant(&file, &expr);
         let value = self.in_module(module, |c| c.eval(&expr, Some(&ty)))?;
         match value.coerced(&ty) {
-            Some(value) => Ok(Some(value)),
-            None => fatal(format!("an element that is no {}", ty.name())),
+            Ok(value) => Ok(Some(value)),
+            Err(_) => fatal(format!("an element that is no {}", ty.name())),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Loops that wait for what nothing here brings about: found, and named, instead of being run for ever.
 
 use super::Interpreter;
-use crate::code::{Arg, Expr, ExprKind, Instruction, Op};
+use crate::code::{Arg, Expr, ExprKind, Instruction, NameRef, Op};
 use crate::machine::{Access, DataRef};
 use crate::outcome::{Fault, Outcome};
 use crate::predefined;
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
         conditions(body, &mut asked);
         let mut names: Vec<String> = Vec::new();
         for leaf in asked {
-            if let ExprKind::Name(name, spelt) = &leaf.kind
+            if let ExprKind::Name(NameRef { name, spelt, .. }) = &leaf.kind
                 && !self.is_constant(name)
                 && !names.iter().any(|known| known.eq_ignore_ascii_case(spelt))
             {
@@ -90,7 +90,7 @@ impl Interpreter<'_> {
 
     /// What a name or a local is worth now; `None` where that takes work to find out.
     fn present(&mut self, leaf: &Expr) -> Option<Value> {
-        if let ExprKind::Name(name, _) = &leaf.kind
+        if let ExprKind::Name(NameRef { name, .. }) = &leaf.kind
             && let Some(level) = self.machine.signals.levels.get(name)
         {
             return Some(Value::Num(*level));

@@ -2,7 +2,7 @@
 
 use super::Interpreter;
 use super::arithmetic::arithmetic;
-use crate::code::{Callee, Expr, ExprKind};
+use crate::code::{Callee, Expr, ExprKind, NameRef};
 use crate::machine::{Binding, DataRef};
 use crate::outcome::{Fault, fatal, raise};
 use crate::predefined;
@@ -11,7 +11,7 @@ use rapid_syntax::tree::{BinaryOp, UnaryOp};
 use std::rc::Rc;
 
 /// Expressions and function calls inside one another, all told.
-const MAX_NESTING: usize = 400;
+pub(super) const MAX_NESTING: usize = 400;
 
 impl Interpreter<'_> {
     /// The value of an expression; `want` is the type of what it is for, which gives aggregates their
@@ -36,7 +36,7 @@ impl Interpreter<'_> {
             ExprKind::Str(text) => Ok(Value::Str(text.clone())),
             ExprKind::Bool(b) => Ok(Value::Bool(*b)),
             ExprKind::Local(slot) => self.local(*slot),
-            ExprKind::Name(name, spelt) => self.name(name, spelt),
+            ExprKind::Name(named) => self.name(named),
             ExprKind::Field(..) | ExprKind::Index(..) => self.part(expr),
             ExprKind::Aggregate(parts) => self.aggregate(parts, want),
             ExprKind::Call(call) => match &call.callee {
@@ -51,16 +51,23 @@ impl Interpreter<'_> {
 
     /// The value of an expression as a type.
     pub fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
+        if *ty == Type::Num
+            && let Some(x) = self.pure_num(expr)
+        {
+            return Ok(Value::Num(x));
+        }
         let value = self.eval(expr, Some(ty))?;
-        let given = value.type_name();
         match value.coerced(ty) {
-            Some(value) => Ok(value),
-            None => fatal(format!("a {given} where a {} is asked for", ty.name())),
+            Ok(value) => Ok(value),
+            Err(given) => fatal(format!("a {given} where a {} is asked for", ty.name())),
         }
     }
 
     /// The value of a `num` expression (a `dnum` is not one).
     pub fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
+        if let Some(x) = self.pure_num(expr) {
+            return Ok(x);
+        }
         match self.eval_as(expr, &Type::Num)? {
             Value::Num(x) => Ok(x),
             _ => fatal("no number"),
@@ -69,6 +76,9 @@ impl Interpreter<'_> {
 
     /// The value of a condition.
     pub fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
+        if let Some(b) = self.pure_bool(expr) {
+            return Ok(b);
+        }
         match self.eval(expr, Some(&Type::Bool))? {
             Value::Bool(b) => Ok(b),
             other => fatal(format!("a {} where a condition is asked for", other.type_name())),
@@ -93,10 +103,12 @@ impl Interpreter<'_> {
 
     /// The data a name means here. Data that are LOCAL to another module are taken from there, and that is
     /// said: RoboDK's pages use what the first one declares; no controller loads them.
-    pub fn resolve_datum(&mut self, name: &str, spelt: &str) -> Option<usize> {
-        if let Some(datum) = self.program.datum(self.machine.stack.scope.0, name) {
+    pub fn resolve_datum(&mut self, named: &NameRef) -> Option<usize> {
+        if let Some(datum) = self.program.named_datum(self.machine.stack.scope.0, named) {
             return Some(datum);
         }
+        let NameRef { name, spelt, .. } = named;
+        let name: &str = name;
         let predefined = matches!(name, "errno" | "intno" | "c_progdisp")
             || self.machine.signals.levels.contains_key(name);
         if predefined || predefined::constant(&self.program.types, name).is_some() {
@@ -110,10 +122,11 @@ impl Interpreter<'_> {
         Some(elsewhere)
     }
 
-    fn name(&mut self, name: &Rc<str>, spelt: &str) -> Result<Value, Fault> {
-        if let Some(datum) = self.resolve_datum(name, spelt) {
+    fn name(&mut self, named: &NameRef) -> Result<Value, Fault> {
+        if let Some(datum) = self.resolve_datum(named) {
             return self.read(&DataRef::data(datum));
         }
+        let NameRef { name, spelt, .. } = named;
         match &**name {
             "errno" => return Ok(Value::Num(self.machine.errors.errno)),
             "intno" => return Ok(Value::Num(self.machine.interrupts.intno)),
@@ -146,6 +159,9 @@ impl Interpreter<'_> {
 
     /// A component or element of something.
     fn part(&mut self, expr: &Expr) -> Result<Value, Fault> {
+        if let Some(value) = self.pure_value(expr) {
+            return Ok(value);
+        }
         if let Some((place, _)) = self.data_ref(expr)? {
             return self.read(&place);
         }

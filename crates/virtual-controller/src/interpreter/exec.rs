@@ -129,6 +129,9 @@ impl Interpreter<'_> {
     }
 
     fn assign(&mut self, target: &Expr, value: &Expr) -> Result<(), Fault> {
+        if self.assign_num(target, value) {
+            return Ok(());
+        }
         let Some((place, ty)) = self.data_ref(target)? else {
             return fatal("an assignment to something that is declared nowhere");
         };

@@ -20,7 +20,12 @@ pub(crate) struct DataValues {
     states: Vec<DataState>,
     /// Held at a value whatever the program assigns.
     pub pinned: BTreeMap<usize, Value>,
+    /// Bytes of text of constants that were evaluated whole because a part of them was asked for.
+    constant_text: u32,
 }
+
+/// Text of constants that are evaluated whole: as values they take some seven times as much.
+const KEPT_TEXT: u32 = 8 << 20;
 
 impl DataValues {
     /// How far a datum's value is known.
@@ -42,6 +47,16 @@ impl DataValues {
             DataState::Known(value) => Some(value),
             _ => None,
         }
+    }
+
+    /// Whether a constant with an initial value of so many bytes of text is to be evaluated whole, where only a part of it is asked for.
+    pub fn keep_constant(&mut self, text: u32) -> bool {
+        let sum = self.constant_text.saturating_add(text);
+        let keep = sum <= KEPT_TEXT;
+        if keep {
+            self.constant_text = sum;
+        }
+        keep
     }
 
     /// The datum begins again with its initial value.
@@ -70,6 +85,14 @@ pub(crate) enum Selector {
     Field(usize),
     /// Number of the element, from 0.
     Element(usize),
+}
+
+impl Selector {
+    /// Number of the component or element in what holds it, from 0.
+    pub fn position(self) -> usize {
+        let (Self::Field(at) | Self::Element(at)) = self;
+        at
+    }
 }
 
 impl DataRef {

@@ -17,6 +17,10 @@ pub(crate) struct Disk {
     pub files: BTreeMap<String, Vec<u8>>,
     /// Files of StartLoad that WaitLoad has not yet asked for.
     pub load_sessions: Vec<Option<String>>,
+    /// Files that a program writes to, by the channel's number less one; `None` where it is closed.
+    pub channels: Vec<Option<String>>,
+    /// Nothing can be written: the disk is full, or read only.
+    pub protected: bool,
 }
 
 impl Disk {
