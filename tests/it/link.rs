@@ -227,6 +227,60 @@ fn what_is_not_ours_stays_as_it_is() {
     assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
 }
 
+/// The first load beside what runs in the cell already: the original under its own name, none, under another name.
+#[test]
+fn a_first_load_says_what_it_meets_before_anything_is_written() {
+    const LOAD: [&str; 5] = ["push", "MODULE", "HOST", "--yes", "--load"];
+    let [original, corrected] = programs().map(|bytes| String::from_utf8(bytes).unwrap());
+    let renamed = |text: &str| text.replacen("MODULE MOD_Cube45", "MODULE MOD_Old", 1);
+    for personality in Personality::ALL {
+        let shop = Shop::new(personality);
+        let confirmed: Vec<&str> = LOAD.into_iter().chain(["--confirmed"]).collect();
+        let put = |text: Option<&str>| {
+            shop.double.with(|c| {
+                c.modules.retain(|m| !m.name.starts_with("MOD_"));
+                text.into_iter().for_each(|text| c.load(text, "ProgMod"));
+            });
+        };
+        let loaded = || -> Vec<String> {
+            let names = shop.double.with(|c| c.modules.iter().map(|m| m.name.clone()).collect::<Vec<_>>());
+            names.into_iter().filter(|name| name.starts_with("MOD_")).collect()
+        };
+        let loads = || shop.double.requests().iter().filter(|r| r.contains("loadmod")).count();
+        // The original, under its name and another, and a corrected program under another: told, and nothing is written.
+        for (there, code, holder) in [
+            (original.clone(), "link::not-ours", "MOD_Cube45"),
+            (renamed(&original), "link::names-taken", "MOD_Old"),
+            (renamed(&corrected), "link::names-taken", "MOD_Old"),
+        ] {
+            put(Some(&there));
+            let (exit, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+            assert!(exit == 1 && out.contains("--load would be refused: ") && out.contains(holder), "{out}");
+            assert!(out.contains("unload it there"), "{out}");
+            let (exit, _, said) = shop.run(&confirmed);
+            assert!(exit == 2 && said.contains(code) && said.contains(holder), "{said}");
+            assert!(shop.double.with(|c| c.files.is_empty()));
+            assert_eq!((loads(), loaded()), (0, vec![holder.to_owned()]));
+        }
+        // A module that shares a routine alone: that only RAPID sees.
+        put(Some("MODULE MOD_Old\n  PROC Cube45()\n  ENDPROC\nENDMODULE\n"));
+        let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(out.contains("--load puts it into T_ROB1 as a new module"), "{out}");
+        let (exit, _, said) = shop.run(&confirmed);
+        assert!(
+            exit == 2 && said.contains("link::module-errors") && said.contains("another module's name"),
+            "{said}"
+        );
+        assert_eq!(loaded(), ["MOD_Old"]);
+        // Unloaded on the pendant, it goes.
+        put(None);
+        let (exit, out, _) = shop.run(&confirmed);
+        assert!(exit == 0 && out.contains("MOD_Cube45: loaded into T_ROB1"), "{out}");
+        let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(out.contains("in place of the corrected module of this name"), "{out}");
+    }
+}
+
 #[test]
 fn a_program_is_watched_line_by_line_and_by_subscription() {
     for personality in Personality::ALL {
@@ -240,6 +294,41 @@ fn a_program_is_watched_line_by_line_and_by_subscription() {
         shop.double.with(|c| c.offers_subscriptions = false);
         let (code, _, said) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
         assert!(code == 0 && said.contains("note: no subscription"), "{said}");
+    }
+}
+
+/// The data that stand in a page.
+fn data_of(page: &Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(page).unwrap();
+    let (_, rest) = text.split_once("<script type=\"application/json\" id=\"data\">").unwrap();
+    let (data, rest) = rest.split_once("</script>").unwrap();
+    assert!(rest.trim_end().ends_with("</html>"), "a page is there whole");
+    serde_json::from_str(data).unwrap()
+}
+
+/// The page holds the same records as the lines; what fails on the way is a warning of it, and at its end it says so.
+#[test]
+fn a_watch_writes_a_page_of_its_records() {
+    for personality in Personality::ALL {
+        let shop = Shop::new(personality);
+        let page = shop.folder.path().join("watch.html");
+        let name = page.display().to_string();
+        let watch = ["watch", "HOST", "--count", "3", "--interval-s", "0.1", "--json", "--report", &name];
+        let (code, out, _) = shop.run(&watch);
+        let lines: Vec<serde_json::Value> =
+            out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let written = data_of(&page);
+        assert_eq!((code, lines.len(), written["command"].as_str()), (0, 3, Some("link watch")));
+        assert_eq!(written["data"]["records"].as_array().unwrap(), &lines);
+        assert_eq!(written["data"]["ended"], "The watch has ended.");
+        assert_eq!(written["data"]["warnings"], serde_json::json!([]));
+
+        // A page that cannot be written is told before anybody logs in.
+        let before = shop.double.requests().len();
+        let folder = shop.folder.path().display().to_string();
+        let (code, _, said) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
+        assert!(code == 2 && said.contains("output::unwritable"), "{said}");
+        assert_eq!(shop.double.requests().len(), before);
     }
 }
 

@@ -28,6 +28,8 @@ pub struct Property {
     pub dimensions: u32,
     /// It must not be written.
     pub is_read_only: bool,
+    /// LOCAL to its module: another module may have the name too.
+    pub is_local: bool,
 }
 
 impl Session {
@@ -57,6 +59,7 @@ impl Session {
             data_type: entry.text("dattyp")?.to_owned(),
             dimensions: entry.text("ndim")?.parse().map_err(|_| answer.without("number in ndim"))?,
             is_read_only: entry.flag("rdonly")?,
+            is_local: entry.flag("local")?,
         }))
     }
 
@@ -162,7 +165,13 @@ mod tests {
     use super::*;
 
     fn property(data_type: &str, dimensions: u32) -> Property {
-        Property { kind: Kind::Persistent, data_type: data_type.into(), dimensions, is_read_only: false }
+        Property {
+            kind: Kind::Persistent,
+            data_type: data_type.into(),
+            dimensions,
+            is_read_only: false,
+            is_local: false,
+        }
     }
 
     #[test]

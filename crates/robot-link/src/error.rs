@@ -236,7 +236,8 @@ impl LinkError {
                 "it ends with the session, after five minutes at most; the pendant shows who holds it"
             }
             Self::ModuleErrors { .. } => {
-                "check the program in RobotStudio; the file in HOME is as it was sent"
+                "are its routines or data loaded under another module's name, the original's? unload that on the pendant; else check the \
+                 program in RobotStudio; the file in HOME is as it was sent"
             }
             Self::ModeChanged { .. } => "look at what is there, then run again",
             Self::Interrupted => "the right to write was given back and the session ended",

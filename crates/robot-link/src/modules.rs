@@ -57,10 +57,13 @@ impl Session {
         let loaded = self.ask(requests::LOAD, &arguments);
         let code = loaded.as_ref().ok().and_then(|answer| answer.contents.code);
         if let Some(code) = code.filter(|code| WITH_ERRORS.contains(code)) {
-            let then = match self.unload(task, module) {
+            let mut then = match self.unload(task, module) {
                 Ok(()) => "it was taken out again".to_owned(),
                 Err(error) => format!("it could not be taken out again: {error}"),
             };
+            if replaces {
+                then.push_str(", and so was the module that it replaces");
+            }
             return Err(LinkError::ModuleErrors { module: module.to_owned(), code, then });
         }
         if let Err(error @ LinkError::Refused { .. }) = loaded {

@@ -124,12 +124,16 @@ fn load(c: &mut Controller, request: &Incoming, media: MediaType) -> Result<Repl
     if c.module(&module).is_some() {
         return Err((400, -1_073_442_813, "a module of this name is loaded"));
     }
-    // Names that are global in the task are there once.
-    let names: Vec<String> =
-        rapid::data(&text).into_iter().filter(|d| !d.is_local).map(|d| d.name.to_ascii_lowercase()).collect();
-    let taken = |module: &crate::Module| {
-        module.data.iter().any(|d| !d.is_local && names.contains(&d.name.to_ascii_lowercase()))
+    // Names that are global in the task are there once: data, routines, and modules besides.
+    let global = |text: &str, name: &str| {
+        let data = rapid::data(text).into_iter().filter(|d| !d.is_local).map(|d| d.name);
+        let mut names: Vec<String> = data.map(|name| name.to_ascii_lowercase()).collect();
+        names.extend(rapid::global_routines(text));
+        names.push(name.to_ascii_lowercase());
+        names
     };
+    let names = global(&text, &module);
+    let taken = |m: &crate::Module| global(&m.text, &m.name).iter().any(|name| names.contains(name));
     let clashes = c.modules.iter().any(taken);
     let has_errors = clashes || c.finds_errors || !rapid::is_whole(&text);
     c.load(&text, "ProgMod");

@@ -60,6 +60,23 @@ pub(crate) fn data(text: &str) -> Vec<Data> {
     found
 }
 
+/// Names of the routines that a module declares for the whole task, in lower case.
+pub(crate) fn global_routines(text: &str) -> Vec<String> {
+    let name = |line: &str| {
+        let mut words =
+            line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|w| !w.is_empty());
+        let kind = words.next()?.to_ascii_uppercase();
+        // A function's type stands before its name.
+        match kind.as_str() {
+            "PROC" | "TRAP" => words.next(),
+            "FUNC" => words.nth(1),
+            _ => None,
+        }
+        .map(str::to_ascii_lowercase)
+    };
+    text.lines().filter_map(|line| name(line.trim())).collect()
+}
+
 fn begins(upper: &str) -> bool {
     let rest = upper.strip_prefix("LOCAL ").or(upper.strip_prefix("TASK ")).unwrap_or(upper);
     ["PERS ", "VAR ", "CONST "].iter().any(|word| rest.trim_start().starts_with(word))
@@ -167,6 +184,12 @@ mod tests {
         assert!(found[0].is_task && found[1].is_local && found[2].kind == "var");
         assert!(is_whole(text) && !is_whole(&text[..text.len() - 12]));
         assert_eq!(module_name(text).as_deref(), Some("M"));
+    }
+
+    #[test]
+    fn routines_of_the_whole_task_are_those_without_local() {
+        let text = "MODULE M\nPROC Main()\nENDPROC\nLOCAL PROC own()\nENDPROC\n FUNC num Twice(num a)\nENDFUNC\nTRAP t1\nENDTRAP\nENDMODULE\n";
+        assert_eq!(global_routines(text), ["main", "twice", "t1"]);
     }
 
     #[test]

@@ -7,8 +7,10 @@ mod connection;
 mod data;
 mod double;
 mod info;
+mod loading;
 mod push;
 mod question;
+mod sent_module;
 mod watch;
 
 use super::{Console, Outcome, interrupt};

@@ -2,16 +2,22 @@
 
 use super::connection::Connection;
 use crate::cli::number::positive;
-use crate::cli::{Console, Outcome};
+use crate::cli::page::ReportArgs;
+use crate::cli::{Console, Outcome, files};
 use driftpost::application::OwnData;
+use driftpost::report::WatchPage;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{Event, LinkError, Session, Subscription};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
+use std::time::{Duration, Instant, SystemTime};
 
 /// How long an event is waited for at a time, so that an interruption is seen.
 const MOMENT: Duration = Duration::from_millis(200);
 /// As many failures one after the other end it.
 const MOST_FAILURES: u32 = 5;
+
+/// The page is written anew so often, seconds, and at once where something changed.
+const PAGE_EVERY_S: f64 = 5.0;
 
 /// Options of `link watch`.
 #[derive(Debug, clap::Args)]
@@ -35,6 +41,10 @@ pub struct Args {
     /// End after so many lines; without it Ctrl-C does.
     #[arg(long, value_name = "N")]
     count: Option<u64>,
+
+    /// A page of it, written anew while it goes on, which loads itself anew.
+    #[command(flatten)]
+    page: ReportArgs,
 }
 
 /// Runs `link watch`.
@@ -43,6 +53,8 @@ pub struct Args {
 /// `link::*`; no corrected program is loaded.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--interval-s", Some(args.interval_s))])?;
+    // whether it can be written is known before anybody is asked for a password
+    drop(args.page.open()?);
     let mut session = args.connection.open(console)?;
     let mut own = Vec::new();
     for task in session.tasks()? {
@@ -56,27 +68,17 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             .into());
     }
     let mut subscription = if args.subscribe { subscribe(&own, &mut session, console) } else { None };
-    let (start, mut failures) = (Instant::now(), 0);
-    let mut lines = 0;
-    loop {
-        match own.iter_mut().try_for_each(|own| own.read_again(&mut session)) {
-            Ok(()) => {
-                failures = 0;
-                lines += write(args, &own, start, console)?;
-            }
-            Err(LinkError::Interrupted) => break,
-            Err(error) if failures < MOST_FAILURES => {
-                failures += 1;
-                console.say(format_args!("warning: {error}"));
-            }
-            Err(error) => return Err(error.into()),
-        }
-        if args.count.is_some_and(|count| lines >= count)
-            || next(args, &mut subscription, &session, console).is_err()
-        {
-            break;
-        }
-    }
+    let mut watch = Watch {
+        start: Instant::now(),
+        page: args.page.report.clone().map(|path| LivePage::new(path, args.connection.host.clone())),
+    };
+    let looked = look(args, &mut own, &mut session, &mut subscription, &mut watch, console);
+    let why = looked
+        .as_ref()
+        .err()
+        .map_or_else(|| "The watch has ended.".to_owned(), |error| format!("The watch has ended: {error}"));
+    watch.end(why)?;
+    looked?;
     if let Some(subscription) = subscription {
         // Closing the socket ends it as well.
         let _ = session.unsubscribe(subscription);
@@ -85,18 +87,111 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-fn write(args: &Args, own: &[OwnData], start: Instant, console: &mut Console) -> std::io::Result<u64> {
-    for own in own {
-        if args.json {
-            let mut object = own.json();
-            object["t_s"] = ((start.elapsed().as_secs_f64() * 10.0).round() / 10.0).into();
-            writeln!(console.out(), "{object}")?;
-        } else {
-            writeln!(console.out(), "{}/{}: {}", own.task, own.module, own.line())?;
+/// Looks again and again, until it is interrupted or has seen enough.
+fn look(
+    args: &Args,
+    own: &mut [OwnData],
+    session: &mut Session,
+    subscription: &mut Option<Subscription>,
+    watch: &mut Watch,
+    console: &mut Console,
+) -> anyhow::Result<()> {
+    let (mut lines, mut failures) = (0, 0);
+    loop {
+        match own.iter_mut().try_for_each(|own| own.read_again(session)) {
+            Ok(()) => {
+                failures = 0;
+                lines += watch.write(args, own, console)?;
+            }
+            Err(LinkError::Interrupted) => return Ok(()),
+            Err(error) if failures < MOST_FAILURES => {
+                failures += 1;
+                console.say(format_args!("warning: {error}"));
+                watch.warn(&error)?;
+            }
+            Err(error) => return Err(error.into()),
+        }
+        if args.count.is_some_and(|count| lines >= count)
+            || next(args, subscription, session, console).is_err()
+        {
+            return Ok(());
         }
     }
-    console.out().flush()?;
-    Ok(own.len() as u64)
+}
+
+/// What is written of each look.
+struct Watch {
+    start: Instant,
+    page: Option<LivePage>,
+}
+
+impl Watch {
+    /// Tenths of a second since the start.
+    fn t_s(&self) -> f64 {
+        (self.start.elapsed().as_secs_f64() * 10.0).round() / 10.0
+    }
+
+    fn write(&mut self, args: &Args, own: &[OwnData], console: &mut Console) -> anyhow::Result<u64> {
+        let t_s = self.t_s();
+        let record = |own: &OwnData| {
+            let mut object = own.json();
+            object["t_s"] = t_s.into();
+            object
+        };
+        for own in own {
+            if args.json {
+                writeln!(console.out(), "{}", record(own))?;
+            } else {
+                writeln!(console.out(), "{}/{}: {}", own.task, own.module, own.line())?;
+            }
+        }
+        console.out().flush()?;
+        if let Some(page) = &mut self.page {
+            let is_news = page.content.add(own.iter().map(record).collect());
+            page.write(is_news)?;
+        }
+        Ok(own.len() as u64)
+    }
+
+    fn warn(&mut self, error: &LinkError) -> anyhow::Result<()> {
+        let t_s = self.t_s();
+        let Some(page) = &mut self.page else { return Ok(()) };
+        page.content.warn(t_s, error.to_string());
+        page.write(true)
+    }
+
+    fn end(self, why: String) -> anyhow::Result<()> {
+        let Some(mut page) = self.page else { return Ok(()) };
+        page.content.ended = Some(why);
+        page.write(true)
+    }
+}
+
+/// A page that is put in its place again and again, whole each time.
+struct LivePage {
+    path: PathBuf,
+    content: WatchPage,
+    written: Option<Instant>,
+}
+
+impl LivePage {
+    fn new(path: PathBuf, host: String) -> Self {
+        Self { path, content: WatchPage::new(host), written: None }
+    }
+
+    /// Writes it where that is due, or `at_once`.
+    fn write(&mut self, at_once: bool) -> anyhow::Result<()> {
+        let is_due = self.written.is_none_or(|at| at.elapsed().as_secs_f64() >= PAGE_EVERY_S);
+        if !(is_due || at_once) {
+            return Ok(());
+        }
+        let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
+        let mut text = Vec::new();
+        self.content.write(now, PAGE_EVERY_S, &mut text)?;
+        files::Pending::new(&self.path)?.write(&text)?;
+        self.written = Some(Instant::now());
+        Ok(())
+    }
 }
 
 fn subscribe(own: &[OwnData], session: &mut Session, console: &mut Console) -> Option<Subscription> {

@@ -18,8 +18,13 @@ fn a_number_is_written_read_back_and_the_right_given_back() {
         let double = double(personality);
         let mut session = open(&double);
         let property = session.property("T_ROB1", "Part", "tcMode").unwrap().unwrap();
-        let expected =
-            Property { kind: Kind::Persistent, data_type: "num".into(), dimensions: 0, is_read_only: false };
+        let expected = Property {
+            kind: Kind::Persistent,
+            data_type: "num".into(),
+            dimensions: 0,
+            is_read_only: false,
+            is_local: false,
+        };
         assert_eq!(property, expected);
         assert_eq!(session.property("T_ROB1", "Part", "tcNone").unwrap(), None);
         assert_eq!(session.value("T_ROB1", "Part", "tcMinute").unwrap(), "64.7");

@@ -1,0 +1,144 @@
+//! What `link push --load` would meet in the task: nothing of the module's name, a corrected module, or what must stay.
+
+use super::sent_module::SentModule;
+use crate::cli::Console;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_link::{LoadedModule, Session};
+
+/// What loading meets.
+pub(super) struct Loading {
+    pub task: String,
+    /// The modules of the task.
+    pub loaded: Vec<LoadedModule>,
+    /// For each module that is sent.
+    meets: Vec<Meets>,
+}
+
+/// What a module that is sent meets.
+enum Meets {
+    /// No module of its name is loaded.
+    Nothing,
+    /// A corrected one of its name is, and goes.
+    Corrected,
+    /// Why it cannot be loaded: something of other people's stays.
+    Stays(Diagnostic),
+}
+
+impl Loading {
+    /// Asks the task that is named, or the only one that moves an arm.
+    ///
+    /// # Errors
+    /// `link::which-task`; no or an incomplete answer.
+    pub fn of(sent: &[SentModule], task: Option<&str>, session: &mut Session) -> anyhow::Result<Self> {
+        let task = of_task(task, session)?;
+        let loaded = session.modules(&task)?;
+        let meets = sent
+            .iter()
+            .map(|module| meets(module, sent, (&task, &loaded), session))
+            .collect::<anyhow::Result<_>>()?;
+        Ok(Self { task, loaded, meets })
+    }
+
+    /// Says what becomes of each module, before it is asked for.
+    ///
+    /// # Errors
+    /// Standard output that cannot be written to.
+    pub fn show(&self, sent: &[SentModule], console: &mut Console) -> anyhow::Result<()> {
+        for (module, meets) in sent.iter().zip(&self.meets) {
+            let (module, task) = (&module.module, &self.task);
+            match meets {
+                Meets::Nothing => {
+                    writeln!(console.out(), "{module}: --load puts it into {task} as a new module")?;
+                }
+                Meets::Corrected => writeln!(
+                    console.out(),
+                    "{module}: --load puts it into {task} in place of the corrected module of this name"
+                )?,
+                Meets::Stays(why) => {
+                    writeln!(console.out(), "{module}: --load would be refused: {}", why.message)?;
+                    if let Some(help) = &why.help {
+                        writeln!(console.out(), "  {help}")?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// For each module whether one of its name is taken out first.
+    ///
+    /// # Errors
+    /// `link::not-ours`, `link::names-taken`: the first that cannot be loaded.
+    pub fn replaces(&self) -> Result<Vec<bool>, Diagnostic> {
+        let of = |meets: &Meets| match meets {
+            Meets::Nothing => Ok(false),
+            Meets::Corrected => Ok(true),
+            Meets::Stays(why) => Err(why.clone()),
+        };
+        self.meets.iter().map(of).collect()
+    }
+}
+
+/// The task that is named, or the only one that moves an arm.
+fn of_task(named: Option<&str>, session: &mut Session) -> anyhow::Result<String> {
+    if let Some(named) = named {
+        return Ok(named.to_owned());
+    }
+    let tasks = session.tasks()?;
+    let mut moving = tasks.into_iter().filter(|task| task.moves && task.is_active);
+    match (moving.next(), moving.next()) {
+        (Some(one), None) => Ok(one.name),
+        _ => {
+            let text = "the controller has no task, or several, that move an arm";
+            Err(Diagnostic::error("link::which-task", text).help("name one with --task").into())
+        }
+    }
+}
+
+/// A module that is not ours is never taken out; what another module declares cannot be declared once more.
+fn meets(
+    module: &SentModule,
+    sent: &[SentModule],
+    (task, loaded): (&str, &[LoadedModule]),
+    session: &mut Session,
+) -> anyhow::Result<Meets> {
+    let is = |loaded: &LoadedModule, name: &str| loaded.name.eq_ignore_ascii_case(name);
+    let mut found = Meets::Nothing;
+    if loaded.iter().any(|l| is(l, &module.module)) {
+        if !is_corrected(module, task, session)? {
+            let text = format!(
+                "{} is loaded in {task} and is no corrected module: it is not taken out",
+                module.module
+            );
+            let help = "save it on the pendant if need be and unload it there, then run again";
+            return Ok(Meets::Stays(Diagnostic::error("link::not-ours", text).help(help)));
+        }
+        found = Meets::Corrected;
+    }
+    // Modules that are sent too are as they will be, which the controller judges when it loads them.
+    let stays = |l: &&LoadedModule| !sent.iter().any(|module| is(l, &module.module));
+    for other in loaded.iter().filter(stays) {
+        for name in &module.global {
+            let there = session.property(task, &other.name, name)?;
+            if there.is_some_and(|there| !there.is_local) {
+                let text = format!(
+                    "{name}, which {} declares, is there already in {}, loaded in {task}: both do not load together",
+                    module.module, other.name
+                );
+                let help = "is that the same program under another module name? save it on the pendant if need be and unload it there";
+                return Ok(Meets::Stays(Diagnostic::error("link::names-taken", text).help(help)));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Whether the module of the name that is loaded holds data of ours.
+fn is_corrected(module: &SentModule, task: &str, session: &mut Session) -> anyhow::Result<bool> {
+    for name in &module.own {
+        if session.property(task, &module.module, name)?.is_some() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
