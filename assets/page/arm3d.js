@@ -63,8 +63,8 @@ export class ArmModel {
   }
 
   /** Poses it; gives where the TCP stands, mm. */
-  pose(q, tool, offsets = null, times = 1) {
-    const all = frames(this.arm, q, offsets, times);
+  pose(q, tool, deviation = {}, times = 1) {
+    const all = frames(this.arm, q, deviation, times);
     const n = this.arm.joints.length;
     const tcp = point(all[n], tool);
     const places = [origin(identity()), ...all.map(origin), new Vector3(...tcp)];

@@ -57,14 +57,14 @@ export function armSection(scene) {
   function pose() {
     const q = state.joints ?? course.joints(0);
     const tool = course.tool(state.point ?? 0);
-    const offsets = course.offsetsAt(state.t);
+    const deviation = course.deviation(state.point ?? 0, state.t);
     const meant = nominal.pose(q, tool);
-    const really = deformed.pose(q, tool, offsets);
-    deformed.pose(q, tool, offsets, state.times);
+    const really = deformed.pose(q, tool, deviation);
+    deformed.pose(q, tool, deviation, state.times);
     const off = Math.hypot(...really.map((value, k) => value - meant[k]));
-    hud.textContent = course.hasModel
-      ? `TCP ${meant.map((value) => value.toFixed(1)).join(', ')} mm`
-      : `TCP ${meant.map((value) => value.toFixed(1)).join(', ')} mm, off by ${mm(off)} mm`;
+    const isAway = course.isByTarget && q.some((value, j) => value !== course.joints(state.point ?? 0)[j]);
+    const how = course.hasModel && !course.model ? '' : `, off by ${mm(off)} mm${isAway ? ' with the deformation at the target' : ''}`;
+    hud.textContent = `TCP ${meant.map((value) => value.toFixed(1)).join(', ')} mm${how}`;
   }
   // another target or pose leaves the errors of all targets as they are
   const refreshErrors = () => {
@@ -82,8 +82,19 @@ export function armSection(scene) {
   view3.canvas.windowPlace = (i) => view3.toWindow(course.position(i));
   return section('arm', title, 'Arm',
     h('div', { class: 'stage' }, h('div', { class: 'screen' }, view3.element, hud, legend(most, state)), panel),
-    course.hasModel && h('p', { class: 'notice', text: 'Errors at the targets hold all that the identified model adds; the arm is drawn with the offsets of the deformation table alone.' }),
+    modelNotice(course),
     card);
+}
+
+/** What of an identified model the picture of the arm holds. */
+function modelNotice(course) {
+  if (!course.hasModel) return null;
+  const text = (() => {
+    if (!course.model) return 'Errors at the targets hold all that the identified model adds. Of so many targets the page holds no deformation for each: the arm is drawn with the offsets of the deformation table alone.';
+    if (course.isByTarget) return 'The arm is drawn with the deformation table and all that the identified model adds at the chosen target and minute: load, direction and joints of that target included. Jogged away from it, it keeps that deformation: what the model would give there is not on the page.';
+    return 'The arm is drawn with the deformation table and all that the identified model adds at the minute; it is the same wherever the arm stands.';
+  })();
+  return h('p', { class: 'notice', 'data-name': 'model-notice', text });
 }
 
 /** Base, arm upright and targets in one picture. */
@@ -141,7 +152,7 @@ function jog({ course, state }, arm) {
   const sliders = arm.joints.map((joint, i) => {
     const [min, max] = joint.range ?? [-360, 360];
     return slider({
-      label: `J${i + 1}`, name: `joint-${i + 1}`, min, max, step: 0.1, value: course.joints(0)[i], show: (q) => `${deg(q, 1)}°`,
+      label: `J${i + 1}`, name: `joint-${i + 1}`, min, max, step: 0.1, value: (state.joints ?? course.joints(0))[i], show: (q) => `${deg(q, 1)}°`,
       on: (q) => {
         const joints = [...(state.joints ?? course.joints(0))];
         joints[i] = q;

@@ -9,6 +9,7 @@ export class Course {
     this.shares = course.shares;
     this.offsets = course.offsets;
     this.hasModel = course.has_model;
+    this.model = view.model ?? null;
     this.from = course.from_c ?? 0;
     this.byTemperature = course.from_c !== null && course.from_c !== undefined;
     this.unit = this.byTemperature ? '°C' : 'min';
@@ -27,10 +28,22 @@ export class Course {
     return this.shares.map((share) => share[low] + (share[low + 1] - share[low]) * part);
   }
 
-  /** The table's offsets at minute `t`: rows of six, mm and deg. */
-  offsetsAt(t) {
+  /** Whether the deformation of the arm is known at the targets alone, as it differs from one to the other. */
+  get isByTarget() {
+    return this.model !== null && this.model.still.columns.length + this.model.moving.columns.length > 0;
+  }
+
+  /** How the arm deforms at target `i` and minute `t`: turns of the joints, deg, and rows of offsets, mm and deg. */
+  deviation(i, t) {
     const shares = this.at(t);
-    return this.offsets[0].map((row, i) => row.map((_, k) => shares.reduce((sum, share, n) => sum + share * this.offsets[n][i][k], 0)));
+    if (!this.model) return { turns: null, offsets: this.offsets[0].map((row, j) => row.map((_, k) => shares.reduce((sum, share, n) => sum + share * this.offsets[n][j][k], 0))) };
+    const { common, still, moving } = this.model;
+    const all = common[0].map((_, c) => shares.reduce((sum, share, n) => sum + share * common[n][c], 0));
+    const { length: a } = still.columns;
+    still.columns.forEach((c, k) => { all[c] = still.values[i * a + k]; });
+    const { length: b } = moving.columns;
+    moving.columns.forEach((c, k) => { all[c] = shares.reduce((sum, share, n) => sum + share * moving.values[(i * this.nodes + n) * b + k], 0); });
+    return { turns: all.slice(0, 6), offsets: Array.from({ length: 7 }, (_, j) => all.slice(6 + 6 * j, 12 + 6 * j)) };
   }
 
   /** Where a target is displaced to by `shares`, mm; into `out` from `at` on. */

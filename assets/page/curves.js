@@ -2,18 +2,23 @@
 
 import uPlot from 'uplot';
 import { h, oncePerFrame } from './dom.js';
+import { MarkLabels } from './mark_labels.js';
 import { colour, onTheme } from './theme.js';
 
 const FONT = '12px system-ui, sans-serif';
 
 /**
- * Series are `{ label, values, colour, dash, dots, width }`; `marks` are vertical lines `{ at, colour, dash, label }` that stay;
+ * Series are `{ label, values, colour, dash, dots, bars, width, gaps }`; `right` is a second scale `{ label, factor }` of the same values,
+ * `names` stand at 0, 1, 2 ... below;
+ * `marks` are vertical lines `{ at, colour, dash, label, to, shade }`
+ * that stay, with their word above the plot, shaded up to `to`;
  * `needle` says where the one line stands that follows the reader, or null; `text` is what is told instead of the picture.
  */
-export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [], needle = () => null, height = 240, onClick, zero = true }) {
+export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [], needle = () => null, height = 240, onClick, zero = true, right = null, names = null }) {
   const place = h('div', { class: 'plot' });
   const legend = h('ul', { class: 'legend' });
-  const element = h('figure', { class: 'curves' }, h('figcaption', { text: title }), legend,
+  const labels = marks().some((mark) => mark.label) ? new MarkLabels() : null;
+  const element = h('figure', { class: 'curves' }, h('figcaption', { text: title }), legend, labels?.element ?? [],
     h('div', { role: 'img', 'aria-label': text }, place));
   const line = h('div', { class: 'needle', hidden: true });
   let plot = null;
@@ -28,22 +33,38 @@ export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [
 
   function options(width) {
     const own = now.map((one) => ({
-      label: one.label, stroke: () => colour(one.colour), width: one.dots ? 0 : (one.width ?? 2), dash: one.dash,
-      paths: one.dots ? () => null : undefined, spanGaps: !one.gaps,
+      label: one.label, stroke: () => colour(one.colour), width: one.dots || one.bars ? 0 : (one.width ?? 2), dash: one.dash,
+      paths: one.dots ? () => null : one.bars ? uPlot.paths.bars({ size: [0.6, 9] }) : undefined, fill: one.bars ? () => colour(one.colour) : undefined, spanGaps: !one.gaps,
       points: { show: Boolean(one.dots), size: one.size ?? 5, fill: () => colour(one.colour), stroke: () => colour(one.colour), width: 0 },
     }));
     return {
-      width, height, legend: { show: false }, cursor: { drag: { x: true, y: false }, points: { show: !now.some((one) => one.dots) } },
-      scales: { x: { time: false }, y: { range: (_, low, high) => range(low, high, zero) } },
-      axes: [axis(xLabel, 34), { ...axis(yLabel, 52), values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6)))) }],
-      series: [{}, ...own], hooks: { draw: [drawMarks, placeNeedle] },
+      width, height, padding: labels ? [5, null, null, null] : undefined, legend: { show: false }, cursor: { drag: { x: true, y: false }, points: { show: !now.some((one) => one.dots) } },
+      scales: { x: { time: false, ...(names && { range: [0.5, names.length - 1.5] }) }, y: { range: (_, low, high) => range(low, high, zero) } },
+      axes: [{ ...axis(xLabel, 34), ...(names && { splits: () => names.map((_, i) => i).filter((i) => names[i] !== ''), values: (_, at) => at.map((i) => names[i]) }) }, { ...axis(yLabel, 52), values: plainly }, ...(right ? [{ ...axis(right.label, 64), side: 1, grid: { show: false }, values: (u, ticks) => plainly(u, ticks.map((tick) => Number((tick * right.factor).toPrecision(2)))) }] : [])],
+      series: [{}, ...own], hooks: { drawAxes: [drawShades], draw: [drawMarks, placeNeedle], setScale: labels ? [placeLabels] : [], ready: labels ? [placeLabels] : [] },
     };
+  }
+
+  /** Behind the curves: from a mark to where it ends. */
+  function drawShades({ ctx, bbox, valToPos }) {
+    for (const mark of marks().filter((one) => one.shade)) {
+      const [from, to] = [mark.at, mark.to].map((at) => Math.min(Math.max(valToPos(at, 'x', true), bbox.left), bbox.left + bbox.width));
+      ctx.save();
+      ctx.fillStyle = colour(mark.shade);
+      ctx.fillRect(from, bbox.top, to - from, bbox.height);
+      ctx.restore();
+    }
+  }
+
+  function placeLabels(u) {
+    const left = u.over.offsetLeft;
+    labels.show(marks(), (at) => left + u.valToPos(at, 'x'), [left, left + u.over.clientWidth], place.clientWidth);
   }
 
   function drawMarks(u) {
     const { ctx, bbox } = u;
     ctx.save();
-    for (const mark of marks()) {
+    for (const mark of marks().filter((one) => one.colour)) {
       const at = Math.round(u.valToPos(mark.at, 'x', true)) + 0.5;
       if (at < bbox.left || at > bbox.left + bbox.width) continue;
       ctx.strokeStyle = colour(mark.colour);
@@ -107,12 +128,14 @@ export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [
   };
 }
 
+const plainly = (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6))));
+
 /** From zero, or a little more than what there is. */
 function range(low, high, zero) {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
-  const from = zero ? Math.min(low, 0) : low;
-  const room = Math.max((high - from) * 0.06, 1e-6);
-  return [zero && low >= 0 ? 0 : from - room, high + room];
+  const [from, to] = zero ? [Math.min(low, 0), Math.max(high, 0)] : [low, high];
+  const room = Math.max((to - from) * 0.06, 1e-6);
+  return [zero && low >= 0 ? 0 : from - room, zero && high <= 0 ? 0 : to + room];
 }
 
 function swatch(one) {

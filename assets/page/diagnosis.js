@@ -1,11 +1,12 @@
 // The page of `driftpost diagnose`.
 
 import { count, h, mm, number, plural, store } from './dom.js';
-import { bars, stems } from './bars.js';
+import { bars } from './bars.js';
 import { figure, figures, later, messages, record, section } from './layout.js';
 import { table } from './table.js';
 import { residualSection } from './diagnosis_residuals.js';
 import { poseSection } from './diagnosis_arm.js';
+import { gearSection } from './diagnosis_gears.js';
 
 const VERDICTS = {
   explained: ['good', 'One cause, told apart from its rivals'], several: ['good', 'Several causes, each needed'],
@@ -36,6 +37,7 @@ export function diagnosis({ data, view, version }) {
   const sections = [
     () => overview(data, view, tone),
     () => causeSection(data),
+    () => gearSection(data, view),
     () => hasRows && residualSection(scene),
     () => view.robot && (hasRows || data.next_measurements.length > 0) && poseSection(scene),
     () => data.false_rows?.length > 0 && falseSection(data),
@@ -102,24 +104,11 @@ function causeSection(data) {
       return [heading && h('h3', { class: 'apart', text: heading }),
         bars({ label: 'Probability', most: 1, rows: rows.slice(0, 12).map((cause) => ({ label: short(cause), value: cause.posterior, text: percent(cause.posterior), colour: 'after' })) })];
     }),
-    gearLines(data.causes),
     table({ caption: 'Causes', name: 'causes', columns, rows: data.causes, searchable: false }).element,
     data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns, rows: data.rivals }).element]);
 }
 
 const short = (cause) => causeName(cause).replace(' of joint ', ', J').replace('compliance', 'compl.').replace('eccentricity', 'ecc.').replace('second harmonic', '2nd harm.');
-
-/** The lines of each joint's gear, where there are any. */
-function gearLines(causes) {
-  const lines = causes.filter((cause) => cause.n && cause.size !== null && cause.effect.startsWith('gear'));
-  const joints = [...new Set(lines.map((cause) => cause.joint))].sort();
-  if (lines.length === 0) return null;
-  return h('div', { class: 'plots' }, joints.map((joint) => {
-    const rows = lines.filter((cause) => cause.joint === joint).map((cause) => ({ n: cause.n, value: cause.size, text: size(cause) }));
-    const longest = rows.reduce((a, b) => (b.value > a.value ? b : a));
-    return stems({ label: `Gear of joint ${joint}`, rows, note: `lines per turn of the joint; the longest is ${longest.text}` });
-  }));
-}
 
 function falseSection(data) {
   const columns = [

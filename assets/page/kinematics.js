@@ -1,4 +1,4 @@
-// The constructive model: T_i = Trans(p_i + d) Rx Ry Rz Rot(axis, q) or Trans(q axis), as the deformation table says. Lengths mm, angles rad.
+// The constructive model: T_i = Trans(p_i + d) Rx Ry Rz R_i Rot(axis, q) or Trans(q axis), d, Rx, Ry, Rz as the deformation table says. Lengths mm, angles rad.
 // Matrices are 12 numbers: three rows of a rotation and a shift.
 
 const RAD = Math.PI / 180;
@@ -48,7 +48,7 @@ const moved = ([rx, ry, rz]) => multiply(turn(X, rx * RAD), multiply(turn(Y, ry 
 
 /** The arm of a robot file, ready to be posed. */
 export function arm(robot) {
-  const frame = ({ origin_mm, rpy_deg }) => multiply(shift(origin_mm), fixed(rpy_deg));
+  const frame = ({ origin_mm, rpy_deg }) => ({ place: shift(origin_mm), turned: fixed(rpy_deg) });
   const joints = robot.joint.map((joint) => ({
     frame: frame(joint), axis: joint.axis, slides: joint.type === 'prismatic', range: joint.range_deg ?? joint.range_mm,
   }));
@@ -57,25 +57,26 @@ export function arm(robot) {
 
 /**
  * The frames of the joints (moved) and of the flange in the base, at joint angles in degrees (travels in mm); `offsets` are
- * rows of dx, dy, dz in mm and rx, ry, rz in deg for each joint and the flange, enlarged `times` times.
+ * rows of dx, dy, dz in mm and rx, ry, rz in deg for each joint and the flange, `turns` are added to the joints, both enlarged `times` times.
  */
-export function frames(arm, q, offsets = null, times = 1) {
+export function frames(arm, q, { offsets = null, turns = null } = {}, times = 1) {
   const all = [];
   let at = identity();
-  const deformed = (row) => {
-    if (!row) return null;
-    const d = row.map((value) => value * times);
-    return multiply(shift(d.slice(0, 3)), moved(d.slice(3)));
+  const moveTo = ({ place, turned }, row) => {
+    at = multiply(at, place);
+    if (row) {
+      const d = row.map((value) => value * times);
+      at = multiply(at, multiply(shift(d.slice(0, 3)), moved(d.slice(3))));
+    }
+    at = multiply(at, turned);
   };
   arm.joints.forEach((joint, i) => {
-    at = multiply(at, joint.frame);
-    const d = deformed(offsets?.[i]);
-    if (d) at = multiply(at, d);
-    at = multiply(at, joint.slides ? shift(joint.axis.map((c) => c * q[i])) : turn(joint.axis, q[i] * RAD));
+    moveTo(joint.frame, offsets?.[i]);
+    const really = q[i] + (turns?.[i] ?? 0) * times;
+    at = multiply(at, joint.slides ? shift(joint.axis.map((c) => c * really)) : turn(joint.axis, really * RAD));
     all.push(at);
   });
-  at = multiply(at, arm.flange);
-  const d = deformed(offsets?.[arm.joints.length]);
-  all.push(d ? multiply(at, d) : at);
+  moveTo(arm.flange, offsets?.[arm.joints.length]);
+  all.push(at);
   return all;
 }

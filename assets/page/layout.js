@@ -5,12 +5,13 @@ import { button } from './controls.js';
 import { toggleTheme } from './theme.js';
 
 /** Head of the page with links to its sections. */
-export function header({ title, kind, verdict, tone, version }) {
+export function header({ title, kind, verdict, tone, version, tasks, which }) {
   const nav = h('nav', { 'aria-label': 'Sections' });
   const element = h('header', { class: 'top' },
     h('div', { class: 'brand' },
       h('p', { class: 'kind' }, h('span', { class: 'word', text: 'driftpost' }), ` ${version} · ${kind}`),
       h('h1', { title, text: title }),
+      tasks && h('p', { class: 'tasks' }, tasks.map((name, i) => h('a', { href: `?task=${i + 1}`, text: name, 'aria-current': i === which && 'page' }))),
       verdict && h('p', { class: `verdict ${tone}`, text: verdict })),
     h('div', { class: 'tools' },
       button('Light / dark', toggleTheme, { class: 'small', name: 'theme' }),

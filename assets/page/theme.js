@@ -21,10 +21,12 @@ function changed() {
   listeners.forEach((listener) => listener());
 }
 
-export function toggleTheme() {
-  root.dataset.theme = isDark() ? 'light' : 'dark';
+export function setTheme(name) {
+  root.dataset.theme = name === 'dark' ? 'dark' : 'light';
   changed();
 }
+
+export const toggleTheme = () => setTheme(isDark() ? 'light' : 'dark');
 
 system.addEventListener('change', changed);
 

@@ -14,21 +14,44 @@ impl Compensated<'_> {
     /// # Errors
     /// What writing to `out` fails with.
     pub fn write_page(&self, source: SourceReview, out: &mut dyn Write) -> io::Result<()> {
-        let drift = tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options).ok();
-        let title = self.provenance.first().map_or("", |(_, program)| program.as_str());
+        self.page(self.drift().as_ref(), source).write(out)
+    }
+
+    /// Writes one page of several tasks; of each task of `all` the changes of its files.
+    ///
+    /// # Errors
+    /// What writing to `out` fails with.
+    pub fn write_page_of_tasks(
+        all: &[Self],
+        sources: Vec<SourceReview>,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let drifts: Vec<Option<TcpDrift>> = all.iter().map(Self::drift).collect();
+        let pages = all.iter().zip(&drifts).zip(sources);
+        let pages = pages.map(|((made, drift), source)| {
+            (made.task.as_deref().unwrap_or_default(), made.page(drift.as_ref(), source))
+        });
+        let names: Vec<&str> = all.iter().filter_map(|made| made.task.as_deref()).collect();
+        CompensationPage::write_tasks(&names.join(", "), pages.collect(), out)
+    }
+
+    fn drift(&self) -> Option<TcpDrift> {
+        tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options).ok()
+    }
+
+    fn page<'p>(&'p self, drift: Option<&'p TcpDrift>, source: SourceReview) -> CompensationPage<'p> {
         CompensationPage {
-            title,
+            title: self.provenance.first().map_or("", |(_, program)| program.as_str()),
             program: &self.program,
             plan: Some(&self.plan),
             kept: &[],
             messages: &self.messages,
-            arm: drift.as_ref().map(|drift| (self.robot, drift)),
+            arm: drift.map(|drift| (self.robot, drift)),
             is_papers_case: is_papers_case(self.robot, self.deformation) && self.options.model.is_none(),
             provenance: &self.provenance,
             settings: &self.settings,
             source,
         }
-        .write(out)
     }
 }
 

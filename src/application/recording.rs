@@ -6,7 +6,9 @@ use nalgebra::{Isometry3, Translation3, Vector3};
 use rapid_program::compensate::plan::Status;
 use rapid_program::compensate::{DriftPoint, TcpDrift, tcp_drift};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::ArmDeviation;
 use robot_model::kinematics::{Chain, FrameOffsets};
+use robot_model::robot::Robot;
 
 /// So many moments are recorded, evenly spread over the warm-up.
 const MOMENTS: usize = 121;
@@ -14,7 +16,7 @@ const MOMENTS: usize = 121;
 const MOST_TARGETS: usize = 2_000;
 
 impl Compensated<'_> {
-    /// What a recording holds: the arm at its worst target, as drawn and deformed by the table, and all targets as they are meant, missed and
+    /// What a recording holds: the arm at its worst target, as drawn and as table and model deform it, and all targets as they are meant, missed and
     /// corrected.
     ///
     /// # Errors
@@ -32,6 +34,7 @@ impl Compensated<'_> {
         let size = |point: &&&DriftPoint| displaced_m(point, &settled).norm();
         let shown = points.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
         let q_rad = shown.map_or([0.0; 6], |point| point.q_rad);
+        let deviations = shown.map_or_else(Vec::new, |point| drift.deviations(point));
         let moments = (0..MOMENTS).map(|i| {
             let at = i * last / (MOMENTS - 1);
             let t_min = drift.t_min.get(at).copied().unwrap_or_default();
@@ -39,7 +42,7 @@ impl Compensated<'_> {
             let left = self.left(&drift, t_min, &now);
             RecordingMoment {
                 t_min,
-                warm: Chain::with_offsets(self.robot, &offsets(&drift, &now)).frames(&q_rad),
+                warm: deformed(self.robot, &q_rad, &deviations, &now),
                 missed_m: points.iter().map(|point| displaced_m(point, &now)).collect(),
                 corrected_m: left.map(|left| points.iter().map(|point| displaced_m(point, &left)).collect()),
             }
@@ -93,9 +96,19 @@ fn displaced_m(point: &DriftPoint, shares: &[f64]) -> Vector3<f64> {
     point.displacements_m.iter().zip(shares).map(|(by_m, share)| Vector3::from(*by_m) * *share).sum()
 }
 
-fn offsets(drift: &TcpDrift, shares: &[f64]) -> FrameOffsets {
-    let sum = |joint: usize, k: usize| {
-        drift.offsets.iter().zip(shares).map(|(o, share)| o.0[joint][k] * share).sum()
+/// The frames of the deformed arm: of each of its moments as much as its share says.
+fn deformed(
+    robot: &Robot,
+    q_rad: &[f64; 6],
+    deviations: &[ArmDeviation],
+    shares: &[f64],
+) -> [Isometry3<f64>; 7] {
+    let sum = |of: &dyn Fn(&ArmDeviation) -> f64| -> f64 {
+        deviations.iter().zip(shares).map(|(deviation, share)| of(deviation) * share).sum()
     };
-    FrameOffsets(std::array::from_fn(|joint| std::array::from_fn(|k| sum(joint, k))))
+    let offsets = FrameOffsets(std::array::from_fn(|i| {
+        std::array::from_fn(|k| sum(&|deviation| deviation.offsets.0[i][k]))
+    }));
+    let really_rad = std::array::from_fn(|i| q_rad[i] + sum(&|deviation| deviation.turns_rad[i]));
+    Chain::with_offsets(robot, &offsets).frames(&really_rad)
 }

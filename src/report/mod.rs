@@ -36,6 +36,8 @@ pub use joints::{JointRow, JointTable};
 pub use json::{CompensationJson, messages, refusal, rounded};
 pub use message::{ColorMode, LocatedDiagnostic, write_message, write_messages};
 pub use motion_rows::MotionRows;
+#[cfg(feature = "link")]
+pub use page::WatchPage;
 pub use page::{CompensationPage, DiagnosisPage, Page, ResultPage, SourceReview, write_page};
 pub use rapid_syntax::diagnostic::{counted, plural};
 #[cfg(feature = "mcap")]

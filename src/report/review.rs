@@ -122,6 +122,12 @@ fn scale(functions: &TimeFunctions) -> String {
     match (&functions.course, functions.count()) {
         (Course::Share, _) => "the share of the drift that has come".to_owned(),
         (Course::ShareSquared, _) => "the share of the drift that has come and its square".to_owned(),
+        (Course::FromCold, _) => {
+            "the share of the drift that has come, from what the cold arm is off".to_owned()
+        }
+        (Course::FromColdSquared, _) => {
+            "the share of the drift that has come and its square, from what the cold arm is off".to_owned()
+        }
         (Course::Knots { at_min, .. }, 1) => {
             format!("one function of time, straight between {} knots", at_min.len())
         }

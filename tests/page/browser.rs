@@ -98,6 +98,11 @@ impl Browser {
 
     /// A method of the protocol with its result.
     pub fn call(&mut self, method: &str, params: Value) -> Value {
+        self.ask(method, params).unwrap_or_else(|error| panic!("{method}: {error}"))
+    }
+
+    /// The same, or the browser's error.
+    fn ask(&mut self, method: &str, params: Value) -> Result<Value, Value> {
         self.next_id += 1;
         let id = self.next_id;
         let mut message = json!({ "id": id, "method": method, "params": params });
@@ -108,8 +113,11 @@ impl Browser {
         loop {
             let answer = self.read();
             if answer["id"] == id {
-                assert!(answer["error"].is_null(), "{method}: {}", answer["error"]);
-                return answer["result"].clone();
+                return if answer["error"].is_null() {
+                    Ok(answer["result"].clone())
+                } else {
+                    Err(answer["error"].clone())
+                };
             }
             self.events.push(answer);
         }
@@ -143,19 +151,25 @@ impl Browser {
 
     /// The value of an expression, a promise's when it is kept.
     pub fn eval(&mut self, expression: &str) -> Value {
+        self.try_eval(expression).unwrap_or_else(|error| panic!("{expression}: {error}"))
+    }
+
+    /// The same; the browser's error where the page went away meanwhile.
+    fn try_eval(&mut self, expression: &str) -> Result<Value, Value> {
         let params = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
-        let answer = self.call("Runtime.evaluate", params);
+        let answer = self.ask("Runtime.evaluate", params)?;
         assert!(answer["exceptionDetails"].is_null(), "{expression}: {}", answer["exceptionDetails"]);
-        answer["result"]["value"].clone()
+        Ok(answer["result"]["value"].clone())
     }
 
     pub fn text(&mut self, selector: &str) -> String {
         self.eval(&format!("document.querySelector({selector:?}).textContent")).as_str().unwrap().to_owned()
     }
 
+    /// Waits until a condition holds, on this page or on the one that a link leads to.
     pub fn wait_for(&mut self, condition: &str) {
         let begun = Instant::now();
-        while self.eval(condition) != true {
+        while self.try_eval(condition) != Ok(Value::Bool(true)) {
             assert!(begun.elapsed() < PATIENCE, "never: {condition}");
             std::thread::sleep(Duration::from_millis(30));
         }

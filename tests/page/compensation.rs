@@ -182,6 +182,61 @@ fn tables_and_source_are_sorted_and_filtered(browser: &mut Browser, json: &Value
     assert_eq!(shown(browser), 40);
 }
 
+/// Every effect of the library at once, at minutes, targets and loads of its own: what the page's kinematics of the drawn arm gives
+/// is the error that the program has calculated.
+#[test]
+fn the_arm_of_an_identified_model_is_drawn_as_the_model_deforms_it() {
+    let Some(mut browser) = Browser::launch() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let (page, page_name) = path(&folder, "model.html");
+    let (_, result) = path(&folder, "model_tc.mod");
+    let model = ["--model", "fixtures/model/every_effect.toml", "--temperature-c", "30"];
+    driftpost(&[&["compensate", CUBE, "-o", &result, "--report", &page_name], &model[..]].concat(), 0);
+    looks_right(&mut browser, &page);
+    browser.open(&page, 1440, "light");
+    let off = |browser: &mut Browser| -> f64 {
+        browser.settle();
+        let hud = browser.text("#arm .hud");
+        let (_, off) = hud.split_once("off by ").unwrap();
+        off.split(' ').next().unwrap().parse().unwrap()
+    };
+    // The sliders stand where the arm does.
+    let sliders: Vec<f64> = serde_json::from_value(
+        browser
+            .eval("[1, 2, 3, 4, 5, 6].map((j) => Number(document.querySelector(`[name=joint-${j}]`).value))"),
+    )
+    .unwrap();
+    let joints = browser.eval("[...document.querySelectorAll('#target dt')].find((dt) => dt.textContent === 'joints').nextSibling.textContent");
+    let joints: Vec<f64> =
+        joints.as_str().unwrap().trim_end_matches('°').split(", ").map(|q| q.parse().unwrap()).collect();
+    assert!(sliders.iter().zip(&joints).all(|(a, b)| (a - b).abs() <= 0.1), "{sliders:?}, {joints:?}");
+    let mut seen = Vec::new();
+    for (row, minute) in [(0, "0"), (0, "61"), (7, "95"), (20, "125"), (38, "170")] {
+        browser.eval(&format!(
+            "document.querySelectorAll('#motions tbody tr')[{row}].querySelector('button').click()"
+        ));
+        browser.set("minute", minute);
+        let (drawn, calculated) = (off(&mut browser), card(&mut browser, "uncorrected"));
+        assert!((drawn - calculated).abs() < 0.0002, "row {row}, minute {minute}: {drawn}, {calculated}");
+        assert!(calculated > 0.1, "the model moves the arm: {calculated}");
+        seen.push(picture(&mut browser));
+    }
+    seen.dedup();
+    assert_eq!(seen.len(), 5, "the picture follows target and minute");
+    // Away from the target its deformation is kept, and that is said.
+    assert!(
+        browser
+            .text("[data-name=model-notice]")
+            .contains("what the model would give there is not on the page")
+    );
+    browser.set("joint-1", "-100");
+    assert!(browser.text("#arm .hud").ends_with("with the deformation at the target"));
+    browser.eval("[...document.querySelectorAll('#arm button')].find((one) => one.textContent === 'Back to the target').click()");
+    browser.settle();
+    assert!(browser.text("#arm .hud").ends_with(" mm"));
+    assert_eq!(browser.complaints(), [""; 0]);
+}
+
 #[test]
 fn a_refused_program_and_one_without_a_motion_have_pages_too() {
     let Some(mut browser) = Browser::launch() else { return };
@@ -198,6 +253,59 @@ fn a_refused_program_and_one_without_a_motion_have_pages_too() {
     driftpost(&["compensate", &none_name, "--report", &page_name], 2);
     looks_right(&mut browser, &page);
     assert!(browser.text("#overview").contains("compensate::no-motion"));
+}
+
+/// Two robots in one run: one page, the address says whose task is shown.
+#[test]
+fn several_tasks_are_one_page() {
+    let Some(mut browser) = Browser::launch() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let rapid = folder.path().join("backup/RAPID");
+    for task in ["TASK1", "TASK2"] {
+        fs::create_dir_all(rapid.join(task)).unwrap();
+        fs::copy(CUBE, rapid.join(task).join("Cube45.mod")).unwrap();
+    }
+    let ((page, page_name), (json, json_name)) = (path(&folder, "both.html"), path(&folder, "both.json"));
+    let (_, backup) = path(&folder, "backup");
+    let (_, result) = path(&folder, "out");
+    let table = fs::read_to_string("fixtures/paper/table2_deformation.csv").unwrap();
+    let (half, half_name) = path(&folder, "half.csv");
+    fs::write(half, halved(&table)).unwrap();
+    let second = format!("TASK2=irb140,{half_name}");
+    let words =
+        ["compensate", &backup, "--task", "TASK1=irb140", "--task", &second, "--growth", "two-stage:60"];
+    driftpost(
+        &[&words[..], &["-o", &result, "--diff", "none", "--report", &page_name, "--json", &json_name]]
+            .concat(),
+        0,
+    );
+    let json: Value = serde_json::from_slice(&fs::read(json).unwrap()).unwrap();
+    for made_from in ["--report", "the JSON"] {
+        looks_right(&mut browser, &page);
+        for task in [0, 1, 0] {
+            browser.eval(&format!("document.querySelectorAll('.tasks a')[{task}].click()"));
+            browser.wait_for(&format!(
+                "location.search === '?task={}' && document.documentElement?.dataset.whole === 'yes'",
+                task + 1
+            ));
+            assert_eq!(browser.text(".tasks [aria-current]"), format!("TASK{}", task + 1), "{made_from}");
+            let worst = &json["tasks"][task]["worst_before_mm"];
+            near(figure(&mut browser, "Worst error, uncorrected"), worst, made_from);
+        }
+        assert_eq!(browser.complaints(), [""; 0], "{made_from}");
+        driftpost(&["report", &json_name, "-o", &page_name], 0);
+    }
+    // half of the table is half of the drift, to first order
+    let [first, second] = [0, 1].map(|task| json["tasks"][task]["worst_before_mm"].as_f64().unwrap());
+    assert!((second / first - 0.5).abs() < 0.001, "{first} and {second} mm");
+}
+
+/// A deformation table with every number halved.
+fn halved(table: &str) -> String {
+    let half =
+        |cell: &str| cell.trim().parse::<f64>().map_or_else(|_| cell.to_owned(), |n| (n / 2.0).to_string());
+    let line = |line: &str| line.split(',').map(half).collect::<Vec<_>>().join(",");
+    table.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

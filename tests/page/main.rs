@@ -9,6 +9,8 @@ mod compensation;
 mod hostile;
 mod results;
 mod screenshots;
+#[cfg(all(feature = "link", unix))]
+mod watch;
 mod work;
 
 use browser::Browser;

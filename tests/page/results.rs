@@ -44,6 +44,7 @@ fn a_diagnosis_is_seen_used_and_true() {
     let moves = causes.iter().map(|cause| format!("{:.3}", cause["rms_mm"].as_f64().unwrap()));
     assert_eq!(shown, Vec::from_iter(moves));
 
+    gear_lines_are_the_jsons(&mut browser, causes);
     let rows = "document.querySelector('[data-name=rows] tbody tr').children[2].textContent";
     let worst: f64 = browser.eval(rows).as_str().unwrap().parse().unwrap();
     let (residuals, residuals_name) = path(&folder, "r.csv");
@@ -65,6 +66,84 @@ fn a_diagnosis_is_seen_used_and_true() {
         seen.push(now);
     }
     assert_eq!(browser.complaints(), [""; 0]);
+}
+
+/// Every gear line that is the likeliest of its slot is in the table of lines, with about the causes' size (the model is fitted once more on the exact arm)
+/// and, at the tool, that size times a lever which no arm of this reach exceeds; and its bar stands in the picture of its joint.
+fn gear_lines_are_the_jsons(browser: &mut Browser, causes: &[Value]) {
+    let table = "[...document.querySelectorAll('[data-name=gear-lines] tbody tr')].map((tr) => [...tr.children].map((td) => td.textContent))";
+    let rows: Vec<[String; 5]> = serde_json::from_value(browser.eval(table)).unwrap();
+    let is_first = |i: usize| !causes[..i].iter().any(|before| before["slot"] == causes[i]["slot"]);
+    let is_gear = |cause: &Value| cause["effect"].as_str().unwrap().starts_with("gear");
+    let lines: Vec<&Value> =
+        (0..causes.len()).filter(|&i| is_first(i) && is_gear(&causes[i])).map(|i| &causes[i]).collect();
+    assert!(!lines.is_empty(), "this robot's gears show");
+    assert_eq!(rows.iter().filter(|row| !row[4].is_empty()).count(), lines.len());
+    for line in lines {
+        let n = line["n"].as_u64().unwrap_or_else(|| match line["effect"].as_str() {
+            Some("gear_eccentricity") => 1,
+            _ => 2,
+        });
+        let [_, _, mrad, mm, _] = rows
+            .iter()
+            .find(|row| [row[0].parse().ok(), row[1].parse().ok()] == [line["joint"].as_u64(), Some(n)])
+            .unwrap_or_else(|| panic!("{line} in {rows:?}"));
+        let number = |text: &String| text.split(' ').next().unwrap().parse::<f64>().unwrap();
+        let (rad, sigma) = (line["size"].as_f64().unwrap(), line["sigma"].as_f64().unwrap());
+        assert!((number(mrad) / 1e3 - rad).abs() < 2.0 * sigma, "{mrad} mrad, {rad} rad in the JSON");
+        let lever_m = number(mm) / number(mrad);
+        assert!((0.2..3.5).contains(&lever_m), "{lever_m} m from the axis to the tool");
+        let joint = &line["joint"];
+        let picture = browser.eval(&format!(
+            "(() => {{ const figure = [...document.querySelectorAll('#gears figure')].find((one) => one.textContent.startsWith('Joint {joint}:'));
+               const canvas = figure.querySelector('canvas'); const {{ data }} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+               const after = getComputedStyle(document.documentElement).getPropertyValue('--after').trim(); let n = 0;
+               const [r, g, b] = [1, 3, 5].map((at) => parseInt(after.slice(at, at + 2), 16));
+               for (let i = 0; i < data.length; i += 4) if (data[i] === r && data[i + 1] === g && data[i + 2] === b) n += 1;
+               return [n, [...figure.querySelectorAll('.mark-label')].map((one) => one.textContent)]; }})()"
+        ));
+        assert!(picture[0].as_u64().unwrap() > 50, "no bar of joint {joint}");
+        assert!(picture[1].as_array().unwrap().contains(&Value::from(n.to_string())), "{picture}");
+    }
+}
+
+/// Two touches of the documentation's file with another joint 1, by 0.05 and -0.06 degrees: half a millimetre at the tip.
+#[test]
+fn false_touches_are_seen_beside_the_curve() {
+    let Some(mut browser) = Browser::launch() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string("fixtures/docs/touches.csv").unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for (line, turn_deg) in [(61, 0.05), (120, -0.06)] {
+        let mut cells: Vec<String> = lines[line - 1].split(',').map(str::to_owned).collect();
+        cells[2] = format!("{:.6}", cells[2].parse::<f64>().unwrap() + turn_deg);
+        lines[line - 1] = cells.join(",");
+    }
+    let (touches, touches_name) = path(&folder, "touches.csv");
+    fs::write(touches, lines.join("\n")).unwrap();
+    let (page, page_name) = path(&folder, "fit.html");
+    driftpost(&["fit", &touches_name, "--tool", "0,0,100", "--report", &page_name], 0);
+    looks_right(&mut browser, &page);
+    browser.open(&page, 1440, "light");
+    let table = "[...document.querySelectorAll('[data-name=touches] tbody tr')].map((tr) => [...tr.children].map((td) => td.textContent))";
+    let rows: Vec<Vec<String>> = serde_json::from_value(browser.eval(table)).unwrap();
+    let mut wrong: Vec<&str> =
+        rows.iter().filter(|row| row[6] == "looks false").map(|row| row[0].as_str()).collect();
+    wrong.sort_unstable();
+    assert_eq!(wrong, ["120", "61"]);
+    assert!(browser.text(".figures").contains("5 points; 2 look false"));
+    // Both pictures show each of them as a large dot of its own colour; what is chosen in the table is marked in both.
+    let dots = "(() => [...document.querySelectorAll('#curves figure')].slice(1, 3).map((figure) => { const canvas = figure.querySelector('canvas');
+        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height); const bad = getComputedStyle(document.documentElement).getPropertyValue('--bad').trim();
+        const [r, g, b] = [1, 3, 5].map((at) => parseInt(bad.slice(at, at + 2), 16)); let n = 0;
+        for (let i = 0; i < data.length; i += 4) if (data[i] === r && data[i + 1] === g && data[i + 2] === b) n += 1; return n; }))()";
+    let dots: [u64; 2] = serde_json::from_value(browser.eval(dots)).unwrap();
+    // two discs of ten pixels across are 157 pixels, less their soft edges
+    assert!(dots.iter().all(|n| (90..=160).contains(n)), "{dots:?}");
+    browser.eval("document.querySelector('[data-name=touches] tbody button').click()");
+    browser.settle();
+    let needles = "[...document.querySelectorAll('#curves figure')].slice(1, 3).map((figure) => figure.querySelector('.needle').hidden)";
+    assert_eq!(browser.eval(needles), serde_json::json!([false, false]));
 }
 
 /// The distance in space of a line `line,id,x,y,z,...`, mm.
@@ -133,6 +212,75 @@ fn pages_of_the_other_commands_are_right_in_every_setting() {
         browser.open(&page, 390, "dark");
         assert_eq!(figure(&mut browser, label), expected, "{name} from its JSON");
         assert_eq!(browser.complaints(), [""; 0], "{name} from its JSON");
+    }
+}
+
+#[test]
+fn what_happens_in_a_scenario_stands_on_the_curves() {
+    let Some(mut browser) = Browser::launch() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let cube = "fixtures/robodk/irc5/Cube45.mod";
+    let (_, made) = path(&folder, "cube_tc.mod");
+    driftpost(&["compensate", cube, "-o", &made, "--diff", "none"], 0);
+    let (day, day_name) = path(&folder, "day.toml");
+    let steps = r#"steps = ["call tcColdStart", "run 10", "stand 45 lunch", "pp_to_main", "run 6 second shift",
+        "power_off 20", "run 4", "stand 30 night", "call tcWarmStart", "run 4"]"#;
+    fs::write(day, steps).unwrap();
+    let ((page, page_name), (file, file_name)) = (path(&folder, "day.html"), path(&folder, "day.json"));
+    let command = ["simulate", &made, "--original", cube, "--scenario", &day_name, "--tolerance-mm", "1"];
+    driftpost(&[&command[..], &["--report", &page_name, "--json", &file_name]].concat(), 0);
+    let marks = json(&file)["marks"].clone();
+    let words =
+        ["cold start", "lunch", "PP to main", "second shift", "power off 20 min", "night", "warm start"];
+    let lasts = [0.0, 45.0, 0.0, 6.0, 20.0, 30.0, 0.0];
+    for (i, (mark, (words, lasts))) in
+        marks.as_array().unwrap().iter().zip(words.iter().zip(lasts)).enumerate()
+    {
+        assert_eq!(mark["words"], *words);
+        let took = mark["to_min"].as_f64().unwrap() - mark["from_min"].as_f64().unwrap();
+        // a pass goes on to its end: half a minute at most
+        assert!((lasts..lasts + 0.6).contains(&took) || (took - lasts).abs() < 1e-9, "{words}: {took} min");
+        assert_eq!(mark["standing"], [1, 4, 5].contains(&i), "{words}");
+    }
+    assert_eq!(marks.as_array().unwrap().len(), words.len());
+    looks_right(&mut browser, &page);
+
+    let begins = |i: usize| marks[i]["from_min"].as_f64().unwrap();
+    for (width, scheme) in [(1440, "light"), (390, "dark")] {
+        browser.open(&page, width, scheme);
+        let found = browser.eval(
+            "(() => { const figure = document.querySelector('#curves figure'); const box = (one) => { const b = one.getBoundingClientRect();
+               return [b.left, b.top, b.right, b.bottom]; };
+               return { labels: [...figure.querySelectorAll('.mark-label')].filter((one) => !one.hidden).map((one) => [one.textContent, ...box(one)]),
+                 poles: [...figure.querySelectorAll('.mark-pole')].map((one) => box(one)[0]).sort((a, b) => a - b), plot: box(figure) }; })()",
+        );
+        let number = |value: &Value| value.as_f64().unwrap();
+        let labels = found["labels"].as_array().unwrap();
+        let shown: Vec<&str> = labels.iter().map(|label| label[0].as_str().unwrap()).collect();
+        assert_eq!(
+            shown,
+            ["cold start", "lunch", "PP to main, second shift", "power off 20 min", "night", "warm start"]
+        );
+        for (i, a) in labels.iter().enumerate() {
+            assert!(number(&a[1]) >= 0.0 && number(&a[3]) <= f64::from(width), "{a} beside the window");
+            for b in &labels[i + 1..] {
+                let apart = number(&a[3]) <= number(&b[1])
+                    || number(&b[3]) <= number(&a[1])
+                    || number(&a[4]) <= number(&b[2])
+                    || number(&b[4]) <= number(&a[2]);
+                assert!(apart, "{a} and {b} overlap at {width} px");
+            }
+        }
+        // The lines stand where their minutes do: distances on the page are as distances in time.
+        let poles: Vec<f64> = found["poles"].as_array().unwrap().iter().map(number).collect();
+        let at = [0, 1, 2, 4, 5, 6].map(begins);
+        let per_min = (poles[5] - poles[0]) / (at[5] - at[0]);
+        for (pole, at_min) in poles.iter().zip(at) {
+            assert!(
+                (pole - poles[0] - per_min * (at_min - at[0])).abs() < 1.0,
+                "{pole} px for minute {at_min}"
+            );
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! The page of a compensation, or of the reasons why there is none.
 
+use super::model_view::ModelView;
 use super::scene::{Course, Points, robot};
 use super::source_review::SourceReview;
 use super::{Page, write_page};
 use crate::report::json::{CompensationJson, refusal};
 use crate::report::message::LocatedDiagnostic;
-use rapid_program::compensate::TcpDrift;
 use rapid_program::compensate::plan::{Plan, PlannedMotion, Status, Totals};
+use rapid_program::compensate::{DriftPoint, TcpDrift};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Motion, SkipReason};
 use robot_model::robot::Robot;
@@ -51,8 +52,7 @@ impl CompensationPage<'_> {
     /// # Errors
     /// What writing to `out` fails with.
     pub fn write(mut self, out: &mut dyn Write) -> io::Result<()> {
-        let shown = self.shown();
-        self.add_unchanged(shown.as_ref());
+        let shown = self.take_stock();
         let Self { program, plan, messages, kept, .. } = self;
         let title = self.title.to_owned();
         let view = self.view(shown.as_ref());
@@ -67,6 +67,43 @@ impl CompensationPage<'_> {
                 write_page(out, &Page { command: "compensate", title, data, view })
             }
         }
+    }
+
+    /// Writes one page of several tasks, each with its name: their JSON and what a picture needs as lists under `tasks`.
+    ///
+    /// # Errors
+    /// What writing to `out` fails with.
+    pub fn write_tasks(title: &str, tasks: Vec<(&str, Self)>, out: &mut dyn Write) -> io::Result<()> {
+        let (mut all_data, mut all_views) = (Vec::new(), Vec::new());
+        for (task, mut page) in tasks {
+            let shown = page.take_stock();
+            let Self { program, plan, messages, kept, .. } = page;
+            let mut data = match plan {
+                Some(plan) => {
+                    let shown = shown.as_ref();
+                    serde_json::to_value(CompensationJson {
+                        program,
+                        plan,
+                        messages,
+                        shown,
+                        without_nulls: true,
+                    })?
+                }
+                None => serde_json::to_value(refusal(program, kept, messages))?,
+            };
+            data["task"] = task.into();
+            all_data.push(data);
+            all_views.push(page.view(shown.as_ref()));
+        }
+        let (data, view) = (json!({ "tasks": all_data }), json!({ "tasks": all_views }));
+        write_page(out, &Page { command: "compensate", title: title.to_owned(), data, view })
+    }
+
+    /// Chooses the motions that are shown (`None` = all), and adds the lines of those that stay as they are.
+    fn take_stock(&mut self) -> Option<BTreeSet<usize>> {
+        let shown = self.shown();
+        self.add_unchanged(shown.as_ref());
+        shown
     }
 
     /// The motions that are shown; `None` = all.
@@ -103,6 +140,12 @@ impl CompensationPage<'_> {
         let totals = self.plan.map(|plan| Totals::of(self.program, plan));
         let is_shown = |i: usize| shown.is_none_or(|shown| shown.contains(&i));
         let from_c = self.plan.and_then(|plan| plan.temperature_c).map(|[low_c, _]| low_c);
+        let points: Vec<&DriftPoint> = self
+            .arm
+            .iter()
+            .flat_map(|(_, drift)| &drift.points)
+            .filter(|point| is_shown(point.motion.index()))
+            .collect();
         let worst = |side: usize| {
             let plan = self.plan?;
             Some(
@@ -124,9 +167,8 @@ impl CompensationPage<'_> {
             "bucket_error_mm": { "before": worst(0), "after": worst(1) },
             "robot": self.arm.map(|(arm, _)| robot(&arm.into())),
             "course": self.arm.map(|(_, drift)| Course::new(drift, from_c)),
-            "points": self.arm.map(|(_, drift)| {
-                Points::new(drift.points.iter().filter(|point| is_shown(point.motion.index())))
-            }),
+            "points": self.arm.map(|_| Points::new(&points)),
+            "model": self.arm.and_then(|(_, drift)| ModelView::new(drift, &points)),
             // what the paper's own method leaves at the ends of its three hours (docs/PAPER.md)
             "claims": self.is_papers_case.then(|| json!({
                 "text": "left by the reference paper's method", "points": [[60, 0.03], [120, 0.06], [180, 0.073]],

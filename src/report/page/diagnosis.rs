@@ -4,9 +4,10 @@ use super::embed::Decimals;
 use super::scene::robot;
 use super::{Page, write_page};
 use crate::report::diagnosis::{mostly_explained, next_step};
-use metrology::diagnose::{Diagnosis, RowResidual};
+use metrology::diagnose::{Diagnosis, GearLine, GearSpectrum, RowResidual};
 use robot_model::robot::SerialArm;
-use serde_json::json;
+use robot_model::units::{mm_from_m, mrad_from_rad};
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Of more rows than this every second, third ... is shown: pictures of them show no more.
@@ -21,6 +22,8 @@ pub struct DiagnosisPage<'a> {
     pub findings: &'a Diagnosis,
     /// The robot as its model says, of four to seven joints.
     pub robot: &'a SerialArm,
+    /// Lines of the gears, joint by joint, as far as a model holds them.
+    pub spectra: &'a [GearSpectrum],
     /// The report as people read it on a terminal.
     pub text: &'a str,
     /// Files with their SHA-256: names and values.
@@ -43,6 +46,7 @@ impl DiagnosisPage<'_> {
             "mostly": mostly_explained(self.findings),
             "next": next_step(self.findings, self.robot),
             "provenance": self.provenance,
+            "spectra": self.spectra.iter().map(spectrum).collect::<Vec<_>>(),
             "rows": all.len(),
             "residuals": {
                 "line": rows.iter().map(|row| row.line).collect::<Vec<_>>(),
@@ -60,4 +64,15 @@ impl DiagnosisPage<'_> {
             &Page { command: "diagnose", title: self.title.to_owned(), data: self.findings, view },
         )
     }
+}
+
+fn spectrum(gear: &GearSpectrum) -> Value {
+    let line = |line: &GearLine| {
+        json!({
+            "n": line.n, "named": line.is_named, "mrad": mrad_from_rad(line.size_rad), "sigma_mrad": line.sigma_rad.map(mrad_from_rad),
+        })
+    };
+    json!({
+        "joint": gear.joint, "lever_mm": mm_from_m(gear.lever_m), "lines": gear.lines.iter().map(line).collect::<Vec<_>>(),
+    })
 }

@@ -7,12 +7,17 @@
 mod compensation;
 mod diagnosis;
 mod embed;
+mod model_view;
 mod scene;
 mod source_review;
+#[cfg(feature = "link")]
+mod watch;
 
 pub use compensation::CompensationPage;
 pub use diagnosis::DiagnosisPage;
 pub use source_review::SourceReview;
+#[cfg(feature = "link")]
+pub use watch::WatchPage;
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;

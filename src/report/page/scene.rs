@@ -86,7 +86,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    pub(super) fn new<'d>(points: impl Iterator<Item = &'d DriftPoint>) -> Self {
+    pub(super) fn new(points: &[&DriftPoint]) -> Self {
         let mut all = Self {
             motion: Vec::new(),
             value: Vec::new(),

@@ -2,17 +2,21 @@
 //!
 //! One minute of warm-up is one minute of the recording.
 
+mod messages;
 mod schemas;
 mod urdf;
 
 pub use urdf::urdf;
 
+use messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFrame, parts};
+
 use mcap::WriteOptions;
 use mcap::records::MessageHeader;
 use nalgebra::{Isometry3, Translation3, Vector3};
+use prost::Message;
+use prost_types::Timestamp;
 use robot_model::robot::Robot;
 use robot_model::units::{mm_from_m, seconds_from_min};
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Cursor};
 
@@ -20,8 +24,8 @@ use std::io::{self, Cursor};
 const FRAMES: [&str; 7] = ["link_1", "link_2", "link_3", "link_4", "link_5", "link_6", "flange"];
 const BASE: &str = "base_link";
 /// Severity levels of `foxglove.Log`.
-const INFO: u8 = 2;
-const WARNING: u8 = 3;
+const INFO: i32 = 2;
+const WARNING: i32 = 3;
 const NANOSECONDS: f64 = 1e9;
 
 /// What goes into a recording.
@@ -44,7 +48,7 @@ pub struct Recording<'a> {
 pub struct RecordingMoment {
     /// Minute of the warm-up.
     pub t_min: f64,
-    /// The frames as the deformation table moves them, in the base.
+    /// The frames as table and model deform the arm, in the base.
     pub warm: [Isometry3<f64>; 7],
     /// For each target how far the TCP is from it without correction, metres.
     pub missed_m: Vec<Vector3<f64>>,
@@ -90,7 +94,7 @@ impl Recording<'_> {
             let t_min = moment.t_min;
             let mut list = chain(t_min, "", &self.nominal);
             list.extend(chain(t_min, "warm/", &moment.warm));
-            writer.write(tf, t_min, &json!({ "transforms": list }))?;
+            writer.write(tf, t_min, &FrameTransforms { transforms: list })?;
             let missed = Some(&moment.missed_m);
             let off = [None, missed, moment.corrected_m.as_ref()];
             for (k, (channel, off_m)) in all.iter().zip(off).enumerate() {
@@ -104,55 +108,61 @@ impl Recording<'_> {
         Ok(bytes.into_inner())
     }
 
-    fn poses(&self, t_min: f64, off_m: Option<&Vec<Vector3<f64>>>) -> Value {
+    fn poses(&self, t_min: f64, off_m: Option<&Vec<Vector3<f64>>>) -> PosesInFrame {
         let moved = |(i, meant): (usize, &Isometry3<f64>)| {
             let by_m = off_m.and_then(|off_m| off_m.get(i)).copied().unwrap_or_default();
             let pose = Translation3::from(by_m) * meant;
             let (position, orientation) = parts(&pose);
-            json!({ "position": position, "orientation": orientation })
+            Pose { position: Some(position), orientation: Some(orientation) }
         };
-        let poses: Vec<Value> = self.meant.iter().enumerate().map(moved).collect();
-        json!({ "timestamp": time(t_min), "frame_id": BASE, "poses": poses })
+        let poses = self.meant.iter().enumerate().map(moved).collect();
+        PosesInFrame { timestamp: Some(time(t_min)), frame_id: BASE.to_owned(), poses }
     }
 }
 
 /// Transforms from frame to frame; names of the child frames begin with `prefix`.
-fn chain(t_min: f64, prefix: &str, frames: &[Isometry3<f64>; 7]) -> Vec<Value> {
+fn chain(t_min: f64, prefix: &str, frames: &[Isometry3<f64>; 7]) -> Vec<FrameTransform> {
     let mut parent = (BASE.to_owned(), Isometry3::identity());
     let one = |(name, frame): (&&str, &Isometry3<f64>)| {
         let child = format!("{prefix}{name}");
         let (translation, rotation) = parts(&parent.1.inv_mul(frame));
-        let transform = json!({
-            "timestamp": time(t_min), "parent_frame_id": parent.0, "child_frame_id": child,
-            "translation": translation, "rotation": rotation,
-        });
-        parent = (child, *frame);
-        transform
+        let (parent_frame_id, _) = std::mem::replace(&mut parent, (child.clone(), *frame));
+        FrameTransform {
+            timestamp: Some(time(t_min)),
+            parent_frame_id,
+            child_frame_id: child,
+            translation: Some(translation),
+            rotation: Some(rotation),
+        }
     };
     FRAMES.iter().zip(frames).map(one).collect()
 }
 
-fn parts(pose: &Isometry3<f64>) -> (Value, Value) {
-    let (p, q) = (&pose.translation.vector, pose.rotation.quaternion());
-    (json!({ "x": p.x, "y": p.y, "z": p.z }), json!({ "x": q.i, "y": q.j, "z": q.k, "w": q.w }))
-}
-
-fn logged(row: &LoggedCorrection<'_>) -> Value {
+fn logged(row: &LoggedCorrection<'_>) -> Log {
     let LoggedCorrection { file, line, kind, .. } = row;
     let (level, message) = match row.status {
         Ok(by_m) => (INFO, format!("{kind}: corrected by {:.4} mm at most", mm_from_m(by_m))),
         Err(why) => (WARNING, format!("{kind} stays as it is: {why}")),
     };
-    json!({ "timestamp": time(0.0), "level": level, "message": message, "name": "driftpost", "file": file, "line": line })
+    Log {
+        timestamp: Some(time(0.0)),
+        level,
+        message,
+        name: "driftpost".to_owned(),
+        file: (*file).to_owned(),
+        line: *line,
+    }
 }
 
 fn nanoseconds(t_min: f64) -> u64 {
     (seconds_from_min(t_min) * NANOSECONDS).round() as u64
 }
 
-fn time(t_min: f64) -> Value {
+fn time(t_min: f64) -> Timestamp {
     let all = nanoseconds(t_min);
-    json!({ "sec": all / NANOSECONDS as u64, "nsec": all % NANOSECONDS as u64 })
+    let second = NANOSECONDS as u64;
+    // less than a second, and a warm-up of less than 290 years
+    Timestamp { seconds: (all / second) as i64, nanos: (all % second) as i32 }
 }
 
 struct Topics<'b> {
@@ -161,17 +171,17 @@ struct Topics<'b> {
 }
 
 impl Topics<'_> {
-    fn topic(&mut self, topic: &str, (name, schema): &(&str, String)) -> io::Result<u16> {
+    fn topic(&mut self, topic: &str, (name, schema): &(&str, Vec<u8>)) -> io::Result<u16> {
         let name = format!("foxglove.{name}");
-        let schema = self.to.add_schema(&name, "jsonschema", schema.as_bytes()).map_err(io::Error::other)?;
-        self.to.add_channel(schema, topic, "json", &BTreeMap::new()).map_err(io::Error::other)
+        let schema = self.to.add_schema(&name, "protobuf", schema).map_err(io::Error::other)?;
+        self.to.add_channel(schema, topic, "protobuf", &BTreeMap::new()).map_err(io::Error::other)
     }
 
-    fn write(&mut self, channel_id: u16, t_min: f64, message: &Value) -> io::Result<()> {
+    fn write(&mut self, channel_id: u16, t_min: f64, message: &impl Message) -> io::Result<()> {
         self.count += 1;
         let at = nanoseconds(t_min);
         let header = MessageHeader { channel_id, sequence: self.count, log_time: at, publish_time: at };
-        self.to.write_to_known_channel(&header, message.to_string().as_bytes()).map_err(io::Error::other)
+        self.to.write_to_known_channel(&header, &message.encode_to_vec()).map_err(io::Error::other)
     }
 }
 
@@ -212,16 +222,17 @@ mod tests {
         assert_eq!(Vec::from_iter(topics), ["/corrections", "/targets/meant", "/targets/uncorrected", "/tf"]);
         assert_eq!(messages.len(), 1 + 2 * 3);
         let last = |topic: &str| messages.iter().rfind(|m| m.channel.topic == topic).unwrap();
-        let value = |topic: &str| serde_json::from_slice::<Value>(&last(topic).data).unwrap();
         assert_eq!(last("/tf").log_time, 90_000_000_000);
         assert_eq!(last("/tf").channel.schema.as_ref().unwrap().name, "foxglove.FrameTransforms");
-        let tf = value("/tf");
-        let warm = &tf["transforms"][7];
-        assert_eq!(warm["parent_frame_id"], "base_link");
-        assert_eq!(warm["child_frame_id"], "warm/link_1");
-        assert_eq!(warm["translation"]["x"], 1.001);
-        let missed = value("/targets/uncorrected");
-        assert_eq!(missed["poses"][0]["position"]["x"], 7.001);
-        assert_eq!(value("/corrections")["message"], "MoveL: corrected by 0.1900 mm at most");
+        assert_eq!(last("/tf").channel.message_encoding, "protobuf");
+        let tf = FrameTransforms::decode(&*last("/tf").data).unwrap();
+        let warm = &tf.transforms[7];
+        assert_eq!((&*warm.parent_frame_id, &*warm.child_frame_id), ("base_link", "warm/link_1"));
+        assert_eq!(warm.translation.as_ref().unwrap().x, 1.001);
+        assert_eq!(warm.timestamp.unwrap(), Timestamp { seconds: 90, nanos: 0 });
+        let missed = PosesInFrame::decode(&*last("/targets/uncorrected").data).unwrap();
+        assert_eq!(missed.poses[0].position.as_ref().unwrap().x, 7.001);
+        let log = Log::decode(&*last("/corrections").data).unwrap();
+        assert_eq!((&*log.message, log.line), ("MoveL: corrected by 0.1900 mm at most", 3));
     }
 }
