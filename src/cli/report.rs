@@ -46,14 +46,19 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Diagnostic::error("report::not-json", format!("{} is no JSON: {cause}", args.result.display()))
             .help("give what a command wrote with --json")
     })?;
-    let has = |key: &&str| data.get(*key).is_some();
+    // of several tasks each is a result
+    let tasks = data.get("tasks").and_then(Value::as_array);
+    let first = tasks.and_then(|tasks| tasks.first()).unwrap_or(&data);
+    let has = |key: &&str| first.get(*key).is_some();
     let command = KEYS.iter().find(|(_, keys)| keys.iter().all(has)).map(|(command, _)| *command);
     let command = command.ok_or_else(|| {
         Diagnostic::error("report::unknown", format!("{} is no result of ours", args.result.display()))
             .help("give what a command wrote with --json")
     })?;
     let title = args.result.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let view = json!({ "from_json": true });
+    let from_json = json!({ "from_json": true });
+    let view =
+        tasks.map_or_else(|| from_json.clone(), |tasks| json!({ "tasks": vec![&from_json; tasks.len()] }));
     let mut out = BufWriter::with_capacity(1 << 16, page.out());
     write_page(&mut out, &Page { command, title, data, view })?;
     out.flush()?;

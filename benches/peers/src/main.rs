@@ -1,13 +1,14 @@
-//! Jobs beside those of others, timed by the processor time of this thread: `peers export FOLDER` writes the deformed solves for
-//! the others, `peers JOB` does one round and prints nanoseconds for each answer. `peers beside-opw ROBOT COUNT` and `peers poses ROBOT
+//! Jobs beside those of others, timed by the processor time of this thread: `peers export FILE` and `peers export-calibration FILE` write
+//! what the others are given, `peers JOB` does one round and prints nanoseconds for each answer. `peers beside-opw ROBOT COUNT` and `peers poses ROBOT
 //! COUNT` are what `benches/peers/differential` looks at.
 
+mod calibration;
 mod differential;
 mod samples;
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use robot_model::deform::Deformation;
-use robot_model::kinematics::{Chain, Chains, ClosedForm, solve};
+use robot_model::kinematics::{CalibrationOptions, Chain, Chains, ClosedForm, calibrate, solve};
 use robot_model::robot::Robot;
 use rs_opw_kinematics::kinematic_traits::Kinematics;
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
@@ -15,7 +16,8 @@ use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
 use std::hint::black_box;
-use std::{env, fs, io};
+use std::time::Instant;
+use std::{env, fs, io, thread};
 
 /// The reference paper's 45 targets: flange poses in metres.
 fn cube() -> Vec<Isometry3<f64>> {
@@ -30,6 +32,8 @@ fn cube() -> Vec<Isometry3<f64>> {
     }
     poses
 }
+
+const MANY: usize = 100_000;
 
 struct Setup {
     robot: Robot,
@@ -137,6 +141,23 @@ fn main() -> io::Result<()> {
             let file = env::args().nth(2).ok_or(io::Error::other("which file?"))?;
             return fs::write(file, setup.export());
         }
+        "export-calibration" => {
+            let file = env::args().nth(2).ok_or(io::Error::other("which file?"))?;
+            let options = CalibrationOptions::default();
+            let measured = calibration::measured(&setup.robot, &options);
+            return fs::write(file, calibration::export(&setup.robot, &measured, &options));
+        }
+        // With the cost that is reached, to be compared with the peer's.
+        "calibrate" => {
+            let options = CalibrationOptions::default();
+            let measured = calibration::measured(&setup.robot, &options);
+            let found = calibrate(&setup.robot, &measured, &options).map_err(io::Error::other)?;
+            let ns = timed(1, || {
+                assert!(calibrate(black_box(&setup.robot), black_box(&measured), &options).is_ok());
+            });
+            println!("{ns:.0} {:.6}", found.cost);
+            return Ok(());
+        }
         "solve" => {
             let all = Chains::new(setup.minutes.clone());
             timed(solves, || {
@@ -144,6 +165,28 @@ fn main() -> io::Result<()> {
                     all.solve(pose, start, |found| assert!(black_box(found).is_ok()));
                 }
             })
+        }
+        // 100,000 targets at all minutes on two threads: time on the wall, and the memory that the process took at most.
+        "solve-many" => {
+            let all = Chains::new(setup.minutes.clone());
+            let start = Instant::now();
+            thread::scope(|scope| {
+                for half in 0..2 {
+                    let (all, targets) = (&all, &setup.targets);
+                    scope.spawn(move || {
+                        for k in (half..MANY).step_by(2) {
+                            let (mut pose, start) = targets[k % targets.len()];
+                            // Another target each time: up to a millimetre beside.
+                            pose.translation.vector.x += 1e-3 * (k as f64 / MANY as f64);
+                            all.solve(&pose, &start, |found| assert!(black_box(found).is_ok()));
+                        }
+                    });
+                }
+            });
+            let ns = start.elapsed().as_secs_f64() * 1e9 / (MANY * setup.minutes.len()) as f64;
+            let status = fs::read_to_string("/proc/self/status")?;
+            eprintln!("{}", status.lines().find(|line| line.starts_with("VmHWM")).unwrap_or_default());
+            ns
         }
         "solve-one" => timed(solves, || {
             for (pose, start) in &setup.targets {
