@@ -86,7 +86,8 @@ impl Diagnosed {
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
         let Self { findings, robot, model } = self;
-        let spectra = model.as_ref().map(|model| gear_spectra(model, robot, &findings.residuals));
+        let spectra =
+            model.as_ref().map(|model| gear_spectra(model, &findings.causes, robot, &findings.residuals));
         DiagnosisPage {
             title: name,
             findings,

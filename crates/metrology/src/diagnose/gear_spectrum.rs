@@ -1,6 +1,6 @@
 //! The lines of each joint's gear that a model holds, with their size at the tool.
 
-use super::outcome::RowResidual;
+use super::outcome::{Cause, RowResidual};
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Identified, Term, Value};
@@ -17,7 +17,7 @@ pub struct GearLine {
     pub size_rad: f64,
     /// One standard deviation of the amplitude, to first order, where the model has it.
     pub sigma_rad: Option<f64>,
-    /// Named as a cause; otherwise one of those that a spectrum holds beside the named ones.
+    /// Named among the causes; otherwise one that the model holds beside them.
     pub is_named: bool,
 }
 
@@ -32,15 +32,21 @@ pub struct GearSpectrum {
     pub lines: Vec<GearLine>,
 }
 
-/// The gear lines of an identified model by joint; none of joints that slide.
+/// The gear lines of an identified model by joint, those of `causes` named; none of joints that slide.
 #[must_use]
-pub fn gear_spectra(model: &Identified, robot: &SerialArm, rows: &[RowResidual]) -> Vec<GearSpectrum> {
+pub fn gear_spectra(
+    model: &Identified,
+    causes: &[Cause],
+    robot: &SerialArm,
+    rows: &[RowResidual],
+) -> Vec<GearSpectrum> {
     let turns = |j: usize| robot.joints.get(j).is_some_and(|joint| joint.kind == JointKind::Revolute);
     (0..robot.joints.len())
         .filter(|&j| turns(j))
         .filter_map(|j| {
             let of_joint = model.terms.iter().filter(|term| term.joint == Some(j));
-            let mut lines: Vec<GearLine> = of_joint.flat_map(lines_of).collect();
+            let mut lines: Vec<GearLine> =
+                of_joint.flat_map(|term| lines_of(term, is_named(term, causes))).collect();
             lines.sort_by_key(|line| line.n);
             (!lines.is_empty()).then(|| GearSpectrum {
                 joint: j + 1,
@@ -51,7 +57,13 @@ pub fn gear_spectra(model: &Identified, robot: &SerialArm, rows: &[RowResidual])
         .collect()
 }
 
-fn lines_of(term: &Term) -> Vec<GearLine> {
+fn is_named(term: &Term, causes: &[Cause]) -> bool {
+    let same_line = |cause: &Cause| term.kind != EffectKind::GearMesh || cause.n == term.n;
+    let same_joint = |cause: &Cause| cause.joint == term.joint.map(|j| j + 1);
+    causes.iter().any(|cause| cause.effect == term.kind && same_joint(cause) && same_line(cause))
+}
+
+fn lines_of(term: &Term, is_named: bool) -> Vec<GearLine> {
     let pair = |n: u32, values: &[Value]| {
         let [sin, cos] = [0, 1].map(|i| values.get(i).copied().unwrap_or_default());
         let size_rad = sin.value.hypot(cos.value);
@@ -59,7 +71,7 @@ fn lines_of(term: &Term) -> Vec<GearLine> {
             true => (sin.value * of_sin).hypot(cos.value * of_cos) / size_rad,
             false => of_sin.max(of_cos),
         });
-        GearLine { n, size_rad, sigma_rad, is_named: term.cause }
+        GearLine { n, size_rad, sigma_rad, is_named }
     };
     match term.kind {
         EffectKind::GearEccentricity => vec![pair(1, &term.values)],
@@ -116,6 +128,8 @@ mod tests {
                 term(EffectKind::GearMesh, Some(18), &[(3e-4, 1e-5), (-4e-4, 1e-5)]),
                 term(EffectKind::GearEccentricity, None, &[(0.0, 1e-6), (2e-4, 3e-6)]),
                 Term { cause: false, ..term(EffectKind::GearSpectrum, None, &spectrum) },
+                // In the model, but too unlikely to be told.
+                term(EffectKind::GearMesh, Some(20), &[(0.0, 1e-5), (1e-5, 1e-5)]),
                 term(EffectKind::JointOffset, None, &[(1e-3, 1e-4)]),
             ],
             ..Identified::default()
@@ -133,7 +147,9 @@ mod tests {
         let rows =
             [row([300.0, 400.0, 900.0], false), row([0.0, -700.0, 0.0], false), row([9e3, 0.0, 0.0], true)];
         let robot = Robot::built_in("irb140").unwrap();
-        let [found] = gear_spectra(&model, &(&robot).into(), &rows).try_into().unwrap();
+        let cause = |effect, n| Cause { joint: Some(1), n, ..Cause::of(effect, 1.0) };
+        let causes = [cause(EffectKind::GearMesh, Some(18)), cause(EffectKind::GearEccentricity, Some(1))];
+        let [found] = gear_spectra(&model, &causes, &(&robot).into(), &rows).try_into().unwrap();
         assert_eq!(found.joint, 1);
         assert!((found.lever_m - ((0.25_f64 + 0.49) / 2.0).sqrt()).abs() < 1e-12, "{}", found.lever_m);
         let line = |n, size_rad, sigma_rad, is_named| (n, size_rad, sigma_rad, is_named);
@@ -142,6 +158,7 @@ mod tests {
             line(2, 3e-5, 1e-5, false),
             line(3, 5e-6, 2e-5, false),
             line(18, 5e-4, 1e-5, true),
+            line(20, 1e-5, 1e-5, false),
         ];
         assert_eq!(found.lines.len(), wanted.len());
         for (found, (n, size_rad, sigma_rad, is_named)) in found.lines.iter().zip(wanted) {

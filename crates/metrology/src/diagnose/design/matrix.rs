@@ -278,7 +278,7 @@ impl Design {
 }
 
 /// Products of two columns, summed over each observation's rows.
-fn by_observation(a: &[f64], b: &[f64], rows_per_observation: usize) -> Vec<f64> {
+pub(super) fn by_observation(a: &[f64], b: &[f64], rows_per_observation: usize) -> Vec<f64> {
     a.chunks_exact(rows_per_observation)
         .zip(b.chunks_exact(rows_per_observation))
         .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())

@@ -7,7 +7,9 @@ mod joint_rotations;
 mod matrix;
 mod products;
 pub(super) mod registration;
+mod rigid_motions;
 
 pub use joint_rotations::Turning;
 pub use matrix::{Design, Whitening};
 pub use products::{Products, Sums};
+pub use rigid_motions::RigidMotions;

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
-use super::rigid::move_base;
+use super::rigid::{RigidBody, move_base};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -44,6 +44,9 @@ impl Effect for BaseDrift {
                 )
             })
             .collect()
+    }
+    fn moves(&self) -> Option<RigidBody> {
+        Some(RigidBody::Base)
     }
     fn signature(
         &self,

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
-use super::rigid::move_base;
+use super::rigid::{RigidBody, move_base};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
@@ -43,6 +43,9 @@ impl Effect for BaseStep {
                 )
             })
             .collect()
+    }
+    fn moves(&self) -> Option<RigidBody> {
+        Some(RigidBody::Base)
     }
     fn signature(
         &self,

@@ -1,5 +1,6 @@
 //! What an effect is: parameters, unit, usual size and linear signature; nothing of evidence.
 
+use super::rigid::RigidBody;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
@@ -28,6 +29,11 @@ pub trait Effect: Sync {
     /// The angles per unit of each parameter, where turning `variant.joint` is all that the effect does and
     /// there are many variants of it: their products are then cheap.
     fn angles(&self, _variant: &EffectVariant, _observation: &Observation) -> Option<[f64; 2]> {
+        None
+    }
+    /// The body whose rigid motion, times the variant's growth, is all that the effect does: the products of its variants are then
+    /// cheap.
+    fn moves(&self) -> Option<RigidBody> {
         None
     }
     /// The effect's linear signature: the measured point's twist at `observation` per unit of each parameter (SI),

@@ -27,6 +27,25 @@ pub fn of_arm(joint: Option<usize>, observation: &Observation) -> usize {
     joint.unwrap_or(0).min(observation.joints() - 1)
 }
 
+/// What stands on one side of the arm and moves rigidly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RigidBody {
+    /// The base, see [`move_base`].
+    Base,
+    /// The target on the flange, see [`move_tool`].
+    Tool,
+}
+
+impl RigidBody {
+    /// Its motion at `observation` per unit of each parameter.
+    pub fn signature(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+        match self {
+            Self::Base => move_base(observation, 1.0, out),
+            Self::Tool => move_tool(dataset, observation, 1.0, out),
+        }
+    }
+}
+
 /// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.
 pub fn move_base(observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
     for k in 0..6 {

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
-use super::rigid::move_tool;
+use super::rigid::{RigidBody, move_tool};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -44,6 +44,9 @@ impl Effect for ToolDrift {
                 )
             })
             .collect()
+    }
+    fn moves(&self) -> Option<RigidBody> {
+        Some(RigidBody::Tool)
     }
     fn signature(
         &self,

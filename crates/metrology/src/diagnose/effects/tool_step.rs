@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
-use super::rigid::move_tool;
+use super::rigid::{RigidBody, move_tool};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
@@ -43,6 +43,9 @@ impl Effect for ToolStep {
                 )
             })
             .collect()
+    }
+    fn moves(&self) -> Option<RigidBody> {
+        Some(RigidBody::Tool)
     }
     fn signature(
         &self,

@@ -2,8 +2,8 @@
 
 use super::chosen::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::dataset::Dataset;
-use crate::diagnose::design::{Design, Products, Sums, Turning};
-use crate::diagnose::effects::Candidate;
+use crate::diagnose::design::{Design, Products, RigidMotions, Sums, Turning};
+use crate::diagnose::effects::{Candidate, RigidBody};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative};
 use rayon::prelude::*;
@@ -46,6 +46,10 @@ pub struct Library<'a> {
     width: usize,
     /// Candidates that come many at once, by joint.
     turning: Vec<Turning>,
+    /// Steps and drifts, by body.
+    rigid: [RigidMotions; 2],
+    /// Whether a candidate is one of these many.
+    many: Vec<bool>,
     /// Columns of the other candidates, where there is room to keep them.
     columns: Vec<Option<Columns>>,
     /// Functions outside the library that explanations are held against, as Gaussian processes.
@@ -81,8 +85,11 @@ impl<'a> Library<'a> {
     pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
         let turning: Vec<Turning> =
             (0..dataset.joints()).into_par_iter().map(|j| design.turning(dataset, candidates, j)).collect();
+        let rigid =
+            [RigidBody::Base, RigidBody::Tool].map(|body| design.rigid_motions(dataset, candidates, body));
         let mut many = vec![false; candidates.len()];
-        turning.iter().flat_map(|t| &t.members).for_each(|&c| many[c] = true);
+        let of_turning = turning.iter().flat_map(|t| &t.members);
+        of_turning.chain(rigid.iter().flat_map(|r| &r.members)).for_each(|&c| many[c] = true);
         let single = |c: usize| design.columns_of(dataset, &candidates[c]);
         let mut room = MOST_KEPT / (dataset.observations.len() * dataset.rows_per_observation).max(1);
         let keep: Vec<bool> = candidates
@@ -108,6 +115,10 @@ impl<'a> Library<'a> {
             design.begin_turning(turning, &mut products);
             design.extend_turning(turning, &mut products);
         }
+        for motions in &rigid {
+            design.begin_rigid(motions, &mut products);
+            design.extend_rigid(motions, &mut products);
+        }
         let effects: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
         let family = ((1.0 - NULL_PRIOR - UNEXPLAINED_PRIOR) / effects.len().max(1) as f64).ln();
         let log_prior = candidates.iter().map(|c| family + c.weight.ln()).collect();
@@ -118,6 +129,8 @@ impl<'a> Library<'a> {
             log_prior,
             width: design.width(),
             turning,
+            rigid,
+            many,
             columns,
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
@@ -181,9 +194,10 @@ impl<'a> Library<'a> {
         for turning in &self.turning {
             design.extend_turning(turning, &mut self.products);
         }
-        let mut many = vec![false; candidates.len()];
-        self.turning.iter().flat_map(|t| &t.members).for_each(|&c| many[c] = true);
-        let columns = &self.columns;
+        for motions in &self.rigid {
+            design.extend_rigid(motions, &mut self.products);
+        }
+        let (columns, many) = (&self.columns, &self.many);
         self.products.par_iter_mut().enumerate().filter(|(c, _)| !many[*c]).for_each(|(c, products)| {
             match &columns[c] {
                 Some(columns) => design.extend(products, columns),
