@@ -343,7 +343,11 @@ class Machine:
     def from_text(self, arguments, frame):
         text, target = self.value(arguments[0][2], frame), self.place(arguments[1][2], frame)
         try:
-            target.write(self.fitted(self.value(Parser(text).expression(), frame), target.type, target.dims))
+            parser = Parser(text)
+            value = self.value(parser.expression(), frame)
+            if parser.kind() != "end":
+                return False
+            target.write(self.fitted(value, target.type, target.dims))
         except (Refused, KeyError):
             return False
         return True
