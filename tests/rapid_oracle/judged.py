@@ -13,29 +13,35 @@ RIGID = "Dx [mm],Dy[mm],Dz[mm],DOx[deg],DOy[deg],DOz[deg]\n" + "0,0,0,0,0,0\n" *
 TOLERANCE_MM = 0.0002
 
 
-def verdict(texts, motions):
-    """What `driftpost simulate` says of a program whose original is the motions; None where all are made and none differs."""
+def simulated(texts, motions, *options, entry="main", minute=0):
+    """`driftpost simulate` of a program on a rigid robot, the motions being its original: exit code, what was found at the minute, complaints."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         files = []
         for i, text in enumerate(texts):
             files.append(folder / f"program{i}.mod")
-            files[-1].write_text(text)
-        (folder / "unrolled.mod").write_text(unrolled(motions))
+            files[-1].write_text(text, encoding="latin-1")
+        (folder / "unrolled.mod").write_text(unrolled(motions, entry))
         (folder / "rigid.csv").write_text(RIGID)
         command = [os.environ["DRIFTPOST"], "simulate", *files, "--original", folder / "unrolled.mod", "--robot", "irb140", "--quiet"]
-        command += ["--deformation", folder / "rigid.csv", "--growth", "none", "--minutes", "0", "--json", "-"]
-        done = subprocess.run([*command, "--tolerance-mm", str(TOLERANCE_MM)], capture_output=True, text=True)
-    if not done.stdout:
-        return done.stderr
-    found = json.loads(done.stdout)["minutes"][0]
+        command += ["--deformation", folder / "rigid.csv", "--growth", "none", "--minutes", str(minute), "--json", "-"]
+        command += ["--entry", entry, "--tolerance-mm", str(TOLERANCE_MM), *options]
+        done = subprocess.run(command, capture_output=True, text=True)
+    return done.returncode, json.loads(done.stdout)["minutes"][0] if done.stdout else None, done.stderr
+
+
+def verdict(texts, motions, *options, **more):
+    """What driftpost says of a program that should make the motions; None where it makes all and none differs."""
+    code, found, complaints = simulated(texts, motions, *options, **more)
+    if found is None:
+        return complaints
     for what in (found["failure"], found["mismatch"]):
         if what:
             return what
     if found["n"] != len(motions):
         return f"{found['n']} motions where {len(motions)} should be"
     off = found["corrected"]
-    if done.returncode or off["max_mm"] > TOLERANCE_MM or off["max_deg"] > TOLERANCE_MM:
+    if code or off["max_mm"] > TOLERANCE_MM or off["max_deg"] > TOLERANCE_MM:
         return f"off by {off['max_mm']} mm, {off['max_deg']} deg"
     return None
 

@@ -1,9 +1,11 @@
 """Executes modules: data and routines by name, statements in order, motions recorded with what their arguments are worth.
 
-Language alone: no arm, no time. What a motion would do with its target is not asked here.
+Language alone: no arm, and a clock that whoever runs it sets. What a motion would do with its target is not asked here.
 
 `faults` breaks the machine on purpose, so that a test can show what the comparison notices: "precedence", "for", "double", "inout", "test".
 """
+
+import datetime
 
 from functions import FUNCTIONS, Fault
 from lexer import Refused
@@ -100,6 +102,7 @@ class Machine:
         self.records, self.aliases = dict(RECORDS), dict(ALIASES)
         self.globals, self.locals = {}, {}
         self.motions, self.steps, self.errno = [], 0, 0.0
+        self.now = datetime.datetime(2026, 2, 27, 22, 30)  # stands still until it is set
         self.predefined()
         modules = [module for text in texts for module in Parser(text, self.faults).modules()]
         for module in modules:
@@ -326,6 +329,8 @@ class Machine:
             routine = None
         if routine is not None:
             return self.called(routine, arguments, frame)
+        if name in ("cdate", "ctime"):
+            return self.now.strftime("%Y-%m-%d" if name == "cdate" else "%H:%M:%S")
         if name not in FUNCTIONS:
             raise Refused(f"unknown function {name}")
         required = [self.value(what, frame) for how, _, what in arguments if how == "required"]

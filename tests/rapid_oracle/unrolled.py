@@ -1,4 +1,4 @@
-"""Motions as a module that calculates nothing: one PROC main, literal targets, tools and work objects declared with the values they had."""
+"""Motions as a module that calculates nothing: one routine, literal targets, tools and work objects declared with the values they had."""
 
 from machine import SPEEDS, ZONES
 from values import written
@@ -7,7 +7,7 @@ SPELLED = {"movel": "MoveL", "movej": "MoveJ", "moveabsj": "MoveAbsJ", "movec": 
 KNOWN = {f"v{speed}" for speed in SPEEDS} | set(ZONES)
 
 
-def unrolled(motions):
+def unrolled(motions, entry="main"):
     declared, lines = {}, []
 
     def datum(kind, prefix, name, value):
@@ -24,4 +24,4 @@ def unrolled(motions):
             line += "\\WObj:=" + datum("wobjdata", "uObj", *wobj)
         lines.append(line + ";")
     data = ["  " + text.format(name) for text, name in declared.items()]
-    return "\n".join(["MODULE Unrolled", *data, "  PROC main()", *lines, "  ENDPROC", "ENDMODULE", ""])
+    return "\n".join(["MODULE Unrolled", *data, f"  PROC {entry}()", *lines, "  ENDPROC", "ENDMODULE", ""])
