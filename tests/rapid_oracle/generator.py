@@ -1,7 +1,7 @@
 """Programs from a seed: valid, ending, with motions whose targets hang on what was calculated before.
 
 Numbers are kept small by Fold, which takes whole multiples of a width away; every step of it is exact or rounded in one way alone, so that
-two interpreters that round each operation to single precision agree to the last bit. What ABB's manuals leave open is not written:
+two interpreters that round each operation to single precision agree to the last bit. What is not certain from ABB's manuals is not written:
 remainders of negative numbers, halves to be rounded, the bounds of a FOR that its step leads away from, errors without a handler, and
 whether the right side of AND and OR is evaluated where the left one has decided: a condition calls nothing that changes data.
 """
@@ -95,6 +95,42 @@ HELPERS = """
     ENDTEST
   ENDPROC
 
+  PROC Walk(num n,INOUT num found{{*}})
+    VAR num none;
+    FOR i FROM 1 TO Dim(found,1) DO
+      FOR j FROM i TO 1 DO
+        IF j=2 AND i>n MOD 3+1 RETURN;
+        found{{i}}:=Fold(found{{i}}*{c5}-j);
+        IF i=2 THEN
+          found{{j}}:=found{{j}}/none;
+          found{{j}}:=found{{j}}+{i3};
+        ENDIF
+        WHILE found{{i}}>{i1} AND j<3 DO
+          found{{i}}:=found{{i}}-{i2};
+        ENDWHILE
+      ENDFOR
+    ENDFOR
+  ERROR
+    found{{1}}:=Fold(found{{1}}+{c6});
+    TRYNEXT;
+  ENDPROC
+
+  FUNC num Cells(num cells{{*,*}},num by)
+    VAR num sum;
+    FOR row FROM Dim(cells,1) TO 1 DO
+      FOR column FROM 1 TO Dim(cells,2) STEP 2 DO
+        sum:=sum*{c3}+cells{{row,column}}*by;
+      ENDFOR
+    ENDFOR
+    RETURN Fold(sum);
+  ENDFUNC
+
+  FUNC pos Bent(pos bend,num x\switch back)
+    IF Present(back) bend:=-bend;
+    bend.y:=Fold(bend.y*{c1}-x);
+    RETURN bend;
+  ENDFUNC
+
   PROC Guarded(INOUT num r,VAR num tries)
     VAR num at;
     Risky r,{q};
@@ -165,7 +201,7 @@ class Program:
         if how < 0.4:
             return self.whole(1, 30)
         if how < 0.9:
-            return f"{self.random.uniform(0.01, 25):.{self.random.randint(1, 5)}f}"
+            return f"{self.random.uniform(0.06, 25):.{self.random.randint(1, 5)}f}"
         return self.one("1.5E1", "2E-1", "0x1F", ".75", "3.", "0b101")
 
     def fields(self):
@@ -230,6 +266,7 @@ class Program:
             lambda: f"Deep({self.whole(1, 6)})",
             lambda: f"Safe({inner},{self.one('0', self.literal(), 'a-a')})",
             lambda: "Total(tab)",
+            lambda: f"Cells(grid,{self.variable()})",
             lambda: f"Foreign({self.variable()})" if self.library and not self.condition else f"Deep({self.whole(1, 4)})",
             lambda: f"Twist({inner})" if self.library else "Dim(grid,2)",
             lambda: f"Dim({self.one('tab,1', 'grid,1', 'grid,2', 'cube,3')})",
@@ -290,6 +327,7 @@ class Program:
             f"{self.one('0.25', '1.5', 'Sin(a)')}*({inner})",
             f"({inner})*({other})*0.01",
             f"PoseVect(frame,{inner})",
+            f"Bent({inner},{self.variable()}{self.one('', chr(92) + 'back')})",
             f"PoseVect(frame,[{self.whole(-20, 20)},{self.literal()},-{self.literal()}])",
         )
 
@@ -322,6 +360,7 @@ class Program:
             lambda: [f"Add {self.one('b', 'grid{1,2}', 'piece.wide')},{self.literal()};"],
             lambda: [self.one("Clear d;", "Clear tab{1};")],
             lambda: [f"Shift tab,{self.one('a', 'b', 'd')};"],
+            lambda: [f"Walk {self.positive(1)},tab;"],
             lambda: [f"Swap {self.one('a', 'tab{3}', 'p1.x')},{self.one('b', 'grid{2,1}', 'piece.wide')};"],
             lambda: [f"Mark keep,{self.number(1)};", "keep:=Fold(keep);"],
             lambda: [f"Risky2 {self.one('a', 'tab{1}')};"],
@@ -408,6 +447,8 @@ class Program:
         if self.chance(0.12):
             self.joints(before)
             return before
+        if self.chance(0.25):
+            before.append(self.one(f"wTable.oframe.trans.x:={x}/3;", f"tGrip.tframe.trans.z:=Abs({y})/3;", f"wTable.uframe.rot:=OrientZYX({z}/20,0,0);"))
         target = self.one(
             f"Offs(base,{x},{y},{z})",
             f"Offs(spots{{{self.index(3)}}},{x},0,{z})",
@@ -419,16 +460,16 @@ class Program:
             "near(p1)",
         )
         if target == "here":
-            before = ["here:=base;", f"here.trans.y:=here.trans.y+{y};", f"corner:=[{x},0,{z}];", "here.trans:=here.trans+corner;"]
+            before += ["here:=base;", f"here.trans.y:=here.trans.y+{y};", f"corner:=[{x},0,{z}];", "here.trans:=here.trans+corner;"]
             before += [f"here.rot:=here.rot*OrientZYX(Fold({self.variable()})/7,b/9,{self.literal()});"]
         elif target == "placed":
-            before = [f"frame:=[[{x},{y},{z}],OrientZYX({self.variable()}/6,0,Fold(c)/9)];", "here:=base;"]
+            before += [f"frame:=[[{x},{y},{z}],OrientZYX({self.variable()}/6,0,Fold(c)/9)];", "here:=base;"]
             before += [f"moved:={self.one('PoseMult(frame,[p2,[1,0,0,0]])', 'PoseInv(frame)', 'frame')};"]
             before += ["here.trans:=here.trans+0.4*moved.trans;", "here.rot:=base.rot*moved.rot;"]
             before += [f"here.trans.z:=here.trans.z+EulerZYX({self.one(chr(92) + 'X', chr(92) + 'Y', chr(92) + 'Z')},frame.rot);"]
             target = "here"
         elif target == "named":
-            before = [f"spots{{{self.index(3)}}}:=Offs(base,{x},{y},{z});"]
+            before += [f"spots{{{self.index(3)}}}:=Offs(base,{x},{y},{z});"]
             target = f"spots{{{self.index(3)}}}"
         if self.chance(0.08):
             return before + [f"MoveC Offs(base,{x},40,0),Offs(base,0,{y}+90,{z}),{speed},{zone},{tool}{wobj};"]
@@ -520,7 +561,7 @@ class Program:
 def writes_a(line):
     """Whether a statement writes a, or calls what binds it."""
     words = line.replace(";", " ").replace(",", " ").split()
-    return line.startswith("a:=") or " a:=" in line or (words[0] in ("Incr", "Decr", "Add", "Shift", "Swap", "Guarded", "Risky2") and "a" in words)
+    return line.startswith("a:=") or " a:=" in line or (words[0] in ("Incr", "Decr", "Add", "Shift", "Swap", "Walk", "Guarded", "Risky2") and "a" in words)
 
 
 def program(seed):

@@ -1,4 +1,4 @@
-"""Facts of the language with values worked out by hand or given by ABB's manuals: asked of the Python interpreter, and of driftpost.
+"""Facts of the language with values worked out by hand, or the examples of ABB's manuals as commonly quoted: asked of the Python interpreter, and of driftpost.
 
 Each fact leaves a number in r, to which the program then moves: y = r.
 """
@@ -68,7 +68,7 @@ FACTS = [
     ("24 bits", "a:=16777216; a:=a+1; r:=a-16777216;", 0),
     ("1E7 and a tenth", "a:=10000000; a:=a+0.1; r:=a-10000000;", 0),
     ("literals", "r:=0x1F+0b101+0o17+1.5E1+.5+2.;", 68.5),
-    # strings, from the manual's own examples
+    # strings, most of them the manual's own examples
     ("StrPart", 'IF StrPart("Robotics",1,5)="Robot" r:=5;', 5),
     ("StrFind", 'r:=StrFind("Robotics",1,"aeiou");', 2),
     ("StrFind, none of the set", 'r:=StrFind("Robotics",1,"aeiou"\\NotInSet);', 1),
@@ -207,7 +207,7 @@ class Driftpost(unittest.TestCase):
 
     @unittest.expectedFailure
     def test_exponents_have_two_digits(self):
-        """driftpost writes 3.85E-1; the manual's example of NumToStr with \\Exp gives 3.85E-01."""
+        """driftpost writes 3.85E-1; the manual's example of NumToStr with \\Exp, as commonly quoted, gives 3.85E-01."""
         self.assertIsNone(differs('a:=0.38521; IF NumToStr(a,2\\Exp)="3.85E-01" r:=5;', 5))
 
 
