@@ -16,6 +16,18 @@ from machine import Machine
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CUBE = ROOT / "fixtures" / "robodk" / "irc5" / "Cube45.mod"
+FIXTURES = {  # the repository's own programs that need neither signals nor the arm's position, with where they start
+    "cell/conf_off.mod": "main",
+    "cell/counting.mod": "main",
+    "cell/quadrants.mod": "main",
+    "cell/set_on_the_pendant.mod": "main",
+    "first_day/Pins.mod": "rpins",
+    "golden/arrays_offs/expected/Pallet.mod": "pick",
+    "golden/cube4/expected/Cube4.mod": "cube45",
+    "golden/cube4_ramp/expected/Cube4.mod": "cube45",
+    "golden/named_targets/expected/Schweissen.mod": "main",
+    "golden/stationary_tool/expected/Grind.mod": "grind",
+}
 MINUTES = (0, 0.25, 1, 7.5, 40, 62.5, 120, 240, 600)
 
 
@@ -68,6 +80,19 @@ class Emitted(unittest.TestCase):
                 motions = running_since(text, minute).started("cube45")
                 self.assertEqual(len(motions), 46)
                 self.assertIsNone(verdict([text], motions, entry="Cube45", minute=minute))
+
+    def test_programs_of_the_fixtures(self):
+        """Corrected ones with tcMode 1: bucket 1, or one per cent of the drift."""
+        for name, entry in FIXTURES.items():
+            with self.subTest(name):
+                text = (ROOT / "fixtures" / name).read_text(encoding="latin-1")
+                machine, options = Machine(text), []
+                if "tcmode" in machine.globals:
+                    machine.globals["tcmode"].value = 1.0
+                    options = ["--set", "tcMode=1"]
+                motions = machine.started(entry)
+                self.assertGreater(len(motions), 1)
+                self.assertIsNone(verdict([text], motions, *options, entry=entry))
 
     def test_another_share_is_noticed(self):
         """The comparison can fail: half the drift is not the whole."""
