@@ -7,10 +7,11 @@ import os
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
+from data import RapidError
 from generator import program
 from judged import compared, verdict
 from lexer import Refused
-from machine import Machine, RapidError
+from machine import Machine
 
 PROGRAMS = 200
 

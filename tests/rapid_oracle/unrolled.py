@@ -1,6 +1,6 @@
 """Motions as a module that calculates nothing: one routine, literal targets, tools and work objects declared with the values they had."""
 
-from machine import SPEEDS, ZONES
+from data import SPEEDS, ZONES
 from values import written
 
 SPELLED = {"movel": "MoveL", "movej": "MoveJ", "moveabsj": "MoveAbsJ", "movec": "MoveC"}
