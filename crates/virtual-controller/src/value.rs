@@ -257,15 +257,21 @@ pub fn num_text(x: f32) -> String {
         }
         return text;
     }
-    let text = format!("{x:.5E}");
+    with_exponent(f64::from(x), 5, |mantissa| mantissa.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// A number as a power of ten, its mantissa with so many decimals and then as `shown` leaves it: the exponent has its sign and two
+/// digits, as in 3.85E-01.
+#[must_use]
+pub fn with_exponent(x: f64, decimals: usize, shown: impl Fn(&str) -> &str) -> String {
+    let text = format!("{x:.decimals$E}");
     match text.split_once('E') {
         Some((mantissa, exponent)) => {
-            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
             let (sign, digits) = match exponent.strip_prefix('-') {
                 Some(digits) => ('-', digits),
                 None => ('+', exponent),
             };
-            format!("{mantissa}E{sign}{digits:0>2}")
+            format!("{}E{sign}{digits:0>2}", shown(mantissa))
         }
         None => text,
     }
@@ -282,6 +288,8 @@ mod tests {
         {
             assert_eq!(num_text(x), text);
         }
+        // ABB's example of NumToStr with \Exp.
+        assert_eq!(with_exponent(0.38521, 2, |mantissa| mantissa), "3.85E-01");
     }
 
     #[test]

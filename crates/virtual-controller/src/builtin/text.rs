@@ -3,7 +3,7 @@
 use super::parameter::{Chars, Data, Function, Parameter, function};
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
-use crate::value::{Type, Value, num_text};
+use crate::value::{Type, Value, num_text, with_exponent};
 
 pub(super) const FUNCTIONS: &[Function] = &[
     function!("strlen", Nothing, (text: Chars), |vm, args| Ok(number(text.0.len()))),
@@ -88,7 +88,10 @@ fn position(at: f32, text: &Chars) -> Result<usize, Fault> {
 /// A number with so many decimals, with `\Exp` as a power of ten.
 fn decimal(args: &Args<'_>, value: f64, decimals: f32) -> Value {
     let decimals = decimals.clamp(0.0, 15.0) as usize;
-    Value::text(&if args.has("exp") { format!("{value:.decimals$E}") } else { format!("{value:.decimals$}") })
+    Value::text(&match args.has("exp") {
+        true => with_exponent(value, decimals, |mantissa| mantissa),
+        false => format!("{value:.decimals$}"),
+    })
 }
 
 fn converted(text: &str, value: Option<String>) -> Result<Value, Fault> {
