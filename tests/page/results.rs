@@ -97,7 +97,8 @@ fn gear_lines_are_the_jsons(browser: &mut Browser, causes: &[Value]) {
         let joint = &line["joint"];
         let picture = browser.eval(&format!(
             "(() => {{ const figure = [...document.querySelectorAll('#gears figure')].find((one) => one.textContent.startsWith('Joint {joint}:'));
-               const canvas = figure.querySelector('canvas'); const {{ data }} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+               const canvas = figure.querySelector('canvas'); const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+               copy.drawImage(canvas, 0, 0); const {{ data }} = copy.getImageData(0, 0, canvas.width, canvas.height);
                const after = getComputedStyle(document.documentElement).getPropertyValue('--after').trim(); let n = 0;
                const [r, g, b] = [1, 3, 5].map((at) => parseInt(after.slice(at, at + 2), 16));
                for (let i = 0; i < data.length; i += 4) if (data[i] === r && data[i + 1] === g && data[i + 2] === b) n += 1;
