@@ -5,7 +5,7 @@ use crate::cli::Console;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{LoadedModule, Session};
 
-/// What loading meets.
+/// The task that modules are to be loaded into, and what each of them meets there.
 pub(super) struct Loading {
     pub task: String,
     /// The modules of the task.

@@ -372,3 +372,33 @@ fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64
         })
     })
 }
+
+/// So many stations of an IRB 140, a minute apart: irrational steps fill the ranges evenly.
+#[cfg(test)]
+pub(super) fn evenly_spread(stations: usize) -> Dataset {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let chain = SerialChain::nominal(&robot);
+    let tools_m = vec![Vector3::new(0.03, -0.02, 0.1)];
+    let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
+    let observation = |i: usize| {
+        let x = i as f64;
+        let station = Station {
+            pose: i,
+            target: 0,
+            stand: 0,
+            t_min: Some(x),
+            q_rad: Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
+            reading: Reading::Point { position_m: Vector3::zeros() },
+            orientation: None,
+            direction: None,
+            payload_kg: None,
+            joint_temperature_c: None,
+            air_temperature_c: None,
+            line: 0,
+            rows: vec![i],
+        };
+        Observation::new(&robot, &chain, &registration, &station)
+    };
+    let channels = Channels { time: true, ..Channels::default() };
+    Dataset::new(&robot, (0..stations).map(observation).collect(), channels)
+}

@@ -274,43 +274,7 @@ fn ranges(start: usize, widths: impl Iterator<Item = usize>) -> Vec<Range<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::Observation;
-    use crate::measure::{Channels, Reading, Registration, Station};
-    use nalgebra::{Isometry3, Vector3};
-    use robot_model::kinematics::SerialChain;
-    use robot_model::robot::{Joints, SerialArm};
-
-    fn dataset() -> Dataset {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let chain = SerialChain::nominal(&robot);
-        let tools_m = vec![Vector3::new(0.03, -0.02, 0.1)];
-        let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
-        let observation = |i: usize| {
-            let x = i as f64;
-            let station = Station {
-                pose: i,
-                target: 0,
-                stand: 0,
-                t_min: Some(x),
-                // Irrational steps fill the ranges evenly.
-                q_rad: Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
-                reading: Reading::Point { position_m: Vector3::zeros() },
-                orientation: None,
-                direction: None,
-                payload_kg: None,
-                joint_temperature_c: None,
-                air_temperature_c: None,
-                line: 0,
-                rows: vec![i],
-            };
-            Observation::new(&robot, &chain, &registration, &station)
-        };
-        Dataset::new(
-            &robot,
-            (0..120).map(observation).collect(),
-            Channels { time: true, ..Channels::default() },
-        )
-    }
+    use crate::diagnose::dataset::evenly_spread;
 
     #[test]
     fn the_lower_root_multiplies_back() {
@@ -326,7 +290,7 @@ mod tests {
     /// Two joints' lines put into the residuals by hand, with unequal weights: the sums find them again, and leave nothing.
     #[test]
     fn lines_put_in_are_found() {
-        let dataset = dataset();
+        let dataset = evenly_spread(120);
         let whitening = Whitening { weights: (0..120).map(|i| 1.0 + f64::from(i % 3)).collect(), arm_m: 0.2 };
         let columns = ModelColumns {
             dataset: &dataset,

@@ -30,7 +30,7 @@ pub struct TouchReference {
 /// The arm that touches.
 #[derive(Clone, Copy, Debug)]
 pub struct TouchingArm<'a> {
-    /// The constructive model.
+    /// The cold arm, each joint where it is built.
     pub robot: &'a Robot,
     /// How its frames move as it warms.
     pub deformation: &'a Deformation,

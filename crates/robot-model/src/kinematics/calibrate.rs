@@ -67,7 +67,7 @@ pub struct Calibration {
 /// Why there is no calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CalibrateError {
-    /// Of the options.
+    /// A standard deviation in [`CalibrationOptions`] is not positive, or infinite where only that of the turns may be.
     #[error("standard deviations must be positive")]
     Options,
     /// Rows are counted from 0.

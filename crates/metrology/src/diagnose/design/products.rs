@@ -16,7 +16,7 @@ pub struct Products {
     pub(super) own: Vec<f64>,
     /// With the design's columns: p values for each group, for each column.
     pub(super) cross: Vec<f64>,
-    /// Number of groups.
+    /// How many groups of observations the numbers above run over.
     pub(super) groups: usize,
 }
 

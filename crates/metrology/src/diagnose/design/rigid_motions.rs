@@ -36,7 +36,7 @@ impl Design {
         let sigmas: Vec<Vec<f64>> = members.iter().map(|&c| candidates[c].prior_sigma.clone()).collect();
         let width = sigmas.first().map_or(0, Vec::len);
         let plain =
-            self.stack(dataset, width, |_, observation, out| body.signature(dataset, observation, out));
+            self.stack(dataset, width, |_, observation, out| body.signature(dataset, observation, 1.0, out));
         let growths = DMatrix::from_fn(members.len(), self.order.len(), |k, position| {
             let state = dataset.observations[self.order[position]].thermal_state();
             candidates[members[k]].variant.growth.at(&state, None)
@@ -99,41 +99,13 @@ impl Design {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::Observation;
+    use crate::diagnose::dataset::evenly_spread;
     use crate::diagnose::design::Whitening;
     use crate::diagnose::effects::candidates;
-    use crate::measure::{Channels, Reading, Registration, Station};
-    use nalgebra::{Isometry3, Vector3};
-    use robot_model::kinematics::SerialChain;
-    use robot_model::robot::{Joints, SerialArm};
 
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
     fn problem() -> (Dataset, Design) {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let chain = SerialChain::nominal(&robot);
-        let registration =
-            Registration::assumed(Isometry3::identity(), vec![Vector3::new(0.03, -0.02, 0.1)], Vec::new());
-        let observation = |i: usize| {
-            let x = i as f64;
-            let station = Station {
-                pose: i,
-                target: 0,
-                stand: 0,
-                t_min: Some(x),
-                q_rad: Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
-                reading: Reading::Point { position_m: Vector3::zeros() },
-                orientation: None,
-                direction: None,
-                payload_kg: None,
-                joint_temperature_c: None,
-                air_temperature_c: None,
-                line: 0,
-                rows: vec![i],
-            };
-            Observation::new(&robot, &chain, &registration, &station)
-        };
-        let channels = Channels { time: true, ..Channels::default() };
-        let dataset = Dataset::new(&robot, (0..60).map(observation).collect(), channels);
+        let dataset = evenly_spread(60);
         let residuals: Vec<[f64; 6]> = (0..60).map(|i| [1e-4 * f64::from(i % 7); 6]).collect();
         let whitening = Whitening { weights: (0..60).map(|i| 1.0 + f64::from(i % 4)).collect(), arm_m: 0.2 };
         let group_of: Vec<usize> = (0..60).map(|i| i % 3).collect();

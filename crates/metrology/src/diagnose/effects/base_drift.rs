@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
-use super::rigid::{RigidBody, move_base};
+use super::rigid::RigidBody;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -51,10 +51,11 @@ impl Effect for BaseDrift {
     fn signature(
         &self,
         variant: &EffectVariant,
-        _dataset: &Dataset,
+        dataset: &Dataset,
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        move_base(observation, variant.growth.at(&observation.thermal_state(), None), out);
+        let grown = variant.growth.at(&observation.thermal_state(), None);
+        RigidBody::Base.signature(dataset, observation, grown, out);
     }
 }

@@ -30,41 +30,31 @@ pub fn of_arm(joint: Option<usize>, observation: &Observation) -> usize {
 /// What stands on one side of the arm and moves rigidly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RigidBody {
-    /// The base, see [`move_base`].
+    /// The base: three shifts, three turns about its origin.
     Base,
-    /// The target on the flange, see [`move_tool`].
+    /// The target on the flange: three shifts in the flange's axes and, where the orientation is measured, three turns (without it
+    /// a turn of the target is a shift).
     Tool,
 }
 
 impl RigidBody {
-    /// Its motion at `observation` per unit of each parameter.
-    pub fn signature(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+    /// Its motion at `observation` per unit of each parameter, times `factor`, pushed onto `out`.
+    pub fn signature(self, dataset: &Dataset, observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
         match self {
-            Self::Base => move_base(observation, 1.0, out),
-            Self::Tool => move_tool(dataset, observation, 1.0, out),
-        }
-    }
-}
-
-/// A rigid motion of the base: three shifts, three turns about its origin, times `factor`.
-pub fn move_base(observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
-    for k in 0..6 {
-        out.push(scaled(observation.frame_offset(0, k), factor));
-    }
-}
-
-/// A rigid motion of the target on the flange: three shifts in the flange's axes and, where the orientation
-/// is measured, three turns (without it a turn of the target is a shift), times `factor`.
-pub fn move_tool(dataset: &Dataset, observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
-    for k in 0..3 {
-        let axis = observation.flange.column(k);
-        out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], factor));
-    }
-    if dataset.rows_per_observation == 6 {
-        for k in 0..3 {
-            // About the measured point itself: its shift stands above.
-            let axis = observation.flange.column(k);
-            out.push(scaled([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]], factor));
+            Self::Base => out.extend((0..6).map(|k| scaled(observation.frame_offset(0, k), factor))),
+            Self::Tool => {
+                for k in 0..3 {
+                    let axis = observation.flange.column(k);
+                    out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], factor));
+                }
+                if dataset.rows_per_observation == 6 {
+                    for k in 0..3 {
+                        // About the measured point itself: its shift stands above.
+                        let axis = observation.flange.column(k);
+                        out.push(scaled([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]], factor));
+                    }
+                }
+            }
         }
     }
 }

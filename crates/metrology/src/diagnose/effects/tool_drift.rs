@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
-use super::rigid::{RigidBody, move_tool};
+use super::rigid::RigidBody;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -55,6 +55,7 @@ impl Effect for ToolDrift {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        move_tool(dataset, observation, variant.growth.at(&observation.thermal_state(), None), out);
+        let grown = variant.growth.at(&observation.thermal_state(), None);
+        RigidBody::Tool.signature(dataset, observation, grown, out);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
-use super::rigid::{RigidBody, move_tool};
+use super::rigid::RigidBody;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
@@ -54,6 +54,7 @@ impl Effect for ToolStep {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        move_tool(dataset, observation, variant.growth.at(&observation.thermal_state(), None), out);
+        let grown = variant.growth.at(&observation.thermal_state(), None);
+        RigidBody::Tool.signature(dataset, observation, grown, out);
     }
 }

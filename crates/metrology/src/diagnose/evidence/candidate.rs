@@ -321,7 +321,7 @@ pub struct ScreeningPoint {
 enum Pairs {
     /// Of one or two parameters; a missing second is zero, which takes and prices nothing.
     Few([(f64, f64); 2]),
-    /// Of more.
+    /// Of three parameters and more.
     Many(Vec<(f64, f64)>),
 }
 

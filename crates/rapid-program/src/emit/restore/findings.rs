@@ -60,7 +60,7 @@ pub enum RestoreError {
         "line {line}: {target} is declared as {declared} now, and its array {array} was touched up and means {meant}; undo one of them"
     )]
     DeclaredOtherwise {
-        /// The target.
+        /// Name of the target, as the program declares it.
         target: String,
         /// The name of its array.
         array: String,
