@@ -175,6 +175,14 @@ fn noise(page: &mut String, d: &Diagnosis) {
             ),
         ),
     }
+    if let Some(shared) = d.noise.shared_sigma_mm {
+        line(
+            page,
+            &format!(
+                "The targets of a pose share {shared:.4} mm of it: where the arm stood. A pose tells once, however many targets it has."
+            ),
+        );
+    }
     false_rows(page, d);
 }
 

@@ -1,11 +1,12 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
-use crate::measure::{Channels, Reading, Registration, Station};
+use crate::measure::{Channels, Reading, Registration, SAME_JOINT_RAD, SAME_TIME_MIN, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
 use robot_model::deform::identified::ThermalState;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{JointKind, Joints, MOST_JOINTS, SerialArm};
+use std::collections::BTreeMap;
 
 /// How the measured point moves: metres and radians in base axes, per unit of one parameter.
 pub type Twist = [f64; 6];
@@ -103,10 +104,13 @@ impl Observation {
         for j in (0..joints).filter(|&j| slides[j] && station.reading.involves_arm()) {
             origins_m[j] -= axes[j] * station.q_rad.get(j).copied().unwrap_or(0.0);
         }
-        let point_m = registration.predicted_m(station, &station.pose(chain));
+        let pose = station.pose(chain);
+        let point_m = registration.predicted_m(station, &pose);
         let mut loads = Loads::default();
         if station.reading.involves_arm() {
-            loads = loads_at(robot.geometry(), &frames, &axes, point_m, station.payload_kg.unwrap_or(0.0));
+            let payload_at_m = pose.translation.vector + pose.rotation * registration.payload_m();
+            let payload_kg = station.payload_kg.unwrap_or(0.0);
+            loads = loads_at(robot.geometry(), &frames, &axes, payload_at_m, payload_kg);
         } else {
             axes = Joints::all(joints, Vector3::zeros());
             flange = Matrix3::zeros();
@@ -148,6 +152,17 @@ impl Observation {
                 .zip(station.rows.iter().min())
                 .map_or(0.0, |(b, a)| (b - a) as f64),
         }
+    }
+
+    /// Whether the arm stood the same way at `other`, which is of the same pose: one visit of it.
+    fn stands_as(&self, other: &Self) -> bool {
+        let joints = self.q_rad.iter().zip(&other.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
+        let time = match (self.t_min, other.t_min) {
+            (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
+            _ => true,
+        };
+        let payload = self.payload_kg.map(f64::to_bits) == other.payload_kg.map(f64::to_bits);
+        joints && time && payload && self.direction == other.direction && self.stand == other.stand
     }
 
     /// Time and temperatures, as growth laws take them; where no time was recorded its place in the file stands for the
@@ -268,6 +283,8 @@ pub struct Dataset {
     pub fixed_points: usize,
     /// Stands of the instrument.
     pub stands: usize,
+    /// Observations that an instrument made while the arm stood in one pose, each of another target.
+    pub visits: Vec<Vec<usize>>,
 }
 
 impl Dataset {
@@ -297,6 +314,7 @@ impl Dataset {
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
             torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
+            visits: visits(&observations),
             observations,
             channels,
             time_min,
@@ -345,6 +363,29 @@ impl Dataset {
             None => observation.row / self.last_row.max(1.0),
         }
     }
+}
+
+/// The observations of each visit: one pose, the same joints, at about one time, no target twice.
+fn visits(observations: &[Observation]) -> Vec<Vec<usize>> {
+    let mut visits: Vec<Vec<usize>> = Vec::new();
+    let mut last_of_pose: BTreeMap<usize, usize> = BTreeMap::new();
+    let seen_by_instrument =
+        observations.iter().enumerate().filter(|(_, o)| o.kind == ObservationKind::Instrument);
+    for (i, observation) in seen_by_instrument {
+        let open = last_of_pose.get(&observation.pose).copied().filter(|&visit: &usize| {
+            let first: Option<&Observation> = visits[visit].first().map(|&k| &observations[k]);
+            first.is_some_and(|first| first.stands_as(observation))
+                && visits[visit].iter().all(|&k| observations[k].target != observation.target)
+        });
+        match open {
+            Some(visit) => visits[visit].push(i),
+            None => {
+                last_of_pose.insert(observation.pose, visits.len());
+                visits.push(vec![i]);
+            }
+        }
+    }
+    visits
 }
 
 /// Repeats of one pose spread over more than this share of the file are means over time.
@@ -401,4 +442,24 @@ pub(super) fn evenly_spread(stations: usize) -> Dataset {
     };
     let channels = Channels { time: true, ..Channels::default() };
     Dataset::new(&robot, (0..stations).map(observation).collect(), channels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Reflectors read one after the other are one visit; the pose again an hour later is another, as is the same reflector again.
+    #[test]
+    fn a_visit_is_one_stand_of_the_arm() {
+        let mut observations = evenly_spread(7).observations;
+        let first = observations[0].clone();
+        for (i, (t_min, target)) in
+            [(0.0, 0), (1.0, 1), (2.0, 2), (62.0, 0), (63.0, 1), (64.0, 1)].into_iter().enumerate()
+        {
+            observations[i] = Observation { t_min: Some(t_min), target, ..first.clone() };
+        }
+        assert_eq!(visits(&observations), [vec![0, 1, 2], vec![3, 4], vec![5], vec![6]]);
+        observations[1].kind = ObservationKind::Nest;
+        assert_eq!(visits(&observations), [vec![0, 2], vec![3, 4], vec![5], vec![6]]);
+    }
 }

@@ -256,6 +256,8 @@ fn evaluate(
         repeats_sigma_mm: noise.known.map(|(sigma_m, _)| mm_from_m(sigma_m)),
         repeats_freedom: stations.repeats.map_or(0, |r| r.degrees_of_freedom),
         model_sigma_mm: Some(mm_from_m(model.noise_m())),
+        shared_sigma_mm: (model.shared_ratio > 0.0)
+            .then(|| mm_from_m(model.peak.sigma_m * model.shared_ratio.sqrt())),
         reduced_chi_square: judgement.reduced_chi_square,
         geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
     };
@@ -304,7 +306,7 @@ fn visible(
     noise: NoisePrior,
 ) -> (Vec<Candidate>, Vec<Untestable>) {
     let n = linear.dataset.observations.len();
-    let whitening = design::Whitening { weights: vec![1.0; n], arm_m: 0.2 };
+    let whitening = design::Whitening::independent(vec![1.0; n], 0.2);
     let design = design::Design::new(&linear.dataset, &linear.residuals, targets, whitening, &vec![0; n]);
     let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
     let mut kept = Vec::new();

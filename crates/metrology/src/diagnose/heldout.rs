@@ -1,6 +1,6 @@
 //! How far the gap shrinks: poses held out, selection done anew without them, and an interval.
 
-use super::dataset::Dataset;
+use super::dataset::{Dataset, Observation};
 use super::linearise::{Linearised, shift_m};
 use super::model::{Model, Workspace, solve};
 use super::outcome::{ErrorReduction, HeldOutBlock};
@@ -142,9 +142,11 @@ pub fn shrink(
 pub(super) fn floor_m(model: &Model, linear: &Linearised) -> f64 {
     let n = linear.dataset.observations.len() as f64;
     let observations = linear.dataset.observations.iter();
-    let mean =
-        model.base_weights.iter().zip(observations).map(|(w, s)| s.rows(3) as f64 / w).sum::<f64>() / n;
-    model.noise_m() * mean.sqrt()
+    // What a visit shares is no smaller where a row stands for several.
+    let slow = model.slow.map_or(1.0, |slow| 1.0 + slow.size * slow.size);
+    let variance = |(w, s): (&f64, &Observation)| s.rows(3) as f64 * (slow / w + model.shared_ratio);
+    let mean = model.base_weights.iter().zip(observations).map(variance).sum::<f64>() / n;
+    model.peak.sigma_m * mean.sqrt()
 }
 
 fn held_out(
@@ -242,5 +244,11 @@ impl SplitMix64 {
     /// From 0 to 1.
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Normal, of standard deviation 1 (Box and Muller 1958).
+    #[cfg(test)]
+    pub fn normal(&mut self) -> f64 {
+        (-2.0 * self.unit().max(1e-12).ln()).sqrt() * (std::f64::consts::TAU * self.unit()).cos()
     }
 }

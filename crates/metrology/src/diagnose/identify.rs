@@ -233,21 +233,20 @@ fn residuals_of(
     tool_m: Option<Vector3<f64>>,
     payload_off_m: Vector3<f64>,
 ) -> Result<(Vec<Twist>, Registration), RegisterError> {
-    let payload_m: Vec<Vector3<f64>> =
-        linear.registration.tools_m.iter().map(|tool_m| tool_m + payload_off_m).collect();
-    let (scaled, poses) = predicted(robot, &stations.stations, model, &payload_m);
+    let payload_m = linear.registration.payload_m() + payload_off_m;
+    let (scaled, poses) = predicted(robot, &stations.stations, model, payload_m);
     let registration = register(&scaled, &poses, stations.targets, tool_m)?;
     let left = scaled.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
     Ok((left, registration))
 }
 
 /// The stations as a true instrument would have seen them, and the flange poses of the model there, with the
-/// payload's centre at `payload_m` for each target.
+/// payload's centre at `payload_m`, flange frame.
 pub(super) fn predicted(
     robot: &Arc<SerialArm>,
     stations: &[Station],
     model: &Arc<Identified>,
-    payload_m: &[Vector3<f64>],
+    payload_m: Vector3<f64>,
 ) -> (Vec<Station>, Vec<Isometry3<f64>>) {
     let scale: f64 =
         model.terms.iter().filter(|t| t.kind == EffectKind::InstrumentScale).map(|t| t.value(0)).sum::<f64>()
@@ -267,11 +266,10 @@ pub(super) fn predicted(
                 t_min: station.t_min.unwrap_or(0.0),
                 joint_temperature_c: station.joint_temperature_c,
             };
-            let cog_m = payload_m.get(station.target).map_or([0.0; 3], |t| [t.x, t.y, t.z]);
             if !station.reading.involves_arm() {
                 return base.forward(&zero, &when, &Payload::default(), &[]) * flange_from_base;
             }
-            let payload = Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m };
+            let payload = Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m: payload_m.into() };
             arm.forward(&station.q_rad, &when, &payload, &station.direction.unwrap_or_default())
         })
         .collect();

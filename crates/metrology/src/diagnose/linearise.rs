@@ -99,7 +99,7 @@ fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m:
     let mut weights = vec![1.0; dataset.observations.len()];
     let mut offsets = vec![0.0; 6 * (dataset.joints() - 1)];
     for _ in 0..4 {
-        let whitening = super::design::Whitening { weights: weights.clone(), arm_m: 0.2 };
+        let whitening = super::design::Whitening::independent(weights.clone(), 0.2);
         let groups = vec![0; dataset.observations.len()];
         let design = Design::new(dataset, residuals, targets, whitening, &groups);
         let gram = design.gram(&[0]);

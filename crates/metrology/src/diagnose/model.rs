@@ -1,7 +1,7 @@
 //! The best model: weights round it, search over it, until both stand still.
 
-use super::dataset::Twist;
-use super::design::{Design, Whitening};
+use super::dataset::{Dataset, Twist};
+use super::design::{Design, SharedError, Whitening};
 use super::effects::Candidate;
 use super::evidence::{EvidencePeak, NuisanceModel};
 use super::linearise::{Linearised, shift_m};
@@ -39,13 +39,24 @@ pub struct Model {
     pub peak: EvidencePeak,
     /// Noise that is the same for neighbouring rows.
     pub slow: Option<SlowNoise>,
+    /// Variance of what the targets of a visit share, at one coordinate of a target, over the noise's.
+    pub shared_ratio: f64,
 }
 
 impl Model {
-    /// Standard deviation of one coordinate about the model, slow noise and the other together, metres.
+    /// Standard deviation of one coordinate about the model, all noise together, metres.
     #[must_use]
     pub fn noise_m(&self) -> f64 {
-        self.peak.sigma_m * self.slow.map_or(1.0, |slow| slow.size.hypot(1.0))
+        let slow = self.slow.map_or(0.0, |slow| slow.size);
+        self.peak.sigma_m * (1.0 + slow * slow + self.shared_ratio).sqrt()
+    }
+
+    /// Variance of the mean of a visit's targets, over that of as many independent rows: 1 where nothing is shared.
+    #[must_use]
+    pub fn visit_spread(&self, dataset: &Dataset) -> f64 {
+        let weight = |visit: &Vec<usize>| visit.iter().map(|&i| self.base_weights[i]).sum::<f64>();
+        let weights: f64 = dataset.visits.iter().map(weight).sum();
+        1.0 + self.shared_ratio * weights / dataset.visits.len().max(1) as f64
     }
 }
 
@@ -112,7 +123,7 @@ impl Start {
         };
         for _ in 0..START_ROUNDS {
             let weights = base_weights.iter().zip(&start.robust).map(|(a, b)| a * b).collect();
-            let whitening = Whitening { weights, arm_m };
+            let whitening = Whitening::independent(weights, arm_m);
             let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
             let all_groups: Vec<usize> = (0..design.groups()).collect();
             let ratio = NuisanceModel::new(&design, &all_groups, &[], noise).null().geometry_ratio;
@@ -166,12 +177,14 @@ fn settled<'a>(
     let dataset = &linear.dataset;
     let repeats: Vec<f64> = dataset.observations.iter().map(|s| s.repeats as f64).collect();
     let Start { mut variance_ratio, mut arm_m, mut robust, mut outliers, mut slow } = start;
+    // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
+    let mut shared = SharedError::default();
     let mut round = 0;
     loop {
         let base_weights: Vec<f64> =
             repeats.iter().map(|n| (variance_ratio + 1.0) / (variance_ratio + 1.0 / n)).collect();
         let weights = base_weights.iter().zip(&robust).map(|(a, b)| a * b).collect();
-        let whitening = Whitening { weights, arm_m };
+        let whitening = Whitening { weights, arm_m, shared };
         let mut design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
         if let Some(slow) = slow {
             slow.put(&mut design, dataset);
@@ -185,12 +198,32 @@ fn settled<'a>(
         let fit = solve(&design, &all_groups, &chosen, Some(peak.geometry_ratio));
         let residuals = design.residuals(&fit.coefficients);
         let (mut next_robust, mut next_outliers) = robust_weights(linear, &residuals, &base_weights);
-        let carried = steps_of_few(&design, candidates, &chosen, &peak, &base_weights, &residuals);
+        let shared_ratio = shared.at_targets(dataset);
+        let noise_m = peak.sigma_m * (1.0 + shared_ratio).sqrt();
+        let carried = steps_of_few(
+            &design,
+            candidates,
+            &chosen,
+            (peak.geometry_ratio, noise_m),
+            &base_weights,
+            &residuals,
+        );
         for &(i, weight) in &carried {
             (next_robust[i], next_outliers[i]) = (weight, true);
         }
-        let next_variance_ratio =
-            pose_variance_ratio(linear, &residuals, &noise, &next_outliers, variance_ratio);
+        // A row of weight 1 scatters by `variance_ratio` + 1 times what repeats do.
+        let least_m2 = noise.known.map_or(0.0, |(sigma_m, _)| sigma_m * sigma_m * (variance_ratio + 1.0));
+        let by_repeats = Whitening::independent(base_weights.clone(), arm_m);
+        let next_shared = SharedError::seen(dataset, &by_repeats, &residuals, &next_outliers, least_m2);
+        let next_shared_ratio = next_shared.at_targets(dataset);
+        let shared_variance = next_shared_ratio * (variance_ratio + 1.0);
+        let next_variance_ratio = pose_variance_ratio(
+            linear,
+            &residuals,
+            &noise,
+            &next_outliers,
+            (variance_ratio, shared_variance),
+        );
         let next_arm = arm_of(linear, &residuals).unwrap_or(arm_m);
         let next_slow = slow_noise::likeliest(&design, dataset, &chosen, noise);
         round += 1;
@@ -198,15 +231,16 @@ fn settled<'a>(
         let steady = next_outliers == outliers
             && next_slow.is_some() == slow.is_some()
             && (next_variance_ratio - variance_ratio).abs() < 0.2 * (variance_ratio + 0.1)
+            && (next_shared_ratio - shared_ratio).abs() < 0.2 * (shared_ratio + 0.1)
             && (next_arm / arm_m).ln().abs() < 0.15;
         let unsettled = !carried.is_empty() || next_slow.is_some() != slow.is_some();
         if steady || round >= ROUNDS && !unsettled || round == MOST_ROUNDS {
-            let model = Model { chosen, noise, base_weights, outliers, residuals, peak, slow };
+            let model = Model { chosen, noise, base_weights, outliers, residuals, peak, slow, shared_ratio };
             return (model, Workspace { design, library, column_index });
         }
         (robust, outliers, variance_ratio, arm_m) =
             (next_robust, next_outliers, next_variance_ratio, next_arm);
-        slow = next_slow;
+        (slow, shared) = (next_slow, next_shared);
     }
 }
 
@@ -312,7 +346,7 @@ fn steps_of_few(
     design: &Design,
     candidates: &[Candidate],
     chosen: &[ChosenCause],
-    peak: &EvidencePeak,
+    (geometry_ratio, noise_m): (f64, f64),
     base_weights: &[f64],
     residuals: &[Twist],
 ) -> Vec<(usize, f64)> {
@@ -323,9 +357,9 @@ fn steps_of_few(
     for (k, _) in chosen.iter().enumerate().filter(|(_, c)| steps(c)) {
         let others: Vec<ChosenCause> =
             chosen.iter().enumerate().filter(|(other, _)| *other != k).map(|(_, c)| c.clone()).collect();
-        let fit = solve(design, &all_groups, &others, Some(peak.geometry_ratio));
+        let fit = solve(design, &all_groups, &others, Some(geometry_ratio));
         let without = design.residuals(&fit.coefficients);
-        let gain = |i: usize| (squares(&without, i) - squares(residuals, i)) / (2.0 * peak.sigma_m.powi(2));
+        let gain = |i: usize| (squares(&without, i) - squares(residuals, i)) / (2.0 * noise_m.powi(2));
         let mut gains: Vec<(usize, f64)> = (0..without.len()).map(|i| (i, gain(i))).collect();
         gains.sort_by(|a, b| b.1.total_cmp(&a.1));
         let (few, rest) = gains.split_at(FEW.min(gains.len()));
@@ -333,7 +367,7 @@ fn steps_of_few(
         if few_nats < ALARM_NATS || rest_nats >= ALARM_NATS {
             continue;
         }
-        let limit_m = FALSE_SIGMAS * peak.sigma_m;
+        let limit_m = FALSE_SIGMAS * noise_m;
         carried.extend(few.iter().filter_map(|&(i, _)| {
             let far_m = squares(&without, i).sqrt();
             (far_m > limit_m).then(|| (i, (limit_m / far_m).powi(4)))
@@ -352,9 +386,13 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
         shift_m(&residuals[k]) > 0.5 * limit_m && along > 0.7 * shift_m(here) * shift_m(&residuals[k])
     };
     // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
+    let same_visit =
+        linear.dataset.visits.iter().find(|visit| visit.contains(&i)).map_or(&[][..], Vec::as_slice);
     let most = |distance: &dyn Fn(usize) -> f64, count: usize| {
-        let mut near: Vec<(f64, usize)> =
-            (0..observations.len()).filter(|&k| k != i).map(|k| (distance(k), k)).collect();
+        let mut near: Vec<(f64, usize)> = (0..observations.len())
+            .filter(|&k| k != i && !same_visit.contains(&k))
+            .map(|k| (distance(k), k))
+            .collect();
         let count = count.min(near.len().saturating_sub(1));
         near.select_nth_unstable_by(count, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
@@ -367,13 +405,13 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
     place || time()
 }
 
-/// Pose-to-pose variance that repeats do not show, over theirs.
+/// Pose-to-pose variance that neither repeats show nor visits share, over that of repeats; with `last` what it was and what is shared.
 fn pose_variance_ratio(
     linear: &Linearised,
     residuals: &[Twist],
     noise: &NoisePrior,
     outliers: &[bool],
-    last: f64,
+    (last, shared): (f64, f64),
 ) -> f64 {
     let Some((sigma_m, _)) = noise.known else { return last };
     let repeated: Vec<(f64, f64)> = linear
@@ -391,7 +429,7 @@ fn pose_variance_ratio(
     let n = repeated.len() as f64;
     let seen = repeated.iter().map(|r| r.0).sum::<f64>() / n;
     let expected = repeated.iter().map(|r| r.1).sum::<f64>() / n;
-    (seen / (sigma_m * sigma_m) - expected).clamp(0.0, 30.0)
+    (seen / (sigma_m * sigma_m) - expected - shared).clamp(0.0, 30.0)
 }
 
 /// Upper median of the values; 0 of none.

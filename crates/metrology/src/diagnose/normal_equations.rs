@@ -5,7 +5,7 @@
 
 use super::dataset::{Dataset, Twist, scaled};
 use super::design::registration;
-use super::design::{Design, Whitening};
+use super::design::{Design, Visits, Whitening};
 use super::effects::Candidate;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -46,6 +46,7 @@ struct WhitenedRows {
     angles: Vec<DMatrix<f64>>,
     /// Whitened residuals at the observations.
     data: DVector<f64>,
+    visits: Visits,
 }
 
 impl WhitenedRows {
@@ -101,6 +102,7 @@ impl ModelColumns<'_> {
             turns: DMatrix::zeros(observations.len() * d, self.lines.len()),
             angles: self.lines.iter().map(|(_, n)| DMatrix::zeros(observations.len(), 2 * n.len())).collect(),
             data: DVector::zeros(observations.len() * d),
+            visits: Visits::new(self.dataset, self.whitening, observations),
         };
         let mut twists: Vec<Twist> = Vec::with_capacity(width);
         for (row, &i) in observations.iter().enumerate() {
@@ -135,6 +137,10 @@ impl ModelColumns<'_> {
                 }
             }
         }
+        // All stations of a visit have the same joints: their angles stay factors of the whitened turns.
+        rows.plain.column_iter_mut().for_each(|mut column| rows.visits.whiten(column.as_mut_slice()));
+        rows.turns.column_iter_mut().for_each(|mut column| rows.visits.whiten(column.as_mut_slice()));
+        rows.visits.whiten(rows.data.as_mut_slice());
         rows
     }
 
@@ -203,6 +209,7 @@ impl ModelColumns<'_> {
                 }
             }
         }
+        rows.visits.restore(left.as_mut_slice());
         let fixed_point = |(rows, &i): (&[f64], &usize)| {
             rows.iter().take(3).map(|v| v * v).sum::<f64>() / self.whitening.weights[i]
         };
@@ -291,7 +298,7 @@ mod tests {
     #[test]
     fn lines_put_in_are_found() {
         let dataset = evenly_spread(120);
-        let whitening = Whitening { weights: (0..120).map(|i| 1.0 + f64::from(i % 3)).collect(), arm_m: 0.2 };
+        let whitening = Whitening::independent((0..120).map(|i| 1.0 + f64::from(i % 3)).collect(), 0.2);
         let columns = ModelColumns {
             dataset: &dataset,
             whitening: &whitening,

@@ -232,6 +232,9 @@ pub struct NoiseEstimate {
     pub repeats_freedom: usize,
     /// One coordinate, as the best model leaves it.
     pub model_sigma_mm: Option<f64>,
+    /// One coordinate of what the targets of a pose share: the arm did not stand there as it usually does. `None` where
+    /// no pose was seen with several targets, or nothing is shared.
+    pub shared_sigma_mm: Option<f64>,
     /// Scatter left over scatter expected, squared.
     pub reduced_chi_square: Option<f64>,
     /// Size of all joints' geometry errors together, in tolerances (0.15 mm, 0.25 mrad).

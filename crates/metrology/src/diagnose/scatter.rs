@@ -36,7 +36,12 @@ pub fn along_joints(
     noise: &NoisePrior,
     used: f64,
 ) -> Option<JointScatter> {
-    let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
+    // The targets of a visit show one scatter of a joint: one of them each.
+    let mut first = vec![true; residuals.len()];
+    for visit in &dataset.visits {
+        visit.iter().filter(|&&i| !outliers[i]).skip(1).for_each(|&i| first[i] = false);
+    }
+    let kept: Vec<usize> = (0..residuals.len()).filter(|&i| first[i] && !outliers[i]).collect();
     let rows = kept.iter().map(|&i| dataset.observations[i].rows(3)).sum::<usize>() as f64;
     let free = rows - used;
     if kept.len() < 12 || free < 0.3 * rows {

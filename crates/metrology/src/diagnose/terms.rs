@@ -251,7 +251,7 @@ mod tests {
         terms: Vec<Term>,
     ) -> Vec<(Vector3<f64>, UnitQuaternion<f64>)> {
         let model = Arc::new(Identified { terms, ..Identified::default() });
-        let (scaled, poses) = predicted(robot, stations, &model, &registration.tools_m);
+        let (scaled, poses) = predicted(robot, stations, &model, registration.payload_m());
         let apart = |(station, pose): (&Station, &Isometry3<f64>)| {
             let reading_m = station.reading.position_m().unwrap();
             (registration.predicted_m(station, pose) - reading_m, pose.rotation)

@@ -124,7 +124,7 @@ pub fn validate(
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let start = registered(stations, &nominal, targets, model, which)?;
     let (seen, poses) =
-        predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), &start.tools_m);
+        predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), start.payload_m());
     let fitted = registered(&seen, &poses, targets, model, which)?;
     let mut rows: Vec<Distance> = Vec::new();
     for i in (0..stations.len()).filter(|&i| stations[i].reading.involves_arm()) {

@@ -41,5 +41,6 @@ pub use registration::Registration;
 pub use rotation::Rotation;
 pub use rows::{Channels, MeasurementRow, Measurements};
 pub use station::{Repeats, Station, Stations, alone, gather};
+pub(crate) use station::{SAME_JOINT_RAD, SAME_TIME_MIN};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};

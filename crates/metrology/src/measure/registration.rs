@@ -83,6 +83,12 @@ impl Registration {
         base_from_flange.translation.vector + base_from_flange.rotation * tool
     }
 
+    /// Where a payload is taken to hang, flange frame, metres: amid the targets.
+    #[must_use]
+    pub fn payload_m(&self) -> Vector3<f64> {
+        self.tools_m.iter().sum::<Vector3<f64>>() / self.tools_m.len().max(1) as f64
+    }
+
     /// Where a length was measured: the direction from the fixed point to the target, base axes.
     #[must_use]
     pub fn along(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Option<Vector3<f64>> {

@@ -7,11 +7,11 @@ use robot_model::robot::Joints;
 use std::collections::BTreeMap;
 
 /// Repeats further apart than this are different stations: drift between them is signal, not noise.
-const SAME_TIME_MIN: f64 = 10.0;
+pub(crate) const SAME_TIME_MIN: f64 = 10.0;
 /// A fixed point touched again with all joints as near as this is the same pose.
 const SAME_TOUCH_RAD: f64 = 5e-3;
 /// Joints read back scatter by less than this between repeats.
-const SAME_JOINT_RAD: f64 = 2e-4;
+pub(crate) const SAME_JOINT_RAD: f64 = 2e-4;
 /// Joint temperatures within this are the same.
 const SAME_TEMPERATURE_C: f64 = 0.5;
 /// A repeat this many sigmas from its fellows is false and takes no part in the mean.

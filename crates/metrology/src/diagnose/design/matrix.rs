@@ -1,6 +1,8 @@
 //! The design matrix: whitened columns with their meaning, and their products over groups of observations.
 
 use super::registration;
+use super::visits::Visits;
+use super::whitening::Whitening;
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::effects::Candidate;
 use nalgebra::DMatrix;
@@ -9,19 +11,11 @@ use std::ops::Range;
 /// Manufacturing tolerance of a joint's frame: metres, and radians.
 const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
 
-/// Weights of the stations.
-#[derive(Clone, Debug)]
-pub struct Whitening {
-    /// Weight of each station: 1 = one row of usual noise.
-    pub weights: Vec<f64>,
-    /// An orientation residual counts as if at this distance, metres.
-    pub arm_m: f64,
-}
-
 /// Columns with their meaning: data first, then registration, geometry, and what was added.
 #[derive(Clone, Debug)]
 pub struct Design {
     whitening: Whitening,
+    visits: Visits,
     /// Observations in the order of groups.
     pub(super) order: Vec<usize>,
     /// Rows of each group.
@@ -79,6 +73,7 @@ impl Design {
             }
         }
         let mut design = Self {
+            visits: Visits::new(dataset, &whitening, &order),
             whitening,
             order,
             groups,
@@ -200,14 +195,13 @@ impl Design {
         for (position, &i) in self.order.iter().enumerate() {
             buffer.clear();
             twists(i, &dataset.observations[i], &mut buffer);
-            let root = self.whitening.weights[i].sqrt();
             for (column, twist) in columns.iter_mut().zip(&buffer) {
                 let twist = dataset.observations[i].observed(*twist);
-                for (k, value) in column[position * d..(position + 1) * d].iter_mut().enumerate() {
-                    *value = twist[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m };
-                }
+                let rows = &mut column[position * d..(position + 1) * d];
+                rows.iter_mut().zip(self.whitening.rows(i, twist, d)).for_each(|(to, value)| *to = value);
             }
         }
+        columns.iter_mut().for_each(|column| self.visits.whiten(column));
         columns
     }
 
@@ -232,17 +226,15 @@ impl Design {
     #[must_use]
     pub fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
         let d = self.rows_per_observation;
+        let mut left = self.columns[0].clone();
+        for (c, column) in coefficients.iter().zip(&self.columns[1..]).filter(|(c, _)| **c != 0.0) {
+            left.iter_mut().zip(column).for_each(|(left, value)| *left -= c * value);
+        }
+        self.visits.restore(&mut left);
         let mut out = vec![[0.0; 6]; self.order.len()];
-        for (position, &i) in self.order.iter().enumerate() {
+        for (rows, &i) in left.chunks_exact(d).zip(&self.order) {
             let root = self.whitening.weights[i].sqrt().max(1e-12);
-            for (k, to) in out[i].iter_mut().enumerate().take(d) {
-                let row = position * d + k;
-                let mut value = self.columns[0][row];
-                for (c, column) in coefficients.iter().zip(&self.columns[1..]) {
-                    if *c != 0.0 {
-                        value -= c * column[row];
-                    }
-                }
+            for (k, (to, value)) in out[i].iter_mut().zip(rows).enumerate() {
                 *to = value / root / if k < 3 { 1.0 } else { self.whitening.arm_m };
             }
         }

@@ -8,8 +8,12 @@ mod matrix;
 mod products;
 pub(super) mod registration;
 mod rigid_motions;
+mod visits;
+mod whitening;
 
 pub use joint_rotations::Turning;
-pub use matrix::{Design, Whitening};
+pub use matrix::Design;
 pub use products::{Products, Sums};
 pub use rigid_motions::RigidMotions;
+pub use visits::Visits;
+pub use whitening::{SharedError, Whitening};

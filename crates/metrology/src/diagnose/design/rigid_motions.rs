@@ -107,7 +107,7 @@ mod tests {
     fn problem() -> (Dataset, Design) {
         let dataset = evenly_spread(60);
         let residuals: Vec<[f64; 6]> = (0..60).map(|i| [1e-4 * f64::from(i % 7); 6]).collect();
-        let whitening = Whitening { weights: (0..60).map(|i| 1.0 + f64::from(i % 4)).collect(), arm_m: 0.2 };
+        let whitening = Whitening::independent((0..60).map(|i| 1.0 + f64::from(i % 4)).collect(), 0.2);
         let group_of: Vec<usize> = (0..60).map(|i| i % 3).collect();
         let design = Design::new(&dataset, &residuals, 1, whitening, &group_of);
         (dataset, design)

@@ -11,17 +11,13 @@ use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
-use std::f64::consts::{LN_2, TAU};
+use std::f64::consts::LN_2;
 
 /// A data set of points with noise of `sigma_m`, and `size` prior standard deviations of `candidate` in it.
 struct Problem {
     dataset: Dataset,
     residuals: Vec<Twist>,
     candidate: Candidate,
-}
-
-fn normal(random: &mut SplitMix64) -> f64 {
-    (-2.0 * random.unit().max(1e-12).ln()).sqrt() * (TAU * random.unit()).cos()
 }
 
 fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
@@ -54,7 +50,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
     let gain =
         |c: &Candidate| c.kind == robot_model::deform::EffectKind::JointGain && c.variant.joint == Some(2);
     let candidate = candidates(&dataset).0.into_iter().find(gain).unwrap();
-    let errors: Vec<f64> = (0..30).map(|_| geometry * normal(&mut random)).collect();
+    let errors: Vec<f64> = (0..30).map(|_| geometry * random.normal()).collect();
     let residuals = dataset
         .observations
         .iter()
@@ -65,7 +61,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
             for (error, twist) in errors.iter().zip(geometry_columns(observation)) {
                 sum.iter_mut().zip(twist).for_each(|(to, from)| *to += error * from);
             }
-            sum.iter_mut().take(3).for_each(|to| *to += sigma_m * normal(&mut random));
+            sum.iter_mut().take(3).for_each(|to| *to += sigma_m * random.normal());
             sum
         })
         .collect();
@@ -88,7 +84,7 @@ fn dense(dataset: &Dataset, twists: impl Fn(&Observation) -> Vec<Twist>) -> DMat
 impl Problem {
     fn nuisance(&self, noise: NoisePrior) -> (Design, NuisanceModel) {
         let n = self.dataset.observations.len();
-        let whitening = Whitening { weights: vec![1.0; n], arm_m: 0.2 };
+        let whitening = Whitening::independent(vec![1.0; n], 0.2);
         let design = Design::new(&self.dataset, &self.residuals, 1, whitening, &vec![0; n]);
         let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
         (design, nuisance)

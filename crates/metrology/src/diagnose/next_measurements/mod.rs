@@ -122,6 +122,8 @@ struct Question {
     pairs: Vec<Pair>,
     gram: nalgebra::DMatrix<f64>,
     sigma_m: f64,
+    /// Weight of a visit with one target.
+    visit_weight: f64,
     grows: bool,
     targets: usize,
 }
@@ -148,6 +150,7 @@ impl Question {
             pairs: Vec::new(),
             gram: design.gram(&groups),
             sigma_m: model.peak.sigma_m,
+            visit_weight: 1.0 / (1.0 + model.shared_ratio),
             grows: false,
             targets: linear.registration.tools_m.len().max(1),
         };
@@ -237,12 +240,12 @@ impl Question {
             candidate.scaled_signature(&linear.dataset, observation, &mut twists);
             all.extend(columns.iter().copied().zip(twists.drain(..)));
         }
-        let arm_m = design.whitening().arm_m;
+        let (arm_m, root) = (design.whitening().arm_m, self.visit_weight.sqrt());
         (0..linear.dataset.rows_per_observation)
             .map(|r| {
                 let mut row = vec![0.0; self.gram.ncols()];
                 for (column, twist) in &all {
-                    row[*column] = twist[r] * if r < 3 { 1.0 } else { arm_m };
+                    row[*column] = twist[r] * root * if r < 3 { 1.0 } else { arm_m };
                 }
                 row
             })

@@ -229,7 +229,8 @@ fn with_causes(
     let alternatives = rejected(alternatives, &causes);
     let cause_rms_m = total_rms_m(model, workspace, chosen);
     let left = structure_in(workspace, rest).filter(|(gain, _)| *gain > ALARM_NATS);
-    let left_rms_m = left.map_or(0.0, |(_, k)| left_over_m(rest, k));
+    let spread = model.visit_spread(&linear.dataset).sqrt();
+    let left_rms_m = left.map_or(0.0, |(_, k)| spread * left_over_m(rest, k));
     let odds = odds_over_causes(model, workspace, chosen);
     let together = chosen.len() > 1 && odds > 0.0;
     // Structure alone that is likelier than the causes with structure beside them.
