@@ -233,26 +233,38 @@ impl Interpreter<'_> {
             }
             _ => {
                 let hint = want.filter(|t| matches!(t, Type::Num | Type::Dnum));
-                let (l, r) = (self.eval(l, hint)?, self.eval(r, hint)?);
+                let (l, r) = self.both_sides(l, r, hint, want)?;
                 self.machine.meter.total.arithmetic += u64::from(!matches!(l, Value::Str(_)));
                 arithmetic(op, l, r, hint)
             }
         }
     }
 
-    fn compare(&mut self, op: BinaryOp, l: &Expr, r: &Expr) -> Result<Value, Fault> {
-        // An aggregate takes the type of the other side.
+    /// Both sides of an operator, taken for `hint`. An aggregate has the type of the other side; beside a number, which scales it,
+    /// that of the result, `want`.
+    fn both_sides(
+        &mut self,
+        l: &Expr,
+        r: &Expr,
+        hint: Option<&Type>,
+        want: Option<&Type>,
+    ) -> Result<(Value, Value), Fault> {
         let is_aggregate = |e: &Expr| matches!(e.kind, ExprKind::Aggregate(_));
-        let (left, right) = if is_aggregate(l) {
-            let right = self.eval(r, None)?;
-            let ty = type_of(&right);
-            (self.eval(l, ty.as_ref())?, right)
-        } else {
-            let left = self.eval(l, None)?;
-            let ty = if is_aggregate(r) { type_of(&left) } else { None };
-            let right = self.eval(r, ty.as_ref())?;
-            (left, right)
+        let beside = |value: &Value| match value.number() {
+            Some(_) => want.cloned(),
+            None => type_of(value),
         };
+        if is_aggregate(l) {
+            let right = self.eval(r, hint)?;
+            return Ok((self.eval(l, beside(&right).as_ref())?, right));
+        }
+        let left = self.eval(l, hint)?;
+        let right = if is_aggregate(r) { self.eval(r, beside(&left).as_ref())? } else { self.eval(r, hint)? };
+        Ok((left, right))
+    }
+
+    fn compare(&mut self, op: BinaryOp, l: &Expr, r: &Expr) -> Result<Value, Fault> {
+        let (left, right) = self.both_sides(l, r, None, None)?;
         if let (Some(a), Some(b)) = (left.number(), right.number()) {
             let (a, b) = match (&left, &right) {
                 (Value::Num(_), Value::Dnum(_)) | (Value::Dnum(_), Value::Num(_)) => {
