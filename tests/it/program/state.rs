@@ -157,6 +157,18 @@ PROC sub1()\n{MOVE}t:={};\nENDPROC\nPROC other()\nENDPROC",
     assert_eq!(tools_mm(&module(&text)), [Some(3), Some(2)]);
 }
 
+/// A function asked at run time would know the target, and not the displacement: that is the reason.
+#[test]
+fn of_several_reasons_that_which_holds_in_every_form_is_told() {
+    let data = format!("VAR num n;\n{}", data());
+    let body = format!(
+        "n:=DInput(d);\nMoveL Offs(p,n,0,0),v100,fine,t;\nPDispOn p,tool0;\nMoveL Offs(p,n,0,0),v100,fine,t;\n{MOVE}"
+    );
+    let read = main_of(&data, &body);
+    assert_eq!(codes(&read), ["keep::runtime-target", "keep::displacement", "keep::displacement"]);
+    assert_eq!(read.motions.iter().map(|m| m.run_time).collect::<Vec<_>>(), [true, false, false]);
+}
+
 #[test]
 fn displacements_keep_motion_until_they_are_off() {
     for (on, off, expected) in [

@@ -213,7 +213,7 @@ MoveAbsJ CalcRobT(j,tool0),v100,fine,tool0;"
             "-",
             "keep::calc-frame",
             "keep::function-result",
-            "keep::wobj-unknown",
+            "keep::calc-frame",
             "keep::wrong-type"
         ]
     );

@@ -191,7 +191,7 @@ impl<'a> MotionReader<'_, 'a> {
             }),
             grip,
         };
-        let (skip_reason, known_at_run_time) = reasons.first();
+        let (skip_reason, known_at_run_time) = reasons.told();
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
             for (datum, warning) in read_elsewhere {

@@ -21,17 +21,18 @@ const KNOWN_AT_RUN_TIME: [&str; 8] = [
     "keep::wobj-unknown",
 ];
 
-/// The reasons of one motion; the first is told.
+/// The reasons of one motion. One is told: the first that holds in every form, else the first.
 pub(super) struct SkipReasons {
-    first: Option<SkipReason>,
-    /// A function that is asked at run time has none of them.
-    known_at_run_time: bool,
+    /// The first that a function asked at run time has not.
+    known_at_run_time: Option<SkipReason>,
+    /// The first that holds in every form.
+    lasting: Option<SkipReason>,
 }
 
 impl SkipReasons {
     /// Those of the statement itself.
     pub(super) fn of_statement(site: &MotionSite<'_>, ctx: Ctx, args: &MoveArgs<'_>) -> Self {
-        let mut reasons = Self { first: None, known_at_run_time: true };
+        let mut reasons = Self { known_at_run_time: None, lasting: None };
         let form = site.form;
         reasons.extend(special(form.special, form.name));
         if let Some(not_read) = site.not_read {
@@ -97,14 +98,17 @@ impl SkipReasons {
 
     /// Adds a reason to those of the motion.
     pub(super) fn add(&mut self, reason: SkipReason) {
-        self.known_at_run_time &= is_known_at_run_time(&reason);
-        self.first.get_or_insert(reason);
+        let first_of_its_kind = match is_known_at_run_time(&reason) {
+            true => &mut self.known_at_run_time,
+            false => &mut self.lasting,
+        };
+        first_of_its_kind.get_or_insert(reason);
     }
 
-    /// The first, and whether a function that is asked at run time has none of them; `(None, false)` where there are none.
-    pub(super) fn first(self) -> (Option<SkipReason>, bool) {
-        let known_at_run_time = self.first.is_some() && self.known_at_run_time;
-        (self.first, known_at_run_time)
+    /// The reason to tell, and whether a function that is asked at run time has none of them; `(None, false)` where there are none.
+    pub(super) fn told(self) -> (Option<SkipReason>, bool) {
+        let known_at_run_time = self.lasting.is_none() && self.known_at_run_time.is_some();
+        (self.lasting.or(self.known_at_run_time), known_at_run_time)
     }
 }
 
