@@ -191,6 +191,54 @@ fn a_joint_whose_zero_jumps_is_told_with_the_row_sorted_or_not_and_without_times
     assert_eq!((cause["t0_min"].as_f64(), cause["from_line"].as_u64()), (None, Some(27)));
 }
 
+/// The points of a set without its times, the joint angles of joint 3 changed more and more, up to `by_deg`.
+fn with_a_drift_and_no_times(csv: &str, by_deg: f64) -> String {
+    let mut rows: Vec<Vec<String>> =
+        csv.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|cell| cell == name).unwrap();
+    let (joint, time) = (column("q3_deg"), column("t_min"));
+    let last = (rows.len() - 2) as f64;
+    for (k, row) in rows.iter_mut().skip(1).enumerate() {
+        row[joint] = format!("{:.5}", row[joint].parse::<f64>().unwrap() + by_deg * k as f64 / last);
+    }
+    rows.iter_mut().for_each(|row| drop(row.remove(time)));
+    as_csv(&rows)
+}
+
+/// What drifts over rows without times is carried on average, and only where that is not most of it.
+#[test]
+fn a_drift_over_rows_without_times_makes_a_model_where_its_mean_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = synth(folder.path(), &["--effects", "none", "--n", "60", "--sigma-mm", "0.02", "--seed", "5"]);
+    let [rows, model, json] = ["m.csv", "m.toml", "v.json"].map(|name| folder.path().join(name));
+    let identify = |by_deg: f64| {
+        fs::write(&rows, with_a_drift_and_no_times(&csv, by_deg)).unwrap();
+        let output = driftpost().arg("diagnose").arg(&rows).arg("--model-out").arg(&model).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, answer) = identify(0.05);
+    assert_eq!(code, 2, "{answer}");
+    assert!(answer.contains("record t_min"), "{answer}");
+    assert!(!model.exists());
+    let (code, answer) = identify(0.01);
+    assert_eq!(code, 0, "{answer}");
+    assert!(!fs::read_to_string(&model).unwrap().contains("growth"));
+    driftpost()
+        .arg("validate")
+        .arg(&rows)
+        .arg("--model")
+        .arg(&model)
+        .arg("--json")
+        .arg(&json)
+        .assert()
+        .success();
+    let validated: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
+    let [left, nominal] =
+        [&validated["rms_mm"], &validated["nominal"]["rms_mm"]].map(|rms| rms.as_f64().unwrap());
+    // Noise leaves 0.02 mm * sqrt(3). Half of a drift is off by as much as none at both ends, and in the mean square by a quarter of that.
+    assert!(left < 1.5 * 0.02 * 3.0_f64.sqrt() && nominal > left + 0.01, "{left} {nominal}");
+}
+
 #[test]
 #[ignore = "a million rows take a minute unoptimised: cargo test --release -- --ignored a_million"]
 fn a_million_rows_are_thinned_and_answered() {

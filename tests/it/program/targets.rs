@@ -207,15 +207,7 @@ MoveAbsJ CalcRobT(j,tool0),v100,fine,tool0;"
     );
     assert_eq!(
         codes(&program),
-        [
-            "-",
-            "-",
-            "-",
-            "keep::calc-frame",
-            "keep::function-result",
-            "keep::calc-frame",
-            "keep::wrong-type"
-        ]
+        ["-", "-", "-", "keep::calc-frame", "keep::function-result", "keep::calc-frame", "keep::wrong-type"]
     );
     let Some(TargetValue::FromJoints(j)) = program.motions[1].targets[0].value() else { panic!("joints") };
     assert_eq!(j.q_rad[1], Some(10_f64.to_radians()));

@@ -3,7 +3,7 @@
 //! The search works on first-order signatures; here the same parameters, with the same size priors, are fitted again to the
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
-use super::dataset::{Dataset, Twist};
+use super::dataset::{Dataset, Observation, ObservationKind, Twist};
 use super::heldout::floor_m;
 use super::linearise::{Linearised, shift_m};
 use super::model::{Model, Workspace};
@@ -99,7 +99,13 @@ pub(super) fn identify(
         tools_m: registration.tools_m,
     });
     if dataset.time_min.is_none() {
-        end_of_file(&mut identified);
+        let by_rows = without_clock(&mut identified, dataset);
+        if by_rows {
+            let (left, _) =
+                residuals_of(&robot, stations, &Arc::new(identified.clone()), linear, tool_m, centre_m)?;
+            holds_without_clock(&left, dataset, linear, model, &whole)?;
+        }
+        identified.terms.retain(|term| !is_of_mounting(term));
     }
     identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
 }
@@ -121,6 +127,16 @@ pub enum NoModel {
         floor_mm: f64,
         /// What registration alone leaves.
         before_mm: f64,
+    },
+    /// What drifts over the rows is most of it, and there are no times.
+    #[error(
+        "what drifts from row to row leaves {left_mm:.3} mm, rms, where noise leaves {floor_mm:.3} mm, and without times it cannot be carried to another file: record t_min"
+    )]
+    NeedsTimes {
+        /// What the exact arm leaves under the model without its clock, 3-D rms.
+        left_mm: f64,
+        /// What the noise alone would leave, 3-D rms.
+        floor_mm: f64,
     },
     /// A term far beyond its usual size.
     #[error("{term} came out at {times:.0} times its usual size: these poses do not tell it")]
@@ -180,16 +196,8 @@ fn plausible(
             return Err(NoModel::NoSigma { term: name(term) });
         }
     }
-    let kept = |twists: &[Twist]| {
-        let squares: Vec<f64> = twists
-            .iter()
-            .zip(&model.outliers)
-            .filter(|(_, out)| !**out)
-            .map(|(twist, _)| shift_m(twist).powi(2))
-            .collect();
-        (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
-    };
-    let (left_m, before_m) = (kept(left), kept(&linear.nominal));
+    let kept = |i: usize| !model.outliers[i];
+    let (left_m, before_m) = (rms_m(left, kept), rms_m(&linear.nominal, kept));
     let floor_m = floor_m(model, linear);
     if left_m > OWN_ROWS * floor_m || left_m > before_m {
         let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
@@ -209,16 +217,70 @@ fn by_the_clock(stations: &Stations, dataset: &Dataset) -> Stations {
     stations
 }
 
-/// A model by the order of rows means nothing to another file: it is left as the arm stood at the end. Base and target
-/// are registered again wherever it is used.
-fn end_of_file(model: &mut Identified) {
-    let mounted = [EffectKind::BaseDrift, EffectKind::BaseStep, EffectKind::ToolDrift, EffectKind::ToolStep];
-    model.terms.retain(|term| !mounted.contains(&term.kind));
-    for term in &mut model.terms {
-        if !matches!(term.growth, Growth::Temperature { .. }) {
-            term.growth = Growth::Always;
+/// Base and target are registered again wherever the model is used.
+fn is_of_mounting(term: &Term) -> bool {
+    matches!(
+        term.kind,
+        EffectKind::BaseDrift | EffectKind::BaseStep | EffectKind::ToolDrift | EffectKind::ToolStep
+    )
+}
+
+/// A clock by the order of rows means nothing to another file: what has stepped is left as it stood at the end; what
+/// drifts, which may as well have gone back by then, as it stood on average. Whether any term of the arm did either.
+fn without_clock(model: &mut Identified, dataset: &Dataset) -> bool {
+    let arm = || dataset.observations.iter().filter(|o| o.kind != ObservationKind::Nest);
+    let mut any = false;
+    for term in model.terms.iter_mut().filter(|term| !is_of_mounting(term)) {
+        let share = match term.growth {
+            Growth::Always | Growth::Temperature { .. } => continue,
+            Growth::Step { .. } => 1.0,
+            Growth::Law(_) | Growth::Linear { .. } => {
+                let grown = |o: &Observation| term.growth.at(&o.thermal_state(), term.joint);
+                arm().map(grown).sum::<f64>() / arm().count().max(1) as f64
+            }
+        };
+        any = true;
+        term.growth = Growth::Always;
+        for value in &mut term.values {
+            value.value *= share;
+            value.sigma = value.sigma.map(|sigma| sigma * share);
         }
     }
+    any
+}
+
+/// Whether the model without its clock is one, on its own rows behind the arm's last step.
+fn holds_without_clock(
+    left: &[Twist],
+    dataset: &Dataset,
+    linear: &Linearised,
+    model: &Model,
+    with_clock: &Identified,
+) -> Result<(), NoModel> {
+    let steps =
+        with_clock.terms.iter().filter(|term| !is_of_mounting(term)).filter_map(|term| match term.growth {
+            Growth::Step { t0_min } => Some(t0_min),
+            _ => None,
+        });
+    let last = steps.fold(f64::NEG_INFINITY, f64::max);
+    let counts = |i: usize| !model.outliers[i] && dataset.observations[i].clock() >= last;
+    let (left_m, floor_m) = (rms_m(left, counts), floor_m(model, linear));
+    if left_m > OWN_ROWS * floor_m || left_m > rms_m(&linear.nominal, counts) {
+        let [left_mm, floor_mm] = [left_m, floor_m].map(mm_from_m);
+        return Err(NoModel::NeedsTimes { left_mm, floor_mm });
+    }
+    Ok(())
+}
+
+/// 3-D rms of the `twists` that count, metres.
+fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {
+    let squares: Vec<f64> = twists
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| counts(*i))
+        .map(|(_, twist)| shift_m(twist).powi(2))
+        .collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
 }
 
 /// Precision of what is not to be moved, over the noise's.
