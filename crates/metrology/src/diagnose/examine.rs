@@ -34,6 +34,9 @@ const BEYOND: f64 = 1.0;
 /// Of which less than this share is left by the registration: no signal.
 const INVISIBLE: f64 = 1e-7;
 
+/// Why a drift over rows is in no model.
+const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
+
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
 pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Options) -> Diagnosis {
@@ -216,10 +219,25 @@ fn evaluate(
     ) {
         return faulty(&fault);
     }
-    let mut no_model = None;
+    let (mut no_model, mut untimed) = (None, false);
     if let Some(to) = identified {
-        match identify::identify(measurements, robot, stations, linear, &model, &workspace, options.tool_m) {
+        let identify = |model: &Model, workspace: &Workspace<'_>| {
+            identify::identify(measurements, robot, stations, linear, model, workspace, options.tool_m)
+        };
+        let dataset = &linear.dataset;
+        let found = if identify::drifts_by_rows(dataset, &candidates, &model.chosen) {
+            untimed = true;
+            let mut timeless = candidates.clone();
+            timeless.retain(|candidate| !identify::is_drift_by_rows(dataset, candidate));
+            let (model, workspace) =
+                model::build(linear, &timeless, noise, stations.targets, &folds.group_of);
+            identify(&model, &workspace)
+        } else {
+            identify(&model, &workspace)
+        };
+        match found {
             Ok(identified) => *to = Some(identified),
+            Err(why) if untimed => no_model = Some(format!("{why}; {UNTIMED}")),
             Err(why) => no_model = Some(why.to_string()),
         }
     }
@@ -227,6 +245,12 @@ fn evaluate(
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let far_off = model.peak.geometry_ratio * model.peak.sigma_m > BEYOND;
     let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
+    if untimed && no_model.is_none() {
+        diagnosis.warnings.push(Warning {
+            code: "diagnose::untimed",
+            message: format!("the model is fitted without it: {UNTIMED}"),
+        });
+    }
     diagnosis.no_model = no_model;
     diagnosis.shrink = heldout::shrink(&model, &mut workspace, linear, &folds);
     if let Some(region) = &diagnosis.shrink.region_block

@@ -3,7 +3,8 @@
 //! The search works on first-order signatures; here the same parameters, with the same size priors, are fitted again to the
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
-use super::dataset::{Dataset, Observation, ObservationKind, Twist};
+use super::dataset::{Dataset, Twist};
+use super::effects::Candidate;
 use super::heldout::floor_m;
 use super::linearise::{Linearised, shift_m};
 use super::model::{Model, Workspace};
@@ -99,7 +100,7 @@ pub(super) fn identify(
         tools_m: registration.tools_m,
     });
     if dataset.time_min.is_none() {
-        let by_rows = without_clock(&mut identified, dataset);
+        let by_rows = without_clock(&mut identified);
         if by_rows {
             let (left, _) =
                 residuals_of(&robot, stations, &Arc::new(identified.clone()), linear, tool_m, centre_m)?;
@@ -128,16 +129,6 @@ pub enum NoModel {
         /// What registration alone leaves.
         before_mm: f64,
     },
-    /// What drifts over the rows is most of it, and there are no times.
-    #[error(
-        "what drifts from row to row leaves {left_mm:.3} mm, rms, where noise leaves {floor_mm:.3} mm, and without times it cannot be carried to another file: record t_min"
-    )]
-    NeedsTimes {
-        /// What the exact arm leaves under the model without its clock, 3-D rms.
-        left_mm: f64,
-        /// What the noise alone would leave, 3-D rms.
-        floor_mm: f64,
-    },
     /// A term far beyond its usual size.
     #[error("{term} came out at {times:.0} times its usual size: these poses do not tell it")]
     Beyond {
@@ -161,6 +152,13 @@ pub enum NoModel {
         /// What reading it back says.
         problem: String,
     },
+}
+
+impl NoModel {
+    fn misses(left_m: f64, floor_m: f64, before_m: f64) -> Self {
+        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
+        Self::Misses { left_mm, floor_mm, before_mm }
+    }
 }
 
 /// What a model may leave of its own rows, over what noise leaves.
@@ -200,8 +198,7 @@ fn plausible(
     let (left_m, before_m) = (rms_m(left, kept), rms_m(&linear.nominal, kept));
     let floor_m = floor_m(model, linear);
     if left_m > OWN_ROWS * floor_m || left_m > before_m {
-        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
-        return Err(NoModel::Misses { left_mm, floor_mm, before_mm });
+        return Err(NoModel::misses(left_m, floor_m, before_m));
     }
     Ok(())
 }
@@ -225,28 +222,24 @@ fn is_of_mounting(term: &Term) -> bool {
     )
 }
 
-/// A clock by the order of rows means nothing to another file: what has stepped is left as it stood at the end; what
-/// drifts, which may as well have gone back by then, as it stood on average. Whether any term of the arm did either.
-fn without_clock(model: &mut Identified, dataset: &Dataset) -> bool {
-    let arm = || dataset.observations.iter().filter(|o| o.kind != ObservationKind::Nest);
-    let mut any = false;
-    for term in model.terms.iter_mut().filter(|term| !is_of_mounting(term)) {
-        let share = match term.growth {
-            Growth::Always | Growth::Temperature { .. } => continue,
-            Growth::Step { .. } => 1.0,
-            Growth::Law(_) | Growth::Linear { .. } => {
-                let grown = |o: &Observation| term.growth.at(&o.thermal_state(), term.joint);
-                arm().map(grown).sum::<f64>() / arm().count().max(1) as f64
-            }
-        };
-        any = true;
-        term.growth = Growth::Always;
-        for value in &mut term.values {
-            value.value *= share;
-            value.sigma = value.sigma.map(|sigma| sigma * share);
-        }
-    }
-    any
+/// What `chosen` has of the arm's drifts by the order of rows: such a clock means nothing to another file.
+pub(super) fn drifts_by_rows(dataset: &Dataset, candidates: &[Candidate], chosen: &[ChosenCause]) -> bool {
+    chosen.iter().any(|cause| is_drift_by_rows(dataset, &candidates[cause.candidate]))
+}
+
+/// Whether `candidate` is a drift of the arm with the order of rows in the place of time.
+pub(super) fn is_drift_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
+    dataset.time_min.is_none()
+        && candidate.effect().time() == "drift"
+        && candidate.effect().moves().is_none()
+        && !matches!(candidate.variant.growth, Growth::Temperature { .. })
+}
+
+/// Leaves what has stepped at some row as it stood at the end. Whether any term of the arm did.
+fn without_clock(model: &mut Identified) -> bool {
+    let stepped = |term: &&mut Term| matches!(term.growth, Growth::Step { .. }) && !is_of_mounting(term);
+    let stepped = model.terms.iter_mut().filter(stepped).map(|term| term.growth = Growth::Always);
+    stepped.count() > 0
 }
 
 /// Whether the model without its clock is one, on its own rows behind the arm's last step.
@@ -264,10 +257,10 @@ fn holds_without_clock(
         });
     let last = steps.fold(f64::NEG_INFINITY, f64::max);
     let counts = |i: usize| !model.outliers[i] && dataset.observations[i].clock() >= last;
-    let (left_m, floor_m) = (rms_m(left, counts), floor_m(model, linear));
-    if left_m > OWN_ROWS * floor_m || left_m > rms_m(&linear.nominal, counts) {
-        let [left_mm, floor_mm] = [left_m, floor_m].map(mm_from_m);
-        return Err(NoModel::NeedsTimes { left_mm, floor_mm });
+    let (left_m, before_m) = (rms_m(left, counts), rms_m(&linear.nominal, counts));
+    let floor_m = floor_m(model, linear);
+    if left_m > OWN_ROWS * floor_m || left_m > before_m {
+        return Err(NoModel::misses(left_m, floor_m, before_m));
     }
     Ok(())
 }
