@@ -248,7 +248,7 @@ fn evaluate(
     if untimed && no_model.is_none() {
         diagnosis.warnings.push(Warning {
             code: "diagnose::untimed",
-            message: format!("the model is fitted without it: {UNTIMED}"),
+            message: format!("{UNTIMED}: the model is fitted without it"),
         });
     }
     diagnosis.no_model = no_model;
