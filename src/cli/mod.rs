@@ -80,7 +80,7 @@ struct Cli {
     #[arg(long, global = true, help_heading = "Settings")]
     show_settings: bool,
 
-    /// Say nothing but errors, and show only what was asked for with `-`.
+    /// Say nothing but errors; a command that writes a program shows only what was asked for with `-`, one that tells something still tells it.
     #[arg(short, long, global = true, help_heading = "Settings")]
     quiet: bool,
 
