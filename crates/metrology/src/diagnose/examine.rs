@@ -228,7 +228,8 @@ fn evaluate(
         let found = if identify::drifts_by_rows(dataset, &candidates, &model.chosen) {
             untimed = true;
             let mut timeless = candidates.clone();
-            timeless.retain(|candidate| !identify::is_drift_by_rows(dataset, candidate));
+            // Nor steps: together they would climb as the drift does.
+            timeless.retain(|candidate| !identify::is_by_rows(dataset, candidate));
             let (model, workspace) =
                 model::build(linear, &timeless, noise, stations.targets, &folds.group_of);
             identify(&model, &workspace)

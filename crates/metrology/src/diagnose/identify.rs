@@ -100,11 +100,18 @@ pub(super) fn identify(
         tools_m: registration.tools_m,
     });
     if dataset.time_min.is_none() {
-        let by_rows = without_clock(&mut identified);
-        if by_rows {
-            let (left, _) =
-                residuals_of(&robot, stations, &Arc::new(identified.clone()), linear, tool_m, centre_m)?;
-            holds_without_clock(&left, dataset, linear, model, &whole)?;
+        if let Some(last_step) = without_clock(&mut identified) {
+            let since = |i: &usize| !model.outliers[*i] && dataset.observations[*i].clock() >= last_step;
+            let since: Vec<usize> = (0..dataset.observations.len()).filter(since).collect();
+            // Fewer say less than base and target take.
+            if since.len() >= FEWEST_SINCE {
+                let kept = since.iter().map(|&i| stations.stations[i].clone()).collect();
+                let stations = Stations { stations: kept, ..stations.clone() };
+                let stepped = Arc::new(identified.clone());
+                let (left, _) = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?;
+                let before: Vec<Twist> = since.iter().map(|&i| linear.nominal[i]).collect();
+                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), linear, model)?;
+            }
         }
         identified.terms.retain(|term| !is_of_mounting(term));
     }
@@ -154,13 +161,8 @@ pub enum NoModel {
     },
 }
 
-impl NoModel {
-    fn misses(left_m: f64, floor_m: f64, before_m: f64) -> Self {
-        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
-        Self::Misses { left_mm, floor_mm, before_mm }
-    }
-}
-
+/// Fewest stations behind a step by which a model is judged.
+const FEWEST_SINCE: usize = 12;
 /// What a model may leave of its own rows, over what noise leaves.
 const OWN_ROWS: f64 = 1.5;
 /// An error of a joint's transmission beyond this is none, radians: 50 times what is usual.
@@ -195,10 +197,15 @@ fn plausible(
         }
     }
     let kept = |i: usize| !model.outliers[i];
-    let (left_m, before_m) = (rms_m(left, kept), rms_m(&linear.nominal, kept));
+    holds(rms_m(left, kept), rms_m(&linear.nominal, kept), linear, model)
+}
+
+/// Whether what a model leaves of its own rows is no more than noise, and less than was there before.
+fn holds(left_m: f64, before_m: f64, linear: &Linearised, model: &Model) -> Result<(), NoModel> {
     let floor_m = floor_m(model, linear);
     if left_m > OWN_ROWS * floor_m || left_m > before_m {
-        return Err(NoModel::misses(left_m, floor_m, before_m));
+        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
+        return Err(NoModel::Misses { left_mm, floor_mm, before_mm });
     }
     Ok(())
 }
@@ -222,47 +229,30 @@ fn is_of_mounting(term: &Term) -> bool {
     )
 }
 
-/// What `chosen` has of the arm's drifts by the order of rows: such a clock means nothing to another file.
+/// Whether `chosen` has a drift of the arm by the order of rows: such a clock means nothing to another file.
 pub(super) fn drifts_by_rows(dataset: &Dataset, candidates: &[Candidate], chosen: &[ChosenCause]) -> bool {
-    chosen.iter().any(|cause| is_drift_by_rows(dataset, &candidates[cause.candidate]))
+    let mut chosen = chosen.iter().map(|cause| &candidates[cause.candidate]);
+    chosen.any(|candidate| candidate.effect().time() == "drift" && is_by_rows(dataset, candidate))
 }
 
-/// Whether `candidate` is a drift of the arm with the order of rows in the place of time.
-pub(super) fn is_drift_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
+/// Whether `candidate` is a drift or a step of the arm with the order of rows in the place of time.
+pub(super) fn is_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
     dataset.time_min.is_none()
-        && candidate.effect().time() == "drift"
+        && candidate.effect().time() != "constant"
         && candidate.effect().moves().is_none()
         && !matches!(candidate.variant.growth, Growth::Temperature { .. })
 }
 
-/// Leaves what has stepped at some row as it stood at the end. Whether any term of the arm did.
-fn without_clock(model: &mut Identified) -> bool {
-    let stepped = |term: &&mut Term| matches!(term.growth, Growth::Step { .. }) && !is_of_mounting(term);
-    let stepped = model.terms.iter_mut().filter(stepped).map(|term| term.growth = Growth::Always);
-    stepped.count() > 0
-}
-
-/// Whether the model without its clock is one, on its own rows behind the arm's last step.
-fn holds_without_clock(
-    left: &[Twist],
-    dataset: &Dataset,
-    linear: &Linearised,
-    model: &Model,
-    with_clock: &Identified,
-) -> Result<(), NoModel> {
-    let steps =
-        with_clock.terms.iter().filter(|term| !is_of_mounting(term)).filter_map(|term| match term.growth {
-            Growth::Step { t0_min } => Some(t0_min),
-            _ => None,
-        });
-    let last = steps.fold(f64::NEG_INFINITY, f64::max);
-    let counts = |i: usize| !model.outliers[i] && dataset.observations[i].clock() >= last;
-    let (left_m, before_m) = (rms_m(left, counts), rms_m(&linear.nominal, counts));
-    let floor_m = floor_m(model, linear);
-    if left_m > OWN_ROWS * floor_m || left_m > before_m {
-        return Err(NoModel::misses(left_m, floor_m, before_m));
+/// Leaves what has stepped at some row as it stood at the end; the last such step of the arm, if any.
+fn without_clock(model: &mut Identified) -> Option<f64> {
+    let mut last = None;
+    for term in model.terms.iter_mut().filter(|term| !is_of_mounting(term)) {
+        if let Growth::Step { t0_min } = term.growth {
+            last = Some(last.map_or(t0_min, |last: f64| last.max(t0_min)));
+            term.growth = Growth::Always;
+        }
     }
-    Ok(())
+    last
 }
 
 /// 3-D rms of the `twists` that count, metres.
