@@ -88,7 +88,7 @@ pub struct Visits {
 struct Direction {
     /// What it does to the visit's rows, as weighted, of length 1.
     rows: Vec<f64>,
-    /// Squared length before.
+    /// Squared length of those rows before they were scaled.
     strength: f64,
     turns: bool,
 }
