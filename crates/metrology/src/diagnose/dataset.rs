@@ -1,6 +1,6 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
-use crate::measure::{Channels, Reading, Registration, SAME_JOINT_RAD, SAME_TIME_MIN, Station};
+use crate::measure::{Channels, Reading, Registration, Station, at_one_time};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
 use robot_model::deform::identified::ThermalState;
@@ -156,13 +156,11 @@ impl Observation {
 
     /// Whether the arm stood the same way at `other`, which is of the same pose: one visit of it.
     fn stands_as(&self, other: &Self) -> bool {
-        let joints = self.q_rad.iter().zip(&other.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
-        let time = match (self.t_min, other.t_min) {
-            (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
-            _ => true,
-        };
         let payload = self.payload_kg.map(f64::to_bits) == other.payload_kg.map(f64::to_bits);
-        joints && time && payload && self.direction == other.direction && self.stand == other.stand
+        at_one_time((&self.q_rad, self.t_min), (&other.q_rad, other.t_min))
+            && payload
+            && self.direction == other.direction
+            && self.stand == other.stand
     }
 
     /// Time and temperatures, as growth laws take them; where no time was recorded its place in the file stands for the
@@ -423,21 +421,9 @@ pub(super) fn evenly_spread(stations: usize) -> Dataset {
     let registration = Registration::assumed(Isometry3::identity(), tools_m, Vec::new());
     let observation = |i: usize| {
         let x = i as f64;
-        let station = Station {
-            pose: i,
-            target: 0,
-            stand: 0,
-            t_min: Some(x),
-            q_rad: Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0),
-            reading: Reading::Point { position_m: Vector3::zeros() },
-            orientation: None,
-            direction: None,
-            payload_kg: None,
-            joint_temperature_c: None,
-            air_temperature_c: None,
-            line: 0,
-            rows: vec![i],
-        };
+        let q_rad = Joints::from_fn(6, |j| 2.0 * (x * (0.618 + 0.071 * j as f64)).fract() - 1.0);
+        let reading = Reading::Point { position_m: Vector3::zeros() };
+        let station = Station { t_min: Some(x), ..Station::bare(i, q_rad, reading) };
         Observation::new(&robot, &chain, &registration, &station)
     };
     let channels = Channels { time: true, ..Channels::default() };

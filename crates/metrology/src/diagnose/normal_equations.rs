@@ -116,20 +116,15 @@ impl ModelColumns<'_> {
             for cause in &self.causes {
                 cause.scaled_signature(self.dataset, observation, &mut twists);
             }
-            let root = self.whitening.weights[i].sqrt();
-            let whiten = |twist: Twist, k: usize| {
-                observation.observed(twist)[k] * root * if k < 3 { 1.0 } else { self.whitening.arm_m }
-            };
-            for k in 0..d {
-                for (column, twist) in twists.iter().enumerate() {
-                    rows.plain[(row * d + k, column)] = whiten(*twist, k);
-                }
-                for (column, (joint, _)) in self.lines.iter().enumerate() {
-                    rows.turns[(row * d + k, column)] =
-                        whiten(scaled(observation.jacobian_column(*joint), LINE_RAD), k);
-                }
-                rows.data[row * d + k] = whiten(residuals[i], k);
+            let weighted = |twist: Twist| self.whitening.rows(i, observation.observed(twist), d);
+            for (column, twist) in twists.iter().enumerate() {
+                weighted(*twist).enumerate().for_each(|(k, v)| rows.plain[(row * d + k, column)] = v);
             }
+            for (column, (joint, _)) in self.lines.iter().enumerate() {
+                let turn = scaled(observation.jacobian_column(*joint), LINE_RAD);
+                weighted(turn).enumerate().for_each(|(k, v)| rows.turns[(row * d + k, column)] = v);
+            }
+            weighted(residuals[i]).enumerate().for_each(|(k, v)| rows.data[row * d + k] = v);
             for (angles, (joint, all)) in rows.angles.iter_mut().zip(&self.lines) {
                 for (k, n) in all.iter().enumerate() {
                     let (sin, cos) = (f64::from(*n) * observation.q_rad[*joint]).sin_cos();

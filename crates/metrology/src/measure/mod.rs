@@ -40,7 +40,7 @@ pub use register::{RegisterError, register, register_with};
 pub use registration::Registration;
 pub use rotation::Rotation;
 pub use rows::{Channels, MeasurementRow, Measurements};
+pub(crate) use station::at_one_time;
 pub use station::{Repeats, Station, Stations, alone, gather};
-pub(crate) use station::{SAME_JOINT_RAD, SAME_TIME_MIN};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};

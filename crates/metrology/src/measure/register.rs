@@ -152,20 +152,12 @@ mod tests {
         poses
             .iter()
             .enumerate()
-            .map(|(i, pose)| Station {
-                pose: i,
-                target: 0,
-                stand: 0,
-                t_min: None,
-                q_rad: [0.0; 6].into(),
-                reading: Reading::Point { position_m: (base * pose * Point3::from(tool)).coords },
-                orientation: turn.then(|| base.rotation * pose.rotation * sensor),
-                direction: None,
-                payload_kg: None,
-                joint_temperature_c: None,
-                air_temperature_c: None,
-                line: 0,
-                rows: vec![i],
+            .map(|(i, pose)| {
+                let reading = Reading::Point { position_m: (base * pose * Point3::from(tool)).coords };
+                Station {
+                    orientation: turn.then(|| base.rotation * pose.rotation * sensor),
+                    ..Station::bare(i, [0.0; 6].into(), reading)
+                }
             })
             .collect()
     }

@@ -7,11 +7,11 @@ use robot_model::robot::Joints;
 use std::collections::BTreeMap;
 
 /// Repeats further apart than this are different stations: drift between them is signal, not noise.
-pub(crate) const SAME_TIME_MIN: f64 = 10.0;
+const SAME_TIME_MIN: f64 = 10.0;
 /// A fixed point touched again with all joints as near as this is the same pose.
 const SAME_TOUCH_RAD: f64 = 5e-3;
 /// Joints read back scatter by less than this between repeats.
-pub(crate) const SAME_JOINT_RAD: f64 = 2e-4;
+const SAME_JOINT_RAD: f64 = 2e-4;
 /// Joint temperatures within this are the same.
 const SAME_TEMPERATURE_C: f64 = 0.5;
 /// A repeat this many sigmas from its fellows is false and takes no part in the mean.
@@ -49,6 +49,26 @@ pub struct Station {
 }
 
 impl Station {
+    /// One row of the first target, number `pose` of its file, of which nothing else is recorded.
+    #[must_use]
+    pub fn bare(pose: usize, q_rad: Joints, reading: Reading) -> Self {
+        Self {
+            pose,
+            target: 0,
+            stand: 0,
+            t_min: None,
+            q_rad,
+            reading,
+            orientation: None,
+            direction: None,
+            payload_kg: None,
+            joint_temperature_c: None,
+            air_temperature_c: None,
+            line: 0,
+            rows: vec![pose],
+        }
+    }
+
     /// Middle of its rows' places in the file.
     #[must_use]
     pub fn row(&self) -> f64 {
@@ -179,16 +199,21 @@ fn is_repeat(a: &MeasurementRow, b: &MeasurementRow) -> bool {
     if matches!(a.reading, Reading::Touch { .. }) {
         return false;
     }
-    let joints = a.q_rad.iter().zip(&b.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
-    let time = match (a.t_min, b.t_min) {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
-        _ => true,
-    };
     let warmth = match (a.joint_temperature_c, b.joint_temperature_c) {
         (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME_TEMPERATURE_C),
         _ => true,
     };
-    joints && time && warmth && a.stand == b.stand
+    at_one_time((&a.q_rad, a.t_min), (&b.q_rad, b.t_min)) && warmth && a.stand == b.stand
+}
+
+/// Whether an arm that stood at two joints and minutes may not have moved in between.
+pub(crate) fn at_one_time(a: (&Joints, Option<f64>), b: (&Joints, Option<f64>)) -> bool {
+    let joints = a.0.iter().zip(b.0).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
+    let time = match (a.1, b.1) {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
+        _ => true,
+    };
+    joints && time
 }
 
 fn centre(rows: &[MeasurementRow], group: &[usize]) -> Vector3<f64> {

@@ -14,6 +14,8 @@ use nalgebra::{Matrix3, Vector3};
 const MOST_SHIFT: f64 = 100.0;
 /// The same of a turn, with targets 0.1 m from their centre.
 const MOST_TURN: f64 = MOST_SHIFT / (0.1 * 0.1);
+/// Targets nearer to their centre than this do not show a turn, metres.
+const SMALLEST_M: f64 = 1e-3;
 /// Fewer visits with several targets do not tell what those share.
 const FEWEST_VISITS: usize = 5;
 
@@ -129,18 +131,11 @@ fn directions(dataset: &Dataset, whitening: &Whitening, observations: &[usize]) 
         .filter_map(|(mut rows, turns)| {
             let strength = rows.iter().map(|v| v * v).sum::<f64>();
             rows.iter_mut().for_each(|v| *v /= strength.sqrt());
-            // About a line of targets nothing turns.
-            (strength > 1e-6 * weight * SMALLEST_M * SMALLEST_M).then_some(Direction {
-                rows,
-                strength,
-                turns,
-            })
+            // About a line of targets nothing turns, and one alone does not either.
+            (strength > weight * SMALLEST_M * SMALLEST_M).then_some(Direction { rows, strength, turns })
         })
         .collect()
 }
-
-/// Targets nearer to each other than this do not show a turn, metres.
-const SMALLEST_M: f64 = 1e-3;
 
 impl Visits {
     /// Of the observations that `order` names, in that order. None where nothing is shared.

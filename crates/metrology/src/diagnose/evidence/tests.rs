@@ -28,21 +28,8 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
     let mut random = SplitMix64::new(seed);
     let observations: Vec<Observation> = (0..24)
         .map(|i| {
-            let station = Station {
-                pose: i,
-                target: 0,
-                stand: 0,
-                t_min: None,
-                q_rad: Joints::from_fn(6, |_| 2.4 * random.unit() - 1.2),
-                reading: Reading::Point { position_m: Vector3::zeros() },
-                orientation: None,
-                direction: None,
-                payload_kg: None,
-                joint_temperature_c: None,
-                air_temperature_c: None,
-                line: 0,
-                rows: vec![i],
-            };
+            let q_rad = Joints::from_fn(6, |_| 2.4 * random.unit() - 1.2);
+            let station = Station::bare(i, q_rad, Reading::Point { position_m: Vector3::zeros() });
             Observation::new(&robot, &chain, &registration, &station)
         })
         .collect();

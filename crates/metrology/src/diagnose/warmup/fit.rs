@@ -215,22 +215,10 @@ fn observed_m(
         .touches
         .iter()
         .enumerate()
-        .map(|(i, t)| Station {
-            pose: t.point,
-            target: 0,
-            stand: 0,
-            t_min: Some(t.t_min),
-            q_rad: t.q_rad.into(),
-            reading: t.measured_m.map_or(measure::Reading::Touch { fixed_point: t.point }, |position_m| {
-                measure::Reading::Point { position_m }
-            }),
-            orientation: None,
-            direction: None,
-            payload_kg: None,
-            joint_temperature_c: None,
-            air_temperature_c: None,
-            line: 0,
-            rows: vec![i],
+        .map(|(i, t)| {
+            let touch = measure::Reading::Touch { fixed_point: t.point };
+            let reading = t.measured_m.map_or(touch, |position_m| measure::Reading::Point { position_m });
+            Station { t_min: Some(t.t_min), rows: vec![i], ..Station::bare(t.point, t.q_rad.into(), reading) }
         })
         .collect();
     let chain = SerialChain::nominal(&robot.into());
