@@ -2,7 +2,9 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    give_large_blocks_back();
+    if std::env::args_os().nth(1).is_some_and(|command| command == "compensate") {
+        give_large_blocks_back();
+    }
     driftpost::command_line::run()
 }
 

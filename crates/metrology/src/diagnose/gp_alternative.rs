@@ -4,8 +4,8 @@
 //! They say that something is there that the library lacks, and where; never how it works.
 
 use super::dataset::{Dataset, Observation, scaled};
-use super::design::Design;
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use super::design::{Design, side_by_side};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 /// Structure of no named cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +108,7 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
 
 /// The GP alternative's features as columns of `design`, largest first, sized to [`PRIOR_SIGMA_M`].
 #[must_use]
-pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> Vec<Vec<f64>> {
+pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
     match gp_alternative {
         GpAlternative::Joint(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[0]),
         GpAlternative::JointFine(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[1]),
@@ -123,7 +123,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
             };
             let centres = farthest_points(dataset, at, 48);
             let features = |observation: &Observation| bumps(&at(observation), &centres, JOINTS_RAD);
-            compress(design.stack(dataset, centres.len(), |_, observation, out| {
+            compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 out.extend(
                     features(observation).into_iter().map(|f| scaled(observation.jacobian_column(j), f)),
                 );
@@ -135,7 +135,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
             match farthest_points(dataset, position, BUMP_CENTRES).get(which) {
                 Some(centre) => {
                     let centre = std::slice::from_ref(centre);
-                    compress(shifts(
+                    compress(&shifts(
                         design,
                         dataset,
                         &position,
@@ -144,7 +144,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
                         BUMP_RADII_M[signal_of_unit_size],
                     ))
                 }
-                None => Vec::new(),
+                None => DMatrix::zeros(0, 0),
             }
         }
         GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
@@ -152,12 +152,12 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         GpAlternative::Pair(a, b, j) => {
             let at = |observation: &Observation| vec![observation.as_angle(a), observation.as_angle(b)];
             let centres = farthest_points(dataset, at, 25);
-            let mut features = compress(design.stack(dataset, centres.len(), |_, observation, out| {
+            let features = compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 let features = bumps(&at(observation), &centres, PAIR_RAD);
                 out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
             }));
-            features.truncate(MOST_OF_PAIR);
-            features
+            let most = features.ncols().min(MOST_OF_PAIR);
+            features.resize_horizontally(most, 0.0)
         }
         GpAlternative::Time => {
             shift_columns(design, dataset, |s| vec![dataset.progress(s)], 10, TIME_SHARE[0])
@@ -168,7 +168,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         GpAlternative::ToolTime => {
             let centres: Vec<Vec<f64>> = (0..9).map(|k| vec![f64::from(k) / 8.0]).collect();
             let at = |observation: &Observation| vec![dataset.progress(observation)];
-            compress(shifts(
+            compress(&shifts(
                 design,
                 dataset,
                 &at,
@@ -179,30 +179,30 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         }
         GpAlternative::JointTime(j) => {
             let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
-            compress(design.stack(dataset, centres.len(), |_, observation, out| {
+            compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 let features = bumps(&[dataset.progress(observation)], &centres, TIME_SHARE[0]);
                 out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
             }))
         }
         GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
         GpAlternative::SquareWave(j, n) => periodic_columns(design, dataset, j, n, 2),
-        GpAlternative::TimeVaryingCause(_) => Vec::new(),
+        GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
 }
 
 /// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
 /// that is not constant leaves beside its mean.
 #[must_use]
-pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> Vec<Vec<f64>> {
+pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> DMatrix<f64> {
     const WAVES: i32 = 3;
-    let mut all = Vec::new();
+    let mut all: Vec<DVector<f64>> = Vec::new();
     for k in 1..=WAVES {
         let wave = |observation: &Observation| {
             (std::f64::consts::PI * f64::from(k) * dataset.progress(observation)).cos() / f64::from(k)
         };
-        all.extend(cause.iter().map(|&column| design.modulated(dataset, column, wave)));
+        all.extend(cause.iter().map(|&column| design.modulated(dataset, column, wave).into()));
     }
-    compress(all)
+    compress(&DMatrix::from_columns(&all))
 }
 
 /// Overtones of a periodic structure, and the usual size of the first.
@@ -210,7 +210,7 @@ const OVERTONES: u32 = 16;
 const PERIODIC_RAD: f64 = 1e-4;
 
 /// Every `stride`-th overtone of n periods per turn. Steps and teeth: the k-th has 1/k of the first's size.
-fn periodic_columns(design: &Design, dataset: &Dataset, j: usize, n: u32, stride: usize) -> Vec<Vec<f64>> {
+fn periodic_columns(design: &Design, dataset: &Dataset, j: usize, n: u32, stride: usize) -> DMatrix<f64> {
     let overtones = || (1..=OVERTONES).step_by(stride);
     design.stack(dataset, 2 * overtones().count(), |_, observation, out| {
         for k in overtones() {
@@ -234,7 +234,7 @@ fn joint_columns(
     dataset: &Dataset,
     pairs: &[(usize, usize)],
     length_rad: f64,
-) -> Vec<Vec<f64>> {
+) -> DMatrix<f64> {
     let mut all = Vec::new();
     for &(j, turned) in pairs {
         let values = dataset.observations.iter().map(|s| s.as_angle(j));
@@ -244,7 +244,7 @@ fn joint_columns(
         let centres: Vec<Vec<f64>> =
             (0..count).map(|k| vec![low + (high - low) * k as f64 / (count - 1) as f64]).collect();
         let width = length_rad.max(0.8 * (high - low) / count as f64);
-        all.extend(design.stack(dataset, count, |_, observation, out| {
+        all.push(design.stack(dataset, count, |_, observation, out| {
             out.extend(
                 bumps(&[observation.as_angle(j)], &centres, width)
                     .into_iter()
@@ -252,7 +252,7 @@ fn joint_columns(
             );
         }));
     }
-    compress(all)
+    compress(&side_by_side(&all))
 }
 
 fn shift_columns(
@@ -261,8 +261,8 @@ fn shift_columns(
     at: impl Fn(&Observation) -> Vec<f64> + Copy,
     most: usize,
     length: f64,
-) -> Vec<Vec<f64>> {
-    compress(shifts(design, dataset, &at, &base, &farthest_points(dataset, at, most), length))
+) -> DMatrix<f64> {
+    compress(&shifts(design, dataset, &at, &base, &farthest_points(dataset, at, most), length))
 }
 
 /// A shift along each of three axes for each bump.
@@ -273,7 +273,7 @@ fn shifts(
     axes: &dyn Fn(&Observation) -> Matrix3<f64>,
     centres: &[Vec<f64>],
     length: f64,
-) -> Vec<Vec<f64>> {
+) -> DMatrix<f64> {
     design.stack(dataset, 3 * centres.len(), |_, observation, out| {
         let axes = axes(observation);
         for f in bumps(&at(observation), centres, length) {
@@ -287,11 +287,11 @@ fn base(_: &Observation) -> Matrix3<f64> {
 }
 
 /// Functions of the wrist's angles that shift the target along the flange's axes.
-fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> Vec<Vec<f64>> {
+fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> DMatrix<f64> {
     let at = |observation: &Observation| {
         (3..observation.joints()).map(|j| observation.as_angle(j)).collect::<Vec<f64>>()
     };
-    compress(shifts(
+    compress(&shifts(
         design,
         dataset,
         &at,
@@ -339,26 +339,23 @@ fn farthest_points(dataset: &Dataset, at: impl Fn(&Observation) -> Vec<f64>, mos
 }
 
 /// Principal features, largest first, sized so that the structure is [`PRIOR_SIGMA_M`] on average.
-fn compress(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let n = columns.len();
-    let rows = columns.first().map_or(0, Vec::len);
+fn compress(columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let (rows, n) = columns.shape();
     if n == 0 || rows == 0 {
-        return columns;
+        return DMatrix::zeros(rows, 0);
     }
-    let flat = DMatrix::from_fn(rows, n, |r, c| columns[c][r]);
-    let eigen = (flat.transpose() * &flat).symmetric_eigen();
+    let eigen = (columns.transpose() * columns).symmetric_eigen();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
     let top = eigen.eigenvalues[order[0]];
     if top <= 0.0 {
-        return Vec::new();
+        return DMatrix::zeros(rows, 0);
     }
     order.truncate(MOST_FEATURES);
     order.retain(|&i| eigen.eigenvalues[i] > 1e-6 * top);
     let mean_square = eigen.eigenvalues.iter().sum::<f64>() / (rows as f64 / 3.0);
     let scale = PRIOR_SIGMA_M / mean_square.sqrt();
-    let kept = &flat * eigen.eigenvectors.select_columns(&order) * scale;
-    kept.column_iter().map(|c| c.iter().copied().collect()).collect()
+    columns * (eigen.eigenvectors.select_columns(&order) * scale)
 }
 
 /// Middle and radius of the structure: stations weighted by how far they are moved.

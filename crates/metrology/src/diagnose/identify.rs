@@ -4,7 +4,7 @@
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
 use super::dataset::{Dataset, Twist};
-use super::effects::Candidate;
+use super::effects::{Candidate, Motion};
 use super::heldout::floor_m;
 use super::linearise::{Linearised, shift_m};
 use super::model::{Model, Workspace};
@@ -239,7 +239,7 @@ pub(super) fn drifts_by_rows(dataset: &Dataset, candidates: &[Candidate], chosen
 pub(super) fn is_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
     dataset.time_min.is_none()
         && candidate.effect().time() != "constant"
-        && candidate.effect().moves().is_none()
+        && !matches!(candidate.effect().motion(&candidate.variant), Some(Motion::Body(_)))
         && !matches!(candidate.variant.growth, Growth::Temperature { .. })
 }
 

@@ -10,6 +10,7 @@ use super::search::{ALARM_NATS, ChosenCause, Library, NULL_PRIOR, cause_columns}
 use super::slow_noise::{self, SlowNoise};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 const ROUNDS: usize = 4;
 /// Rounds at most, where steps turn out to rest on false readings.
@@ -88,9 +89,18 @@ pub fn build<'a>(
     if !wanders || !plain.0.chosen.iter().any(in_time) {
         return plain;
     }
-    let wandering = settled(linear, candidates, noise, targets, group_of, start);
-    let odds = |(model, workspace): &(Model, Workspace<'_>)| odds_of(model, workspace);
-    if wandering.0.slow.is_some() && odds(&wandering) > odds(&plain) { wandering } else { plain }
+    let (plain, workspace) = plain;
+    let plain_odds = odds_of(&plain, &workspace);
+    // Products take hundreds of megabytes in a large set: those of one search at a time.
+    let Workspace { design, library, column_index } = workspace;
+    let near_pairs = library.into_near_pairs();
+    let (wandering, workspace) = settled(linear, candidates, noise, targets, group_of, start);
+    if wandering.slow.is_some() && odds_of(&wandering, &workspace) > plain_odds {
+        return (wandering, workspace);
+    }
+    drop(workspace);
+    let library = Library::new(&design, &linear.dataset, candidates).with_near_pairs(near_pairs);
+    (plain, Workspace { design, library, column_index })
 }
 
 /// Where a search begins.
@@ -142,25 +152,21 @@ const SLOW_PRIOR: f64 = 0.1;
 /// ln odds of all that a model holds over nothing, one after the other.
 #[must_use]
 pub fn odds_of(model: &Model, workspace: &Workspace<'_>) -> f64 {
-    let mut design = workspace.design.clone();
+    let design = &workspace.design;
     let groups: Vec<usize> = (0..design.groups()).collect();
-    let null = |design: &Design, also: &[usize]| {
-        NuisanceModel::new(design, &groups, also, model.noise).null().log_evidence
-    };
-    let slow = design.slow();
-    design.set_slow(0..0, 0.0);
-    let nothing = null(&design, &[]);
+    let beside =
+        |slow: (Range<usize>, f64)| NuisanceModel::with_slow(design, &groups, &[], model.noise, slow);
+    let slow = if model.slow.is_some() { design.slow() } else { (0..0, 0.0) };
+    let mut nuisance = beside(slow);
     let mut odds = 0.0;
     if model.slow.is_some() {
-        design.set_slow(slow.0, slow.1);
-        odds += null(&design, &[]) - nothing + SLOW_PRIOR.ln();
+        let nothing = beside((0..0, 0.0)).null().log_evidence;
+        odds += nuisance.null().log_evidence - nothing + SLOW_PRIOR.ln();
     }
-    let mut before: Vec<usize> = Vec::new();
     for one in &model.chosen {
-        let nuisance = NuisanceModel::new(&design, &groups, &before, model.noise);
         let gain = workspace.library.gain(&nuisance, &groups, one.candidate);
         odds += gain + workspace.library.log_prior[one.candidate] - NULL_PRIOR.ln();
-        before.extend(&one.columns);
+        nuisance.grow(design, &groups, &one.columns);
     }
     odds
 }

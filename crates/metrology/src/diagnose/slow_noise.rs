@@ -9,6 +9,7 @@ use super::design::Design;
 use super::evidence::NuisanceModel;
 use super::marginal::NoisePrior;
 use super::search::{ALARM_NATS, ChosenCause, cause_columns};
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
 /// Correlation times that are tried, shares of the measurement.
@@ -35,14 +36,13 @@ pub struct SlowNoise {
 impl SlowNoise {
     /// Puts it into `design`.
     pub fn put(&self, design: &mut Design, dataset: &Dataset) {
-        let columns = columns(design, dataset, TAUS[self.tau]);
-        let at = design.append(columns);
+        let at = design.append(&columns(design, dataset, TAUS[self.tau]));
         design.set_slow(at, self.size / UNIT_M);
     }
 }
 
 /// One shift along each axis for each wave, sized to [`UNIT_M`] together.
-fn columns(design: &Design, dataset: &Dataset, tau: f64) -> Vec<Vec<f64>> {
+fn columns(design: &Design, dataset: &Dataset, tau: f64) -> DMatrix<f64> {
     let waves = (dataset.observations.len() / STATIONS_PER_WAVE).min(MOST_WAVES);
     let variance = |k: usize| 1.0 / (1.0 + (PI * k as f64 * tau).powi(2));
     // A cosine has half a square on average.
@@ -82,7 +82,7 @@ pub fn likeliest(
     let without = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence;
     let mut best: Option<(f64, SlowNoise)> = None;
     for (which, tau) in TAUS.into_iter().enumerate() {
-        let at = trial.append(columns(&trial, dataset, tau));
+        let at = trial.append(&columns(&trial, dataset, tau));
         for size in SIZES {
             trial.set_slow(at.clone(), size / UNIT_M);
             let gain = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence - without;

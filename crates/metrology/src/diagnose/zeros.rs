@@ -19,18 +19,11 @@ pub(super) fn zeros(model: &Model, workspace: &mut Workspace<'_>) -> Option<Join
     let offsets: Vec<usize> = (0..candidates.len())
         .filter(|&c| candidates[c].kind == EffectKind::JointOffset && candidates[c].variant.joint.is_some())
         .collect();
-    let chosen: Vec<ChosenCause> = offsets
-        .into_iter()
-        .map(|candidate| {
-            let columns = workspace.library.columns_in_design(
-                &mut workspace.design,
-                &mut workspace.column_index,
-                candidate,
-            );
-            // Free: what they would be if they were all.
-            ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 }
-        })
-        .collect();
+    let Workspace { design, library, column_index } = &mut *workspace;
+    let columns = library.columns_in_design(design, column_index, &offsets);
+    // Free: what they would be if they were all.
+    let free = |(candidate, columns)| ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 };
+    let chosen: Vec<ChosenCause> = offsets.into_iter().zip(columns).map(free).collect();
     workspace.library.extend(&workspace.design);
     let groups: Vec<usize> = (0..workspace.design.groups()).collect();
     let rms_m = |chosen: &[ChosenCause]| {

@@ -1,11 +1,14 @@
 //! The design matrix: whitened columns with their meaning, and their products over groups of observations.
 
+use super::products::inner_products;
 use super::registration;
 use super::visits::Visits;
 use super::whitening::Whitening;
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::effects::Candidate;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DMatrixView};
+use rayon::prelude::*;
+use std::borrow::Borrow;
 use std::ops::Range;
 
 /// Manufacturing tolerance of a joint's frame: metres, and radians.
@@ -23,7 +26,8 @@ pub struct Design {
     pub(super) rows_per_observation: usize,
     /// Numbers measured in each group.
     counts: Vec<usize>,
-    pub(super) columns: Vec<Vec<f64>>,
+    /// A row for each row of an observation in the order of groups.
+    columns: DMatrix<f64>,
     /// Columns of registration, flat prior.
     pub registration: Range<usize>,
     /// Columns of geometry, scaled by tolerance.
@@ -32,11 +36,6 @@ pub struct Design {
     slow: (Range<usize>, f64),
     /// Products of all columns for each group.
     gram: Vec<DMatrix<f64>>,
-    /// Whitened columns of each joint turning.
-    turns: Vec<Vec<f64>>,
-    /// Each of these with itself, and with every column, observation by observation.
-    pub(super) turn_squares: Vec<Vec<f64>>,
-    pub(super) turn_products: Vec<Vec<Vec<f64>>>,
 }
 
 impl Design {
@@ -79,16 +78,14 @@ impl Design {
             groups,
             rows_per_observation: d,
             counts,
-            columns: Vec::new(),
+            columns: DMatrix::zeros(0, 0),
             registration: 0..0,
             geometry: 0..0,
             slow: (0..0, 0.0),
             gram: Vec::new(),
-            turns: Vec::new(),
-            turn_squares: Vec::new(),
-            turn_products: vec![Vec::new(); dataset.joints()],
         };
-        let mut columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
+        design.gram = vec![DMatrix::zeros(0, 0); design.groups.len()];
+        design.columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
         let flat = design.stack(dataset, registration::width(dataset, targets), |_, observation, out| {
             registration::twists(dataset, observation, targets, out);
         });
@@ -99,17 +96,9 @@ impl Design {
                 }
             }
         });
-        design.registration = 1..1 + flat.len();
-        design.geometry = design.registration.end..design.registration.end + geometry.len();
-        columns.extend(flat);
-        columns.extend(geometry);
-        design.columns = columns;
-        design.turns = design.stack(dataset, dataset.joints(), |_, observation, out| {
-            out.extend((0..observation.joints()).map(|j| observation.jacobian_column(j)));
-        });
-        design.turn_squares = design.turns.iter().map(|t| by_observation(t, t, d)).collect();
-        design.multiply_turns();
-        design.gram = (0..design.groups.len()).map(|a| design.gram_of(a)).collect();
+        design.registration = 1..1 + flat.ncols();
+        design.geometry = design.registration.end..design.registration.end + geometry.ncols();
+        design.place(&[&flat, &geometry]);
         design
     }
 
@@ -130,10 +119,22 @@ impl Design {
         self.slow.clone()
     }
 
-    /// Number of columns of the registration.
+    /// Number of columns.
     #[must_use]
     pub fn width(&self) -> usize {
-        self.columns.len()
+        self.columns.ncols()
+    }
+
+    /// A column, whitened, its rows in the order of groups.
+    pub(super) fn column(&self, column: usize) -> &[f64] {
+        let rows = self.columns.nrows();
+        &self.columns.as_slice()[column * rows..(column + 1) * rows]
+    }
+
+    /// The columns from number `from` on.
+    #[must_use]
+    pub fn columns_from(&self, from: usize) -> DMatrixView<'_, f64> {
+        self.columns.columns(from, self.width() - from)
     }
 
     /// Number of cross-validation groups of rows.
@@ -164,18 +165,52 @@ impl Design {
         sum
     }
 
+    /// Products of one column with all over a subset of groups.
+    #[must_use]
+    pub fn gram_column(&self, subset: &[usize], column: usize) -> Vec<f64> {
+        let mut sum = vec![0.0; self.width()];
+        for &a in subset {
+            sum.iter_mut().zip(&self.gram[a].column(column)).for_each(|(to, from)| *to += from);
+        }
+        sum
+    }
+
     /// Adds columns and their products; gives their place.
-    pub fn append(&mut self, columns: Vec<Vec<f64>>) -> Range<usize> {
-        let start = self.columns.len();
-        self.columns.extend(columns);
-        self.multiply_turns();
-        self.gram = (0..self.groups.len()).map(|a| self.gram_of(a)).collect();
-        start..self.columns.len()
+    pub fn append(&mut self, columns: &DMatrix<f64>) -> Range<usize> {
+        let start = self.width();
+        self.place(&[columns]);
+        start..self.width()
+    }
+
+    /// Puts `more` behind the columns, and multiplies what has no products yet.
+    fn place(&mut self, more: &[&DMatrix<f64>]) {
+        let known = self.gram.first().map_or(0, DMatrix::ncols);
+        let mut at = self.width();
+        let width = at + more.iter().map(|columns| columns.ncols()).sum::<usize>();
+        let columns = std::mem::replace(&mut self.columns, DMatrix::zeros(0, 0));
+        self.columns = columns.resize_horizontally(width, 0.0);
+        for columns in more {
+            self.columns.columns_mut(at, columns.ncols()).copy_from(columns);
+            at += columns.ncols();
+        }
+        let all = &self.columns;
+        self.gram.par_iter_mut().zip(&self.groups).for_each(|(gram, rows)| {
+            let all = all.rows(rows.start, rows.len());
+            let new = inner_products(all.columns(known, width - known), all);
+            let old = std::mem::replace(gram, DMatrix::zeros(0, 0));
+            *gram = old.resize(width, width, 0.0);
+            for (a, row) in (known..width).zip(new.row_iter()) {
+                for (b, value) in row.iter().enumerate().take(a + 1) {
+                    gram[(a, b)] = *value;
+                    gram[(b, a)] = *value;
+                }
+            }
+        });
     }
 
     /// A candidate's columns, scaled by their prior sigma.
     #[must_use]
-    pub fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> Vec<Vec<f64>> {
+    pub fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> DMatrix<f64> {
         self.stack(dataset, candidate.prior_sigma.len(), |_, observation, out| {
             candidate.scaled_signature(dataset, observation, out);
         })
@@ -188,21 +223,22 @@ impl Design {
         dataset: &Dataset,
         width: usize,
         twists: impl Fn(usize, &Observation, &mut Vec<Twist>),
-    ) -> Vec<Vec<f64>> {
+    ) -> DMatrix<f64> {
         let d = self.rows_per_observation;
-        let mut columns = vec![vec![0.0; self.order.len() * d]; width];
+        let rows = self.order.len() * d;
+        let mut columns = vec![0.0; rows * width];
         let mut buffer = Vec::with_capacity(width);
         for (position, &i) in self.order.iter().enumerate() {
             buffer.clear();
             twists(i, &dataset.observations[i], &mut buffer);
-            for (column, twist) in columns.iter_mut().zip(&buffer) {
+            for (column, twist) in columns.chunks_exact_mut(rows.max(1)).zip(&buffer) {
                 let twist = dataset.observations[i].observed(*twist);
                 let rows = &mut column[position * d..(position + 1) * d];
                 rows.iter_mut().zip(self.whitening.rows(i, twist, d)).for_each(|(to, value)| *to = value);
             }
         }
-        columns.iter_mut().for_each(|column| self.visits.whiten(column));
-        columns
+        columns.chunks_exact_mut(rows.max(1)).for_each(|column| self.visits.whiten(column));
+        DMatrix::from_vec(rows, width, columns)
     }
 
     /// A column times a number for each observation.
@@ -214,7 +250,7 @@ impl Design {
         factor: impl Fn(&Observation) -> f64,
     ) -> Vec<f64> {
         let d = self.rows_per_observation;
-        let mut out = self.columns[column].clone();
+        let mut out = self.column(column).to_vec();
         for (rows, &i) in out.chunks_exact_mut(d).zip(&self.order) {
             let factor = factor(&dataset.observations[i]);
             rows.iter_mut().for_each(|v| *v *= factor);
@@ -226,9 +262,9 @@ impl Design {
     #[must_use]
     pub fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
         let d = self.rows_per_observation;
-        let mut left = self.columns[0].clone();
-        for (c, column) in coefficients.iter().zip(&self.columns[1..]).filter(|(c, _)| **c != 0.0) {
-            left.iter_mut().zip(column).for_each(|(left, value)| *left -= c * value);
+        let mut left = self.column(0).to_vec();
+        for (c, column) in coefficients.iter().zip(1..).filter(|(c, _)| **c != 0.0) {
+            left.iter_mut().zip(self.column(column)).for_each(|(left, value)| *left -= c * value);
         }
         self.visits.restore(&mut left);
         let mut out = vec![[0.0; 6]; self.order.len()];
@@ -240,33 +276,15 @@ impl Design {
         }
         out
     }
+}
 
-    fn gram_of(&self, group: usize) -> DMatrix<f64> {
-        let rows = self.groups[group].clone();
-        let n = self.columns.len();
-        let known = self.gram.get(group).map_or(0, DMatrix::nrows);
-        let mut gram = DMatrix::zeros(n, n);
-        for a in 0..n {
-            for b in a..n {
-                let value = match self.gram.get(group) {
-                    Some(old) if b < known => old[(a, b)],
-                    _ => dot(&self.columns[a][rows.clone()], &self.columns[b][rows.clone()]),
-                };
-                gram[(a, b)] = value;
-                gram[(b, a)] = value;
-            }
-        }
-        gram
-    }
-
-    fn multiply_turns(&mut self) {
-        let d = self.rows_per_observation;
-        for (turn, products) in self.turns.iter().zip(&mut self.turn_products) {
-            for column in &self.columns[products.len()..] {
-                products.push(by_observation(turn, column, d));
-            }
-        }
-    }
+/// One matrix of the columns of all of `parts`, which have the same rows.
+#[must_use]
+pub fn side_by_side(parts: &[impl Borrow<DMatrix<f64>>]) -> DMatrix<f64> {
+    let rows = parts.first().map_or(0, |part| part.borrow().nrows());
+    let width = parts.iter().map(|part| part.borrow().ncols()).sum();
+    let numbers = parts.iter().flat_map(|part| part.borrow().as_slice()).copied();
+    DMatrix::from_iterator(rows, width, numbers)
 }
 
 /// Products of two columns, summed over each observation's rows.
@@ -275,17 +293,4 @@ pub(super) fn by_observation(a: &[f64], b: &[f64], rows_per_observation: usize) 
         .zip(b.chunks_exact(rows_per_observation))
         .map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum())
         .collect()
-}
-
-/// Sum of products, in eight running sums: fast, and the same for every number of threads.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for k in 0..8 {
-            sums[k] += x[k] * y[k];
-        }
-    }
-    sums.iter().sum::<f64>() + tail
 }

@@ -3,17 +3,15 @@
 //! Groups are the smallest groups of stations that a fold, a block in time or a region keeps together, so
 //! every held-out fit is a sum of small matrices.
 
-mod joint_rotations;
 mod matrix;
 mod products;
 pub(super) mod registration;
-mod rigid_motions;
+mod scaled_motions;
 mod visits;
 mod whitening;
 
-pub use joint_rotations::Turning;
-pub use matrix::Design;
+pub use matrix::{Design, side_by_side};
 pub use products::{Products, Sums};
-pub use rigid_motions::RigidMotions;
+pub use scaled_motions::ScaledMotions;
 pub use visits::Visits;
 pub use whitening::{SharedError, Whitening};

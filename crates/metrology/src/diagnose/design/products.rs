@@ -1,11 +1,11 @@
 //! Products of a candidate's columns with themselves and with the design's, group by group.
 
-use super::matrix::{Design, dot};
-use nalgebra::DMatrix;
+use super::matrix::Design;
+use nalgebra::{DMatrix, DMatrixView};
 use std::ops::Range;
 
-/// Rows that are multiplied at one go: so many of all columns stay in the processor's cache.
-const BLOCK: usize = 1024;
+/// nalgebra multiplies matrices with a dimension below this without blocks.
+const NARROW: usize = 6;
 
 /// A candidate's products for each group, its columns scaled by their prior sigma.
 #[derive(Clone, Debug)]
@@ -16,6 +16,8 @@ pub struct Products {
     pub(super) own: Vec<f64>,
     /// With the design's columns: p values for each group, for each column.
     pub(super) cross: Vec<f64>,
+    /// The latter summed over all groups.
+    total: Vec<f64>,
     /// How many groups of observations the numbers above run over.
     pub(super) groups: usize,
 }
@@ -29,85 +31,92 @@ pub struct Sums {
     pub cross: DMatrix<f64>,
 }
 
+/// Products of the columns of `a` with those of `b`.
+pub(super) fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
+    // Narrow matrices are not multiplied in blocks, and a column is then as long as a row of the turned one is wide.
+    if a.ncols().min(b.ncols()) < NARROW { a.tr_mul(&b) } else { a.transpose() * b }
+}
+
 impl Design {
     /// Products of `columns` with each other and with the design.
     #[must_use]
-    pub fn products(&self, columns: &[Vec<f64>]) -> Products {
-        let p = columns.len();
-        let mut own = Vec::with_capacity(self.groups.len() * p * p);
-        for rows in &self.groups {
-            for a in columns {
-                for b in columns {
-                    own.push(dot(&a[rows.clone()], &b[rows.clone()]));
-                }
-            }
-        }
-        let mut products = Products { p, own, cross: Vec::new(), groups: self.groups.len() };
+    pub fn products(&self, columns: &DMatrix<f64>) -> Products {
+        let p = columns.ncols();
+        let of_group = |rows: &Range<usize>| -> Vec<f64> {
+            let columns = columns.rows(rows.start, rows.len());
+            inner_products(columns, columns).data.into()
+        };
+        let own = self.groups.iter().flat_map(of_group).collect();
+        let mut products = Products::begun(p, own, self.groups.len());
         self.extend(&mut products, columns);
         products
     }
 
     /// The same over all groups at once.
     #[must_use]
-    pub fn sums(&self, columns: &[Vec<f64>]) -> Sums {
-        let p = columns.len();
-        let own = DMatrix::from_fn(p, p, |a, b| if a < b { 0.0 } else { dot(&columns[a], &columns[b]) });
-        let mut sums = Sums { own, cross: DMatrix::zeros(p, 0) };
-        sums.own.fill_upper_triangle_with_lower_triangle();
+    pub fn sums(&self, columns: &DMatrix<f64>) -> Sums {
+        let own = inner_products(columns.as_view(), columns.as_view());
+        let mut sums = Sums { own, cross: DMatrix::zeros(columns.ncols(), 0) };
         self.extend_sums(&mut sums, columns);
         sums
     }
 
     /// Products of `columns` with each other over a subset of groups.
     #[must_use]
-    pub fn products_among(&self, columns: &[&[f64]], subset: &[usize]) -> DMatrix<f64> {
-        let rows: usize = subset.iter().filter_map(|&a| self.groups.get(a)).map(Range::len).sum();
-        let mut stacked = DMatrix::zeros(rows, columns.len());
-        for (mut to, column) in stacked.column_iter_mut().zip(columns) {
-            let mut at = 0;
-            for range in subset.iter().filter_map(|&a| self.groups.get(a)) {
-                to.as_mut_slice()[at..at + range.len()].copy_from_slice(&column[range.clone()]);
-                at += range.len();
-            }
+    pub fn products_among(&self, columns: &DMatrix<f64>, subset: &[usize]) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(columns.ncols(), columns.ncols());
+        for rows in subset.iter().filter_map(|&a| self.groups.get(a)) {
+            let columns = columns.rows(rows.start, rows.len());
+            sum += inner_products(columns, columns);
         }
-        stacked.transpose() * &stacked
+        sum
     }
 
     /// Brings `sums` over all groups up to date with columns appended since.
-    pub fn extend_sums(&self, sums: &mut Sums, columns: &[Vec<f64>]) {
+    pub fn extend_sums(&self, sums: &mut Sums, columns: &DMatrix<f64>) {
         let known = sums.cross.ncols();
+        let new = inner_products(columns.as_view(), self.columns_from(known));
         let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
-        sums.cross = cross.resize_horizontally(self.columns.len(), 0.0);
-        let rows = columns.first().map_or(0, Vec::len);
-        for from in (0..rows).step_by(BLOCK) {
-            let block = from..rows.min(from + BLOCK);
-            for (c, b) in self.columns.iter().enumerate().skip(known) {
-                for (a, column) in columns.iter().enumerate() {
-                    sums.cross[(a, c)] += dot(&column[block.clone()], &b[block.clone()]);
-                }
-            }
-        }
+        sums.cross = cross.resize_horizontally(self.width(), 0.0);
+        sums.cross.columns_mut(known, new.ncols()).copy_from(&new);
     }
 
     /// Brings `products` up to date with columns appended since.
-    pub fn extend(&self, products: &mut Products, columns: &[Vec<f64>]) {
-        let known = products.columns();
-        products.cross.reserve(columns.len() * self.groups.len() * (self.columns.len() - known));
-        for b in &self.columns[known..] {
-            for rows in &self.groups {
-                for a in columns {
-                    products.cross.push(dot(&a[rows.clone()], &b[rows.clone()]));
-                }
+    pub fn extend(&self, products: &mut Products, columns: &DMatrix<f64>) {
+        let new = self.columns_from(products.columns());
+        let of_group = |rows: &Range<usize>| {
+            inner_products(columns.rows(rows.start, rows.len()), new.rows(rows.start, rows.len()))
+        };
+        let of_groups: Vec<DMatrix<f64>> = self.groups.iter().map(of_group).collect();
+        products.cross.reserve_exact(columns.ncols() * of_groups.len() * new.ncols());
+        for column in 0..new.ncols() {
+            for of in &of_groups {
+                products.cross.extend(of.column(column).iter());
             }
         }
+        products.sum_all();
     }
 }
-
 impl Products {
     /// Products of no columns at all.
     #[must_use]
     pub fn none() -> Self {
-        Self { p: 0, own: Vec::new(), cross: Vec::new(), groups: 0 }
+        Self::begun(0, Vec::new(), 0)
+    }
+
+    /// Products with itself alone.
+    pub(super) fn begun(p: usize, own: Vec<f64>, groups: usize) -> Self {
+        Self { p, own, cross: Vec::new(), total: Vec::new(), groups }
+    }
+
+    /// Sums over all groups of what was added to the products with the design's columns.
+    pub(super) fn sum_all(&mut self) {
+        let known = self.total.len();
+        let mut total = std::mem::take(&mut self.total);
+        total.resize(self.p * self.columns(), 0.0);
+        let all: Vec<usize> = (0..self.groups).collect();
+        self.add_groups(&all, known / self.p.max(1), 1.0, &mut total[known..]);
+        self.total = total;
     }
 
     /// Columns of the design that are covered.
@@ -142,21 +151,31 @@ impl Products {
         Sums { own, cross }
     }
 
-    /// Adds the products with the columns from number `from` on over `subset`, p values for each column.
+    /// Products with the columns from number `from` on over `subset`, p values for each column.
     fn sum_cross(&self, subset: &[usize], from: usize, into: &mut [f64]) {
+        if 2 * subset.len() <= self.groups {
+            return self.add_groups(subset, from, 1.0, into);
+        }
+        let others: Vec<usize> = (0..self.groups).filter(|group| !subset.contains(group)).collect();
+        into.copy_from_slice(&self.total[self.p * from..]);
+        self.add_groups(&others, from, -1.0, into);
+    }
+
+    /// Adds those of `groups` times `sign`.
+    fn add_groups(&self, groups: &[usize], from: usize, sign: f64, into: &mut [f64]) {
         // The widths that occur as constants: thousands of candidates, and sums that stay in registers.
         match self.p {
             0 => {}
-            1 => self.sum_cross_of::<1>(subset, from, into),
-            2 => self.sum_cross_of::<2>(subset, from, into),
-            3 => self.sum_cross_of::<3>(subset, from, into),
-            6 => self.sum_cross_of::<6>(subset, from, into),
+            1 => self.add_groups_of::<1>(groups, from, sign, into),
+            2 => self.add_groups_of::<2>(groups, from, sign, into),
+            3 => self.add_groups_of::<3>(groups, from, sign, into),
+            6 => self.add_groups_of::<6>(groups, from, sign, into),
             p => {
                 let columns = self.cross.chunks_exact(p * self.groups).skip(from);
                 for (to, column) in into.chunks_exact_mut(p).zip(columns) {
-                    for &group in subset {
+                    for &group in groups {
                         for (to, from) in to.iter_mut().zip(&column[group * p..]) {
-                            *to += from;
+                            *to += sign * from;
                         }
                     }
                 }
@@ -164,16 +183,16 @@ impl Products {
         }
     }
 
-    fn sum_cross_of<const P: usize>(&self, subset: &[usize], from: usize, into: &mut [f64]) {
+    fn add_groups_of<const P: usize>(&self, groups: &[usize], from: usize, sign: f64, into: &mut [f64]) {
         let columns = self.cross.chunks_exact(P * self.groups).skip(from);
         for (to, column) in into.chunks_exact_mut(P).zip(columns) {
-            let mut sum: [f64; P] = std::array::from_fn(|a| to[a]);
-            for &group in subset {
+            let mut sum = [0.0; P];
+            for &group in groups {
                 for (sum, from) in sum.iter_mut().zip(&column[group * P..(group + 1) * P]) {
                     *sum += from;
                 }
             }
-            to.copy_from_slice(&sum);
+            to.iter_mut().zip(sum).for_each(|(to, sum)| *to += sign * sum);
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Play in a joint's gear: where it stands depends on where it came from.
 
 use super::effect::{Candidate, Effect, EffectVariant, GravityHold};
-use super::rigid::{of_arm, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, of_arm};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 
 /// J_j times half the gap, on the side of the last motion; where gravity's torque is large, on its side.
@@ -55,12 +55,15 @@ impl Effect for Backlash {
         }
         all
     }
-    fn signature(
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
+    }
+    fn factors(
         &self,
         variant: &EffectVariant,
         dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
         let j = of_arm(variant.joint, observation);
         let mut side = f64::from(observation.direction.map_or(0, |d| d[j]));
@@ -70,7 +73,7 @@ impl Effect for Backlash {
         {
             side = torque.signum() * limit_n_m.signum();
         }
-        turn_joint(observation, variant.joint, 0.5 * side, out);
+        out.push(0.5 * side);
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
-use super::rigid::RigidBody;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, RigidBody};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
@@ -45,17 +45,16 @@ impl Effect for BaseDrift {
             })
             .collect()
     }
-    fn moves(&self) -> Option<RigidBody> {
-        Some(RigidBody::Base)
+    fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
+        Some(Motion::Body(RigidBody::Base))
     }
-    fn signature(
+    fn factors(
         &self,
         variant: &EffectVariant,
-        dataset: &Dataset,
+        _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        let grown = variant.growth.at(&observation.thermal_state(), None);
-        RigidBody::Base.signature(dataset, observation, grown, out);
+        out.push(variant.growth.at(&observation.thermal_state(), None));
     }
 }

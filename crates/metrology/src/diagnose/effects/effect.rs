@@ -1,6 +1,6 @@
 //! What an effect is: parameters, unit, usual size and linear signature; nothing of evidence.
 
-use super::rigid::RigidBody;
+use super::rigid::Motion;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
@@ -26,15 +26,20 @@ pub trait Effect: Sync {
     }
     /// Its variants to try: joints, harmonics, times, growths.
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate>;
-    /// The angles per unit of each parameter, where turning `variant.joint` is all that the effect does and
-    /// there are many variants of it: their products are then cheap.
-    fn angles(&self, _variant: &EffectVariant, _observation: &Observation) -> Option<[f64; 2]> {
+    /// The motion that is all that the effect does, but for its size at each observation: the products of such variants are
+    /// cheap.
+    fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
         None
     }
-    /// The body whose rigid motion, times the variant's growth, is all that the effect does: the products of its variants are then
-    /// cheap.
-    fn moves(&self) -> Option<RigidBody> {
-        None
+    /// By how much [`Self::motion`] goes at `observation`, pushed onto `out`: of a joint's motion per unit of each parameter, of a
+    /// body's one number for all.
+    fn factors(
+        &self,
+        _variant: &EffectVariant,
+        _dataset: &Dataset,
+        _observation: &Observation,
+        _out: &mut Vec<f64>,
+    ) {
     }
     /// The effect's linear signature: the measured point's twist at `observation` per unit of each parameter (SI),
     /// pushed onto `out` in the order of [`Candidate::prior_sigma`].
@@ -44,7 +49,13 @@ pub trait Effect: Sync {
         dataset: &Dataset,
         observation: &Observation,
         out: &mut Vec<Twist>,
-    );
+    ) {
+        if let Some(motion) = self.motion(variant) {
+            let mut factors = Vec::new();
+            self.factors(variant, dataset, observation, &mut factors);
+            motion.signature(dataset, observation, &factors, out);
+        }
+    }
 }
 
 /// Which variant of an effect: all that is scanned and not fitted.

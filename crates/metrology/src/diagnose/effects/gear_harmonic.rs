@@ -2,8 +2,8 @@
 //! error: twice per turn.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{of_arm, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, of_arm};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 
 /// J_j times a sine and a cosine of n q_j, and of 2 n q_j, which are part of the same gear.
@@ -52,20 +52,18 @@ impl Effect for GearHarmonic {
             })
             .collect()
     }
-    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
-        (!variant.refined).then(|| self.at(1, variant, observation))
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
     }
-    fn signature(
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
         for overtone in 1..=if variant.refined { 2 } else { 1 } {
-            for angle in self.at(overtone, variant, observation) {
-                turn_joint(observation, variant.joint, angle, out);
-            }
+            out.extend(self.at(overtone, variant, observation));
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Teeth, rollers, waves of a gear: an error many times per turn of the joint.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{of_arm, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, of_arm};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 use std::f64::consts::TAU;
 
@@ -46,19 +46,17 @@ impl Effect for GearMesh {
         }
         all
     }
-    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
-        let q_rad = observation.q_rad[of_arm(variant.joint, observation)];
-        Some((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos().into())
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
     }
-    fn signature(
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        for angle in self.angles(variant, observation).into_iter().flatten() {
-            turn_joint(observation, variant.joint, angle, out);
-        }
+        let q_rad = observation.q_rad[of_arm(variant.joint, observation)];
+        out.extend(<[f64; 2]>::from((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos()));
     }
 }

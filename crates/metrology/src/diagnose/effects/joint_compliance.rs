@@ -1,8 +1,8 @@
 //! A joint's gear gives under gravity's torque.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{LEVER_M, MASS_ERROR, of_arm, sag_per_load, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{LEVER_M, MASS_ERROR, Motion, of_arm, sag_per_load};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 
 /// J_j times the torque about joint j, or the force along one that slides; each link's share may be wrong, and the payload's centre elsewhere.
@@ -68,34 +68,29 @@ impl Effect for JointCompliance {
             })
             .collect()
     }
-    fn signature(
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
+    }
+    fn factors(
         &self,
         variant: &EffectVariant,
         dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
         let j = of_arm(variant.joint, observation);
-        turn_joint(observation, variant.joint, observation.loads.torque_n_m[j], out);
-        for k in j..observation.joints() {
-            turn_joint(observation, variant.joint, observation.loads.link_torque_n_m[j][k], out);
-        }
+        let torque_n_m = observation.loads.torque_n_m[j];
+        out.push(torque_n_m);
+        out.extend((j..observation.joints()).map(|k| observation.loads.link_torque_n_m[j][k]));
         if variant.refined {
             // A spring that hardens or softens, each as large as the linear one at the largest torque.
-            let (torque, largest) = (observation.loads.torque_n_m[j], dataset.large_torque_n_m(j));
-            turn_joint(observation, variant.joint, torque * torque.abs() / largest, out);
-            turn_joint(observation, variant.joint, torque.signum() * (torque.abs() * largest).sqrt(), out);
+            let largest_n_m = dataset.large_torque_n_m(j);
+            out.push(torque_n_m * torque_n_m.abs() / largest_n_m);
+            out.push(torque_n_m.signum() * (torque_n_m.abs() * largest_n_m).sqrt());
         }
         if dataset.largest_payload_kg > 0.0 {
             let payload_kg = observation.payload_kg.unwrap_or(0.0);
-            for k in 0..3 {
-                turn_joint(
-                    observation,
-                    variant.joint,
-                    payload_kg * observation.loads.unit_lever_n[j][k],
-                    out,
-                );
-            }
+            out.extend((0..3).map(|k| payload_kg * observation.loads.unit_lever_n[j][k]));
         }
     }
 }

@@ -1,8 +1,8 @@
 //! One joint drives another a little: coupled wrist gears with a wrong ratio.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{of_arm, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, of_arm};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 use robot_model::units::m_from_mm;
 
@@ -47,13 +47,16 @@ impl Effect for JointCoupling {
         }
         all
     }
-    fn signature(
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint_b.map(Motion::Joint)
+    }
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        turn_joint(observation, variant.joint_b, observation.q_rad[of_arm(variant.joint, observation)], out);
+        out.push(observation.q_rad[of_arm(variant.joint, observation)]);
     }
 }

@@ -1,8 +1,8 @@
 //! A joint turns by a little more or less than it says: gear ratio, encoder scale.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{of_arm, turn_joint};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, of_arm};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 
 /// The Jacobian's column J_j times q_j.
@@ -26,13 +26,16 @@ impl Effect for JointGain {
             .map(|j| Candidate::new(EffectKind::JointGain, EffectVariant::of_joint(j), vec![6e-5]))
             .collect()
     }
-    fn signature(
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
+    }
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        turn_joint(observation, variant.joint, observation.q_rad[of_arm(variant.joint, observation)], out);
+        out.push(observation.q_rad[of_arm(variant.joint, observation)]);
     }
 }

@@ -1,7 +1,7 @@
 //! A joint's zero is off: its encoder, its calibration mark.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::Motion;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 
@@ -38,16 +38,26 @@ impl Effect for JointOffset {
         });
         all
     }
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
+    }
+    fn factors(
+        &self,
+        _variant: &EffectVariant,
+        _dataset: &Dataset,
+        _observation: &Observation,
+        out: &mut Vec<f64>,
+    ) {
+        out.push(1.0);
+    }
     fn signature(
         &self,
         variant: &EffectVariant,
-        _dataset: &Dataset,
+        dataset: &Dataset,
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        match variant.joint {
-            Some(_) => turn_joint(observation, variant.joint, 1.0, out),
-            None => (0..observation.joints()).for_each(|j| turn_joint(observation, Some(j), 1.0, out)),
-        }
+        let joints = variant.joint.map_or(0..observation.joints(), |j| j..j + 1);
+        joints.for_each(|j| Motion::Joint(j).signature(dataset, observation, &[1.0], out));
     }
 }

@@ -2,8 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
-use super::rigid::turn_joint;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::Motion;
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 
@@ -47,18 +47,16 @@ impl Effect for JointStep {
             })
             .collect()
     }
-    fn angles(&self, variant: &EffectVariant, observation: &Observation) -> Option<[f64; 2]> {
-        Some([variant.growth.at(&observation.thermal_state(), None), 1.0])
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
     }
-    fn signature(
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        for angle in self.angles(variant, observation).into_iter().flatten() {
-            turn_joint(observation, variant.joint, angle, out);
-        }
+        out.extend([variant.growth.at(&observation.thermal_state(), None), 1.0]);
     }
 }

@@ -34,4 +34,4 @@ pub use effect::{Candidate, EffectVariant};
 pub use library::{candidates, effect};
 pub use over_time::steps_too_near;
 pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};
-pub use rigid::RigidBody;
+pub use rigid::{Motion, RigidBody};

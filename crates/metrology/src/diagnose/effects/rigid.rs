@@ -1,4 +1,5 @@
-//! What signatures of several effects share: a joint that turns, a base or a target that moves rigidly.
+//! What signatures of several effects share: a joint that turns, a base or a target that moves rigidly, each by numbers that differ
+//! from observation to observation.
 
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 
@@ -16,15 +17,45 @@ pub fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
     (angle_rad / largest_n_m.max(1e-9)).min(SOFTEST)
 }
 
-/// The geometric Jacobian's column of `joint` times `angle`.
-pub fn turn_joint(observation: &Observation, joint: Option<usize>, angle: f64, out: &mut Vec<Twist>) {
-    out.push(scaled(observation.jacobian_column(of_arm(joint, observation)), angle));
-}
-
 /// Joint `joint`, from 0, where the arm has it, else its last.
 #[must_use]
 pub fn of_arm(joint: Option<usize>, observation: &Observation) -> usize {
     joint.unwrap_or(0).min(observation.joints() - 1)
+}
+
+/// A motion that an effect gives in many sizes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Joint so-and-so, counted from 0, turns, or slides.
+    Joint(usize),
+    /// A rigid motion of one side of the arm.
+    Body(RigidBody),
+}
+
+impl Motion {
+    /// The twists of the motion itself at `observation`: of a joint one, of a body one for each of its parameters.
+    pub fn plain(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+        match self {
+            Self::Joint(joint) => {
+                out.push(observation.jacobian_column(of_arm(Some(joint), observation)));
+            }
+            Self::Body(body) => body.signature(dataset, observation, out),
+        }
+    }
+
+    /// The motion, whole, times each of `factors`, pushed onto `out`.
+    pub fn signature(
+        self,
+        dataset: &Dataset,
+        observation: &Observation,
+        factors: &[f64],
+        out: &mut Vec<Twist>,
+    ) {
+        let from = out.len();
+        self.plain(dataset, observation, out);
+        let plain = out.split_off(from);
+        out.extend(factors.iter().flat_map(|factor| plain.iter().map(|twist| scaled(*twist, *factor))));
+    }
 }
 
 /// What stands on one side of the arm and moves rigidly.
@@ -38,20 +69,20 @@ pub enum RigidBody {
 }
 
 impl RigidBody {
-    /// Its motion at `observation` per unit of each parameter, times `factor`, pushed onto `out`.
-    pub fn signature(self, dataset: &Dataset, observation: &Observation, factor: f64, out: &mut Vec<Twist>) {
+    /// Its motion at `observation` per unit of each parameter, pushed onto `out`.
+    fn signature(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
         match self {
-            Self::Base => out.extend((0..6).map(|k| scaled(observation.frame_offset(0, k), factor))),
+            Self::Base => out.extend((0..6).map(|k| observation.frame_offset(0, k))),
             Self::Tool => {
                 for k in 0..3 {
                     let axis = observation.flange.column(k);
-                    out.push(scaled([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0], factor));
+                    out.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
                 }
                 if dataset.rows_per_observation == 6 {
                     for k in 0..3 {
                         // About the measured point itself: its shift stands above.
                         let axis = observation.flange.column(k);
-                        out.push(scaled([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]], factor));
+                        out.push([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]);
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! Two measured axes swapped, or one mirrored.
 
-use super::effect::{Candidate, Effect, EffectVariant};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::effect::{Candidate, Effect};
+use crate::diagnose::dataset::Dataset;
 use robot_model::deform::EffectKind;
 
 /// Measured points are mirrored, looked for by the data checks.
@@ -23,13 +23,5 @@ impl Effect for SwappedAxes {
     /// None: it is a fault of the file, looked for before any effect.
     fn candidates(&self, _dataset: &Dataset) -> Vec<Candidate> {
         Vec::new()
-    }
-    fn signature(
-        &self,
-        _variant: &EffectVariant,
-        _dataset: &Dataset,
-        _observation: &Observation,
-        _out: &mut Vec<Twist>,
-    ) {
     }
 }

@@ -1,9 +1,9 @@
 //! A joint's zero drifts as its gear and motor warm up.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::turn_joint;
+use super::rigid::Motion;
 use super::thermal;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 
 /// J_j times warm-up, plus a constant of its own.
@@ -44,19 +44,16 @@ impl Effect for ThermalJointDrift {
             })
             .collect()
     }
-    fn signature(
+    fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
+        variant.joint.map(Motion::Joint)
+    }
+    fn factors(
         &self,
         variant: &EffectVariant,
         _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        turn_joint(
-            observation,
-            variant.joint,
-            variant.growth.at(&observation.thermal_state(), variant.joint),
-            out,
-        );
-        turn_joint(observation, variant.joint, 1.0, out);
+        out.extend([variant.growth.at(&observation.thermal_state(), variant.joint), 1.0]);
     }
 }

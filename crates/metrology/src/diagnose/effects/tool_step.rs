@@ -2,8 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
-use super::rigid::RigidBody;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use super::rigid::{Motion, RigidBody};
+use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
@@ -44,17 +44,16 @@ impl Effect for ToolStep {
             })
             .collect()
     }
-    fn moves(&self) -> Option<RigidBody> {
-        Some(RigidBody::Tool)
+    fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
+        Some(Motion::Body(RigidBody::Tool))
     }
-    fn signature(
+    fn factors(
         &self,
         variant: &EffectVariant,
-        dataset: &Dataset,
+        _dataset: &Dataset,
         observation: &Observation,
-        out: &mut Vec<Twist>,
+        out: &mut Vec<f64>,
     ) {
-        let grown = variant.growth.at(&observation.thermal_state(), None);
-        RigidBody::Tool.signature(dataset, observation, grown, out);
+        out.push(variant.growth.at(&observation.thermal_state(), None));
     }
 }

@@ -47,23 +47,23 @@ impl NuisanceModel {
     fn update_of(&self, candidate: &mut Projected, sums: &Sums, mut hat: impl AsMut<[f64]>) {
         let hat = hat.as_mut();
         let p = hat.len();
-        for k in candidate.known..self.directions.len() {
+        for direction in &self.directions[candidate.known..] {
             hat.fill(0.0);
             let columns = sums.cross.as_slice().chunks_exact(p);
-            for (d, column) in self.directions[k].iter().zip(columns).filter(|(d, _)| **d != 0.0) {
+            for (d, column) in direction.weights.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
                 for (to, from) in hat.iter_mut().zip(column) {
                     *to += d * from;
                 }
             }
             let own = candidate.own.as_mut_slice().chunks_exact_mut(p);
             for ((own, with_y), along) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat) {
-                *with_y -= along * self.y_hat[k];
+                *with_y -= along * direction.y;
                 for (to, other) in own.iter_mut().zip(&*hat) {
                     *to -= along * other;
                 }
             }
             for (a, along) in hat.iter().enumerate() {
-                candidate.geometry.column_mut(a).axpy(-along, &self.geometry_hat[k], 1.0);
+                candidate.geometry.column_mut(a).axpy(-along, &direction.geometry, 1.0);
             }
         }
         candidate.known = self.directions.len();
@@ -78,7 +78,7 @@ impl NuisanceModel {
         let mut taken = DMatrix::zeros(flat + self.lambda.len(), p);
         for (k, direction) in self.directions.iter().enumerate() {
             let columns = sums.cross.as_slice().chunks_exact(p.max(1));
-            for (d, column) in direction.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
+            for (d, column) in direction.weights.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
                 for (a, from) in column.iter().enumerate() {
                     taken[(k, a)] += d * from;
                 }
@@ -97,7 +97,7 @@ impl NuisanceModel {
         let geometry = self.geometry_shares(ratio).zip(self.gy.iter()).map(|(weight, g)| weight * g);
         DVector::from_iterator(
             self.directions.len() + self.lambda.len(),
-            self.y_hat.iter().copied().chain(geometry),
+            self.directions.iter().map(|direction| direction.y).chain(geometry),
         )
     }
 

@@ -49,7 +49,19 @@ impl EvidencePeak {
         Self { log_evidence: f64::NEG_INFINITY, sigma_m: SIGMA_M[1], geometry_ratio: 0.0, size_ratio: 0.0 };
 }
 
+/// A direction that is projected out.
+#[derive(Clone)]
+struct Direction {
+    /// Weights of the design's columns.
+    weights: Vec<f64>,
+    /// The data along it.
+    y: f64,
+    /// Geometry along it.
+    geometry: DVector<f64>,
+}
+
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
+#[derive(Clone)]
 pub struct NuisanceModel {
     /// Rows less flat directions.
     m: f64,
@@ -63,16 +75,16 @@ pub struct NuisanceModel {
     size_ratios: Vec<f64>,
     /// <y, y> with the flat columns projected out.
     yy: f64,
-    /// Each flat direction, normalised, as weights of the design's columns.
-    directions: Vec<Vec<f64>>,
-    /// How many of them, after the flat ones, are slow noise's: integrated, not projected out.
-    slow: std::ops::Range<usize>,
+    /// Each flat direction, normalised.
+    directions: Vec<Direction>,
+    /// How many of them are slow noise's: integrated, not projected out.
+    n_slow: usize,
+    /// Columns of slow noise, and the precision of their prior at unit noise.
+    slow: (std::ops::Range<usize>, f64),
+    /// Columns that were left out because those before them tell all of them.
+    dependent: Vec<usize>,
     /// ln determinant of slow noise.
     slow_log_det: f64,
-    /// Data along each direction.
-    y_hat: Vec<f64>,
-    /// Geometry along each direction.
-    geometry_hat: Vec<DVector<f64>>,
     /// Geometry with itself and with the data, flat directions projected out.
     gg: DMatrix<f64>,
     gy_raw: DVector<f64>,
@@ -87,6 +99,18 @@ impl NuisanceModel {
     /// Eliminates the design's registration and `also` (columns, flat) over `subset`.
     #[must_use]
     pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: NoisePrior) -> Self {
+        Self::with_slow(design, subset, also, noise, design.slow())
+    }
+
+    /// The same with `slow` noise in the place of the design's: its columns, and its standard deviation over the noise's.
+    #[must_use]
+    pub fn with_slow(
+        design: &Design,
+        subset: &[usize],
+        also: &[usize],
+        noise: NoisePrior,
+        slow: (std::ops::Range<usize>, f64),
+    ) -> Self {
         let gram = design.gram(subset);
         let flat: Vec<usize> = design.registration.clone().collect();
         let geometry: Vec<usize> = design.geometry.clone().collect();
@@ -109,10 +133,10 @@ impl NuisanceModel {
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
             directions: Vec::new(),
-            slow: 0..0,
+            n_slow: 0,
+            slow: (0..0, 0.0),
+            dependent: Vec::new(),
             slow_log_det: 0.0,
-            y_hat: Vec::new(),
-            geometry_hat: Vec::new(),
             gg,
             gy_raw,
             geometry,
@@ -127,7 +151,7 @@ impl NuisanceModel {
             }
             nuisance.push(&gram, direction);
         }
-        nuisance.add_slow(&gram, design.slow());
+        nuisance.add_slow(&gram, slow);
         nuisance.add(&gram, also);
         nuisance.finish();
         nuisance
@@ -140,43 +164,104 @@ impl NuisanceModel {
         self.finish();
     }
 
+    /// The same nuisance model without `columns`, which were given as `also` or grown; `None` where that takes another
+    /// elimination, because they told all of a column that was left out.
+    ///
+    /// What only these columns tell are the rows of the inverse of all products that belong to them. A reflection
+    /// (Householder 1958) takes the directions to as many that hold it and the rest; the former are given back.
+    #[must_use]
+    pub fn without(&self, design: &Design, subset: &[usize], columns: &[usize]) -> Option<Self> {
+        let mut rest = self.clone();
+        rest.dependent.retain(|column| !columns.contains(column));
+        let left_out: Vec<Vec<f64>> =
+            rest.dependent.iter().map(|&column| design.gram_column(subset, column)).collect();
+        for &column in columns.iter().filter(|column| !self.dependent.contains(column)) {
+            let last = rest.directions.pop()?;
+            let mut axis: Vec<f64> = rest.directions.iter().map(|d| d.weights[column]).collect();
+            axis.push(last.weights[column]);
+            let length = dot(&axis, &axis).sqrt();
+            if length <= 0.0 {
+                return None;
+            }
+            // Reflected onto the last direction, from the side that is farther off.
+            let end = axis.len() - 1;
+            let target = if axis[end] > 0.0 { -length } else { length };
+            axis[end] -= target;
+            let scale = 2.0 / dot(&axis, &axis);
+            let mut along = Direction {
+                weights: last.weights.iter().map(|w| axis[end] * w).collect(),
+                y: axis[end] * last.y,
+                geometry: &last.geometry * axis[end],
+            };
+            for (by, direction) in axis.iter().zip(&rest.directions) {
+                along.weights.iter_mut().zip(&direction.weights).for_each(|(to, from)| *to += by * from);
+                along.y += by * direction.y;
+                along.geometry.axpy(*by, &direction.geometry, 1.0);
+            }
+            for (by, direction) in axis.iter().zip(&mut rest.directions) {
+                let by = scale * by;
+                direction.weights.iter_mut().zip(&along.weights).for_each(|(to, from)| *to -= by * from);
+                direction.y -= by * along.y;
+                direction.geometry.axpy(-by, &along.geometry, 1.0);
+            }
+            let by = scale * axis[end];
+            let weights: Vec<f64> =
+                last.weights.iter().zip(&along.weights).map(|(of, along)| of - by * along).collect();
+            let told =
+                |(gram, column): (&Vec<f64>, &usize)| dot(gram, &weights).powi(2) > RANK * gram[*column];
+            if left_out.iter().zip(&rest.dependent).any(told) {
+                return None;
+            }
+            let y = last.y - by * along.y;
+            let geometry = last.geometry - &along.geometry * by;
+            rest.yy += y * y;
+            rest.gy_raw.axpy(y, &geometry, 1.0);
+            rest.gg += &geometry * geometry.transpose();
+        }
+        rest.finish();
+        Some(rest)
+    }
+
     /// One column after the other, made orthogonal to those before (Gram and Schmidt).
     fn add(&mut self, gram: &DMatrix<f64>, also: &[usize]) {
         for direction in &mut self.directions {
-            direction.resize(gram.ncols(), 0.0);
+            direction.weights.resize(gram.ncols(), 0.0);
         }
         for &column in also {
             let mut direction = vec![0.0; gram.ncols()];
             direction[column] = 1.0;
             let whole = gram[(column, column)];
-            // Twice: the second pass takes out what rounding left of the first. What slow noise takes is taken once.
-            for pass in 0..2 {
-                let seen = times(gram, &direction);
-                let known =
-                    if pass == 0 || self.slow.is_empty() { self.directions.len() } else { self.slow.start };
-                for known in &self.directions[..known] {
-                    let along = dot(known, &seen);
-                    for (to, from) in direction.iter_mut().zip(known) {
+            // Twice: the second pass takes out what rounding left of the first.
+            for _ in 0..2 {
+                let mut seen = times(gram, &direction);
+                let (slow, precision) = self.slow.clone();
+                slow.for_each(|column| seen[column] += precision * direction[column]);
+                for known in &self.directions {
+                    let along = dot(&known.weights, &seen);
+                    for (to, from) in direction.iter_mut().zip(&known.weights) {
                         *to -= along * from;
                     }
                 }
             }
-            let left = times(gram, &direction)[column];
+            let left = dot(gram.column(column).as_slice(), &direction);
             if left > RANK * whole && left > 0.0 {
                 let length = left.sqrt();
                 direction.iter_mut().for_each(|d| *d /= length);
                 self.push(gram, direction);
+            } else {
+                self.dependent.push(column);
             }
         }
     }
 
     /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
-    /// ratio^2 l / (1 + ratio^2 l) is taken out.
+    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
+    /// the flat ones have.
     fn add_slow(&mut self, gram: &DMatrix<f64>, (columns, ratio): (std::ops::Range<usize>, f64)) {
         if columns.is_empty() || ratio <= 0.0 {
             return;
         }
-        let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, d)).collect();
+        let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, &d.weights)).collect();
         let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
         let n = columns.len();
         let eigen =
@@ -198,26 +283,25 @@ impl NuisanceModel {
                 .map(|seen| columns.clone().map(|column| seen[column] * direction[column]).sum())
                 .collect();
             for (known, along) in self.directions[..from].iter().zip(along) {
-                for (to, by) in direction.iter_mut().zip(known) {
+                for (to, by) in direction.iter_mut().zip(&known.weights) {
                     *to -= along * by;
                 }
             }
             self.slow_log_det += r2.ln_1p();
             self.push(gram, direction);
         }
-        self.slow = from..self.directions.len();
+        self.n_slow = self.directions.len() - from;
+        self.slow = (columns, 1.0 / (ratio * ratio));
     }
 
-    fn push(&mut self, gram: &DMatrix<f64>, direction: Vec<f64>) {
-        let along = times(gram, &direction);
-        let y = along[0];
-        let g = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along[g]));
+    fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {
+        let along = |column: usize| dot(gram.column(column).as_slice(), &weights);
+        let y = along(0);
+        let geometry = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along(g)));
         self.yy -= y * y;
-        self.gg -= &g * g.transpose();
-        self.gy_raw -= &g * y;
-        self.y_hat.push(y);
-        self.geometry_hat.push(g);
-        self.directions.push(direction);
+        self.gg -= &geometry * geometry.transpose();
+        self.gy_raw -= &geometry * y;
+        self.directions.push(Direction { weights, y, geometry });
     }
 
     fn finish(&mut self) {
@@ -228,7 +312,7 @@ impl NuisanceModel {
         self.turn = eigen.eigenvectors.select_columns(&kept).transpose();
         self.lambda = DVector::from_iterator(kept.len(), kept.iter().map(|&i| eigen.eigenvalues[i]));
         self.gy = &self.turn * &self.gy_raw;
-        let flat = self.directions.len() - self.slow.len();
+        let flat = self.directions.len() - self.n_slow;
         self.m = (self.rows - flat as f64).max(1.0);
         self.marginal = self.noise.marginal_over(self.m);
         (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
@@ -245,7 +329,7 @@ impl NuisanceModel {
     #[must_use]
     pub fn parameters(&self, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
-        (self.directions.len() - self.slow.len()) as f64
+        (self.directions.len() - self.n_slow) as f64
             + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
     }
 
@@ -327,6 +411,15 @@ fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
     out
 }
 
+/// Sum of products, in eight running sums.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for k in 0..8 {
+            sums[k] += x[k] * y[k];
+        }
+    }
+    sums.iter().sum::<f64>() + tail
 }

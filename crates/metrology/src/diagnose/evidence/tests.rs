@@ -229,3 +229,51 @@ fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
     assert!((own - exact[0]).abs() < 1e-6 * exact[0], "{own} {exact:?}");
     assert!((with_data - exact[1]).abs() < 1e-6 * exact[1].abs(), "{with_data} {exact:?}");
 }
+
+/// Two of three causes taken out of a nuisance model, with slow noise and without, against one that was made of the third alone;
+/// and one of the two put in again.
+#[test]
+fn causes_taken_out_leave_the_nuisance_model_of_the_others() {
+    let problem = problem(6, 2e-5, 1.0, 0.5);
+    let noise = NoisePrior::new(None, None);
+    let (mut design, _) = problem.nuisance(noise);
+    let library = candidates(&problem.dataset).0;
+    let column = |design: &mut Design, kind, joint| {
+        let wanted = |c: &&Candidate| c.kind == kind && c.variant.joint == Some(joint);
+        let candidate = library.iter().find(wanted).unwrap();
+        design.append(&design.columns_of(&problem.dataset, candidate)).collect::<Vec<usize>>()
+    };
+    use robot_model::deform::EffectKind::{GearEccentricity, JointCompliance, JointOffset};
+    let [kept, first, second] = [(JointOffset, 1), (GearEccentricity, 2), (JointCompliance, 1)]
+        .map(|(k, j)| column(&mut design, k, j));
+    let slow =
+        design.append(&DMatrix::from_fn(72, 3, |r, c| ((r % 3 == c) as u8 as f64) * (r as f64 / 9.0).cos()));
+    let sums = design.products(&design.columns_of(&problem.dataset, &problem.candidate)).sum(&[0]);
+    for ratio in [0.0, 1.5] {
+        design.set_slow(slow.clone(), ratio);
+        let of = |also: &[&Vec<usize>]| {
+            let also: Vec<usize> = also.iter().flat_map(|columns| columns.iter().copied()).collect();
+            NuisanceModel::new(&design, &[0], &also, noise)
+        };
+        let agree = |found: &NuisanceModel, expected: &NuisanceModel| {
+            let [found, expected] = [found, expected].map(|nuisance| {
+                let gain = nuisance.evidence(&nuisance.project(&sums));
+                [nuisance.null().log_evidence, gain.log_evidence, nuisance.freedom(), nuisance.yy]
+            });
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-7 * expected.abs(), "{ratio}: {found} {expected}");
+            }
+        };
+        let both = [first.clone(), second.clone()].concat();
+        let mut left = of(&[&kept, &first, &second]).without(&design, &[0], &both).unwrap();
+        agree(&left, &of(&[&kept]));
+        left.grow(&design, &[0], &first);
+        agree(&left, &of(&[&kept, &first]));
+    }
+    // A column again: the first tells all of it, another cause does not.
+    let again =
+        design.append(&design.columns_from(kept[0]).columns(0, 1).into_owned()).collect::<Vec<usize>>();
+    let twice = NuisanceModel::new(&design, &[0], &[&kept[..], &first, &again].concat(), noise);
+    assert!(twice.without(&design, &[0], &kept).is_none());
+    assert!(twice.without(&design, &[0], &first).is_some());
+}

@@ -11,7 +11,7 @@ use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::options::Options;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
-use super::verdict::{OpenPlace, Rival, describe_candidate};
+use super::verdict::{OpenPlace, describe_candidate};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
 use separation::{Pair, RivalModel, Separation};
@@ -137,9 +137,10 @@ impl Question {
     ) -> Option<Self> {
         let mut columns: Vec<Vec<Vec<usize>>> = Vec::new();
         for place in places {
-            let Workspace { design, library, column_index } = workspace;
-            let of = |rival: &Rival| library.columns_in_design(design, column_index, rival.candidate);
-            columns.push(place.rivals.iter().take(MOST_RIVALS).map(of).collect());
+            let Workspace { design, library, column_index } = &mut *workspace;
+            let rivals: Vec<usize> =
+                place.rivals.iter().take(MOST_RIVALS).map(|rival| rival.candidate).collect();
+            columns.push(library.columns_in_design(design, column_index, &rivals));
         }
         workspace.library.extend(&workspace.design);
         let design = &workspace.design;

@@ -2,7 +2,7 @@
 
 use super::chosen::ChosenCause;
 use super::library::Library;
-use crate::diagnose::design::Design;
+use crate::diagnose::design::{Design, side_by_side};
 use crate::diagnose::effects::{Candidate, steps_too_near};
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
@@ -72,19 +72,26 @@ impl Library<'_> {
         self.angles.get(joint).is_some_and(|angles| *angles >= ANGLES_PER_LINE * (1 + others.count()))
     }
 
-    /// The candidate's columns in the design, appended when new; [`Self::extend`] has to follow.
+    /// The candidates' columns in the design, appended when new; [`Self::extend`] has to follow.
     pub fn columns_in_design(
-        &mut self,
+        &self,
         design: &mut Design,
         column_index: &mut BTreeMap<usize, Vec<usize>>,
-        candidate: usize,
-    ) -> Vec<usize> {
-        if let Some(columns) = column_index.get(&candidate) {
-            return columns.clone();
+        candidates: &[usize],
+    ) -> Vec<Vec<usize>> {
+        let mut new: Vec<usize> = Vec::new();
+        for candidate in candidates {
+            if !column_index.contains_key(candidate) && !new.contains(candidate) {
+                new.push(*candidate);
+            }
         }
-        let columns = design.columns_of(self.dataset, &self.candidates[candidate]);
-        let at: Vec<usize> = design.append(columns).collect();
-        column_index.insert(candidate, at.clone());
-        at
+        if !new.is_empty() {
+            let columns: Vec<_> = new.iter().map(|&c| self.columns_at(design, c)).collect();
+            let mut at = design.append(&side_by_side(&columns));
+            for (candidate, columns) in new.into_iter().zip(&columns) {
+                column_index.insert(candidate, at.by_ref().take(columns.ncols()).collect());
+            }
+        }
+        candidates.iter().map(|candidate| column_index[candidate].clone()).collect()
     }
 }

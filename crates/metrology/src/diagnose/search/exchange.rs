@@ -67,7 +67,7 @@ impl Library<'_> {
     /// Puts `candidate` into place `i`.
     fn replace(&mut self, search: &mut Search<'_>, i: usize, best: BestEffect) {
         let BestEffect { candidate, gain_nats, peak } = best;
-        let columns = self.columns_in_design(search.design, search.column_index, candidate);
+        let columns = self.columns_in_design(search.design, search.column_index, &[candidate]).concat();
         self.extend(search.design);
         search.chosen[i] = ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio };
     }
@@ -94,6 +94,7 @@ impl Library<'_> {
     /// near periods look alike, and the first were chosen when nothing else was there.
     pub(super) fn settle_lines(&mut self, search: &mut Search<'_>) {
         let mut i = 0;
+        let mut whole = search.nuisance(&search.chosen);
         while i < search.chosen.len() {
             let this = search.chosen[i].candidate;
             let variant = self.candidates[this].variant;
@@ -101,7 +102,9 @@ impl Library<'_> {
                 i += 1;
                 continue;
             };
-            let nuisance = search.nuisance(&search.others(&[i]));
+            let nuisance = whole
+                .without(search.design, search.subset, &search.chosen[i].columns)
+                .unwrap_or_else(|| search.nuisance(&search.others(&[i])));
             let bare = nuisance.null().log_evidence;
             let best = (0..self.candidates.len())
                 .filter(|&c| {
@@ -117,6 +120,7 @@ impl Library<'_> {
             match best {
                 Some((_, peak)) if peak.log_evidence - bare < DROP_NATS => {
                     search.chosen.remove(i);
+                    whole = nuisance;
                     continue;
                 }
                 Some((candidate, peak)) => {
@@ -125,6 +129,10 @@ impl Library<'_> {
                         i,
                         BestEffect { candidate, gain_nats: peak.log_evidence - bare, peak },
                     );
+                    if candidate != this {
+                        whole = nuisance;
+                        whole.grow(search.design, search.subset, &search.chosen[i].columns);
+                    }
                 }
                 None => {}
             }

@@ -125,16 +125,15 @@ impl Library<'_> {
                     .collect();
             }
             let sure = first.len();
-            let wanted: Vec<ChosenCause> = first
-                .into_iter()
-                .chain(self.more_lines(&ranking, candidate))
-                .map(|BestEffect { candidate, gain_nats, peak }| {
-                    let columns = self.columns_in_design(search.design, search.column_index, candidate);
-                    ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
-                })
-                .collect();
+            first.extend(self.more_lines(&ranking, candidate));
+            let candidates: Vec<usize> = first.iter().map(|best| best.candidate).collect();
+            let columns = self.columns_in_design(search.design, search.column_index, &candidates);
             self.extend(search.design);
-            for (i, mut one) in wanted.into_iter().enumerate() {
+            let wanted =
+                first.into_iter().zip(columns).map(|(BestEffect { candidate, gain_nats, peak }, columns)| {
+                    ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
+                });
+            for (i, mut one) in wanted.enumerate() {
                 // A further line may be the shadow of those before it: it must be clear beside them.
                 if i >= sure {
                     if nuisance.freedom() < FEWEST_FREE {

@@ -2,10 +2,11 @@
 
 use super::chosen::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::dataset::Dataset;
-use crate::diagnose::design::{Design, Products, RigidMotions, Sums, Turning};
-use crate::diagnose::effects::{Candidate, RigidBody};
+use crate::diagnose::design::{Design, Products, ScaledMotions, Sums};
+use crate::diagnose::effects::{Candidate, Motion, RigidBody};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Joints;
@@ -16,10 +17,8 @@ use std::collections::BTreeSet;
 const MOST_KEPT: usize = 40_000_000;
 /// Features of GP alternatives are kept for no more stations than this: 80 MB.
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
-/// Whitened columns of one candidate.
-type Columns = Vec<Vec<f64>>;
 /// Computes the features of a GP alternative.
-pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> Vec<Vec<f64>> + Sync + 'a;
+pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> DMatrix<f64> + Sync + 'a;
 
 /// Angles nearer than this are the same to a gear's line, radians: a tenth of a tooth's width at the highest order.
 const SAME_ANGLE_RAD: f64 = 2e-3;
@@ -44,14 +43,10 @@ pub struct Library<'a> {
     pub log_prior: Vec<f64>,
     /// Columns of the design that the products cover.
     width: usize,
-    /// Candidates that come many at once, by joint.
-    turning: Vec<Turning>,
-    /// Steps and drifts, by body.
-    rigid: [RigidMotions; 2],
-    /// Whether a candidate is one of these many.
-    many: Vec<bool>,
-    /// Columns of the other candidates, where there is room to keep them.
-    columns: Vec<Option<Columns>>,
+    /// Candidates that come many at once, by joint and by body.
+    scaled: Vec<ScaledMotions>,
+    /// Where each candidate's columns come from.
+    sources: Vec<ColumnSource>,
     /// Functions outside the library that explanations are held against, as Gaussian processes.
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
@@ -60,12 +55,23 @@ pub struct Library<'a> {
     pub(super) near_pairs: Vec<[usize; 2]>,
 }
 
+/// Where a candidate's whitened columns come from.
+#[derive(Clone)]
+enum ColumnSource {
+    /// They are those of a motion, scaled: which motion, and the candidate's place among its members.
+    Scaled { motion: usize, member: usize },
+    /// They were computed and are kept.
+    Kept(DMatrix<f64>),
+    /// They are computed when they are needed: there is no room for them.
+    Computed,
+}
+
 /// A GP alternative over the data.
 pub struct Structure {
     /// Which alternative it is.
     pub gp_alternative: GpAlternative,
     /// Its features as columns, where they are kept.
-    columns: Option<Columns>,
+    columns: Option<DMatrix<f64>>,
     /// Their products with the design, over all its groups.
     pub sums: Sums,
     /// ln of the prior probability.
@@ -83,41 +89,44 @@ impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
     pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        let turning: Vec<Turning> =
-            (0..dataset.joints()).into_par_iter().map(|j| design.turning(dataset, candidates, j)).collect();
-        let rigid =
-            [RigidBody::Base, RigidBody::Tool].map(|body| design.rigid_motions(dataset, candidates, body));
-        let mut many = vec![false; candidates.len()];
-        let of_turning = turning.iter().flat_map(|t| &t.members);
-        of_turning.chain(rigid.iter().flat_map(|r| &r.members)).for_each(|&c| many[c] = true);
-        let single = |c: usize| design.columns_of(dataset, &candidates[c]);
+        let joints = (0..dataset.joints()).map(Motion::Joint);
+        let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
+        let motions: Vec<Motion> = joints.chain(bodies).collect();
+        let scaled: Vec<ScaledMotions> = motions
+            .into_par_iter()
+            .map(|motion| design.scaled_motions(dataset, candidates, motion))
+            .collect();
         let mut room = MOST_KEPT / (dataset.observations.len() * dataset.rows_per_observation).max(1);
+        let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
+        for (motion, scaled) in scaled.iter().enumerate() {
+            for (member, &c) in scaled.members.iter().enumerate() {
+                sources[c] = ColumnSource::Scaled { motion, member };
+            }
+        }
         let keep: Vec<bool> = candidates
             .iter()
-            .zip(&many)
-            .map(|(c, many)| {
-                let fits = !many && c.prior_sigma.len() <= room;
+            .zip(&sources)
+            .map(|(c, source)| {
+                let fits = matches!(source, ColumnSource::Computed) && c.prior_sigma.len() <= room;
                 room -= if fits { c.prior_sigma.len() } else { 0 };
                 fits
             })
             .collect();
-        let (mut products, columns): (Vec<Products>, Vec<Option<Columns>>) = (0..candidates.len())
+        let (mut products, sources): (Vec<Products>, Vec<ColumnSource>) = sources
             .into_par_iter()
-            .map(|c| {
-                if many[c] {
-                    return (Products::none(), None);
+            .enumerate()
+            .map(|(c, source)| {
+                if let ColumnSource::Scaled { .. } = source {
+                    return (Products::none(), source);
                 }
-                let columns = single(c);
-                (design.products(&columns), keep[c].then_some(columns))
+                let columns = design.columns_of(dataset, &candidates[c]);
+                let products = design.products(&columns);
+                (products, if keep[c] { ColumnSource::Kept(columns) } else { source })
             })
             .unzip();
-        for turning in &turning {
-            design.begin_turning(turning, &mut products);
-            design.extend_turning(turning, &mut products);
-        }
-        for motions in &rigid {
-            design.begin_rigid(motions, &mut products);
-            design.extend_rigid(motions, &mut products);
+        for motions in &scaled {
+            design.begin_scaled(motions, &mut products);
+            design.extend_scaled(motions, &mut products);
         }
         let effects: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
         let family = ((1.0 - NULL_PRIOR - UNEXPLAINED_PRIOR) / effects.len().max(1) as f64).ln();
@@ -128,14 +137,24 @@ impl<'a> Library<'a> {
             products,
             log_prior,
             width: design.width(),
-            turning,
-            rigid,
-            many,
-            columns,
+            scaled,
+            sources,
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
             near_pairs: Vec::new(),
         }
+    }
+
+    /// What is kept of a search: the pairs of causes that it weighed.
+    #[must_use]
+    pub fn into_near_pairs(self) -> Vec<[usize; 2]> {
+        self.near_pairs
+    }
+
+    /// The library after a search that weighed these pairs of causes.
+    #[must_use]
+    pub fn with_near_pairs(self, near_pairs: Vec<[usize; 2]>) -> Self {
+        Self { near_pairs, ..self }
     }
 
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
@@ -169,18 +188,27 @@ impl<'a> Library<'a> {
     }
 
     /// A candidate's whitened columns.
-    pub(super) fn columns_at(&self, design: &Design, candidate: usize) -> Cow<'_, [Vec<f64>]> {
-        match &self.columns[candidate] {
-            Some(columns) => Cow::Borrowed(columns),
-            None => Cow::Owned(design.columns_of(self.dataset, &self.candidates[candidate])),
+    pub(super) fn columns_at(&self, design: &Design, candidate: usize) -> Cow<'_, DMatrix<f64>> {
+        match &self.sources[candidate] {
+            ColumnSource::Scaled { motion, member } => {
+                Cow::Owned(self.scaled[*motion].columns(*member, self.dataset.rows_per_observation))
+            }
+            ColumnSource::Kept(columns) => Cow::Borrowed(columns),
+            ColumnSource::Computed => {
+                Cow::Owned(design.columns_of(self.dataset, &self.candidates[candidate]))
+            }
         }
     }
 
     /// Gives back the memory of many columns; they are computed again where they are needed.
     pub fn forget_columns(&mut self) {
-        let kept: usize = self.columns.iter().flatten().flatten().map(Vec::len).sum();
-        if kept > MOST_KEPT / 4 {
-            self.columns.iter_mut().for_each(|columns| *columns = None);
+        let kept = |source: &ColumnSource| match source {
+            ColumnSource::Kept(columns) => columns.len(),
+            _ => 0,
+        };
+        if self.sources.iter().map(kept).sum::<usize>() > MOST_KEPT / 4 {
+            let sources = self.sources.iter_mut().filter(|source| kept(source) > 0);
+            sources.for_each(|source| *source = ColumnSource::Computed);
         }
     }
 
@@ -191,19 +219,19 @@ impl<'a> Library<'a> {
         }
         self.width = design.width();
         let (dataset, candidates) = (self.dataset, self.candidates);
-        for turning in &self.turning {
-            design.extend_turning(turning, &mut self.products);
+        for motions in &self.scaled {
+            design.extend_scaled(motions, &mut self.products);
         }
-        for motions in &self.rigid {
-            design.extend_rigid(motions, &mut self.products);
-        }
-        let (columns, many) = (&self.columns, &self.many);
-        self.products.par_iter_mut().enumerate().filter(|(c, _)| !many[*c]).for_each(|(c, products)| {
-            match &columns[c] {
-                Some(columns) => design.extend(products, columns),
-                None => design.extend(products, &design.columns_of(dataset, &candidates[c])),
-            }
-        });
+        let sources = &self.sources;
+        self.products.par_iter_mut().zip(sources).enumerate().for_each(
+            |(c, (products, source))| match source {
+                ColumnSource::Scaled { .. } => {}
+                ColumnSource::Kept(columns) => design.extend(products, columns),
+                ColumnSource::Computed => {
+                    design.extend(products, &design.columns_of(dataset, &candidates[c]));
+                }
+            },
+        );
         self.gp_alternatives.par_iter_mut().for_each(|s| match &s.columns {
             Some(columns) => design.extend_sums(&mut s.sums, columns),
             None => {

@@ -8,6 +8,7 @@ use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR};
 use super::exchange::Search;
 use super::greedy::BESIDE;
 use super::library::Library;
+use crate::diagnose::design::side_by_side;
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use nalgebra::{DMatrix, DVector};
 use robot_model::deform::EffectKind;
@@ -83,13 +84,13 @@ impl Library<'_> {
             let single_odds = single.map(|c| self.odds(self.gain(&bare, search.subset, c), c));
             let mut best: Option<(f64, [ChosenCause; 2])> = None;
             for [a, b] in pairs {
-                let [at_a, at_b] =
-                    [a, b].map(|c| self.columns_in_design(search.design, search.column_index, c));
+                let at = self.columns_in_design(search.design, search.column_index, &[a, b]);
+                let [at_a, at_b] = [&at[0], &at[1]];
                 self.extend(search.design);
-                let first = self.chosen(&bare, search.subset, a, &at_a);
+                let first = self.chosen(&bare, search.subset, a, at_a);
                 let mut beside = search.nuisance(&others);
-                beside.grow(search.design, search.subset, &at_a);
-                let second = self.chosen(&beside, search.subset, b, &at_b);
+                beside.grow(search.design, search.subset, at_a);
+                let second = self.chosen(&beside, search.subset, b, at_b);
                 let gain_nats = first.gain_nats + second.gain_nats;
                 let odds = self.odds(first.gain_nats, a) + self.odds(second.gain_nats, b);
                 let enough = match single_odds {
@@ -157,14 +158,13 @@ impl Library<'_> {
         let columns: Vec<_> = candidates.iter().map(|&c| self.columns_at(search.design, c)).collect();
         let mut starts = vec![0];
         starts.extend(columns.iter().scan(0, |end, columns| {
-            *end += columns.len();
+            *end += columns.ncols();
             Some(*end)
         }));
-        let all: Vec<&[f64]> = columns.iter().flat_map(|c| c.iter().map(Vec::as_slice)).collect();
-        let mut gram = search.design.products_among(&all, search.subset);
-        let mut with_data = DVector::zeros(all.len());
+        let mut gram = search.design.products_among(&side_by_side(&columns), search.subset);
+        let mut with_data = DVector::zeros(gram.ncols());
         let data = bare.taken_of_data(geometry_ratio);
-        let mut taken = DMatrix::zeros(data.len(), all.len());
+        let mut taken = DMatrix::zeros(data.len(), gram.ncols());
         for (start, (_, c, projected)) in starts.iter().zip(of_cause.values()) {
             let sums = &search.tracked[*c].sums;
             let width = sums.own.nrows();

@@ -6,7 +6,7 @@ mod size;
 mod structure;
 mod wording;
 
-pub use cause_group::{OpenPlace, Rival};
+pub use cause_group::OpenPlace;
 pub use wording::{GearBand, describe, describe_candidate, gear_bands};
 
 use super::evidence::NuisanceModel;

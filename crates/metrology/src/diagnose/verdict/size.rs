@@ -17,11 +17,8 @@ pub fn cause(
     i: Option<usize>,
     cause_group: &CauseGroup,
 ) -> Cause {
-    let columns = workspace.library.columns_in_design(
-        &mut workspace.design,
-        &mut workspace.column_index,
-        cause_group.best,
-    );
+    let Workspace { design, library, column_index } = workspace;
+    let columns = library.columns_in_design(design, column_index, &[cause_group.best]).concat();
     let size_ratio = i.and_then(|i| chosen.get(i)).map_or(1.0 / model.peak.sigma_m, |c| c.size_ratio);
     let this = ChosenCause {
         candidate: cause_group.best,

@@ -10,7 +10,7 @@ use crate::diagnose::model::{Model, Workspace, solve};
 use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
-    UNEXPLAINED_PRIOR, cause_columns,
+    UNEXPLAINED_PRIOR,
 };
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
@@ -121,11 +121,11 @@ pub fn shape_of_lines(model: &Model, workspace: &Workspace<'_>, chosen: &[Chosen
         if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
             continue;
         }
-        let mut others: Vec<usize> = (0..chosen.len())
+        let others: Vec<usize> = (0..chosen.len())
             .filter(|i| !lines.contains(i))
             .flat_map(|i| chosen[i].columns.iter().copied())
             .collect();
-        let nuisance = NuisanceModel::new(&workspace.design, &groups, &others, model.noise);
+        let mut nuisance = NuisanceModel::new(&workspace.design, &groups, &others, model.noise);
         let bare = nuisance.null().log_evidence;
         let mut best: Option<(f64, usize)> = None;
         for (k, structure) in workspace.library.gp_alternatives.iter().enumerate() {
@@ -146,11 +146,10 @@ pub fn shape_of_lines(model: &Model, workspace: &Workspace<'_>, chosen: &[Chosen
         }
         let mut together = 0.0;
         for &i in &lines {
-            let nuisance = NuisanceModel::new(&workspace.design, &groups, &others, model.noise);
             let c = chosen[i].candidate;
             together += workspace.library.gain(&nuisance, &groups, c) + workspace.library.log_prior[c]
                 - NULL_PRIOR.ln();
-            others.extend(chosen[i].columns.iter().copied());
+            nuisance.grow(&workspace.design, &groups, &chosen[i].columns);
         }
         if let Some((_, gp_alternative)) = best.filter(|(odds, _)| *odds > together + DROP_NATS) {
             return Some(gp_alternative);
@@ -187,10 +186,8 @@ pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
 /// ln odds of structure alone, of no cause a mere shape, over all causes together.
 pub fn odds_over_causes(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> f64 {
     let groups: Vec<usize> = (0..workspace.design.groups()).collect();
-    let over = |k: usize| {
-        NuisanceModel::new(&workspace.design, &groups, &cause_columns(&chosen[..k], None), model.noise)
-    };
-    let ranking = workspace.library.rank_gp_alternatives(&over(0));
+    let mut nuisance = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
+    let ranking = workspace.library.rank_gp_alternatives(&nuisance);
     let structure =
         log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
             Hypothesis::GpAlternative(k)
@@ -201,10 +198,11 @@ pub fn odds_over_causes(model: &Model, workspace: &Workspace<'_>, chosen: &[Chos
             _ => None,
         })) - ranking.null.log_evidence;
     let mut causes = 0.0;
-    for (k, one) in chosen.iter().enumerate() {
+    for one in chosen {
         let c = one.candidate;
         causes +=
-            workspace.library.gain(&over(k), &groups, c) + workspace.library.log_prior[c] - NULL_PRIOR.ln();
+            workspace.library.gain(&nuisance, &groups, c) + workspace.library.log_prior[c] - NULL_PRIOR.ln();
+        nuisance.grow(&workspace.design, &groups, &one.columns);
     }
     structure - causes
 }

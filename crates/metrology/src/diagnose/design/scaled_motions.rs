@@ -1,0 +1,218 @@
+//! Candidates that are all one motion, of a joint or of a body, times numbers that differ from observation to observation: there
+//! are thousands, their products come by matrix products, and the motion's columns are made once for all of them.
+
+use super::matrix::{Design, by_observation};
+use super::products::Products;
+use crate::diagnose::dataset::Dataset;
+use crate::diagnose::effects::{Candidate, Motion};
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// The candidates of one motion.
+#[derive(Clone, Debug)]
+pub struct ScaledMotions {
+    /// Indices into the candidates.
+    pub members: Vec<usize>,
+    /// Parameters of each member.
+    parameters: Vec<Vec<Parameter>>,
+    /// Whitened columns of the motion itself.
+    plain: DMatrix<f64>,
+    /// A row for each number that scales it, a column for each observation in the order of groups.
+    factors: DMatrix<f64>,
+}
+
+/// A parameter's column is one of the plain ones times a factor at each observation, times the prior sigma.
+#[derive(Clone, Copy, Debug)]
+struct Parameter {
+    plain: usize,
+    factor: usize,
+    sigma: f64,
+}
+
+impl ScaledMotions {
+    /// Whitened columns of the `k`-th member, scaled by their prior sigma.
+    #[must_use]
+    pub fn columns(&self, k: usize, rows_per_observation: usize) -> DMatrix<f64> {
+        let of_parameter = &self.parameters[k];
+        DMatrix::from_fn(self.plain.nrows(), of_parameter.len(), |row, a| {
+            let Parameter { plain, factor, sigma } = of_parameter[a];
+            self.plain[(row, plain)] * self.factors[(factor, row / rows_per_observation)] * sigma
+        })
+    }
+}
+
+impl Design {
+    /// The `candidates` that are `motion`, scaled.
+    #[must_use]
+    pub fn scaled_motions(
+        &self,
+        dataset: &Dataset,
+        candidates: &[Candidate],
+        motion: Motion,
+    ) -> ScaledMotions {
+        let is_motion = |c: &usize| candidates[*c].effect().motion(&candidates[*c].variant) == Some(motion);
+        let members: Vec<usize> = (0..candidates.len()).filter(is_motion).collect();
+        let width = match motion {
+            Motion::Joint(_) => 1,
+            Motion::Body(_) => members.first().map_or(0, |&c| candidates[c].prior_sigma.len()),
+        };
+        let plain = self.stack(dataset, width, |_, observation, out| motion.plain(dataset, observation, out));
+        let mut factors_before = 0;
+        let parameters = members
+            .iter()
+            .map(|&c| {
+                let sigmas = candidates[c].prior_sigma.iter().copied().enumerate();
+                let from = factors_before;
+                let parameter = |(a, sigma)| match motion {
+                    Motion::Joint(_) => Parameter { plain: 0, factor: from + a, sigma },
+                    Motion::Body(_) => Parameter { plain: a, factor: from, sigma },
+                };
+                let parameters: Vec<Parameter> = sigmas.map(parameter).collect();
+                factors_before = parameters.last().map_or(from, |last| last.factor + 1);
+                parameters
+            })
+            .collect();
+        let mut factors = Vec::with_capacity(factors_before * self.order.len());
+        for &i in &self.order {
+            for &c in &members {
+                let Candidate { variant, .. } = &candidates[c];
+                candidates[c].effect().factors(variant, dataset, &dataset.observations[i], &mut factors);
+            }
+        }
+        let factors = DMatrix::from_vec(factors_before, self.order.len(), factors);
+        ScaledMotions { members, parameters, plain, factors }
+    }
+
+    /// Products of all members of `motions` with themselves, into `products`.
+    pub fn begin_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
+        let width = motions.plain.ncols();
+        let squares: Vec<Vec<f64>> = (0..width * width)
+            .map(|k| {
+                let [a, b] = [k / width, k % width].map(|k| motions.plain.column(k));
+                by_observation(a.as_slice(), b.as_slice(), self.rows_per_observation)
+            })
+            .collect();
+        let pairs = |member: &[Parameter]| member.len() * member.len();
+        let count: usize = motions.parameters.iter().map(|member| pairs(member)).sum();
+        let of_groups: Vec<Vec<f64>> = self
+            .groups
+            .par_iter()
+            .map(|rows| {
+                let mut sums = vec![0.0; count];
+                for observation in self.observations(rows) {
+                    let factors = motions.factors.column(observation);
+                    let mut sums = sums.iter_mut();
+                    for member in &motions.parameters {
+                        for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
+                            let square = squares[a.plain * width + b.plain][observation];
+                            let sum = sums.next().expect("room for each pair");
+                            *sum += square * factors[a.factor] * factors[b.factor];
+                        }
+                    }
+                }
+                sums
+            })
+            .collect();
+        let mut before = 0;
+        for (&c, member) in motions.members.iter().zip(&motions.parameters) {
+            let p = member.len();
+            let mut own = Vec::with_capacity(self.groups.len() * p * p);
+            for sums in &of_groups {
+                let sums = &sums[before..before + p * p];
+                own.extend(
+                    sums.iter().enumerate().map(|(k, sum)| sum * member[k / p].sigma * member[k % p].sigma),
+                );
+            }
+            before += p * p;
+            products[c] = Products::begun(p, own, self.groups.len());
+        }
+    }
+
+    /// Brings the members' products up to date with columns appended since: one matrix product for each group.
+    pub fn extend_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
+        let Some(first) = motions.members.first().and_then(|&c| products.get(c)) else { return };
+        let known = first.columns();
+        let width = motions.plain.ncols();
+        let by_observation: Vec<Vec<f64>> = (known..self.width())
+            .into_par_iter()
+            .flat_map_iter(|column| {
+                let column = self.column(column);
+                let of_plain =
+                    |a| by_observation(motions.plain.column(a).as_slice(), column, self.rows_per_observation);
+                (0..width).map(of_plain)
+            })
+            .collect();
+        let of_group = |rows: &Range<usize>| {
+            let observations = self.observations(rows);
+            let with = DMatrix::from_fn(observations.len(), by_observation.len(), |r, c| {
+                by_observation[c][observations.start + r]
+            });
+            motions.factors.columns(observations.start, observations.len()) * with
+        };
+        let crossed: Vec<DMatrix<f64>> = self.groups.par_iter().map(of_group).collect();
+        for (&c, member) in motions.members.iter().zip(&motions.parameters) {
+            let to = &mut products[c].cross;
+            to.reserve_exact(member.len() * (self.width() - known) * crossed.len());
+            for column in 0..self.width() - known {
+                for of in &crossed {
+                    to.extend(member.iter().map(|p| of[(p.factor, column * width + p.plain)] * p.sigma));
+                }
+            }
+            products[c].sum_all();
+        }
+    }
+
+    /// The observations of a group's rows, in the order of groups.
+    fn observations(&self, rows: &Range<usize>) -> Range<usize> {
+        rows.start / self.rows_per_observation..rows.end / self.rows_per_observation
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::design::Whitening;
+    use crate::diagnose::effects::{RigidBody, candidates};
+
+    /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
+    fn problem() -> (Dataset, Design) {
+        let dataset = evenly_spread(60);
+        let residuals: Vec<[f64; 6]> = (0..60).map(|i| [1e-4 * f64::from(i % 7); 6]).collect();
+        let whitening = Whitening::independent((0..60).map(|i| 1.0 + f64::from(i % 4)).collect(), 0.2);
+        let group_of: Vec<usize> = (0..60).map(|i| i % 3).collect();
+        let design = Design::new(&dataset, &residuals, 1, whitening, &group_of);
+        (dataset, design)
+    }
+
+    /// Against the products of each candidate's own columns, also with a column that came later; and those columns.
+    #[test]
+    fn scaled_motions_have_the_products_of_their_columns() {
+        let (dataset, design) = problem();
+        let all = candidates(&dataset).0;
+        let joints = (0..dataset.joints()).map(Motion::Joint);
+        for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
+            let mut design = design.clone();
+            let motions = design.scaled_motions(&dataset, &all, motion);
+            assert!(motions.members.len() > 3, "{motion:?}: {}", motions.members.len());
+            let mut products = vec![Products::none(); all.len()];
+            design.begin_scaled(&motions, &mut products);
+            design.extend_scaled(&motions, &mut products);
+            design.append(&DMatrix::from_fn(180, 1, |r, _| (r % 11) as f64 - 5.0));
+            design.extend_scaled(&motions, &mut products);
+            for (k, &c) in motions.members.iter().enumerate() {
+                let columns = design.columns_of(&dataset, &all[c]);
+                let off = motions.columns(k, design.rows_per_observation) - &columns;
+                assert!(off.amax() <= 1e-12 * columns.amax(), "{motion:?} {c}");
+                let by_columns = design.products(&columns);
+                assert_eq!(products[c].p, by_columns.p);
+                let pairs = products[c].own.iter().zip(&by_columns.own);
+                for (a, b) in pairs.chain(products[c].cross.iter().zip(&by_columns.cross)) {
+                    assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{motion:?} {c}: {a} {b}");
+                }
+                assert_eq!(products[c].cross.len(), by_columns.cross.len());
+            }
+        }
+    }
+}
