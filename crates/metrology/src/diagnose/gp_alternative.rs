@@ -4,7 +4,7 @@
 //! They say that something is there that the library lacks, and where; never how it works.
 
 use super::dataset::{Dataset, Observation, scaled};
-use super::design::{Design, side_by_side};
+use super::design::{Design, inner_products, side_by_side};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 /// Structure of no named cause.
@@ -344,7 +344,7 @@ fn compress(columns: &DMatrix<f64>) -> DMatrix<f64> {
     if n == 0 || rows == 0 {
         return DMatrix::zeros(rows, 0);
     }
-    let eigen = (columns.transpose() * columns).symmetric_eigen();
+    let eigen = inner_products(columns.as_view(), columns.as_view()).symmetric_eigen();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
     let top = eigen.eigenvalues[order[0]];

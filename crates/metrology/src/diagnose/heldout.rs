@@ -156,6 +156,7 @@ fn held_out(
     groups: &[usize],
     squares: &mut [Option<Squares>],
 ) {
+    let width = workspace.design.width();
     let all: Vec<usize> = (0..workspace.design.groups()).collect();
     let train: Vec<usize> = (0..workspace.design.groups()).filter(|a| !groups.contains(a)).collect();
     // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
@@ -174,6 +175,7 @@ fn held_out(
         solve(&workspace.design, &train, &chosen, ratio),
     ];
     let left = fits.map(|fit| workspace.design.residuals(&fit.without_slow(&workspace.design).coefficients));
+    workspace.truncate(width);
     for (i, square) in squares.iter_mut().enumerate() {
         if groups.contains(&folds.group_of[i]) {
             *square = Some([0, 1, 2].map(|k| shift_m(&left[k][i]).powi(2)));

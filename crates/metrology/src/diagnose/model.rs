@@ -72,6 +72,15 @@ pub struct Workspace<'a> {
     pub column_index: BTreeMap<usize, Vec<usize>>,
 }
 
+impl Workspace<'_> {
+    /// Takes back what was tried since the design had so many columns: thousands of products for each of them are of no more use.
+    pub fn truncate(&mut self, width: usize) {
+        self.design.truncate(width);
+        self.library.truncate(width);
+        self.column_index.retain(|_, columns| columns.iter().all(|&column| column < width));
+    }
+}
+
 /// Searches over `linear` with `candidates`: without slow noise at first and, where the bare data have some, with it; the
 /// likelier of both answers stands. Steps can be had in the place of what only wanders, and the other way round.
 #[must_use]

@@ -182,6 +182,15 @@ impl Design {
         start..self.width()
     }
 
+    /// Takes off the columns from number `width` on.
+    pub fn truncate(&mut self, width: usize) {
+        let columns = std::mem::replace(&mut self.columns, DMatrix::zeros(0, 0));
+        self.columns = columns.resize_horizontally(width, 0.0);
+        self.gram.iter_mut().for_each(|gram| {
+            *gram = std::mem::replace(gram, DMatrix::zeros(0, 0)).resize(width, width, 0.0);
+        });
+    }
+
     /// Puts `more` behind the columns, and multiplies what has no products yet.
     fn place(&mut self, more: &[&DMatrix<f64>]) {
         let known = self.gram.first().map_or(0, DMatrix::ncols);

@@ -11,7 +11,7 @@ mod visits;
 mod whitening;
 
 pub use matrix::{Design, side_by_side};
-pub use products::{Products, Sums};
+pub use products::{Products, Sums, inner_products};
 pub use scaled_motions::ScaledMotions;
 pub use visits::Visits;
 pub use whitening::{SharedError, Whitening};

@@ -31,10 +31,21 @@ pub struct Sums {
     pub cross: DMatrix<f64>,
 }
 
+/// Rows that are multiplied at one go: the turned copy of them stays small.
+const BLOCK: usize = 4096;
+
 /// Products of the columns of `a` with those of `b`.
-pub(super) fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
+pub fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
     // Narrow matrices are not multiplied in blocks, and a column is then as long as a row of the turned one is wide.
-    if a.ncols().min(b.ncols()) < NARROW { a.tr_mul(&b) } else { a.transpose() * b }
+    if a.ncols().min(b.ncols()) < NARROW {
+        return a.tr_mul(&b);
+    }
+    let mut sum = DMatrix::zeros(a.ncols(), b.ncols());
+    for from in (0..a.nrows()).step_by(BLOCK) {
+        let rows = BLOCK.min(a.nrows() - from);
+        sum.gemm(1.0, &a.rows(from, rows).transpose(), &b.rows(from, rows), 1.0);
+    }
+    sum
 }
 
 impl Design {
@@ -107,6 +118,12 @@ impl Products {
     /// Products with itself alone.
     pub(super) fn begun(p: usize, own: Vec<f64>, groups: usize) -> Self {
         Self { p, own, cross: Vec::new(), total: Vec::new(), groups }
+    }
+
+    /// Takes off the products with the design's columns from number `width` on.
+    pub fn truncate(&mut self, width: usize) {
+        self.cross.truncate(self.p * self.groups * width);
+        self.total.truncate(self.p * width);
     }
 
     /// Sums over all groups of what was added to the products with the design's columns.

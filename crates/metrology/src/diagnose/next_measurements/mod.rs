@@ -142,7 +142,6 @@ impl Question {
                 place.rivals.iter().take(MOST_RIVALS).map(|rival| rival.candidate).collect();
             columns.push(library.columns_in_design(design, column_index, &rivals));
         }
-        workspace.library.extend(&workspace.design);
         let design = &workspace.design;
         let groups: Vec<usize> = (0..design.groups()).collect();
         let mut question = Self {

@@ -171,18 +171,20 @@ impl<'a> Library<'a> {
         };
         let more: Vec<Structure> = list
             .into_par_iter()
-            .map(|(gp_alternative, weight)| {
+            .filter_map(|(gp_alternative, weight)| {
                 let columns = columns(gp_alternative);
+                if columns.is_empty() {
+                    return None;
+                }
                 let sums = design.sums(&columns);
                 let log_prior = (UNEXPLAINED_PRIOR * weight).ln();
-                Structure {
+                Some(Structure {
                     gp_alternative,
                     columns: keep(gp_alternative).then_some(columns),
                     sums,
                     log_prior,
-                }
+                })
             })
-            .filter(|structure| !structure.sums.own.is_empty())
             .collect();
         self.gp_alternatives.extend(more);
     }
@@ -240,6 +242,17 @@ impl<'a> Library<'a> {
         });
     }
 
+    /// Takes off the products with the design's columns from number `width` on.
+    pub fn truncate(&mut self, width: usize) {
+        self.width = self.width.min(width);
+        self.products.iter_mut().for_each(|products| products.truncate(width));
+        for structure in &mut self.gp_alternatives {
+            let cross = std::mem::replace(&mut structure.sums.cross, DMatrix::zeros(0, 0));
+            let width = width.min(cross.ncols());
+            structure.sums.cross = cross.resize_horizontally(width, 0.0);
+        }
+    }
+
     /// All candidates over `nuisance`.
     pub(super) fn track(&self, nuisance: &NuisanceModel, subset: &[usize]) -> Vec<TrackedCandidate> {
         (0..self.candidates.len())
@@ -263,5 +276,29 @@ impl<'a> Library<'a> {
             self.products[f.candidate].sum_more(subset, &mut f.sums);
             nuisance.update(&mut f.projected, &f.sums);
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::design::Whitening;
+
+    /// Twelve places: of the 24 at which a bump is looked for half are not there, and the others are looked at.
+    #[test]
+    fn an_alternative_that_the_data_cannot_show_is_left_out() {
+        let dataset = evenly_spread(12);
+        let whitening = Whitening::independent(vec![1.0; 12], 0.2);
+        let design = Design::new(&dataset, &[[1e-4; 6]; 12], 1, whitening, &[0; 12]);
+        let mut library = Library::new(&design, &dataset, &[]);
+        let list = gp_alternative::gp_alternatives(dataset.joints());
+        let bumps = |of: &mut dyn Iterator<Item = GpAlternative>| {
+            of.filter(|alternative| matches!(alternative, GpAlternative::LocalBump(..))).count()
+        };
+        assert_eq!(bumps(&mut list.iter().map(|one| one.0)), 72);
+        library.add_gp_alternatives(&design, list, &|one| gp_alternative::columns(one, &design, &dataset));
+        assert_eq!(bumps(&mut library.gp_alternatives.iter().map(|one| one.gp_alternative)), 36);
+        assert!(library.gp_alternatives.iter().all(|one| one.sums.cross.ncols() == design.width()));
     }
 }
