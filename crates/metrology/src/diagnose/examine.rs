@@ -373,9 +373,10 @@ fn detectable(model: &Model, workspace: &Workspace<'_>) -> Vec<Detectable> {
         if known || candidate.variant.joint_b.is_some() {
             continue;
         }
-        let strength =
-            nuisance.strength(&nuisance.project(&products.sum(&groups)), model.peak.geometry_ratio);
-        if strength > 0.0 {
+        let sums = products.sum(&groups);
+        let strength = nuisance.strength(&nuisance.project(&sums), model.peak.geometry_ratio);
+        // Less is what rounding leaves of a signal that lies wholly in base and target.
+        if strength * strength > INVISIBLE * sums.own[(0, 0)] {
             // Half the squared signal over noise must pass the alarm and the price of its parameters.
             let needed = (2.0 * (search::ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
             let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
