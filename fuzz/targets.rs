@@ -14,15 +14,17 @@ use driftpost::{
 };
 use rapid_program::compensate::FormChoice;
 use rapid_program::emit::restore;
-use rapid_syntax::parse;
+use rapid_syntax::{parse, parse_by_productions};
 use robot_model::deform::identified::Identified;
 use std::sync::LazyLock;
 
 static ROBOT: LazyLock<Robot> = LazyLock::new(|| Robot::built_in("irb140").expect("it is built in"));
 static PAPER: LazyLock<Deformation> = LazyLock::new(Deformation::paper);
 
-/// Read: no byte is lost, no node lies outside of the one that holds it.
+/// Read: no byte is lost, no node lies outside of the one that holds it, and the scans of common forms find what the productions
+/// of the grammar find.
 pub fn text(data: &[u8]) {
+    assert!(parse(data) == parse_by_productions(data), "scanned to another tree than read");
     if let Err(problem) = check(data) {
         panic!("{problem}");
     }

@@ -7,6 +7,7 @@ use super::data::{data_declaration, is_task_declaration};
 use super::expression::expression;
 use super::input::{MAX_BLOCKS, NoMatch, Read, Text, failure_at};
 use super::lexical::{any_word, blank, comment, name, sign, white, word};
+use super::plain_statement::plain_statement;
 use super::recover::{line_end, matching_end, resync};
 use super::simple_statement::simple_statement;
 use super::tree::{CompactIfStmt, Expr, ForStmt, IfStmt, Stmt, StmtKind, TestStmt, WhileStmt};
@@ -29,6 +30,11 @@ pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
         }
         if let Ok((rest, range)) = comment(next) {
             stmts.push(Stmt { range, kind: StmtKind::Comment });
+            i = rest;
+            continue;
+        }
+        if let Some((rest, stmt)) = plain_statement(next) {
+            stmts.push(stmt);
             i = rest;
             continue;
         }

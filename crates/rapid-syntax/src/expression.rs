@@ -195,7 +195,8 @@ fn leaf(read: Read<'_, TextRange>, kind: ExprKind) -> Read<'_, Expr> {
 
 /// `aggregate = "[" [ expression { "," expression } ] "]" ;`
 pub(super) fn aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
-    if i.state.may_nest(plain_list::DEEPEST)
+    if i.state.plain_forms
+        && i.state.may_nest(plain_list::DEEPEST)
         && let Some(PlainList { len, height }) = PlainList::begins(i.rest)
     {
         let rest = i.skip(len);
@@ -383,7 +384,7 @@ fn option<'a>(i: Text<'a>) -> Read<'a, Arg> {
         Some(b':') => match becomes(next) {
             Ok((value_at, ())) => {
                 let (rest, value) = expression(value_at)?;
-                (rest, ArgKind::Named { name: name_range, value: Some(Box::new(value)) })
+                (rest, ArgKind::Named { name: name_range, value: Some(value) })
             }
             Err(_) => (after, ArgKind::Named { name: name_range, value: None }),
         },

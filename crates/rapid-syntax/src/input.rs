@@ -29,6 +29,8 @@ pub(super) struct Text<'a> {
 #[derive(Debug, Default)]
 pub(super) struct State {
     len: u32,
+    /// Whether common forms are passed in one scan where they stand; else all is read by the productions.
+    pub(super) plain_forms: bool,
     /// Nested expressions open here.
     nesting: Cell<u16>,
     /// Height of the expression read last.
@@ -44,7 +46,8 @@ pub(super) struct State {
 
 impl State {
     pub(super) fn new(source: &[u8]) -> Self {
-        Self { len: source.len() as u32, rereadable: Cell::new(source.len() + 4096), ..Self::default() }
+        let rereadable = Cell::new(source.len() + 4096);
+        Self { len: source.len() as u32, plain_forms: true, rereadable, ..Self::default() }
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {

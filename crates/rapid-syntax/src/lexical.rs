@@ -11,9 +11,9 @@ use nom::character::complete::char;
 use nom::combinator::opt;
 
 /// White space: all control characters that space text, and the Latin-1 no-break space.
-#[inline]
+#[inline(always)]
 pub(super) fn is_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t'..=b'\r' | 0xA0)
+    CLASSES[usize::from(byte)] & SPACE != 0
 }
 
 /// A letter a name may begin with: ASCII or ISO 8859-1.
@@ -23,10 +23,31 @@ pub(super) fn begins_name(byte: u8) -> bool {
 }
 
 /// A byte a name may go on with; from 0x80 on also the trail bytes of UTF-8 letters.
-#[inline]
+#[inline(always)]
 pub(super) fn in_name(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
+    CLASSES[usize::from(byte)] & IN_NAME != 0
 }
+
+const SPACE: u8 = 1;
+const IN_NAME: u8 = 2;
+
+/// What each byte may be: every byte of a text is asked for.
+static CLASSES: [u8; 256] = {
+    let mut classes = [0; 256];
+    let mut byte = 0_u8;
+    loop {
+        if matches!(byte, b' ' | b'\t'..=b'\r' | 0xA0) {
+            classes[byte as usize] |= SPACE;
+        }
+        if byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80 {
+            classes[byte as usize] |= IN_NAME;
+        }
+        if byte == 0xFF {
+            break classes;
+        }
+        byte += 1;
+    }
+};
 
 /// `comment = "!" { ? any byte but a line end ? } ;`
 pub(super) fn comment<'a>(i: Text<'a>) -> Read<'a, TextRange> {

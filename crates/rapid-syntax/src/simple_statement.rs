@@ -126,12 +126,8 @@ fn call<'a>(i: Text<'a>) -> Read<'a, Stmt> {
     };
     let next = blank(after);
     if next.peek() == Some(b';') {
-        let kind = StmtKind::Call(Box::new(CallStmt {
-            callee,
-            args: Box::default(),
-            parenthesised: false,
-            terminated: true,
-        }));
+        let kind =
+            StmtKind::Call(CallStmt { callee, args: Box::default(), parenthesised: false, terminated: true });
         return Ok((next.skip(1), Stmt { range: i.until(next.skip(1)), kind }));
     }
     let (rest, args, parenthesised) = match ended_arguments(after) {
@@ -161,7 +157,7 @@ fn finish_call<'a>(start: Text<'a>, rest: Text<'a>, mut call: CallStmt) -> Read<
         start.state.warn(range, "syntax::parentheses", message);
     }
     warn_unless_terminated(start, range, &ending);
-    Ok((end, Stmt { range, kind: StmtKind::Call(Box::new(call)) }))
+    Ok((end, Stmt { range, kind: StmtKind::Call(call) }))
 }
 
 /// Arguments that the end of a statement follows.

@@ -63,8 +63,6 @@ pub enum Word {
     Xor,
 }
 
-const LONGEST: usize = 9;
-
 /// For each first letter a bit for each length that a reserved word beginning with it has.
 const LENGTHS: [u16; 26] = {
     let mut lengths = [0; 26];
@@ -77,66 +75,82 @@ const LENGTHS: [u16; 26] = {
     lengths
 };
 
+/// Where in [`WORDS`] the words with each first letter begin; the last is their number.
+const FIRST: [u8; 27] = {
+    let mut first = [0; 27];
+    let mut letter = 0;
+    while letter < 26 {
+        let mut n = first[letter];
+        while (n as usize) < WORDS.len() && WORDS[n as usize].0[0] == b'a' + letter as u8 {
+            n += 1;
+        }
+        letter += 1;
+        first[letter] = n;
+    }
+    first
+};
+
+/// In order of their first letters.
 const WORDS: [(&[u8], Word); 57] = {
     use Word::*;
     [
-        (b"do", Do),
-        (b"if", If),
-        (b"or", Or),
-        (b"to", To),
+        (b"alias", Alias),
         (b"and", And),
-        (b"div", Div),
-        (b"for", For),
-        (b"mod", Mod),
-        (b"not", Not),
-        (b"var", Var),
-        (b"xor", Xor),
+        (b"backward", Backward),
         (b"case", Case),
+        (b"connect", Connect),
+        (b"const", Const),
+        (b"default", Default),
+        (b"div", Div),
+        (b"do", Do),
         (b"else", Else),
+        (b"elseif", ElseIf),
+        (b"endfor", EndFor),
+        (b"endfunc", EndFunc),
+        (b"endif", EndIf),
+        (b"endmodule", EndModule),
+        (b"endproc", EndProc),
+        (b"endrecord", EndRecord),
+        (b"endtest", EndTest),
+        (b"endtrap", EndTrap),
+        (b"endwhile", EndWhile),
+        (b"error", Error),
         (b"exit", Exit),
+        (b"false", False),
+        (b"for", For),
         (b"from", From),
         (b"func", Func),
         (b"goto", Goto),
-        (b"pers", Pers),
-        (b"proc", Proc),
-        (b"step", Step),
-        (b"test", Test),
-        (b"then", Then),
-        (b"trap", Trap),
-        (b"true", True),
-        (b"undo", Undo),
-        (b"with", With),
-        (b"alias", Alias),
-        (b"const", Const),
-        (b"endif", EndIf),
-        (b"error", Error),
-        (b"false", False),
+        (b"if", If),
         (b"inout", InOut),
         (b"local", Local),
-        (b"raise", Raise),
-        (b"retry", Retry),
-        (b"while", While),
-        (b"elseif", ElseIf),
-        (b"endfor", EndFor),
+        (b"mod", Mod),
         (b"module", Module),
-        (b"noview", NoView),
-        (b"record", Record),
-        (b"return", Return),
-        (b"connect", Connect),
-        (b"default", Default),
-        (b"endfunc", EndFunc),
-        (b"endproc", EndProc),
-        (b"endtest", EndTest),
-        (b"endtrap", EndTrap),
-        (b"trynext", TryNext),
-        (b"backward", Backward),
-        (b"endwhile", EndWhile),
         (b"nostepin", NoStepIn),
+        (b"not", Not),
+        (b"noview", NoView),
+        (b"or", Or),
+        (b"pers", Pers),
+        (b"proc", Proc),
+        (b"raise", Raise),
         (b"readonly", ReadOnly),
-        (b"viewonly", ViewOnly),
-        (b"endmodule", EndModule),
-        (b"endrecord", EndRecord),
+        (b"record", Record),
+        (b"retry", Retry),
+        (b"return", Return),
+        (b"step", Step),
         (b"sysmodule", SysModule),
+        (b"test", Test),
+        (b"then", Then),
+        (b"to", To),
+        (b"trap", Trap),
+        (b"true", True),
+        (b"trynext", TryNext),
+        (b"undo", Undo),
+        (b"var", Var),
+        (b"viewonly", ViewOnly),
+        (b"while", While),
+        (b"with", With),
+        (b"xor", Xor),
     ]
 };
 
@@ -146,17 +160,18 @@ impl Word {
 
     /// The reserved word these bytes spell, in any case.
     #[must_use]
+    #[inline]
     pub fn of(name: &[u8]) -> Option<Self> {
-        let first = name.first()?.to_ascii_lowercase().wrapping_sub(b'a');
-        if LENGTHS.get(usize::from(first))? & (1 << name.len().min(15)) == 0 {
+        let letter = usize::from(name.first()?.to_ascii_lowercase().wrapping_sub(b'a'));
+        if LENGTHS.get(letter)? & (1 << name.len().min(15)) == 0 {
             return None; // nearly all names
         }
-        let mut lower = [0u8; LONGEST];
-        let lower = lower.get_mut(..name.len())?;
-        for (l, n) in lower.iter_mut().zip(name) {
-            *l = n | 0x20; // a letter's lower case; nothing else becomes a letter of a reserved word but '@'..'_', no name bytes but '_'
-        }
-        WORDS.iter().find(|(spelled, _)| *spelled == &*lower).map(|&(_, word)| word)
+        Self::beginning_with(letter, name)
+    }
+
+    fn beginning_with(letter: usize, name: &[u8]) -> Option<Self> {
+        let words = WORDS.get(usize::from(FIRST[letter])..usize::from(FIRST[letter + 1]))?;
+        words.iter().find(|(spelled, _)| name.eq_ignore_ascii_case(spelled)).map(|&(_, word)| word)
     }
 
     /// Which of the words that end or divide a block this is.

@@ -52,7 +52,7 @@ pub(super) fn words(bytes: &[u8], start: u32) -> Vec<TextRange> {
 pub(super) fn value_of(arg: &Arg) -> Option<&Expr> {
     match &arg.kind {
         ArgKind::Positional(expr) => Some(expr),
-        ArgKind::Named { value, .. } => value.as_deref(),
+        ArgKind::Named { value, .. } => value.as_ref(),
         ArgKind::Conditional { .. } => None,
     }
 }

@@ -45,7 +45,7 @@ fn file_name(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<String> {
     });
     let file = call.args.iter().find(|arg| is_file(&arg.kind));
     let written = match file.map(|arg| &arg.kind) {
-        Some(ArgKind::Named { value, .. }) => value.as_deref(),
+        Some(ArgKind::Named { value, .. }) => value.as_ref(),
         _ => path,
     }?;
     if !matches!(written.kind, ExprKind::String) {

@@ -282,9 +282,9 @@ fn move_args<'a>(index: &Index<'_>, ctx: Ctx, form: &MoveForm, args: &'a [Arg]) 
             ArgKind::Named { name, value } => {
                 let name = lower_case(index.text(ctx.file, *name));
                 if name == "wobj" {
-                    out.wobj = value.as_deref();
+                    out.wobj = value.as_ref();
                 }
-                out.options.push((name, value.as_deref()));
+                out.options.push((name, value.as_ref()));
             }
             ArgKind::Conditional { name, .. } => {
                 out.conditional.push(lower_case(index.text(ctx.file, *name)));

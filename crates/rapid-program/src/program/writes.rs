@@ -185,7 +185,7 @@ pub(super) fn match_arguments<'c>(
             }
             ArgKind::Named { name, value } => {
                 if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
-                    out.push((param, value.as_deref(), None));
+                    out.push((param, value.as_ref(), None));
                 }
             }
             ArgKind::Conditional { name, param: own } => {
@@ -322,7 +322,7 @@ impl Scan<'_, '_> {
         let object = args.iter().find_map(|arg| match &arg.kind {
             ArgKind::Named { name, value } => {
                 let name = super::names::lower_case(self.index.text(ctx.file, *name));
-                value.as_deref().filter(|_| name == "object")
+                value.as_ref().filter(|_| name == "object")
             }
             _ => None,
         });

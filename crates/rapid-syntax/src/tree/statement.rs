@@ -1,4 +1,4 @@
-//! Statements of the tree. Each is 24 bytes: its range, and what it holds in a box.
+//! Statements of the tree. Each is 48 bytes: its range, and a call, which most of them are, or what else it holds in a box.
 
 use super::{Arg, DataDecl, Expr};
 use crate::diagnostic::TextRange;
@@ -20,7 +20,7 @@ pub enum StmtKind {
     /// `target := value;`
     Assign(Box<AssignStmt>),
     /// A procedure call or an instruction: `MoveL p10,v100,z5,tool0;`
-    Call(Box<CallStmt>),
+    Call(CallStmt),
     /// `IF cond THEN ... ELSEIF ... ELSE ... ENDIF`
     If(Box<IfStmt>),
     /// `IF cond statement;`
