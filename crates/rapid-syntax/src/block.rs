@@ -6,8 +6,8 @@ use super::block_head::{condition_up_to, end_word, head, last_word, opaque_expr}
 use super::data::{data_declaration, is_task_declaration};
 use super::expression::expression;
 use super::input::{MAX_BLOCKS, NoMatch, Read, Text, failure_at};
-use super::lexical::{any_word, blank, comment, name, sign, white, word};
-use super::plain_statement::plain_statement;
+use super::lexical::{FirstWord, any_word, blank, comment, name, sign, white, word};
+use super::plain_statement::{plain_declaration, plain_statement};
 use super::recover::{line_end, matching_end, resync};
 use super::simple_statement::simple_statement;
 use super::tree::{CompactIfStmt, Expr, ForStmt, IfStmt, Stmt, StmtKind, TestStmt, WhileStmt};
@@ -38,18 +38,20 @@ pub(super) fn block<'a>(mut i: Text<'a>) -> (Text<'a>, Vec<Stmt>) {
             i = rest;
             continue;
         }
-        if ends_block(next) {
+        let first = any_word(next);
+        if ends_block(next, first) {
             stmts.shrink_to_fit();
             return (i, stmts);
         }
-        let (rest, stmt) = statement(next).unwrap_or_else(|failure| opaque(next, failure_at(&failure)));
+        let (rest, stmt) =
+            statement(next, first).unwrap_or_else(|failure| opaque(next, failure_at(&failure)));
         stmts.push(stmt);
         i = rest;
     }
 }
 
-fn ends_block(i: Text<'_>) -> bool {
-    match any_word(i) {
+fn ends_block(i: Text<'_>, first: FirstWord<'_>) -> bool {
+    match first {
         Some((_, w)) if w.ends_statements() => true,
         Some((_, w)) => w.block_slot().is_some_and(|slot| i.state.awaited.get()[slot] > 0),
         None => is_task_declaration(i),
@@ -57,18 +59,17 @@ fn ends_block(i: Text<'_>) -> bool {
 }
 
 /// `statement = simple_statement | if_statement | for_statement | while_statement | test_statement | data_declaration ;`
-pub(super) fn statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
-    let i = white(i);
-    match any_word(i) {
+fn statement<'a>(i: Text<'a>, first: FirstWord<'a>) -> Read<'a, Stmt> {
+    match first {
         Some((_, Word::If)) => if_statement(i),
         Some((_, Word::For)) => for_statement(i),
         Some((_, Word::While)) => while_statement(i),
         Some((_, Word::Test)) => test_statement(i),
         Some((_, Word::Var | Word::Const | Word::Pers)) => {
-            let (rest, data) = data_declaration(i)?;
+            let (rest, data) = plain_declaration(i).map_or_else(|| data_declaration(i), Ok)?;
             Ok((rest, Stmt { range: data.range, kind: StmtKind::Data(Box::new(data)) }))
         }
-        _ => simple_statement(i),
+        _ => simple_statement(i, first),
     }
 }
 
@@ -109,7 +110,7 @@ fn compact_if<'a>(start: Text<'a>, rest: Text<'a>, cond: Expr) -> Read<'a, Stmt>
     let rest = blank(rest);
     let (rest, then) = match any_word(rest) {
         Some((_, Word::If)) => if_statement(rest)?,
-        _ => simple_statement(rest)?,
+        first => simple_statement(rest, first)?,
     };
     let kind = StmtKind::CompactIf(Box::new(CompactIfStmt { cond, then }));
     Ok((rest, Stmt { range: start.until(rest), kind }))

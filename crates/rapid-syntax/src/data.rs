@@ -4,7 +4,6 @@ use super::ending::semicolon;
 use super::expression::{expression, indices};
 use super::input::{Read, Text};
 use super::lexical::{any_word, becomes, blank, name, placeholder};
-use super::plain_statement::plain_declaration;
 use super::tree::{DataDecl, DataKind, Scope};
 use super::word::Word;
 use crate::diagnostic::TextRange;
@@ -40,9 +39,6 @@ pub(super) fn is_task_declaration(i: Text<'_>) -> bool {
 /// Its type, then its own name.
 pub(super) fn data_declaration<'a>(i: Text<'a>) -> Read<'a, DataDecl> {
     let start = blank(i);
-    if let Some(read) = plain_declaration(start) {
-        return Ok(read);
-    }
     let (rest, scope) = scope(start);
     let (rest, kind) = match any_word(rest) {
         Some((rest, Word::Const)) => (rest, DataKind::Const),

@@ -4,6 +4,7 @@
 //! shares with the whole parse (warnings, depths, the allowance for reading a byte again) stands behind
 //! the pointer, in cells, because a nom input is handed on by value.
 
+use super::tree::Expr;
 use super::warning::Warning;
 use super::word::Word;
 use crate::diagnostic::TextRange;
@@ -42,6 +43,8 @@ pub(super) struct State {
     /// How many bytes may still be read a second time after a failure: keeps the whole parse linear.
     rereadable: Cell<usize>,
     warnings: RefCell<Vec<Warning>>,
+    /// Room for expressions of several parts until all arguments of a call are known.
+    pub(super) composed: RefCell<Vec<Expr>>,
 }
 
 impl State {

@@ -123,9 +123,12 @@ pub(super) fn name<'a>(i: Text<'a>) -> Read<'a, TextRange> {
     }
 }
 
+/// The reserved word with which something begins, if with one, and what follows it.
+pub(super) type FirstWord<'a> = Option<(Text<'a>, Word)>;
+
 /// The reserved word that stands here after blanks, and what follows it.
 #[inline]
-pub(super) fn any_word<'a>(i: Text<'a>) -> Option<(Text<'a>, Word)> {
+pub(super) fn any_word<'a>(i: Text<'a>) -> FirstWord<'a> {
     let i = blank(i);
     if !i.peek()?.is_ascii_alphabetic() {
         return None;

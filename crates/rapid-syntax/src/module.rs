@@ -6,6 +6,7 @@ use super::input::{Read, Text, failure_at};
 use super::lexical::{
     any_word, blank, comment, identifier, is_space, line_len, name, past_name, sign, white, word,
 };
+use super::plain_statement::plain_declaration;
 use super::recover::resync;
 use super::tree::{FileItem, Module, ModuleItem, Tree};
 use super::word::Word;
@@ -97,6 +98,11 @@ fn module<'a>(i: Text<'a>) -> Read<'a, Module> {
         }
         if let Ok((rest, range)) = comment(next) {
             items.push(ModuleItem::Comment(range));
+            i = rest;
+            continue;
+        }
+        if let Some((rest, data)) = plain_declaration(next) {
+            items.push(ModuleItem::Data(data));
             i = rest;
             continue;
         }

@@ -1,5 +1,5 @@
 //! Statements and declarations of the forms that nearly every line of a large program has, past in one scan:
-//! `MoveL p10,v100,z5,tGrip\WObj:=wTable;`, `n:=5;`, `CONST num n:=5;`.
+//! `MoveL Offs(p10,0,0,50),v100,z5,tGrip\WObj:=wTable;`, `n:=5;`, `CONST num n:=5;`.
 //!
 //! What is found is what the productions find: they take over wherever anything else stands, comments among it.
 
@@ -7,34 +7,33 @@ use super::input::Text;
 use super::lexical::{in_name, is_space, string};
 use super::plain_list::{PlainList, past_number};
 use super::tree::{
-    Arg, ArgKind, AssignStmt, CallStmt, Callee, DataDecl, DataKind, Expr, ExprKind, Scope, Stmt, StmtKind,
+    Arg, ArgKind, AssignStmt, CallExpr, CallStmt, Callee, DataDecl, DataKind, Expr, ExprKind, FieldExpr,
+    Scope, Stmt, StmtKind, UnaryOp,
 };
 use super::word::Word;
 use crate::diagnostic::TextRange;
 
 /// More arguments than these are left to the productions.
 const MOST_ARGUMENTS: usize = 8;
+/// Calls within calls, and components of components, are left to the productions where there are more.
+const DEEPEST: usize = 4;
 
 /// A call or an assignment of plain values that begins here, at its first letter.
 pub(super) fn plain_statement<'a>(i: Text<'a>) -> Option<(Text<'a>, Stmt)> {
-    let mut scan = Scan::new(i)?;
-    let (name, None) = scan.name()? else { return None };
-    let kind = match scan.next()? {
-        b':' => {
-            scan.becomes()?;
-            let value = scan.value()?.expr();
-            let target = Expr { range: name, kind: ExprKind::Name };
-            scan.semicolon()?;
-            StmtKind::Assign(Box::new(AssignStmt { target, value }))
-        }
-        b';' => {
-            scan.semicolon()?;
-            call(name, Box::default())
-        }
-        _ => call(name, scan.arguments()?),
-    };
-    let rest = i.skip(scan.at);
-    Some((rest, Stmt { range: i.until(rest), kind }))
+    scanned(i, |scan| {
+        let name = scan.free_name()?;
+        Some(match scan.next()? {
+            b':' => scan.assignment(Expr { range: name, kind: ExprKind::Name })?,
+            b'.' => {
+                let target = scan.components(0, name)?;
+                scan.next()?;
+                scan.assignment(target)?
+            }
+            b';' => call(name, Box::default()),
+            _ => call(name, scan.arguments(DEEPEST)?),
+        })
+    })
+    .map(|(rest, kind)| (rest, Stmt { range: i.until(rest), kind }))
 }
 
 fn call(name: TextRange, args: Box<[Arg]>) -> StmtKind {
@@ -43,33 +42,47 @@ fn call(name: TextRange, args: Box<[Arg]>) -> StmtKind {
 
 /// A declaration of one datum, no array, with a plain value or none, that begins here, at its first letter.
 pub(super) fn plain_declaration<'a>(i: Text<'a>) -> Option<(Text<'a>, DataDecl)> {
-    let mut scan = Scan::new(i)?;
-    let (scope, first) = match scan.name()?.1? {
-        Word::Local => (Scope::Local, scan.next_name()?.1?),
-        first => (Scope::Global, first),
-    };
-    let kind = match first {
-        Word::Const => DataKind::Const,
-        Word::Var => DataKind::Var,
-        Word::Pers => DataKind::Pers,
-        _ => return None,
-    };
-    let (type_name, None) = scan.next_name()? else { return None };
-    let (name, None) = scan.next_name()? else { return None };
-    let init = match scan.next()? {
-        b':' => {
-            scan.becomes()?;
-            Some(scan.value()?.expr())
-        }
-        _ => None,
-    };
-    scan.semicolon()?;
-    let rest = i.skip(scan.at);
-    let range = i.until(rest);
-    Some((rest, DataDecl { range, scope, kind, type_name, name, dims: Box::default(), init }))
+    let (rest, mut data) = scanned(i, |scan| {
+        let (scope, first) = match scan.name()?.1? {
+            Word::Local => (Scope::Local, scan.next_name()?.1?),
+            first => (Scope::Global, first),
+        };
+        let kind = match first {
+            Word::Const => DataKind::Const,
+            Word::Var => DataKind::Var,
+            Word::Pers => DataKind::Pers,
+            _ => return None,
+        };
+        let (type_name, None) = scan.next_name()? else { return None };
+        let (name, None) = scan.next_name()? else { return None };
+        let init = match scan.next()? {
+            b':' => {
+                scan.becomes()?;
+                Some(scan.whole_value()?)
+            }
+            _ => None,
+        };
+        Some(DataDecl { range: name, scope, kind, type_name, name, dims: Box::default(), init })
+    })?;
+    data.range = i.until(rest);
+    Some((rest, data))
 }
 
-/// A value of one piece: a number without sign, a list of numbers, a name, a string, TRUE or FALSE.
+/// What `form` finds from here on, and the rest behind the semicolon that must follow.
+#[inline(always)]
+fn scanned<'a, T>(i: Text<'a>, form: impl FnOnce(&mut Scan<'a, '_>) -> Option<T>) -> Option<(Text<'a>, T)> {
+    if !i.state.plain_forms {
+        return None;
+    }
+    let mut composed = i.state.composed.borrow_mut();
+    composed.clear();
+    let mut scan = Scan { whole: i, text: i.rest, at: 0, start: i.at(), composed: &mut composed };
+    let found = form(&mut scan)?;
+    let semicolon = scan.next()? == b';';
+    semicolon.then(|| (i.skip(scan.at + 1), found))
+}
+
+/// A value as it is scanned, in a few words: the tree's nodes are made when all arguments of a call are known, each in its place.
 #[derive(Clone, Copy)]
 struct PlainValue {
     range: TextRange,
@@ -83,56 +96,59 @@ enum PlainKind {
     Name,
     String,
     Bool(bool),
+    /// The next of [`Scan::composed`].
+    Composed,
 }
 
 impl PlainValue {
     #[inline(always)]
-    fn expr(self) -> Expr {
+    fn expr(self, composed: &mut impl Iterator<Item = Expr>) -> Expr {
+        let range = self.range;
         let kind = match self.kind {
             PlainKind::Number => ExprKind::Number,
             PlainKind::Numbers => ExprKind::Numbers,
             PlainKind::Name => ExprKind::Name,
             PlainKind::String => ExprKind::String,
             PlainKind::Bool(value) => ExprKind::Bool(value),
+            PlainKind::Composed => return composed.next().unwrap_or(Expr { range, kind: ExprKind::Opaque }),
         };
-        Expr { range: self.range, kind }
+        Expr { range, kind }
     }
 }
 
-/// An argument, before the room for all of them is taken at once.
 #[derive(Clone, Copy)]
 enum PlainArg {
     Positional(PlainValue),
-    Option { range: TextRange, name: TextRange, value: Option<PlainValue> },
+    Named { range: TextRange, name: TextRange, value: Option<PlainValue> },
 }
 
 impl PlainArg {
     #[inline(always)]
-    fn arg(&self) -> Arg {
-        match *self {
-            Self::Positional(value) => Arg { range: value.range, kind: ArgKind::Positional(value.expr()) },
-            Self::Option { range, name, value } => {
-                Arg { range, kind: ArgKind::Named { name, value: value.map(PlainValue::expr) } }
+    fn arg(self, composed: &mut impl Iterator<Item = Expr>) -> Arg {
+        match self {
+            Self::Positional(value) => {
+                Arg { range: value.range, kind: ArgKind::Positional(value.expr(composed)) }
+            }
+            Self::Named { range, name, value } => {
+                let value = value.map(|value| value.expr(composed));
+                Arg { range, kind: ArgKind::Named { name, value } }
             }
         }
     }
 }
 
 /// How far a text has been scanned.
-struct Scan<'a> {
+struct Scan<'a, 's> {
     whole: Text<'a>,
     text: &'a [u8],
     at: usize,
     /// Where the text begins in the source.
     start: u32,
+    /// Values of several parts, in order, of the calls that are scanned.
+    composed: &'s mut Vec<Expr>,
 }
 
-impl<'a> Scan<'a> {
-    #[inline(always)]
-    fn new(i: Text<'a>) -> Option<Self> {
-        i.state.plain_forms.then(|| Self { whole: i, text: i.rest, at: 0, start: i.at() })
-    }
-
+impl Scan<'_, '_> {
     /// From byte `from` to here.
     #[inline(always)]
     fn since(&self, from: usize) -> TextRange {
@@ -147,37 +163,27 @@ impl<'a> Scan<'a> {
     /// The byte after white space.
     #[inline(always)]
     fn next(&mut self) -> Option<u8> {
-        loop {
-            let byte = self.peek()?;
-            if !is_space(byte) {
-                return Some(byte);
-            }
-            self.at += 1;
-        }
+        let tail = self.text.get(self.at..)?;
+        let spaces = tail.iter().position(|&byte| !is_space(byte))?;
+        self.at += spaces;
+        tail.get(spaces).copied()
     }
 
-    #[inline(always)]
-    fn semicolon(&mut self) -> Option<()> {
-        (self.next()? == b';').then(|| self.at += 1)
-    }
-
-    /// `:=`, its colon being here.
+    /// `:=`
     #[inline(always)]
     fn becomes(&mut self) -> Option<()> {
-        (self.text.get(self.at + 1) == Some(&b'=')).then(|| self.at += 2)
+        let both = self.text.get(self.at..)?.starts_with(b":=");
+        both.then(|| self.at += 2)
     }
 
     /// The bytes of a name that begins here with a letter of ASCII.
     #[inline(always)]
     fn identifier(&mut self) -> Option<TextRange> {
-        let from = self.at;
-        if !self.peek()?.is_ascii_alphabetic() {
+        let (from, tail) = (self.at, self.text.get(self.at..)?);
+        if !tail.first()?.is_ascii_alphabetic() {
             return None;
         }
-        self.at += 1;
-        while self.peek().is_some_and(in_name) {
-            self.at += 1;
-        }
+        self.at += tail.iter().position(|&byte| !in_name(byte)).unwrap_or(tail.len());
         Some(self.since(from))
     }
 
@@ -189,15 +195,37 @@ impl<'a> Scan<'a> {
         Some((range, Word::of(self.text.get(from..self.at)?)))
     }
 
+    /// A name that is no reserved word.
+    #[inline(always)]
+    fn free_name(&mut self) -> Option<TextRange> {
+        let (range, None) = self.name()? else { return None };
+        Some(range)
+    }
+
     #[inline(always)]
     fn next_name(&mut self) -> Option<(TextRange, Option<Word>)> {
         self.next()?;
         self.name()
     }
 
-    /// A value after white space.
+    /// From its `:=` on.
+    fn assignment(&mut self, target: Expr) -> Option<StmtKind> {
+        self.becomes()?;
+        let value = self.whole_value()?;
+        Some(StmtKind::Assign(Box::new(AssignStmt { target, value })))
+    }
+
+    /// A value that is no argument.
     #[inline(always)]
-    fn value(&mut self) -> Option<PlainValue> {
+    fn whole_value(&mut self) -> Option<Expr> {
+        let value = self.value(DEEPEST)?;
+        Some(value.expr(&mut self.composed.drain(..)))
+    }
+
+    /// A value after white space, with so many calls within each other: a number, a list of numbers, a string, TRUE or FALSE, a
+    /// name, a component, a call. What follows it must be no operator and no index, for the caller to see.
+    #[inline(always)]
+    fn value(&mut self, depth: usize) -> Option<PlainValue> {
         let first = self.next()?;
         let from = self.at;
         let kind = match first {
@@ -209,24 +237,81 @@ impl<'a> Scan<'a> {
                 self.at = past_number(self.text, from)?;
                 PlainKind::Number
             }
+            b'-' => {
+                self.negative()?;
+                PlainKind::Composed
+            }
             b'"' => {
                 let (_, range) = string(self.whole.skip(from)).ok()?;
                 self.at += range.len() as usize;
                 PlainKind::String
             }
-            _ => match self.name()?.1 {
-                None => PlainKind::Name,
-                Some(Word::True) => PlainKind::Bool(true),
-                Some(Word::False) => PlainKind::Bool(false),
-                Some(_) => return None,
+            _ => match self.name()? {
+                (name, None) => match self.peek()? {
+                    b'(' => {
+                        self.call(name, depth)?;
+                        PlainKind::Composed
+                    }
+                    b'.' => {
+                        let components = self.components(from, name)?;
+                        self.composed.push(components);
+                        PlainKind::Composed
+                    }
+                    _ => PlainKind::Name,
+                },
+                (_, Some(Word::True)) => PlainKind::Bool(true),
+                (_, Some(Word::False)) => PlainKind::Bool(false),
+                (_, Some(_)) => return None,
             },
         };
         Some(PlainValue { range: self.since(from), kind })
     }
 
+    /// A number with a minus sign.
+    #[inline(never)]
+    fn negative(&mut self) -> Option<()> {
+        let from = self.at;
+        self.at = past_number(self.text, from + 1)?;
+        let number = Expr { range: self.since(from + 1), kind: ExprKind::Number };
+        let kind = ExprKind::Unary { op: UnaryOp::Neg, operand: Box::new(number) };
+        self.composed.push(Expr { range: self.since(from), kind });
+        Some(())
+    }
+
+    /// A function's call, from its parenthesis on.
+    #[inline(never)]
+    fn call(&mut self, name: TextRange, depth: usize) -> Option<()> {
+        let depth = depth.checked_sub(1)?;
+        self.at += 1;
+        let args = if self.next()? == b')' { Box::default() } else { self.arguments(depth)? };
+        if self.next()? != b')' {
+            return None;
+        }
+        self.at += 1;
+        let range = TextRange { start: name.start, end: self.start + self.at as u32 };
+        self.composed.push(Expr { range, kind: ExprKind::Call(Box::new(CallExpr { name, args })) });
+        Some(())
+    }
+
+    /// Components of the datum `name`, which begins at byte `from`: from the point behind it on.
+    #[inline(never)]
+    fn components(&mut self, from: usize, name: TextRange) -> Option<Expr> {
+        let mut expr = Expr { range: name, kind: ExprKind::Name };
+        for _ in 0..DEEPEST {
+            self.at += 1;
+            let name = self.identifier()?;
+            let field = Box::new(FieldExpr { base: expr, name });
+            expr = Expr { range: self.since(from), kind: ExprKind::Field(field) };
+            if self.peek()? != b'.' {
+                return Some(expr);
+            }
+        }
+        None
+    }
+
     /// An option that begins here with its backslash.
     #[inline(always)]
-    fn option(&mut self) -> Option<PlainArg> {
+    fn option(&mut self, depth: usize) -> Option<PlainArg> {
         let from = self.at;
         self.at += 1;
         let name = self.identifier()?;
@@ -234,35 +319,35 @@ impl<'a> Scan<'a> {
         let mut value = None;
         if self.next()? == b':' {
             self.becomes()?;
-            value = Some(self.value()?);
+            value = Some(self.value(depth)?);
             range = self.since(from);
         }
-        Some(PlainArg::Option { range, name, value })
+        Some(PlainArg::Named { range, name, value })
     }
 
-    /// Arguments, the first after white space, up to and with the semicolon.
+    /// Arguments, the first after white space, up to the semicolon or parenthesis that ends them.
     #[inline(always)]
-    fn arguments(&mut self) -> Option<Box<[Arg]>> {
+    fn arguments(&mut self, depth: usize) -> Option<Box<[Arg]>> {
         const NONE: PlainArg =
             PlainArg::Positional(PlainValue { range: TextRange { start: 0, end: 0 }, kind: PlainKind::Name });
         let mut args = [NONE; MOST_ARGUMENTS];
         let mut count = 0;
+        let composed_before = self.composed.len();
         loop {
-            let arg = args.get_mut(count)?;
-            *arg = match self.next()? {
-                b'\\' => self.option()?,
-                _ => PlainArg::Positional(self.value()?),
+            *args.get_mut(count)? = match self.next()? {
+                b'\\' => self.option(depth)?,
+                _ => PlainArg::Positional(self.value(depth)?),
             };
             count += 1;
             match self.next()? {
                 b',' => self.at += 1,
                 b'\\' => {}
-                b';' => break,
+                b';' | b')' => break,
                 _ => return None,
             }
         }
-        self.at += 1;
-        Some(args.get(..count)?.iter().map(PlainArg::arg).collect())
+        let mut composed = self.composed.drain(composed_before..);
+        Some(args.get(..count)?.iter().map(|arg| arg.arg(&mut composed)).collect())
     }
 }
 

@@ -4,7 +4,7 @@ use super::ending::{Ending, end_of, terminated, warn_unless_terminated};
 use super::expression::{argument, arguments, expression, variable};
 use super::input::{NoMatch, Read, Text, failure_at};
 use super::lexical::{
-    any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, white, word,
+    FirstWord, any_word, becomes, begins_name, blank, line_ends_before, name, placeholder, sign, word,
 };
 use super::recover::{begins_anew, element_end};
 use super::tree::{Arg, ArgKind, AssignStmt, CallStmt, Callee, ConnectStmt, Expr, ExprKind, Stmt, StmtKind};
@@ -13,9 +13,8 @@ use nom::Parser;
 use nom::sequence::preceded;
 
 /// `simple_statement = label | placeholder [ ";" ] | ( assignment | call | return_statement | raise_statement | goto_statement | connect_statement | "RETRY" | "TRYNEXT" | "EXIT" | ? nothing ? ) ";" ;`
-pub(super) fn simple_statement<'a>(i: Text<'a>) -> Read<'a, Stmt> {
-    let i = white(i);
-    let Some((after, first)) = any_word(i) else {
+pub(super) fn simple_statement<'a>(i: Text<'a>, first: FirstWord<'a>) -> Read<'a, Stmt> {
+    let Some((after, first)) = first else {
         return match i.peek() {
             Some(b';') => Ok((i.skip(1), Stmt { range: i.until(i.skip(1)), kind: StmtKind::Empty })),
             Some(b'%') => call(i),

@@ -63,34 +63,39 @@ pub enum Word {
     Xor,
 }
 
-/// For each first letter a bit for each length that a reserved word beginning with it has.
-const LENGTHS: [u16; 26] = {
-    let mut lengths = [0; 26];
+/// Where in [`WORDS`] the one word stands that a name with this [`mark`] can be; past its end where none can.
+static PLACES: [u8; 256] = {
+    let mut places = [u8::MAX; 256];
     let mut n = 0;
     while n < WORDS.len() {
-        let word = WORDS[n].0;
-        lengths[(word[0] - b'a') as usize] |= 1 << word.len();
+        let place = &mut places[mark(WORDS[n].0) as usize];
+        assert!(*place == u8::MAX, "two reserved words have the same mark");
+        *place = n as u8;
         n += 1;
     }
-    lengths
+    places
 };
 
-/// Where in [`WORDS`] the words with each first letter begin; the last is their number.
-const FIRST: [u8; 27] = {
-    let mut first = [0; 27];
-    let mut letter = 0;
-    while letter < 26 {
-        let mut n = first[letter];
-        while (n as usize) < WORDS.len() && WORDS[n as usize].0[0] == b'a' + letter as u8 {
-            n += 1;
-        }
-        letter += 1;
-        first[letter] = n;
+/// Made of a name's length and of its first, middle and last byte, in any case; with these factors no two reserved words have the
+/// same.
+#[inline(always)]
+const fn mark(name: &[u8]) -> u8 {
+    let [first, .., last] = name else { return 0 };
+    let factors = [
+        (*first | 0x20, 53),
+        (name[name.len() / 2] | 0x20, 17),
+        (*last | 0x20, 31),
+        (name.len() as u8, 13_u8),
+    ];
+    let mut sum = 0_u8;
+    let mut n = 0;
+    while n < factors.len() {
+        sum = sum.wrapping_add(factors[n].0.wrapping_mul(factors[n].1));
+        n += 1;
     }
-    first
-};
+    sum
+}
 
-/// In order of their first letters.
 const WORDS: [(&[u8], Word); 57] = {
     use Word::*;
     [
@@ -162,16 +167,8 @@ impl Word {
     #[must_use]
     #[inline]
     pub fn of(name: &[u8]) -> Option<Self> {
-        let letter = usize::from(name.first()?.to_ascii_lowercase().wrapping_sub(b'a'));
-        if LENGTHS.get(letter)? & (1 << name.len().min(15)) == 0 {
-            return None; // nearly all names
-        }
-        Self::beginning_with(letter, name)
-    }
-
-    fn beginning_with(letter: usize, name: &[u8]) -> Option<Self> {
-        let words = WORDS.get(usize::from(FIRST[letter])..usize::from(FIRST[letter + 1]))?;
-        words.iter().find(|(spelled, _)| name.eq_ignore_ascii_case(spelled)).map(|&(_, word)| word)
+        let &(spelled, word) = WORDS.get(usize::from(PLACES[usize::from(mark(name))]))?;
+        name.eq_ignore_ascii_case(spelled).then_some(word)
     }
 
     /// Which of the words that end or divide a block this is.

@@ -14,7 +14,7 @@ fn agrees(text: &[u8]) {
 }
 
 /// What lines are made of, and what makes them unusual.
-const PIECES: [&[u8]; 48] = [
+const PIECES: [&[u8]; 52] = [
     b",",
     b";",
     b":",
@@ -63,6 +63,10 @@ const PIECES: [&[u8]; 48] = [
     b"_",
     b"[9E9,9E9,9E9,9E9,9E9,9E9]",
     b"[1,[2,-3]]",
+    b"Offs(p1,0,0,-50)",
+    b"f(",
+    b"a.b",
+    b".trans.x",
 ];
 
 #[test]
@@ -94,8 +98,16 @@ fn lines_of_pieces_in_any_order_are_read_as_the_productions_read_them() {
     for _ in 0..400 {
         let mut text = b"MODULE m\nVAR num n:=1;\nPROC p()\n".to_vec();
         for _ in 0..12 {
-            let starts: [&[u8]; 6] =
-                [b"MoveL p1", b"n:=2", b"VAR num k", b"Stop", b"SetDO do1,1", b"TASK PERS num k"];
+            let starts: [&[u8]; 8] = [
+                b"MoveL p1",
+                b"n:=2",
+                b"w.uframe:=x",
+                b"n:=f(2)",
+                b"VAR num k",
+                b"Stop",
+                b"SetDO do1,1",
+                b"TASK PERS num k",
+            ];
             text.extend_from_slice(starts[chance.below(starts.len())]);
             for _ in 0..chance.below(5) {
                 text.extend_from_slice(PIECES[chance.below(PIECES.len())]);
@@ -128,6 +140,12 @@ fn the_common_forms_are_scanned_and_no_others() {
         b"TPWrite \"a;b\"\\Num:=n;",
         b"WaitTime 0.5;",
         b"n := 5;",
+        b"x:=-5.5;",
+        b"a .b:=f( );",
+        b"MoveL Offs(p10,0,0,-50),v100,z5,t;",
+        b"p:=CRobT(\\Tool:=t\\WObj:=w);",
+        b"n:=f(g(h(i())));",
+        b"rdkWObj.uframe.trans.x:=Round(a.b\\Dec:=1);",
         b"done:=TRUE;",
     ] {
         assert_eq!(scanned(line), [true, false], "{}", String::from_utf8_lossy(line));
@@ -137,11 +155,17 @@ fn the_common_forms_are_scanned_and_no_others() {
     }
     for line in [
         &b"MoveL p10,v100,z5,tGrip"[..],
-        b"MoveL p10,-1;",
-        b"MoveL Offs(p,1,2,3),v;",
-        b"n:=-1;",
+        b"n:=- 1;",
+        b"n:=+1;",
         b"n:=a+1;",
-        b"a.b:=1;",
+        b"a.b.c.d.e.f:=1;",
+        b"n:=a .b;",
+        b"n:=f(1).x;",
+        b"n:=f(1){2};",
+        b"n:=f(g(h(i(j(1)))));",
+        b"n:=f(1;",
+        b"n:=f);",
+        b"p a);",
         b"a{1}:=1;",
         b"%\"p\"%;",
         b"p a,;",
