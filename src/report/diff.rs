@@ -27,7 +27,7 @@ pub fn write_edits(
     edits: &[Edit],
 ) -> io::Result<()> {
     let lines = Lines::new(source);
-    let changes = changes(source, &lines, edits);
+    let changes: Vec<Change> = changes(source, &lines, edits).collect();
     if changes.is_empty() {
         return Ok(());
     }
@@ -147,25 +147,32 @@ pub(super) struct Change {
 
 /// The edits by lines, in order: neighbouring changes stay apart, so that each changed line stands beside
 /// what it becomes.
-pub(super) fn changes(source: &[u8], lines: &Lines, edits: &[Edit]) -> Vec<Change> {
-    let mut changes: Vec<Change> = Vec::new();
+pub(super) fn changes<'d>(
+    source: &'d [u8],
+    lines: &'d Lines,
+    edits: &'d [Edit],
+) -> impl Iterator<Item = Change> + 'd {
     let mut rest = edits;
-    while let Some(first) = rest.first() {
-        let (from, mut to) = lines.touched(first);
-        let mut count = 1;
-        while let Some(next) = rest.get(count) {
-            let (next_from, next_to) = lines.touched(next);
-            if next_from >= to {
-                break;
+    std::iter::from_fn(move || {
+        while let Some(first) = rest.first() {
+            let (from, mut to) = lines.touched(first);
+            let mut count = 1;
+            while let Some(next) = rest.get(count) {
+                let (next_from, next_to) = lines.touched(next);
+                if next_from >= to {
+                    break;
+                }
+                to = to.max(next_to);
+                count += 1;
             }
-            to = to.max(next_to);
-            count += 1;
+            let (these, later) = rest.split_at(count);
+            rest = later;
+            if let Some(change) = change(source, lines, from, to, these) {
+                return Some(change);
+            }
         }
-        let (these, later) = rest.split_at(count);
-        changes.extend(change(source, lines, from, to, these));
-        rest = later;
-    }
-    changes
+        None
+    })
 }
 
 /// What the lines `from..to` become; what stays equal at either end is left out.

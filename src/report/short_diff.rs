@@ -29,20 +29,27 @@ impl ShortDiff {
     /// Takes in what `edits` change in a file; they are in source order and do not overlap.
     pub fn add(&mut self, old_path: &str, new_path: &str, source: &[u8], edits: &[Edit]) {
         let lines = Lines::new(source);
-        let changes = changes(source, &lines, edits);
-        let is_motion = |change: &&Change| change.to > change.from;
-        let motions: Vec<&Change> = changes.iter().filter(is_motion).collect();
         let rows = |change: &Change| change.to - change.from + change.new.len();
-        let mut shown: Vec<&Change> = Vec::new();
-        for change in &motions {
-            let room = self.lines + shown.iter().map(|c| rows(c)).sum::<usize>() + rows(change) + 3 + TARGETS;
+        let mut shown: Vec<Change> = Vec::new();
+        let mut targets = FirstTargets {
+            left: TARGETS.saturating_sub(self.targets).min(MOST_LINES.saturating_sub(self.lines + 4)),
+            found: Vec::new(),
+        };
+        for change in changes(source, &lines, edits) {
+            if change.to == change.from {
+                targets.add(change.new);
+                continue;
+            }
+            let room = self.lines + shown.iter().map(rows).sum::<usize>() + rows(&change) + 3 + TARGETS;
             if self.motions + shown.len() < MOTIONS && room < MOST_LINES {
                 shown.push(change);
+            } else {
+                self.more += 1;
             }
         }
         self.motions += shown.len();
-        self.more += motions.len() - shown.len();
-        let targets = self.first_targets(&changes);
+        let targets = targets.found;
+        self.targets += targets.len();
         if shown.is_empty() && targets.is_empty() {
             return;
         }
@@ -55,20 +62,6 @@ impl ShortDiff {
             change.new.iter().for_each(|line| self.put(&[b"+", line.as_slice()].concat()));
         }
         targets.iter().for_each(|line| self.put(&[b"+", line.as_slice()].concat()));
-    }
-
-    /// The first targets, or corrections, among the lines that are put in.
-    fn first_targets(&mut self, changes: &[Change]) -> Vec<Vec<u8>> {
-        let left = TARGETS.saturating_sub(self.targets).min(MOST_LINES.saturating_sub(self.lines + 4));
-        let lines = changes.iter().filter(|change| change.to == change.from).flat_map(|change| &change.new);
-        let is_target = |line: &&Vec<u8>| {
-            ["CONST robtarget ", "CONST jointtarget ", "CONST pose ", "CONST robjoint "]
-                .iter()
-                .any(|begin| memchr::memmem::find(line, begin.as_bytes()).is_some())
-        };
-        let found: Vec<Vec<u8>> = lines.skip_while(|line| !is_target(line)).take(left).cloned().collect();
-        self.targets += found.len();
-        found
     }
 
     /// A line without its end, cut where it is long.
@@ -96,6 +89,29 @@ impl ShortDiff {
             more => format!("{more} more changed {} and ", plural(more, "motion")),
         };
         writeln!(out, "... and {more}what is added for them; --diff - shows all, --diff FILE writes it\n")
+    }
+}
+
+/// The first targets, or corrections, among the lines that are put in, and what follows them.
+struct FirstTargets {
+    left: usize,
+    found: Vec<Vec<u8>>,
+}
+
+impl FirstTargets {
+    fn add(&mut self, lines: Vec<Vec<u8>>) {
+        for line in lines {
+            if self.left == 0 {
+                return;
+            }
+            let is_target = ["CONST robtarget ", "CONST jointtarget ", "CONST pose ", "CONST robjoint "]
+                .iter()
+                .any(|begin| memchr::memmem::find(&line, begin.as_bytes()).is_some());
+            if is_target || !self.found.is_empty() {
+                self.found.push(line);
+                self.left -= 1;
+            }
+        }
     }
 }
 

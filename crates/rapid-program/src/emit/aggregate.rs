@@ -69,14 +69,17 @@ pub fn each_single(text: &[u8], mut visit: impl FnMut(f32)) -> bool {
 /// A number among white space; nothing where there is none.
 fn single(part: &[u8]) -> Result<Option<f32>, ()> {
     let read = |digits: &[u8]| match fast_float2::parse::<f64, _>(digits) {
-        Ok(value) => Ok(Some(value as f32)),
+        Ok(value) => Ok(value as f32),
         Err(_) => Err(()),
     };
+    let Some(from) = part.iter().position(|&b| !white(b)) else { return Ok(None) };
+    let to = part.iter().rposition(|&b| !white(b)).map_or(from, |last| last + 1);
+    let part = part.get(from..to).unwrap_or_default();
     if !part.iter().any(|&b| white(b)) {
-        return if part.is_empty() { Ok(None) } else { read(part) };
+        return read(part).map(Some);
     }
     let digits: Vec<u8> = part.iter().copied().filter(|&b| !white(b)).collect();
-    if digits.is_empty() { Ok(None) } else { read(&digits) }
+    read(&digits).map(Some)
 }
 
 #[cfg(test)]

@@ -4,14 +4,14 @@
 //! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
 //! files outside such a folder share one.
 
-use super::names::{Names, Sym, lower_case};
+use super::names::{ByNumber, Names, Sym, lower_case};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{
     DataDecl, DataKind, Expr, FileItem, Module, ModuleItem, ParamMode, RecordDecl, Routine, Scope, Stmt,
     StmtKind,
 };
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Index into [`Index::data`].
 pub(super) type DatumId = usize;
@@ -109,12 +109,12 @@ pub(super) struct Index<'a> {
     pub(super) modules: Vec<ModuleEntry<'a>>,
     pub(super) routines: Vec<RoutineEntry<'a>>,
     pub(super) data: Vec<Datum<'a>>,
-    data_at: HashMap<(NameScope, Sym), ScopedName>,
+    data_at: ByNumber<(NameScope, Sym), ScopedName>,
     /// Variables of FOR with the statements they are seen in, outer loops first.
-    loop_variables: HashMap<(RoutineIndex, Sym), Vec<(TextRange, DatumId)>>,
-    routines_at: HashMap<(NameScope, Sym), ScopedName>,
-    records: HashMap<Sym, (FileId, &'a RecordDecl)>,
-    aliases: HashMap<Sym, Sym>,
+    loop_variables: ByNumber<(RoutineIndex, Sym), Vec<(TextRange, DatumId)>>,
+    routines_at: ByNumber<(NameScope, Sym), ScopedName>,
+    records: ByNumber<Sym, (FileId, &'a RecordDecl)>,
+    aliases: ByNumber<Sym, Sym>,
 }
 
 impl<'a> Index<'a> {
@@ -126,11 +126,11 @@ impl<'a> Index<'a> {
             modules: Vec::new(),
             routines: Vec::new(),
             data: Vec::new(),
-            data_at: HashMap::new(),
-            loop_variables: HashMap::new(),
-            routines_at: HashMap::new(),
-            records: HashMap::new(),
-            aliases: HashMap::new(),
+            data_at: ByNumber::default(),
+            loop_variables: ByNumber::default(),
+            routines_at: ByNumber::default(),
+            records: ByNumber::default(),
+            aliases: ByNumber::default(),
         };
         index.intern_predefined(super::record::TYPES);
         let mut tasks = BTreeMap::new();
@@ -225,7 +225,7 @@ impl<'a> Index<'a> {
         self.names.text(self.plain_type(type_name))
     }
 
-    fn look_up(&self, at: &HashMap<(NameScope, Sym), ScopedName>, name: Sym, ctx: Ctx) -> Resolved {
+    fn look_up(&self, at: &ByNumber<(NameScope, Sym), ScopedName>, name: Sym, ctx: Ctx) -> Resolved {
         let Some(module) = self.modules.get(ctx.module) else { return Resolved::Nowhere };
         let places = [
             ctx.routine.map(NameScope::Routine),
@@ -409,7 +409,7 @@ pub(super) fn inner_bodies(stmt: &Stmt) -> Vec<&[Stmt]> {
     }
 }
 
-fn enter(at: &mut HashMap<(NameScope, Sym), ScopedName>, place: NameScope, name: Sym, id: usize) {
+fn enter(at: &mut ByNumber<(NameScope, Sym), ScopedName>, place: NameScope, name: Sym, id: usize) {
     at.entry((place, name))
         .and_modify(|found| {
             found.second.get_or_insert(id);

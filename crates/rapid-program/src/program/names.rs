@@ -4,6 +4,7 @@
 //! it is that, else as Latin-1, so `ÄRM` and `ärm` are one name in either.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// A name, whatever its case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -16,9 +17,49 @@ pub(super) struct Names {
     texts: Vec<Box<str>>,
 }
 
+/// Found by numbers that were given here, one after another.
+pub(super) type ByNumber<K, V> = HashMap<K, V, BuildHasherDefault<NumberHasher>>;
+
+/// Mixes a few small numbers. The standard library's hasher withstands keys that somebody chose to collide; nobody chooses these.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct NumberHasher(u64);
+
+impl NumberHasher {
+    fn add(&mut self, number: u64) {
+        self.0 = (self.0.rotate_left(5) ^ number).wrapping_mul(0x517c_c1b7_2722_0a95);
+    }
+}
+
+impl Hasher for NumberHasher {
+    fn finish(&self) -> u64 {
+        self.0.rotate_left(26) // the table takes the low bits, multiplication mixes the high ones
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.add(u64::from(byte)));
+    }
+
+    fn write_u32(&mut self, number: u32) {
+        self.add(u64::from(number));
+    }
+
+    fn write_u64(&mut self, number: u64) {
+        self.add(number);
+    }
+
+    fn write_usize(&mut self, number: usize) {
+        self.add(number as u64);
+    }
+
+    fn write_isize(&mut self, number: isize) {
+        self.add(number as u64);
+    }
+}
+
 /// The name in lower case.
 pub(super) fn lower_case(name: &[u8]) -> String {
     match std::str::from_utf8(name) {
+        Ok(text) if name.is_ascii() => text.to_ascii_lowercase(),
         Ok(text) => text.to_lowercase(),
         Err(_) => name.iter().map(|&b| char::from(b)).flat_map(char::to_lowercase).collect(),
     }
