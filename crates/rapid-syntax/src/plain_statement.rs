@@ -293,20 +293,29 @@ impl Scan<'_, '_> {
         Some(())
     }
 
-    /// Components of the datum `name`, which begins at byte `from`: from the point behind it on.
+    /// Components of the datum `name`, which begins at byte `from`: from the point behind it on. Nodes are made only where what
+    /// follows is no operator, which many components have.
     #[inline(never)]
     fn components(&mut self, from: usize, name: TextRange) -> Option<Expr> {
-        let mut expr = Expr { range: name, kind: ExprKind::Name };
-        for _ in 0..DEEPEST {
+        let mut names = [name; DEEPEST];
+        let mut count = 0;
+        while self.peek()? == b'.' {
             self.at += 1;
-            let name = self.identifier()?;
-            let field = Box::new(FieldExpr { base: expr, name });
-            expr = Expr { range: self.since(from), kind: ExprKind::Field(field) };
-            if self.peek()? != b'.' {
-                return Some(expr);
-            }
+            *names.get_mut(count)? = self.identifier()?;
+            count += 1;
         }
-        None
+        let end = self.at;
+        let follows = self.next()?;
+        self.at = end;
+        if !matches!(follows, b':' | b',' | b';' | b')' | b'\\') {
+            return None;
+        }
+        let start = self.start + from as u32;
+        let datum = Expr { range: name, kind: ExprKind::Name };
+        Some(names.get(..count)?.iter().fold(datum, |base, &name| {
+            let field = Box::new(FieldExpr { base, name });
+            Expr { range: TextRange { start, end: name.end }, kind: ExprKind::Field(field) }
+        }))
     }
 
     /// An option that begins here with its backslash.
