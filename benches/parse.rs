@@ -1,5 +1,5 @@
-//! How fast RAPID is read: a long program of linear moves with inline targets, as CAM writes it, and one of
-//! named targets.
+//! How fast RAPID is read: long programs of linear moves with inline targets, as CAM writes them, with named targets, with targets
+//! that Offs works out, and of conditions.
 
 #![allow(missing_docs, reason = "criterion's macros make functions without docs")]
 
@@ -31,6 +31,8 @@ fn parse_programs(c: &mut Criterion) {
     let programs = [
         ("inline targets", program(inline)),
         ("named targets", program(|n| format!("MoveL p{n},v100,z5,tGrip\\WObj:=wTable; ! {n}"))),
+        ("offsets", program(|n| format!("MoveL Offs(p{n},0,0,50),v100,z5,tGrip\\WObj:=wTable; ! {n}"))),
+        ("conditions", program(|n| format!("IF di{n}=1 THEN\n reg1:=reg1+{n};\n SetDO do1,1;\n ENDIF"))),
     ];
     let mut group = c.benchmark_group("parse");
     for (name, source) in &programs {

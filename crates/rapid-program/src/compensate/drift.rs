@@ -80,7 +80,13 @@ impl<'a> ProgramPoints<'a> {
         let mut displacements_m = vec![[0.0; 3]; self.points.len()];
         let parts = displacements_m.par_chunks_mut(WORTH_SHARING);
         self.points.par_chunks(WORTH_SHARING).zip(parts).for_each(|(places, part)| {
-            Drifting::new(places.iter().filter_map(|&place| self.at(place))).write_m(&arm, part);
+            let points = Drifting::new(places.iter().filter_map(|&place| self.at(place)));
+            let mut part = part.iter_mut();
+            points.displacements_m(&arm, |displacement_m| {
+                if let Some(place) = part.next() {
+                    *place = displacement_m.into();
+                }
+            });
         });
         displacements_m
     }
@@ -139,16 +145,6 @@ impl Drifting {
             }
         });
     }
-
-    /// The same, each into its place.
-    fn write_m(&self, arm: &DeformedArm, places: &mut [[f64; 3]]) {
-        let mut places = places.iter_mut();
-        self.displacements_m(arm, |displacement_m| {
-            if let Some(place) = places.next() {
-                *place = displacement_m.into();
-            }
-        });
-    }
 }
 
 /// How far each of `points` stands from where it is meant to be at any moment, uncorrected, metres.
@@ -163,15 +159,15 @@ pub(super) fn displacements_m<'m, 'p>(
     }
     Box::new(move |moment| {
         let arm = model.arm(moment);
-        let mut displacements_m = vec![[0.0; 3]; all.iter().map(|some| some.target_m.len()).sum()];
+        let of_some = |some: &Drifting| {
+            let mut displacements_m: Vec<[f64; 3]> = Vec::with_capacity(some.target_m.len());
+            some.displacements_m(&arm, |displacement_m| displacements_m.push(displacement_m.into()));
+            displacements_m
+        };
         match all.as_slice() {
-            [few] => few.write_m(&arm, &mut displacements_m),
-            all => {
-                let parts = displacements_m.par_chunks_mut(WORTH_SHARING);
-                all.par_iter().zip(parts).for_each(|(some, part)| some.write_m(&arm, part));
-            }
+            [few] => of_some(few),
+            all => all.par_iter().map(of_some).collect::<Vec<_>>().concat(),
         }
-        displacements_m
     })
 }
 
