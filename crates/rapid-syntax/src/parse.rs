@@ -14,7 +14,7 @@ pub fn parse(source: &[u8]) -> (Tree, Vec<Warning>) {
     parse_with(source, true)
 }
 
-/// The same by the productions of the grammar alone, without the scans that pass the common forms: three times slower, and what
+/// The same by the productions of the grammar alone, without the scans that pass the common forms: slower, and what
 /// tests hold [`parse`] to.
 #[must_use]
 pub fn parse_by_productions(source: &[u8]) -> (Tree, Vec<Warning>) {
