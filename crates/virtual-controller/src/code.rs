@@ -102,6 +102,8 @@ pub(super) enum Op {
     Assign(Expr, Expr),
     Call(Rc<Call>),
     Jump(usize),
+    /// The beginning of a loop that only what stands in its body may end: what decides on that.
+    LoopEnter(Rc<[Expr]>),
     /// The end of an endless loop's body: jump back and count a pass.
     LoopBack(usize),
     JumpUnless(Expr, usize),

@@ -3,6 +3,7 @@
 use super::code::{
     Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, Name, NameRef, Op, Param,
 };
+use super::exits::exits;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree;
 use rapid_syntax::{SourceFile, number_value, parts_of_numbers, string_value};
@@ -102,6 +103,7 @@ impl<'f> Compiler<'f> {
             op,
             Op::Jump(_)
                 | Op::LoopBack(_)
+                | Op::LoopEnter(_)
                 | Op::ForInit { .. }
                 | Op::ForStep { .. }
                 | Op::JumpIfIn(..)
@@ -123,9 +125,20 @@ impl<'f> Compiler<'f> {
 
     fn block(&mut self, body: &[tree::Stmt]) {
         self.depth += 1;
-        for stmt in body {
+        for (at, stmt) in body.iter().enumerate() {
             let first = self.instructions.len();
             self.statement(stmt);
+            if let tree::StmtKind::Label(name) = stmt.kind
+                && self.depth == 1
+            {
+                let again = |s: &tree::Stmt| {
+                    matches!(s.kind, tree::StmtKind::Goto(to)
+                        if lower_case_name(self.file, to) == lower_case_name(self.file, name))
+                };
+                if let Some(end) = body.iter().rposition(again).filter(|&end| end > at) {
+                    self.enter_loop(&body[at..end], stmt.range);
+                }
+            }
             let after = self.instructions.len();
             // An error in a condition leaves its whole statement; inner statements have set theirs.
             if !matches!(stmt.kind, tree::StmtKind::Label(_))
@@ -182,6 +195,9 @@ impl<'f> Compiler<'f> {
             S::While(looped) => {
                 let endless = matches!(unparen(&looped.cond).kind, tree::ExprKind::Bool(true));
                 let top = self.instructions.len();
+                if endless {
+                    self.enter_loop(&looped.body, range);
+                }
                 let cond = self.expr(&looped.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
                 self.block(&looped.body);
@@ -238,6 +254,20 @@ impl<'f> Compiler<'f> {
                 self.push(Op::Unknown(text.trim().into()), range);
             }
             S::Empty | S::Comment => {}
+        }
+    }
+
+    /// Have what decides whether a loop is left from inside looked at when it is entered.
+    fn enter_loop(&mut self, body: &[tree::Stmt], range: TextRange) {
+        let label = |stmt: &tree::Stmt| match stmt.kind {
+            tree::StmtKind::Label(name) | tree::StmtKind::Goto(name) => {
+                Some(latin1(self.file, name).to_lowercase())
+            }
+            _ => None,
+        };
+        let deciding: Vec<Expr> = exits(body, &label).into_iter().map(|expr| self.expr(expr)).collect();
+        if !deciding.is_empty() {
+            self.push(Op::LoopEnter(deciding.into()), range);
         }
     }
 

@@ -20,6 +20,7 @@ mod controller;
 mod effort;
 mod entry;
 mod evaluation;
+mod exits;
 mod findings;
 mod frame;
 mod interpreter;

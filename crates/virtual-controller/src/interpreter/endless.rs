@@ -60,6 +60,25 @@ impl Interpreter<'_> {
         }
     }
 
+    /// Whether, since the last pass of the loop that begins at `top`, something has changed that decides whether it
+    /// is left from inside: a loop whose exits ask for what stays as it is counts as endless.
+    pub(super) fn nears_its_end(&mut self, top: usize) -> bool {
+        let Some(frame) = self.machine.stack.frames.last() else { return false };
+        let Some(Op::LoopEnter(deciding)) = frame.code.instructions.get(top).map(|i| i.op.clone()) else {
+            return false;
+        };
+        let now = self.deciding(&deciding);
+        let Some(frame) = self.machine.stack.frames.last_mut() else { return false };
+        frame.deciding.insert(top, now.clone()).is_some_and(|before| before != now)
+    }
+
+    /// What the names in expressions are worth now.
+    pub(super) fn deciding(&mut self, expressions: &[Expr]) -> Vec<Option<Value>> {
+        let mut asked = Vec::new();
+        expressions.iter().for_each(|expr| leaves(expr, &mut asked));
+        asked.into_iter().map(|leaf| self.present(leaf)).collect()
+    }
+
     /// The end of a run in a loop that waits in vain: the loop from `to` to the operation in work.
     pub(super) fn endless(&self, to: usize) -> Fault {
         let Some(frame) = self.machine.stack.frames.last() else {

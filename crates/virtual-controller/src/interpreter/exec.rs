@@ -16,6 +16,8 @@ use std::rc::Rc;
 const MAX_NESTED_FUNCTIONS: usize = 40;
 /// Passes of an endless loop inside another one, or of a routine called by one, before the run ends.
 const INNER_PASSES: u64 = 10_000;
+/// Passes of a loop that is about to be left from inside, as far as can be told.
+const LEAVING_PASSES: u64 = 1_000;
 
 impl Interpreter<'_> {
     /// Execute until only `base` routines are left in execution.
@@ -68,6 +70,13 @@ impl Interpreter<'_> {
                     return Err(self.endless(*to));
                 }
                 self.machine.stack.jump(*to);
+                Ok(())
+            }
+            Op::LoopEnter(deciding) => {
+                let values = self.deciding(deciding);
+                if let Some(frame) = self.machine.stack.frames.last_mut() {
+                    frame.deciding.insert(frame.current, values);
+                }
                 Ok(())
             }
             Op::LoopBack(to) => self.loop_back(*to),
@@ -170,14 +179,17 @@ impl Interpreter<'_> {
                 Waiting::Still | Waiting::Long { moves: false } => return Err(self.endless(to)),
             }
         }
+        let nears_its_end = self.nears_its_end(to);
         let Some(frame) = self.machine.stack.frames.last_mut() else { return Ok(()) };
         let at = frame.current;
         let passes = frame.passes.entry(at).or_insert(0);
         *passes += 1;
+        let allowed = if nears_its_end { allowed.max(LEAVING_PASSES) } else { allowed };
         if *passes >= if inside { allowed.max(INNER_PASSES) } else { allowed } {
             return Err(Fault::Ended(Outcome::Passes));
         }
-        frame.pc = to;
+        // A loop is entered once, however often it is passed.
+        frame.pc = to + usize::from(frame.deciding.contains_key(&to));
         Ok(())
     }
 
@@ -202,6 +214,7 @@ impl Interpreter<'_> {
             trap,
             effort: self.machine.meter.total,
             passes: BTreeMap::new(),
+            deciding: BTreeMap::new(),
             polls: BTreeMap::new(),
         });
         self.machine.stack.scope = (module, base);

@@ -50,6 +50,8 @@ pub(crate) struct Frame {
     pub effort: Effort,
     /// Passes of each endless loop, by the instruction that jumps back.
     pub passes: BTreeMap<usize, u64>,
+    /// What decides whether a loop is left, when its present pass began, by the loop's first instruction.
+    pub deciding: BTreeMap<usize, Vec<Option<Value>>>,
     /// What is known of each loop that may wait in vain, by the instruction that jumps back.
     pub polls: BTreeMap<usize, Poll>,
 }
