@@ -12,11 +12,12 @@ use exam::virtual_robot::{Commanded, VirtualRobot, is_lasting, measured_rms_m};
 use metrology::diagnose::{self, Options};
 use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Vector3};
-use rapid_program::emit::Clock;
+use rapid_program::emit::{Clock, renamed};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, mm_from_m};
+use std::collections::BTreeMap;
 use virtual_controller::{Controller, Move};
 
 /// A rehearsal that waits for its program.
@@ -117,7 +118,9 @@ fn moves(robot: &Robot, program: &[(&str, &[u8])]) -> Result<Vec<Move>, Diagnost
         controller.load(path, bytes).map_err(refused)?;
         controller.put_file(path, bytes);
     }
+    let renamed: BTreeMap<String, String> = program.iter().flat_map(|(_, bytes)| renamed(bytes)).collect();
     for name in ["tcColdStart", "tcUpdate"] {
+        let name = renamed.get(name).map_or(name, String::as_str);
         if controller.has_routine(name) {
             controller.call(name, 1).map_err(refused)?;
         }

@@ -1,6 +1,7 @@
 //! Execution of a program on the deformed robot.
 
 use super::program_files::ProgramFiles;
+use rapid_program::emit::renamed;
 use rapid_program::program::{Overrides, task_of};
 use virtual_controller::session::{ProgramFile, SessionOptions};
 use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
@@ -84,8 +85,9 @@ impl Simulation {
             files.extend(given.iter().map(|text| (GIVEN, text.as_bytes())));
             files
         });
-        let mut session =
-            Session::new(&files, original.as_deref(), self.robot.clone(), self.options.clone())?;
+        let mut options = self.options.clone();
+        options.renamed.extend(files.iter().flat_map(|(_, bytes)| renamed(bytes)));
+        let mut session = Session::new(&files, original.as_deref(), self.robot.clone(), options)?;
         if let Some(start_rad) = self.start_rad {
             let arms = [session.program.arm_mut(), session.original.arm_mut()];
             arms.into_iter().flatten().for_each(|arm| arm.stand_at(start_rad));

@@ -15,6 +15,7 @@ use rapid_program::compensate::CompensateError;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
 use virtual_controller::scenario::STEPS;
@@ -187,6 +188,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             Some(name) => Some(name.clone()),
             None => made_with.one("thermometer")?.map(str::to_owned),
         },
+        renamed: BTreeMap::new(),
         warming: args.warming.map(Into::into),
         gap_min: args.gap_min,
     };

@@ -54,4 +54,5 @@ mod tabulate;
 mod targets;
 mod touch;
 mod tree_check;
+mod unusual;
 mod virtual_controller;

@@ -8,7 +8,7 @@ use super::value::{Type, Value};
 use super::warming::Warming;
 use robot_model::kinematics::{Chain, ClosedForm};
 use robot_model::units::min_from_s;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use super::findings::{BucketSwitch, ErrorStatistics, Pass, Report, ScenarioMark, WorstMove};
 
@@ -26,6 +26,9 @@ pub struct SessionOptions {
     pub paths: bool,
     /// The analog input or persistent that shows the robot's temperature, where it deforms by that.
     pub thermometer: Option<String>,
+    /// Names of an emitted clock (`tcColdStart`, `tcMode`, ...) that the program has under another one, because its own
+    /// files have them.
+    pub renamed: BTreeMap<String, String>,
     /// What warms the true robot in a scenario; `None` = as the scenario says, else its motions.
     pub warming: Option<Warming>,
     /// The longest pause between motions that counts as work, minutes; `None` = as the scenario says, else
@@ -35,7 +38,22 @@ pub struct SessionOptions {
 
 impl Default for SessionOptions {
     fn default() -> Self {
-        Self { entry: None, passes: 1, paths: true, thermometer: None, warming: None, gap_min: None }
+        Self {
+            entry: None,
+            passes: 1,
+            paths: true,
+            thermometer: None,
+            renamed: BTreeMap::new(),
+            warming: None,
+            gap_min: None,
+        }
+    }
+}
+
+impl SessionOptions {
+    /// The name in use for one of an emitted clock's.
+    pub(super) fn own_name<'a>(&'a self, name: &'a str) -> &'a str {
+        self.renamed.get(name).map_or(name, String::as_str)
     }
 }
 
@@ -96,7 +114,7 @@ impl Session {
         };
         let c = load(program)?;
         let mut o = load(original.unwrap_or(program))?;
-        let originals = [("tcMode", -2.0), ("tcI", 1.0)];
+        let originals = [("tcMode", -2.0), ("tcI", 1.0)].map(|(name, value)| (options.own_name(name), value));
         if original.is_none()
             && let Some((name, value)) = originals.into_iter().find(|(name, _)| o.has_data(name))
         {
@@ -214,7 +232,9 @@ impl Session {
     pub fn at_minutes(&mut self, minutes_min: &[f64]) -> Result<(), SimulateError> {
         self.program.calendar_mut().held = true;
         self.original.calendar_mut().held = true;
-        self.call_if_there("tcColdStart")?;
+        let [cold_start, update] =
+            ["tcColdStart", "tcUpdate"].map(|name| self.options.own_name(name).to_owned());
+        self.call_if_there(&cold_start)?;
         let mut now_min = 0.0;
         let mut order = minutes_min.to_vec();
         order.sort_by(f64::total_cmp);
@@ -225,7 +245,7 @@ impl Session {
                 self.program.calendar_mut().advance_min(step_min);
                 self.original.calendar_mut().advance_min(step_min);
                 now_min += step_min;
-                self.call_if_there("tcUpdate")?;
+                self.call_if_there(&update)?;
             }
             let truth = self.truth.arm_at(t_min);
             let pass = self.run()?;

@@ -269,10 +269,20 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
 /// is damaged.
 #[must_use]
 pub fn made_with(bytes: &[u8]) -> Option<Vec<(String, String)>> {
+    record_of(bytes).map(|record| record.settings)
+}
+
+/// The core's names that an emitted file has under another one, since the source has them; none of another file.
+#[must_use]
+pub fn renamed(bytes: &[u8]) -> BTreeMap<String, String> {
+    record_of(bytes).map(|record| record.renamed).unwrap_or_default()
+}
+
+fn record_of(bytes: &[u8]) -> Option<Record> {
     let lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.is_empty());
     let block = lines.skip_while(|line| !begins(line.trim_ascii()));
     let (record, _) = read(block).ok()?;
-    (record.is_whole && !record.is_core).then_some(record.settings)
+    (record.is_whole && !record.is_core).then_some(record)
 }
 
 #[cfg(test)]
