@@ -440,3 +440,23 @@ fn tenths_of_a_minute_choose_the_bucket_too() {
         cell.controller.calendar_mut().advance_s(3.0);
     }
 }
+
+#[test]
+fn a_cold_start_of_a_warm_clock_says_the_minute_it_stood_at() {
+    for (clock, stages) in
+        [(two_stage(), Stages::Two), (warmth(Some(GrowthLaw::Exp { tau_min: 46.0 }), None), Stages::One)]
+    {
+        let mut cell = Cell::new(clock, Exact::cold(stages, 46.0, 46.0)).cold();
+        assert!(cell.controller.take_messages().is_empty(), "nothing is lost at the first start");
+        cell.run(60.0);
+        cell.controller.take_messages();
+        cell.call("tcColdStart");
+        let shown = cell.controller.take_messages();
+        assert_eq!(shown.len(), 1, "{shown:?}");
+        assert_eq!(shown[0].text, "Warm-up clock set to 0, it stood at minute 60");
+        assert_eq!(cell.number("tcMinute"), 0.0);
+        cell.call("tcColdStart");
+        cell.call("tcWarmStart");
+        assert!(cell.controller.take_messages().is_empty());
+    }
+}

@@ -23,6 +23,12 @@ log#    tcLogFile:="";
       tcDate:=CDate();
       tcTime:=CTime();
     ENDIF
+    IF tcFirst=0 THEN
+      ! Set back to cold: what is lost is told
+      IF tcAdvance(tcDayNumber(tcDate),tcSecond(tcTime)) THEN
+        IF tcMinute>=1 TPWrite "Warm-up clock set to 0, it stood at minute "\Num:=Round(tcMinute);
+      ENDIF
+    ENDIF
     tcState:=[tcFirst,tcSecond0,tcDayNumber(tcDate),tcSecond(tcTime),tcDayNumber(tcDate),tcSecond(tcTime)];
 touch#    tcForget;
     tcTimeSeen:="";
