@@ -50,6 +50,138 @@ fn made(form: &str, body: &str) -> Made {
 }
 
 #[test]
+fn a_reading_handed_back_by_a_late_bound_call_is_the_arms_own_position() {
+    let body = "  VAR robtarget pX;
+  VAR robtarget pY;
+  VAR robtarget pZ;
+  VAR num n:=2;
+  PROC getit(INOUT robtarget p)
+    p:=CRobT();
+  ENDPROC
+  PROC put1(INOUT robtarget p)
+    p:=pA;
+  ENDPROC
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    pX:=pA;
+    %\"get\"+\"it\"% pX;
+    MoveL pX,v100,fine,tool0;
+    pY:=pB;
+    %\"get\"+Lower()% pY;
+    MoveL Offs(pY,0,0,10),v100,fine,tool0;
+    pZ:=pC;
+    %\"put\"+NumToStr(n-1,0)% pZ;
+    MoveL pZ,v100,fine,tool0;
+  ENDPROC
+  FUNC string Lower()
+    RETURN \"it\";
+  ENDFUNC\n";
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let made = made(form, body);
+        for kept in [1, 2] {
+            let (status, reason) = &made.motions[kept];
+            assert_eq!(status, "kept", "{form}");
+            assert!(reason.contains("read from where the robot stands"), "{form}: {reason}");
+        }
+        // What another routine hands back is no reading.
+        assert!(!made.motions[3].1.contains("where the robot stands"), "{form}: {:?}", made.motions[3]);
+        assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
+    }
+}
+
+#[test]
+fn a_target_that_a_late_bound_routine_makes_a_frame_of_is_kept() {
+    let body = "  VAR pose frame;
+  PROC calibrate(robtarget p1,robtarget p2,robtarget p3)
+    frame:=DefFrame(p1,p2,p3);
+  ENDPROC
+  PROC main()
+    VAR string name:=\"calibrate\";
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveL pA,v100,fine,tool0;
+    MoveL pB,v100,fine,tool0;
+    MoveL pC,v100,fine,tool0;
+    %name% pA,pB,pC;
+  ENDPROC\n";
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let made = made(form, body);
+        for (status, reason) in &made.motions[1..] {
+            assert_eq!(status, "kept", "{form}");
+            assert!(reason.contains("DefFrame makes a tool, frame or zone"), "{form}: {reason}");
+        }
+    }
+}
+
+#[test]
+fn an_array_of_three_dimensions_is_corrected_where_its_index_is_known_at_run_time_only() {
+    let target = |x: i32, y: i32| format!("[[{x},{y},400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    let row =
+        |x: i32| format!("[[{},{}],[{},{}]]", target(x, 60), target(x, 80), target(x, 100), target(x, 120));
+    let body = format!(
+        "  CONST robtarget a{{2,2,2}}:=[{},{}];
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    FOR i FROM 1 TO 2 DO
+      FOR k FROM 2 TO 1 STEP -1 DO
+        FOR m FROM 1 TO 2 DO
+          MoveL a{{i,k,m}},v100,fine,tool0;
+        ENDFOR
+        MoveL a{{i,2,k}},v100,fine,tool0;
+      ENDFOR
+    ENDFOR
+    MoveL a{{1,2,1}},v100,fine,tool0;
+  ENDPROC\n",
+        row(400),
+        row(430)
+    );
+    for form in ["ramp", "auto", "live"] {
+        let made = made(form, &body);
+        assert!(made.motions.iter().all(|(status, _)| status == "compensated"), "{form}: {:?}", made.motions);
+        assert!(made.corrected_mm < 0.0005, "{form}: {}", made.corrected_mm);
+    }
+    let made = made("schedule", &body);
+    for (status, reason) in &made.motions[1..3] {
+        assert_eq!(status, "kept");
+        assert!(reason.contains("--form ramp"), "{reason}");
+    }
+    assert_eq!(made.motions[3].0, "compensated");
+}
+
+#[test]
+fn motions_behind_a_loop_that_is_left_from_inside_are_corrected() {
+    let body = "  VAR num n:=0;
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    n:=0;
+    WHILE TRUE DO
+      n:=n+1;
+      MoveL pA,v100,fine,tool0;
+      IF n>2 GOTO out;
+      MoveL pB,v100,fine,tool0;
+    ENDWHILE
+    out:
+    MoveL pC,v100,fine,tool0;
+    twice;
+    MoveL pA,v100,fine,tool0;
+  ENDPROC
+  PROC twice()
+    WHILE TRUE DO
+      n:=n+1;
+      IF n>5 RAISE ERR_ARGVALERR;
+      MoveL pB,v100,fine,tool0;
+    ENDWHILE
+  ERROR
+    MoveL pC,v100,fine,tool0;
+    RETURN;
+  ENDPROC\n";
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let made = made(form, body);
+        assert!(made.motions.iter().all(|(status, _)| status == "compensated"), "{form}: {:?}", made.motions);
+        assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
+    }
+}
+
+#[test]
 fn a_clock_under_another_name_is_the_one_that_is_started() {
     let body = "  PERS num tcMode:=7;
   PROC main()

@@ -23,6 +23,7 @@ mod flow;
 mod functions;
 mod index;
 mod instructions;
+mod late_bound;
 pub mod loads;
 mod made_for;
 mod mod_ref;

@@ -2,6 +2,7 @@
 
 use super::expressions::{every_call, expressions_of, root_of};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies, every_statement};
+use super::late_bound::Handed;
 use super::names::lower_case;
 use super::tracked::{names_in, sources};
 use super::writes::match_arguments;
@@ -54,7 +55,10 @@ impl OwnPositions {
     /// With all that their values go into.
     fn closed(self, index: &Index<'_>) -> Self {
         let mut found = self;
-        let (sources, handed_back) = (sources(index), handed_back(index));
+        let (mut sources, mut handed_back) = (sources(index), handed_back(index));
+        let late = Handed::new(index);
+        sources.extend(late.over);
+        handed_back.extend(late.back);
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
         let mut set = found.data.clone();
         loop {

@@ -3,6 +3,7 @@
 use super::expressions::{every_call, expressions_of, value_of};
 use super::index::{Ctx, DatumId, Index, bodies, every_statement};
 use super::instructions::move_form;
+use super::late_bound::Handed;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
 use super::tracked::{names_in, sources};
@@ -60,7 +61,8 @@ impl ReadAsData {
         }
         // What a target's value goes into counts as the target.
         let mut goes_into: BTreeMap<DatumId, Vec<DatumId>> = BTreeMap::new();
-        for (to, from) in sources(index) {
+        let late = Handed::new(index);
+        for (to, from) in sources(index).into_iter().chain(late.over).chain(late.back) {
             goes_into.entry(from).or_default().push(to);
         }
         let mut found = BTreeMap::new();

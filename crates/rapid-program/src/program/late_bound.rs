@@ -1,0 +1,133 @@
+//! Calls by a name that is worked out at run time: which routines they may reach, and what they hand over.
+
+use super::expressions::{root_of, value_of};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
+use super::names::lower_case;
+use super::tracked::names_in;
+use super::value;
+use super::writes::match_arguments;
+use rapid_syntax::tree::{
+    Arg, ArgKind, BinaryOp, Callee, DataKind, Expr, ExprKind, ParamMode, RoutineKind, StmtKind,
+};
+
+/// What late-bound calls hand from datum to datum: `(to, from)`.
+pub(super) struct Handed {
+    /// Arguments into parameters.
+    pub(super) over: Vec<(DatumId, DatumId)>,
+    /// What a parameter by reference has become into what was handed over.
+    pub(super) back: Vec<(DatumId, DatumId)>,
+}
+
+impl Handed {
+    /// By all late-bound calls of a program.
+    pub(super) fn new(index: &Index<'_>) -> Self {
+        let mut handed = Self { over: Vec::new(), back: Vec::new() };
+        for routine in &index.routines {
+            for body in bodies(routine.tree) {
+                every_statement(body, &mut |stmt| {
+                    if let StmtKind::Call(call) = &stmt.kind
+                        && let Callee::Late(name) = &call.callee
+                        && !call.args.is_empty()
+                    {
+                        for callee in reached(index, routine.ctx, name, &call.args) {
+                            handed.call(index, routine.ctx, callee, &call.args);
+                        }
+                    }
+                });
+            }
+        }
+        handed
+    }
+
+    fn call(&mut self, index: &Index<'_>, ctx: Ctx, callee: RoutineIndex, args: &[Arg]) {
+        for (param, value, own) in match_arguments(index, ctx, callee, args) {
+            if let Some(value) = value {
+                names_in(index, ctx, value, &mut |from| self.over.push((param, from)));
+            }
+            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
+            let Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) =
+                root.map(|root| index.datum(root, ctx))
+            else {
+                continue;
+            };
+            if own.is_some() {
+                self.over.push((param, datum));
+            }
+            if !matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. }) {
+                self.back.push((datum, param));
+            }
+        }
+    }
+}
+
+/// The procedures of the same task that take these arguments and whose name fits what is written of it.
+fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) -> Vec<RoutineIndex> {
+    let [start, end] = [true, false].map(|first| written(index, ctx, name, first));
+    let whole = start.whole;
+    let start = start.text.rsplit(':').next().unwrap_or_default().to_owned();
+    let task = |ctx: Ctx| index.modules.get(ctx.module).map(|module| module.task);
+    let given = args.iter().filter(|arg| matches!(arg.kind, ArgKind::Positional(_))).count();
+    let fits = |id: &RoutineIndex| {
+        let routine = &index.routines[*id];
+        let called = index.names.text(routine.name);
+        let required =
+            |&&p: &&DatumId| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
+        let name_fits =
+            if whole { called == start } else { called.starts_with(&start) && called.ends_with(&end.text) };
+        routine.tree.kind == RoutineKind::Proc
+            && task(routine.ctx) == task(ctx)
+            && routine.params.iter().filter(required).count() == given
+            && name_fits
+            && args.iter().all(|arg| value_of(arg).is_none_or(|value| is_of_type(index, ctx, value, routine)))
+    };
+    (0..index.routines.len()).filter(fits).collect()
+}
+
+/// Whether a routine has a parameter of an argument's type, where that is a datum.
+fn is_of_type(index: &Index<'_>, ctx: Ctx, value: &Expr, routine: &super::index::RoutineEntry<'_>) -> bool {
+    let ExprKind::Name = value.kind else { return true };
+    let (Resolved::Here(datum) | Resolved::Elsewhere(datum)) = index.datum(value.range, ctx) else {
+        return true;
+    };
+    let type_of = |datum: DatumId| index.type_text(index.data[datum].type_name);
+    routine.params.iter().any(|&param| type_of(param) == type_of(datum))
+}
+
+/// What a sum of strings begins or ends with.
+struct Written {
+    text: String,
+    /// It is all of it.
+    whole: bool,
+}
+
+fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> Written {
+    match &expr.kind {
+        ExprKind::String => {
+            Written { text: lower_case(&value::string(index.text(ctx.file, expr.range))).into(), whole: true }
+        }
+        ExprKind::Paren(inner) => written(index, ctx, inner, first),
+        ExprKind::Name => match index.datum(expr.range, ctx) {
+            Resolved::Here(datum) | Resolved::Elsewhere(datum) => match &index.data[datum] {
+                entry if entry.kind == DatumKind::Declared(DataKind::Const) => match entry.init {
+                    Some(init) if !matches!(init.kind, ExprKind::Name) => {
+                        written(index, entry.ctx, init, first)
+                    }
+                    _ => Written { text: String::new(), whole: false },
+                },
+                _ => Written { text: String::new(), whole: false },
+            },
+            _ => Written { text: String::new(), whole: false },
+        },
+        ExprKind::Binary(sum) if sum.op == BinaryOp::Add => {
+            let [near, far] = if first { [&sum.lhs, &sum.rhs] } else { [&sum.rhs, &sum.lhs] };
+            let near = written(index, ctx, near, first);
+            if !near.whole {
+                return near;
+            }
+            let far = written(index, ctx, far, first);
+            let text = if first { near.text + &far.text } else { far.text + &near.text };
+            Written { text, whole: far.whole }
+        }
+        _ => Written { text: String::new(), whole: false },
+    }
+}
