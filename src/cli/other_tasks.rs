@@ -1,5 +1,6 @@
 //! Tasks of a controller's backup: those that are not among the files of a program, and those whose robots the command line names.
 
+use super::shared::{JointAngles, joint_angles};
 use driftpost::application::ProgramFiles;
 use rapid_program::program::{Overrides, Program, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -72,6 +73,77 @@ pub struct TaskRobot {
     pub robot: String,
     /// Its deformation table, where not the built-in one.
     pub deformation: Option<PathBuf>,
+}
+
+/// What an option gives for one task, or for the only one: `[TASK=]VALUE`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OfTask<T> {
+    /// The task's folder, where it is said.
+    pub task: Option<String>,
+    /// What is given for it.
+    pub value: T,
+}
+
+/// `[TASK=]Q1,..,Q6`, as an option has it.
+///
+/// # Errors
+/// What [`joint_angles`] says.
+pub fn joints_of_task(text: &str) -> Result<OfTask<JointAngles>, String> {
+    let OfTask { task, value } = name_of_task(text)?;
+    Ok(OfTask { task, value: joint_angles(&value)? })
+}
+
+/// `[TASK=]NAME`, as an option has it.
+///
+/// # Errors
+/// An empty part.
+pub fn name_of_task(text: &str) -> Result<OfTask<String>, String> {
+    let (task, value) = match text.split_once('=') {
+        Some((task, value)) => (Some(task.trim().to_owned()), value.trim().to_owned()),
+        None => (None, text.trim().to_owned()),
+    };
+    if value.is_empty() || task.as_deref() == Some("") {
+        return Err("write a value, or TASK=VALUE".to_owned());
+    }
+    Ok(OfTask { task, value })
+}
+
+/// What an option gives for `task`, one of those `named`; where none is named, for all that is given.
+///
+/// # Errors
+/// `task::not-named` for a task that is not named, and where it is not said for which of several; `task::twice`.
+pub fn given_for<'g, T>(
+    option: &str,
+    given: &'g [OfTask<T>],
+    named: &[TaskRobot],
+    task: Option<&TaskRobot>,
+) -> Result<Option<&'g T>, Diagnostic> {
+    let same = |of: &OfTask<T>, name: &str| of.task.as_ref().is_some_and(|of| of.eq_ignore_ascii_case(name));
+    for (k, of) in given.iter().enumerate() {
+        match &of.task {
+            Some(name) if !named.iter().any(|task| task.task.eq_ignore_ascii_case(name)) => {
+                let text = format!("{option} {name}=: no --task names {name}");
+                return Err(Diagnostic::error("task::not-named", text)
+                    .help(format!("--task {name}=ROBOT says which robot moves it")));
+            }
+            None if named.len() > 1 => {
+                let text = format!("{option} does not say for which of the tasks it is");
+                return Err(Diagnostic::error("task::not-named", text)
+                    .help(format!("write {option} {}=..., once for each task", named[0].task)));
+            }
+            _ => {}
+        }
+        let twice = |other: &OfTask<T>| match (&of.task, &other.task) {
+            (Some(name), Some(_)) => same(other, name),
+            _ => true,
+        };
+        if given[..k].iter().any(twice) {
+            let text = format!("{option} is given twice for one task");
+            return Err(Diagnostic::error("task::twice", text).help("once for each task"));
+        }
+    }
+    let own = given.iter().find(|of| of.task.is_none() || task.is_some_and(|task| same(of, &task.task)));
+    Ok(own.map(|of| &of.value))
 }
 
 /// `TASK=ROBOT[,DEFORMATION]`, as an option has it.

@@ -8,8 +8,8 @@
 use super::touch::TouchArgs;
 use crate::cli::model;
 use crate::cli::number::{minutes, positive};
-use crate::cli::other_tasks::{TaskRobot, task_robot};
-use crate::cli::shared::{JointAngles, RobotName, joint_angles, name_and_value};
+use crate::cli::other_tasks::{OfTask, TaskRobot, given_for, joints_of_task, name_of_task, task_robot};
+use crate::cli::shared::{JointAngles, RobotName, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
 use driftpost::application::{Compensation, Named};
@@ -41,7 +41,7 @@ pub struct Args {
         long,
         value_name = "TASK=ROBOT[,DEFORMATION]",
         value_parser = task_robot,
-        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "start_joints", "home", "touch", "in_place"],
+        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "touch", "in_place"],
         help_heading = "Robot and deformation"
     )]
     pub task: Vec<TaskRobot>,
@@ -148,13 +148,14 @@ pub struct Args {
     #[arg(long, value_name = "NAME=DATA", value_parser = name_and_value, allow_hyphen_values = true, help_heading = "What is accepted")]
     pub wobj: Vec<(String, String)>,
 
-    /// Joints with which the arm stands when the entry is called, degrees: makes branches certain that the text leaves open.
-    #[arg(long, value_name = "Q1,..,Q6", value_parser = joint_angles, allow_hyphen_values = true, conflicts_with = "home", help_heading = "What is accepted")]
-    pub start_joints: Option<JointAngles>,
+    /// Joints with which the arm stands when the entry is called, degrees: makes branches certain that the text leaves open; of
+    /// several tasks once for each.
+    #[arg(long, value_name = "[TASK=]Q1,..,Q6", value_parser = joints_of_task, allow_hyphen_values = true, conflicts_with = "home", help_heading = "What is accepted")]
+    pub start_joints: Vec<OfTask<JointAngles>>,
 
-    /// The same as a jointtarget of the program.
-    #[arg(long, value_name = "NAME", help_heading = "What is accepted")]
-    pub home: Option<String>,
+    /// The same as a jointtarget of the program, or of the task.
+    #[arg(long, value_name = "[TASK=]NAME", value_parser = name_of_task, help_heading = "What is accepted")]
+    pub home: Vec<OfTask<String>>,
 
     /// Joints that motions end with (CSV: file,line,q1_deg,..,q6_deg), as a post-processor knows them: makes branches certain.
     #[arg(long, value_name = "FILE", help_heading = "What is accepted")]
@@ -346,7 +347,7 @@ impl Args {
             keep_moveabsj: self.keep_moveabsj,
             absolute_accuracy: self.absolute_accuracy,
             strict: self.strict,
-            start_rad: self.start_joints.map(|joints| joints.0),
+            start_rad: None,
             joints_hint: self.joints_hint.as_deref().map(model::joints_hint).transpose()?.map(Arc::new),
             selection: Selection { keep: self.keep.clone(), only: self.only.clone() },
             gap_min: matches!(self.clock, ClockName::Warmth).then_some(self.gap_min),
@@ -404,10 +405,13 @@ impl Args {
     /// What is wrong with the robot or the deformation.
     pub fn compensation(&self, of_task: Option<&TaskRobot>) -> Result<Compensation, Diagnostic> {
         let Models { robot, deformation, identified } = self.models(of_task)?;
+        let start = given_for("--start-joints", &self.start_joints, &self.task, of_task)?;
+        let home = given_for("--home", &self.home, &self.task, of_task)?.cloned();
+        let start_rad = start.map(|joints| joints.0);
         Ok(Compensation {
-            options: self.options(identified.as_ref())?,
+            options: Options { start_rad, ..self.options(identified.as_ref())? },
             emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
-            overrides: Overrides { task: of_task.map(|of| of.task.clone()), ..self.overrides() },
+            overrides: Overrides { task: of_task.map(|of| of.task.clone()), home, ..self.overrides() },
             allow_non_nominal: self.allow_non_nominal,
             allow_other_robot: self.allow_other_robot,
             default_table: match of_task {
@@ -476,7 +480,7 @@ impl Args {
             task: None,
             tools: self.tool.clone(),
             wobjs: self.wobj.clone(),
-            home: self.home.clone(),
+            home: None,
             base_fixed,
             other_tasks: Vec::new(),
         }

@@ -188,3 +188,55 @@ fn tasks_that_are_not_named_or_hold_no_motion_are_refused() {
     let both = refused(&["--task", "TASK1=irb140", "--robot", "irb140"]);
     assert!(both.contains("cannot be used with"), "{both}");
 }
+
+/// Where each arm stands at its entry, by a jointtarget of its own task or by angles; of one name in both tasks each has its own.
+#[test]
+fn home_and_start_joints_are_a_tasks_own() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    bench.file(
+        "backup/RAPID/TASK1/PROGMOD/Data.mod",
+        "MODULE Data\n  CONST jointtarget jHome:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nENDMODULE\n",
+    );
+    let table = bench.file("drift2.csv", TABLE);
+    let second = format!("TASK2={LARGE},{table}");
+    let to = bench.path("out").display().to_string();
+    let tasks = ["compensate", &source, "--task", "TASK1=irb140", "--task", &second, "--growth"];
+    let run = |start: &[&str]| {
+        let rest = ["two-stage:60", "-o", &to, "--force", "--diff", "none"];
+        driftpost(&[&tasks[..], &rest, start].concat())
+    };
+    let cube = "start-joints 0,0,0,0,30,0";
+    let press = "start-joints 0,0,10,0,60,0";
+    for (start, of_cube, of_press) in [
+        (vec!["--home", "TASK1=jHome", "--home", "task2=jHome"], true, true),
+        (vec!["--home", "TASK2=jHome"], false, true),
+        (vec!["--start-joints", "TASK1=0,0,0,0,30,0", "--start-joints", "TASK2=0,0,10,0,60,0"], true, true),
+    ] {
+        let output = run(&start);
+        assert_eq!(output.status.code(), Some(0), "{start:?}: {}", err(&output));
+        let text = |place: &str| bench.text(&format!("out/RAPID/{place}"));
+        let found = [
+            text("TASK1/PROGMOD/Cube45.mod").contains(cube),
+            text("TASK2/PROGMOD/Press.mod").contains(press),
+        ];
+        assert_eq!(found, [of_cube, of_press], "{start:?}");
+    }
+    for (start, code) in [
+        (["--home", "jHome"].as_slice(), "task::not-named"),
+        (&["--start-joints", "0,0,10,0,60,0"], "task::not-named"),
+        (&["--home", "TASK3=jHome"], "task::not-named"),
+        (&["--home", "TASK1=jHome", "--home", "TASK1=jHome"], "task::twice"),
+        (&["--home", "TASK2=jElsewhere"], "override::home"),
+    ] {
+        let output = run(start);
+        assert_eq!(output.status.code(), Some(2), "{start:?}: {}", out(&output));
+        assert!(err(&output).contains(code), "{start:?}: {}", err(&output));
+    }
+    // Without tasks: once, and of no task.
+    for start in [["--home", "jHome", "--home", "jHome"].as_slice(), &["--home", "TASK1=jHome"]] {
+        let output = driftpost(&[&["compensate", CUBE, "-o", &to, "--force"], start].concat());
+        assert_eq!(output.status.code(), Some(2), "{start:?}: {}", out(&output));
+        assert!(err(&output).contains("task::"), "{start:?}: {}", err(&output));
+    }
+}

@@ -5,6 +5,7 @@ use super::Overrides;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::convert;
 use super::index::{Datum, Index};
+use super::is_of_task;
 use super::names::lower_case;
 use super::value::Value;
 use super::writes::Writes;
@@ -68,7 +69,10 @@ pub(super) fn home(
     let name = overrides.home.as_deref()?;
     let index = evaluator.index;
     let sym = index.names.find(name.as_bytes());
-    let declared = |d: &Datum<'_>| Some(d.name) == sym && d.ctx.routine.is_none();
+    let declared = |d: &Datum<'_>| {
+        let of_task = || is_of_task(&index.file(d.ctx.file).path, overrides.task.as_deref());
+        Some(d.name) == sym && d.ctx.routine.is_none() && (overrides.task.is_none() || of_task())
+    };
     let joints = match index.data.iter().position(declared) {
         None => Err("is not declared in the given files".to_owned()),
         Some(datum) if index.type_text(index.data[datum].type_name) != "jointtarget" => {
