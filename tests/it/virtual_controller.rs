@@ -392,17 +392,29 @@ fn passes_are_counted_of_the_outermost_loop() {
 fn a_loop_that_is_left_from_inside_goes_on_behind_it() {
     for (body, n) in [
         ("WHILE TRUE DO\nn:=n+1;\nIF n>5 GOTO out;\nENDWHILE\nout:\nn:=n+100;", 106.0),
-        ("WHILE (TRUE) DO\nn:=n+1;\nIF n>5 THEN\nFOR i FROM 1 TO 3 DO\nIF i=2 GOTO out;\nENDFOR\nENDIF\nENDWHILE\nout:\nn:=n+100;", 106.0),
-        ("again:\nn:=n+1;\nTEST n\nCASE 5:\nGOTO out;\nDEFAULT:\nm:=m+1;\nENDTEST\nGOTO again;\nout:\nn:=n+100;", 105.0),
+        (
+            "WHILE (TRUE) DO\nn:=n+1;\nIF n>5 THEN\nFOR i FROM 1 TO 3 DO\nIF i=2 GOTO out;\nENDFOR\nENDIF\nENDWHILE\nout:\nn:=n+100;",
+            106.0,
+        ),
+        (
+            "again:\nn:=n+1;\nTEST n\nCASE 5:\nGOTO out;\nDEFAULT:\nm:=m+1;\nENDTEST\nGOTO again;\nout:\nn:=n+100;",
+            105.0,
+        ),
         ("WHILE TRUE DO\nn:=n+1;\nIF n>5 RETURN;\nENDWHILE\nn:=0;", 6.0),
         ("WHILE TRUE DO\nn:=n+1;\nIF n>5 EXIT;\nENDWHILE\nn:=0;", 6.0),
-        ("WHILE TRUE DO\nn:=n+1;\nIF n>5 RAISE ERR_ARGVALERR;\nENDWHILE\nn:=0;\nERROR\nn:=n+100;\nRETURN;", 106.0),
+        (
+            "WHILE TRUE DO\nn:=n+1;\nIF n>5 RAISE ERR_ARGVALERR;\nENDWHILE\nn:=0;\nERROR\nn:=n+100;\nRETURN;",
+            106.0,
+        ),
         // A GOTO within the loop leaves nothing, and what stays as it is ends nothing.
         ("WHILE TRUE DO\nn:=n+1;\nIF n>5 GOTO more;\nmore:\nENDWHILE\nn:=0;", 1.0),
         ("WHILE TRUE DO\nn:=n+1;\nIF diStop=1 OR m>5 RETURN;\nENDWHILE\nn:=0;", 1.0),
         ("n:=7;\nagain:\nn:=n+1;\nIF diStop=1 GOTO out;\nGOTO again;\nout:\nn:=0;", 8.0),
         // Entered anew from a loop round it.
-        ("FOR i FROM 1 TO 3 DO\nm:=0;\nWHILE TRUE DO\nm:=m+1;\nn:=n+1;\nIF m>2 GOTO next;\nENDWHILE\nnext:\nENDFOR", 9.0),
+        (
+            "FOR i FROM 1 TO 3 DO\nm:=0;\nWHILE TRUE DO\nm:=m+1;\nn:=n+1;\nIF m>2 GOTO next;\nENDWHILE\nnext:\nENDFOR",
+            9.0,
+        ),
     ] {
         let text =
             format!("MODULE M\nPERS num n:=0;\nPERS num m:=0;\nPROC main()\n{body}\nENDPROC\nENDMODULE");
