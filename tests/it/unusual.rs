@@ -200,3 +200,36 @@ fn a_clock_under_another_name_is_the_one_that_is_started() {
         assert_eq!(made.messages, Vec::<String>::new(), "{form}");
     }
 }
+
+#[test]
+fn a_work_object_that_a_late_bound_routine_turns_is_not_the_one_before() {
+    let routine = "  PROC turn(PERS wobjdata w)
+    w.oframe:=[[850,0,0],[0,0,0,1]];
+  ENDPROC\n";
+    for call in ["%\"turn\"% wA", "%name% wA", "%\"tu\"+\"rn\"% wA", "turn wA"] {
+        let body = format!(
+            "  PERS wobjdata wA:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  CONST robtarget pM:=[[425,0,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+{routine}  PROC main()
+    VAR string name:=\"turn\";
+    VAR errnum e;
+    ConfL\\Off;
+    MoveAbsJ jh,v100,fine,tool0;
+    wA.oframe:=[[0,0,0],[1,0,0,0]];
+    MoveL pM,v100,fine,tool0\\WObj:=wA;
+    {call};
+    MoveL pM,v100,fine,tool0\\WObj:=wA;
+    wA.oframe:=[[0,0,0],[1,0,0,0]];
+  ERROR
+    TRYNEXT;
+  ENDPROC\n"
+        );
+        for form in ["schedule", "ramp"] {
+            let made = made(form, &body);
+            let (status, reason) = &made.motions[2];
+            assert_eq!(status, "kept", "{form} {call}");
+            assert!(reason.contains("the work object wA is not known"), "{form} {call}: {reason}");
+            assert!(made.corrected_mm < 0.0055, "{form} {call}: {}", made.corrected_mm);
+        }
+    }
+}

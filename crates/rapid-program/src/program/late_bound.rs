@@ -1,67 +1,13 @@
-//! Calls by a name that is worked out at run time: which routines they may reach, and what they hand over.
+//! Calls by a name that is worked out at run time: which routines they may reach.
 
-use super::expressions::{root_of, value_of};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
+use super::expressions::value_of;
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, RoutineIndex};
 use super::names::lower_case;
-use super::tracked::names_in;
 use super::value;
-use super::writes::match_arguments;
-use rapid_syntax::tree::{
-    Arg, ArgKind, BinaryOp, Callee, DataKind, Expr, ExprKind, ParamMode, RoutineKind, StmtKind,
-};
-
-/// What late-bound calls hand from datum to datum: `(to, from)`.
-pub(super) struct Handed {
-    /// Arguments into parameters.
-    pub(super) over: Vec<(DatumId, DatumId)>,
-    /// What a parameter by reference has become into what was handed over.
-    pub(super) back: Vec<(DatumId, DatumId)>,
-}
-
-impl Handed {
-    /// By all late-bound calls of a program.
-    pub(super) fn new(index: &Index<'_>) -> Self {
-        let mut handed = Self { over: Vec::new(), back: Vec::new() };
-        for routine in &index.routines {
-            for body in bodies(routine.tree) {
-                every_statement(body, &mut |stmt| {
-                    if let StmtKind::Call(call) = &stmt.kind
-                        && let Callee::Late(name) = &call.callee
-                        && !call.args.is_empty()
-                    {
-                        for callee in reached(index, routine.ctx, name, &call.args) {
-                            handed.call(index, routine.ctx, callee, &call.args);
-                        }
-                    }
-                });
-            }
-        }
-        handed
-    }
-
-    fn call(&mut self, index: &Index<'_>, ctx: Ctx, callee: RoutineIndex, args: &[Arg]) {
-        for (param, value, own) in match_arguments(index, ctx, callee, args) {
-            if let Some(value) = value {
-                names_in(index, ctx, value, &mut |from| self.over.push((param, from)));
-            }
-            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
-            let Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) =
-                root.map(|root| index.datum(root, ctx))
-            else {
-                continue;
-            };
-            if own.is_some() {
-                self.over.push((param, datum));
-            }
-            if !matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. }) {
-                self.back.push((datum, param));
-            }
-        }
-    }
-}
+use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, RoutineKind};
 
 /// The procedures of the same task that take these arguments and whose name fits what is written of it.
-fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) -> Vec<RoutineIndex> {
+pub(super) fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) -> Vec<RoutineIndex> {
     let [start, end] = [true, false].map(|first| written(index, ctx, name, first));
     let whole = start.whole;
     let start = start.text.rsplit(':').next().unwrap_or_default().to_owned();
@@ -84,7 +30,7 @@ fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) -> Vec<Routin
 }
 
 /// Whether a routine has a parameter of an argument's type, where that is a datum.
-fn is_of_type(index: &Index<'_>, ctx: Ctx, value: &Expr, routine: &super::index::RoutineEntry<'_>) -> bool {
+fn is_of_type(index: &Index<'_>, ctx: Ctx, value: &Expr, routine: &RoutineEntry<'_>) -> bool {
     let ExprKind::Name = value.kind else { return true };
     let (Resolved::Here(datum) | Resolved::Elsewhere(datum)) = index.datum(value.range, ctx) else {
         return true;
@@ -103,7 +49,7 @@ struct Written {
 fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> Written {
     match &expr.kind {
         ExprKind::String => {
-            Written { text: lower_case(&value::string(index.text(ctx.file, expr.range))).into(), whole: true }
+            Written { text: lower_case(&value::string(index.text(ctx.file, expr.range))), whole: true }
         }
         ExprKind::Paren(inner) => written(index, ctx, inner, first),
         ExprKind::Name => match index.datum(expr.range, ctx) {

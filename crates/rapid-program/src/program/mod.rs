@@ -21,6 +21,7 @@ mod finite_set;
 mod fixed_point;
 mod flow;
 mod functions;
+mod handed;
 mod index;
 mod instructions;
 mod late_bound;

@@ -1,8 +1,8 @@
 //! Targets that are read from where the robot stands, or that a search has found: they hold the drift already.
 
 use super::expressions::{every_call, expressions_of, root_of};
+use super::handed::Handed;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies, every_statement};
-use super::late_bound::Handed;
 use super::names::lower_case;
 use super::tracked::{names_in, sources};
 use super::writes::match_arguments;

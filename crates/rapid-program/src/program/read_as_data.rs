@@ -1,9 +1,9 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
 use super::expressions::{every_call, expressions_of, value_of};
+use super::handed::Handed;
 use super::index::{Ctx, DatumId, Index, bodies, every_statement};
 use super::instructions::move_form;
-use super::late_bound::Handed;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
 use super::tracked::{names_in, sources};

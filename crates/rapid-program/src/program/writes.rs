@@ -5,6 +5,7 @@ use super::built_in::is_built_in_function;
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
 use super::instructions::move_form;
+use super::late_bound;
 use super::names::Sym;
 use super::other_tasks;
 use super::value;
@@ -260,6 +261,11 @@ impl Scan<'_, '_> {
     fn call(&mut self, call: &CallStmt, ctx: Ctx, at: Span, any_time: bool) {
         let doubtful = if any_time { How::AnyTime } else { How::Perhaps };
         let Callee::Name(name) = &call.callee else {
+            if let Callee::Late(name) = &call.callee {
+                for routine in late_bound::reached(self.index, ctx, name, &call.args) {
+                    self.handed_to(&call.args, routine, ctx, at);
+                }
+            }
             return self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful });
         };
         let lower = super::names::lower_case(self.index.text(ctx.file, *name));

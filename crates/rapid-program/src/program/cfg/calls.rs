@@ -32,7 +32,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             return;
         }
         match &call.callee {
-            Callee::Late(expr) => self.late(expr, &call.args, out),
+            Callee::Late(expr) => self.late(expr, &call.args, at, out),
             Callee::Name(name) => match self.routine(*name) {
                 Some(routine) => {
                     let skipped = self.recovery.next && arguments_may_fail(&call.args);
@@ -104,7 +104,7 @@ impl<'a> CfgBuilder<'_, 'a> {
     }
 
     /// A call by a name that is worked out at run time: one of the routines whose name fits.
-    fn late(&mut self, expr: &'a Expr, args: &'a [Arg], out: &mut Vec<Node<'a>>) {
+    fn late(&mut self, expr: &'a Expr, args: &'a [Arg], stmt: Span, out: &mut Vec<Node<'a>>) {
         let ctx = self.ctx;
         let index = self.index();
         let required = args.iter().filter(|a| matches!(a.kind, ArgKind::Positional(_))).count();
@@ -139,6 +139,9 @@ impl<'a> CfgBuilder<'_, 'a> {
         let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
+        }
+        if routines.is_empty() {
+            self.doubtful(expr.range, args, NotGiven::Procedure, stmt, out);
         }
         if whole && routines.is_empty() {
             let at = Span { file: ctx.file, range: expr.range };

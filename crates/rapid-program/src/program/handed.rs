@@ -1,0 +1,58 @@
+//! What calls by a name that is worked out at run time hand over, and back.
+
+use super::expressions::root_of;
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
+use super::late_bound::reached;
+use super::tracked::names_in;
+use super::writes::match_arguments;
+use rapid_syntax::tree::{Arg, Callee, ParamMode, StmtKind};
+
+/// What late-bound calls hand from datum to datum: `(to, from)`.
+pub(super) struct Handed {
+    /// Arguments into parameters.
+    pub(super) over: Vec<(DatumId, DatumId)>,
+    /// What a parameter by reference has become into what was handed over.
+    pub(super) back: Vec<(DatumId, DatumId)>,
+}
+
+impl Handed {
+    /// By all late-bound calls of a program.
+    pub(super) fn new(index: &Index<'_>) -> Self {
+        let mut handed = Self { over: Vec::new(), back: Vec::new() };
+        for routine in &index.routines {
+            for body in bodies(routine.tree) {
+                every_statement(body, &mut |stmt| {
+                    if let StmtKind::Call(call) = &stmt.kind
+                        && let Callee::Late(name) = &call.callee
+                        && !call.args.is_empty()
+                    {
+                        for callee in reached(index, routine.ctx, name, &call.args) {
+                            handed.call(index, routine.ctx, callee, &call.args);
+                        }
+                    }
+                });
+            }
+        }
+        handed
+    }
+
+    fn call(&mut self, index: &Index<'_>, ctx: Ctx, callee: RoutineIndex, args: &[Arg]) {
+        for (param, value, own) in match_arguments(index, ctx, callee, args) {
+            if let Some(value) = value {
+                names_in(index, ctx, value, &mut |from| self.over.push((param, from)));
+            }
+            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
+            let Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) =
+                root.map(|root| index.datum(root, ctx))
+            else {
+                continue;
+            };
+            if own.is_some() {
+                self.over.push((param, datum));
+            }
+            if !matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. }) {
+                self.back.push((datum, param));
+            }
+        }
+    }
+}
