@@ -1,6 +1,6 @@
 //! The design matrix: whitened columns with their meaning, and their products over groups of observations.
 
-use super::products::inner_products;
+use super::inner_products::inner_products;
 use super::registration;
 use super::visits::Visits;
 use super::whitening::Whitening;

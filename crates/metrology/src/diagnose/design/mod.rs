@@ -3,6 +3,7 @@
 //! Groups are the smallest groups of stations that a fold, a block in time or a region keeps together, so
 //! every held-out fit is a sum of small matrices.
 
+mod inner_products;
 mod matrix;
 mod products;
 pub(super) mod registration;
@@ -10,8 +11,9 @@ mod scaled_motions;
 mod visits;
 mod whitening;
 
+pub use inner_products::inner_products;
 pub use matrix::{Design, side_by_side};
-pub use products::{Products, Sums, inner_products};
+pub use products::{Products, Sums};
 pub use scaled_motions::ScaledMotions;
 pub use visits::Visits;
 pub use whitening::{SharedError, Whitening};

@@ -1,11 +1,9 @@
 //! Products of a candidate's columns with themselves and with the design's, group by group.
 
+use super::inner_products::inner_products;
 use super::matrix::Design;
-use nalgebra::{DMatrix, DMatrixView};
+use nalgebra::DMatrix;
 use std::ops::Range;
-
-/// nalgebra multiplies matrices with a dimension below this without blocks.
-const NARROW: usize = 6;
 
 /// A candidate's products for each group, its columns scaled by their prior sigma.
 #[derive(Clone, Debug)]
@@ -29,23 +27,6 @@ pub struct Sums {
     pub own: DMatrix<f64>,
     /// With the design's columns, p x columns.
     pub cross: DMatrix<f64>,
-}
-
-/// Rows that are multiplied at one go: the turned copy of them stays small.
-const BLOCK: usize = 4096;
-
-/// Products of the columns of `a` with those of `b`.
-pub fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
-    // Narrow matrices are not multiplied in blocks, and a column is then as long as a row of the turned one is wide.
-    if a.ncols().min(b.ncols()) < NARROW {
-        return a.tr_mul(&b);
-    }
-    let mut sum = DMatrix::zeros(a.ncols(), b.ncols());
-    for from in (0..a.nrows()).step_by(BLOCK) {
-        let rows = BLOCK.min(a.nrows() - from);
-        sum.gemm(1.0, &a.rows(from, rows).transpose(), &b.rows(from, rows), 1.0);
-    }
-    sum
 }
 
 impl Design {
