@@ -183,3 +183,56 @@ fn originals_come_back_to_the_byte_and_touched_up_ones_as_they_are() {
         String::from_utf8_lossy(&original[0].1).replacen("[[400.000, 150.000,", "[[400.300, 150.400,", 1);
     assert_eq!(String::from_utf8_lossy(&restored.bytes), expected);
 }
+
+/// A milling program: an arc of so many inline targets 0.3 mm apart, as RoboDK writes them.
+fn milling(targets: usize) -> Files {
+    let mut text = String::from("MODULE Mill\n    PROC Mill()\n        ConfJ \\On;\n        ConfL \\Off;\n");
+    for k in 0..targets {
+        let (sin, cos) = (0.3 / 80.0 * k as f64).sin_cos();
+        let [x, y] = [420.0 + 80.0 * cos, 60.0 + 80.0 * sin];
+        text.push_str(&format!(
+            "        MoveL [[{x:.3}, {y:.3}, 350.000],[0.00000000, 0.00000000, 1.00000000, 0.00000000],[0,0,0,0],\
+             [9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]],v100,z1,tool0,\\WObj:=wobj0;\n"
+        ));
+    }
+    text.push_str("    ENDPROC\nENDMODULE\n");
+    vec![("Mill.mod".to_owned(), text.into_bytes())]
+}
+
+#[test]
+fn neighbours_without_a_name_share_a_correction_and_stand_on_their_targets() {
+    let paper = Deformation::paper();
+    let original = milling(1000);
+    let made = made_as(FormChoice::Ramp, &original, &paper, &warmth()).unwrap().0;
+    let text = String::from_utf8_lossy(&made[0].1);
+    assert_eq!(text.matches("MoveL tcAt([[").count(), 1000);
+    let corrections = text.matches("LOCAL CONST pose tc").count();
+    assert!((50..300).contains(&corrections), "{corrections}");
+    let core = made_as(FormChoice::Ramp, &milling(1), &paper, &warmth()).unwrap().0[0].1.len();
+    let grown = (made[0].1.len() - core) as f64 / original[0].1.len() as f64;
+    assert!(grown < 1.3, "{grown}");
+
+    let files = (made, original);
+    let minutes: Vec<f64> = (0..=60).map(|k| 10.0 * f64::from(k)).collect();
+    let report = at_minutes(&files, &paper, &minutes);
+    assert!(report.passes.iter().all(|p| p.n == 1000 && p.failure.is_none()));
+    let (mm, deg) = worst(&report);
+    assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
+    let restored = restore(&files.0[0].1).unwrap();
+    assert_eq!(restored.bytes, files.1[0].1);
+}
+
+#[test]
+fn targets_with_names_keep_corrections_of_their_own() {
+    let target = |x: f64| format!("[[{x},60,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    let text = format!(
+        "MODULE Two\n  CONST robtarget pA:={};\n  CONST robtarget pB:={};\n  PROC Two()\n    MoveJ pA,v100,fine,tool0;\n    \
+         MoveL pB,v100,fine,tool0;\n  ENDPROC\nENDMODULE\n",
+        target(450.0),
+        target(450.1)
+    );
+    let original = vec![("Two.mod".to_owned(), text.into_bytes())];
+    let made = made_as(FormChoice::Ramp, &original, &Deformation::paper(), &warmth()).unwrap().0;
+    let text = String::from_utf8_lossy(&made[0].1);
+    assert!(text.contains("MoveJ tcAt(pA,tcPA),") && text.contains("MoveL tcAt(pB,tcPB),"), "{text}");
+}

@@ -5,7 +5,7 @@ use super::model::{Model, Warm};
 use super::nominal::Point;
 use super::options::Options;
 use super::placement::keep;
-use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
+use super::plan::{Corrected, Corrections, Form, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
 use crate::program::data::{ConfData, JointTarget, RobTarget};
@@ -36,7 +36,7 @@ pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
 }
 
 /// Corrects a motion's points for all buckets, or for all nodes of time functions; `warm[k][i]` are the joints of point `i` in
-/// bucket `k`, or why there are none.
+/// bucket `k`, or why there are none. What is left with time functions, [`MotionCorrection::add_errors_of_ramp`] says.
 pub(super) fn correct(
     (motion, points): (&Motion, &[Point]),
     warm: &[&[WarmJoints]],
@@ -80,21 +80,17 @@ pub(super) fn correct(
                     false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
                 })
             }
-            Moments::Nodes(ramp) => {
+            Moments::Nodes(_) => {
                 let corrections = match by_joints {
                     true => Ramp::turns(point, &joints),
                     false => Ramp::shifts(&meant, &commanded),
                 };
-                let error_m = ramp.errors_m(point, &corrections, model);
-                let worst = &mut made.error_m[0];
-                *worst = [worst[0].max(error_m[0]), worst[1].max(error_m[1])];
                 Corrections::AtNodes(corrections.into_iter().collect())
             }
         };
         targets.push(planned_target(point, &value, corrections, model));
     }
-    let over = |side: usize| made.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max);
-    made.planned.error_m = Some([over(0), over(1)]);
+    made.planned.error_m = Some(made.worst_error_m());
     if let Some(why) = refusal.or_else(|| over_cap(&made.planned, options)) {
         made.planned.status = Status::Refused(Arc::new(why));
         if targets.len() < count {
@@ -241,6 +237,27 @@ impl MotionCorrection {
             }
             self.planned.max_correction_rad = self.planned.max_correction_rad.max(turned_rad);
         }
+    }
+
+    /// What is left over all moments with the corrections as they are planned; `points` are the motion's.
+    pub(super) fn add_errors_of_ramp(&mut self, points: &[Point], ramp: &Ramp, model: &Model) {
+        if self.planned.error_m.is_none() {
+            return;
+        }
+        let targets = points.iter().zip(&self.planned.targets);
+        let errors_m = targets.map(|(point, target)| match &target.corrections {
+            _ if self.planned.form == Form::Live => ramp.errors_of_model_m(point, model),
+            Corrections::AtNodes(corrections) => ramp.errors_m(point, corrections, model),
+            Corrections::InBuckets(_) => [0.0; 2],
+        });
+        let worst = errors_m.reduce(|worst, error_m| [worst[0].max(error_m[0]), worst[1].max(error_m[1])]);
+        self.error_m = vec![worst.unwrap_or_default()];
+        self.planned.error_m = Some(self.worst_error_m());
+    }
+
+    /// The worst over all buckets, `[uncorrected, corrected]`, metres.
+    fn worst_error_m(&self) -> [f64; 2] {
+        [0, 1].map(|side| self.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max))
     }
 
     /// Distances over each bucket, before and after, and the steps between buckets.

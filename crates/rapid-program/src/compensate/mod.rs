@@ -29,6 +29,7 @@ mod plausible;
 mod quadrant_border;
 mod ramp;
 mod selection;
+mod shared_corrections;
 pub mod tabulate;
 pub mod targets;
 mod tcp_drift;

@@ -15,6 +15,7 @@ use super::options::{FormChoice, Options};
 use super::plan::{Form, Plan, PlannedMotion, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
+use super::shared_corrections::share_corrections;
 use super::unknown_branch::keep_unknown_branches;
 use super::warm_joints::warm_joints_of;
 use super::{clock_gaps, conditions, placement, plausible};
@@ -196,7 +197,13 @@ impl Corrector<'_> {
                 warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
             self.correct((motion, resolved), points, &warm)
         };
-        motions.iter().zip(resolved).zip(&points).map(one).collect()
+        let mut made: Vec<MotionCorrection> = motions.iter().zip(resolved).zip(&points).map(one).collect();
+        if let Some(ramp) = self.at.ramp() {
+            share_corrections(motions, &mut made);
+            let placed = made.iter_mut().zip(&points);
+            placed.for_each(|(made, points)| made.add_errors_of_ramp(points, ramp, self.model));
+        }
+        made
     }
 
     fn correct(
@@ -216,13 +223,6 @@ impl Corrector<'_> {
         }
         let mut made = correct((motion, points), warm, self.at, self.model, self.options);
         made.planned.form = self.settled_form(motion, resolved, made.planned.form);
-        if let Some(ramp) = self.at.ramp().filter(|_| made.planned.form == Form::Live) {
-            let worst = points.iter().map(|point| ramp.errors_of_model_m(point, self.model));
-            let worst = worst
-                .fold([0.0; 2], |most: [f64; 2], [before, after]| [most[0].max(before), most[1].max(after)]);
-            made.planned.error_m = made.planned.error_m.map(|_| worst);
-            made.error_m.iter_mut().for_each(|error_m| *error_m = worst);
-        }
         made
     }
 

@@ -55,6 +55,8 @@ pub struct Added<'p> {
     pub shares: Vec<f64>,
     names: Names,
     known: HashMap<(Option<Span>, Vec<u8>), Vec<usize>>,
+    /// For each function of time the last correction of a target without a name: its neighbours may share it.
+    last_unnamed: Vec<Option<usize>>,
 }
 
 impl<'p> Added<'p> {
@@ -76,6 +78,7 @@ impl<'p> Added<'p> {
             shares: Vec::new(),
             names: context.names.clone(),
             known: HashMap::new(),
+            last_unnamed: Vec::new(),
         };
         let mut wrapped = Vec::new();
         for &number in motions {
@@ -197,6 +200,7 @@ impl<'p> Added<'p> {
     ) -> Result<(), EmitError> {
         let joint = motion.setup.path == Path::AbsJoint;
         let count = context.plan.functions.as_ref().map_or(0, |functions| functions.count());
+        self.last_unnamed.resize(count, None);
         let mut of_values = planned.targets.iter();
         for (k, target) in motion.targets.iter().enumerate() {
             let argument = file.text(target.range);
@@ -232,13 +236,21 @@ impl<'p> Added<'p> {
                     Declaration::Correction(known) => known.is_same(&wanted),
                     Declaration::Array(_) | Declaration::Choice(_) => false,
                 };
-                let at = match self.find(key.as_ref(), is_same) {
+                let known = match &key {
+                    Some(_) => self.find(key.as_ref(), is_same),
+                    None => self.last_unnamed[r].filter(|&at| self.declarations.get(at).is_some_and(is_same)),
+                };
+                let is_unnamed = key.is_none();
+                let at = match known {
                     Some(at) => at,
                     None => {
                         let name = self.name(file, motion, (target, base), capitalised)?;
                         self.declare(key, Declaration::Correction(CorrectionData { name, ..wanted }))
                     }
                 };
+                if is_unnamed {
+                    self.last_unnamed[r] = Some(at);
+                }
                 if let Some(Declaration::Correction(data)) = self.declarations.get(at) {
                     arguments.push(',');
                     arguments.push_str(&data.name);
