@@ -84,6 +84,23 @@ impl DeformedArm {
         }
     }
 
+    /// Calls `visit` for each of these joints in their order with `base_from_flange`; `conditions` are those of each, none standing
+    /// for the default: what [`ArmUnder::forward`](super::ArmUnder::forward) answers for it, to the bit.
+    pub fn forward_each(
+        &self,
+        q_rad: &[[f64; 6]],
+        conditions: &[Conditions],
+        mut visit: impl FnMut(Isometry3<f64>),
+    ) {
+        if let Some(chain) = self.constant() {
+            return chain.forward_each(q_rad, visit);
+        }
+        let plain = Conditions::default();
+        for (k, q_rad) in q_rad.iter().enumerate() {
+            visit(self.under(conditions.get(k).unwrap_or(&plain)).forward(q_rad));
+        }
+    }
+
     /// Calls `visit` for each point with where it stands in the base, metres; `conditions` are those of each, none standing for
     /// the default: what [`ArmUnder::point_m`](super::ArmUnder::point_m) answers for it, to the bit.
     pub fn points_m(

@@ -135,7 +135,7 @@ fn eight_steps(chains: &[Chain]) -> [Step<Lanes>; 7] {
     })
 }
 
-fn eight_poses(base_from_flange: &[Isometry3<f64>]) -> Pose<Lanes> {
+pub(super) fn eight_poses(base_from_flange: &[Isometry3<f64>]) -> Pose<Lanes> {
     let poses: [Pose; LANES] =
         std::array::from_fn(|k| Pose::of(base_from_flange.get(k).unwrap_or(&base_from_flange[0])));
     Pose {

@@ -4,9 +4,10 @@
 //! `eight_branches`.
 
 use super::chain::{Chain, Pose};
+use super::chains::{eight_poses, worth_it};
 use super::configuration::{Configuration, Posture};
 use super::dispatch::on_widest;
-use super::eight_branches::EightBranches;
+use super::eight_branches::{Branch, BranchOfEach, EightBranches};
 use super::lanes::LANES;
 use super::structure::{Structure, StructureError};
 use crate::robot::Robot;
@@ -40,6 +41,8 @@ impl Solution {
 
 /// A joint this little outside its range is on its limit, radians: rounding of a range written in degrees.
 const ON_LIMIT_RAD: f64 = 1e-9;
+/// A wrist less bent may be bent either way, radians.
+const STRAIGHT_RAD: f64 = 1e-6;
 
 impl ClosedForm {
     /// Quadrants and branch of these joints.
@@ -118,6 +121,49 @@ impl ClosedForm {
         found.map(|found| found.and_then(|(q_rad, proved)| proved.then_some(q_rad)))
     }
 
+    /// Calls `visit` for each pose in its order with its joints on one branch, numbered beside it as in
+    /// [`branches`](Self::branches): what stands there, to the bit. Eight poses cost little more than one of all branches.
+    pub fn branch_of_each(&self, poses: &[(Isometry3<f64>, usize)], mut visit: impl FnMut(Option<[f64; 6]>)) {
+        for some in poses.chunks(LANES) {
+            let found = worth_it(some.len()).then(|| self.eight(some));
+            for (k, (pose, branch)) in some.iter().enumerate() {
+                let all = || self.branches(pose).get(*branch).copied().flatten();
+                visit(found.as_ref().and_then(|found| found[k]).unwrap_or_else(all));
+            }
+        }
+    }
+
+    /// The joints of up to eight poses on one branch each; no answer where the sign of joint 5 does not tell which way the wrist
+    /// is bent.
+    #[inline(never)]
+    fn eight(&self, some: &[(Isometry3<f64>, usize)]) -> [Option<Option<[f64; 6]>>; LANES] {
+        // Joint 5 is negative where it is bent the other way, by its sign.
+        let backward = usize::from(self.structure.sign[4] < 0.0);
+        let at = |k: usize| some.get(k).unwrap_or(&some[0]);
+        let poses: [Isometry3<f64>; LANES] = std::array::from_fn(|k| at(k).0);
+        let lanes = std::array::from_fn(|k| at(k).1 ^ backward);
+        let found = on_widest(BranchOfEach {
+            structure: &self.structure,
+            chain: &self.chain,
+            goals: &eight_poses(&poses),
+            branch: Branch::of(lanes),
+        });
+        let tells = self.structure.zero_rad[4].abs() < STRAIGHT_RAD;
+        std::array::from_fn(|k| {
+            let q_rad = found.q_rad.map(|q_rad| q_rad.0[k]);
+            let is_bent = q_rad[4].abs() > 2.0 * STRAIGHT_RAD && (q_rad[4] < 0.0) == (at(k).1 % 2 == 1);
+            (tells && is_bent && at(k).1 < LANES).then(|| (found.proved.0[k] > 0.5).then_some(q_rad))
+        })
+    }
+
+    /// Joints of a branch with every whole turn that the ranges allow, in the order of [`solutions`](Self::solutions).
+    #[must_use]
+    pub fn turns(&self, q_rad: &[f64; 6]) -> Vec<Solution> {
+        let mut solutions = Vec::new();
+        self.push_turns(q_rad, &mut solutions);
+        solutions
+    }
+
     /// Canonical angles of joints.
     pub(super) fn canonical(&self, q_rad: &[f64; 6]) -> [f64; 6] {
         let s = &self.structure;
@@ -137,9 +183,17 @@ impl ClosedForm {
             return;
         }
         let mut at = turns.map(|[first, _]| first);
+        // The branch is that of joints 2, 3 and 5.
+        let mut cfx: Option<([i32; 3], i32)> = None;
         loop {
             let q_rad = std::array::from_fn(|i| q_rad[i] + f64::from(at[i]) * TAU);
-            solutions.push(Solution { q_rad, configuration: self.configuration(&q_rad) });
+            let bends = [at[1], at[2], at[4]];
+            let configuration = match cfx {
+                Some((same, cfx)) if same == bends => Configuration::of_branch(&q_rad, cfx),
+                _ => self.configuration(&q_rad),
+            };
+            cfx = Some((bends, configuration.cfx));
+            solutions.push(Solution { q_rad, configuration });
             let Some(next) = (0..6).rev().find(|&i| at[i] < turns[i][1]) else { return };
             at[next] += 1;
             for i in next + 1..6 {

@@ -59,6 +59,11 @@ impl Configuration {
         let cfx = 4 * i32::from(posture.shoulder_m < 0.0)
             + 2 * i32::from(posture.elbow_rad < 0.0)
             + i32::from(q_rad[4] < 0.0);
+        Self::of_branch(q_rad, cfx)
+    }
+
+    /// Quadrants of joints that stand on a branch.
+    pub(super) fn of_branch(q_rad: &[f64; 6], cfx: i32) -> Self {
         Self { cf1: quadrant(q_rad[0]), cf4: quadrant(q_rad[3]), cf6: quadrant(q_rad[5]), cfx }
     }
 

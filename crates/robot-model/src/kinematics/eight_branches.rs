@@ -5,7 +5,7 @@
 
 use super::chain::{self, Chain, Pose, Walk};
 use super::dispatch::Kernel;
-use super::lanes::{self, Lanes, Wide};
+use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::{self, Mat3, add, apply, dot, mul, small_rotation, sub, transpose};
 use super::solve::{RESIDUAL_M, RESIDUAL_RAD};
 use super::structure::Structure;
@@ -28,6 +28,39 @@ pub(super) struct EightBranches<'a> {
     pub(super) goal: &'a Pose,
 }
 
+impl Kernel for EightBranches<'_> {
+    type Output = Branches;
+
+    #[inline(always)]
+    fn run<V: Wide>(self) -> Branches {
+        let branch = Branch { front: V::load(&FRONT), lean: V::load(&LEAN), flip: V::load(&FLIP) };
+        branch.joints(self.structure, self.chain, &self.goal.splat())
+    }
+}
+
+/// One way to reach each of eight poses.
+pub(super) struct BranchOfEach<'a> {
+    pub(super) structure: &'a Structure,
+    pub(super) chain: &'a Chain,
+    pub(super) goals: &'a Pose<Lanes>,
+    pub(super) branch: Branch<Lanes>,
+}
+
+impl Kernel for BranchOfEach<'_> {
+    type Output = Branches;
+
+    #[inline(always)]
+    fn run<V: Wide>(self) -> Branches {
+        let Branch { front, lean, flip } = &self.branch;
+        let branch = Branch { front: V::load(front), lean: V::load(lean), flip: V::load(flip) };
+        let goals = Pose {
+            rotation: lanes::load_rows(&self.goals.rotation),
+            position_m: lanes::load(&self.goals.position_m),
+        };
+        branch.joints(self.structure, self.chain, &goals)
+    }
+}
+
 /// Joints of each lane.
 pub(super) struct Branches {
     /// Radians in (-π, π].
@@ -36,22 +69,36 @@ pub(super) struct Branches {
     pub(super) proved: Lanes,
 }
 
-impl Kernel for EightBranches<'_> {
-    type Output = Branches;
+/// Which way each lane goes: as [`FRONT`], [`LEAN`] and [`FLIP`].
+pub(super) struct Branch<V> {
+    front: V,
+    lean: V,
+    flip: V,
+}
 
+impl Branch<Lanes> {
+    /// The ways that these lanes of [`EightBranches`] go.
+    pub(super) fn of(lanes: [usize; LANES]) -> Self {
+        let of_each = |all: Lanes| Lanes(lanes.map(|lane| all.0[lane % LANES]));
+        Self { front: of_each(FRONT), lean: of_each(LEAN), flip: of_each(FLIP) }
+    }
+}
+
+impl<V: Wide> Branch<V> {
     #[inline(always)]
-    fn run<V: Wide>(self) -> Branches {
-        let (s, goal, c) = (self.structure, self.goal, V::splat);
+    fn joints(&self, s: &Structure, chain: &Chain, goal: &Pose<V>) -> Branches {
+        let c = V::splat;
         let (one, zero) = (c(1.0), c(0.0));
-        let canonical_from_base = transpose(&s.base_from_canonical);
-        let sixth = mul(&mul(&canonical_from_base, &goal.rotation), &transpose(&s.canonical6_from_flange));
-        let wrist = sub(&add(&goal.position_m, &apply(&goal.rotation, &s.wrist_m)), &s.shoulder_m);
-        let [x, y, z] = apply(&canonical_from_base, &wrist);
+        let canonical_from_base = matrix::splat_rows(&transpose(&s.base_from_canonical));
+        let flange_from_canonical6 = matrix::splat_rows(&transpose(&s.canonical6_from_flange));
+        let sixth = mul(&mul(&canonical_from_base, &goal.rotation), &flange_from_canonical6);
+        let wrist = add(&goal.position_m, &apply(&goal.rotation, &matrix::splat(&s.wrist_m)));
+        let [x, y, z] = apply(&canonical_from_base, &sub(&wrist, &matrix::splat(&s.shoulder_m)));
 
         // Joint 1: the wrist centre stands `forward` of axis 1 and b to the side.
-        let (front, squared) = (V::load(&FRONT), x * x + y * y - s.b * s.b);
-        let forward = front * c(squared.max(0.0).sqrt());
-        let (sin_1, cos_1) = (forward * c(y) - c(x * s.b), forward * c(x) + c(y * s.b));
+        let (front, squared) = (self.front, x * x + y * y - c(s.b * s.b));
+        let forward = front * zero.at_most(squared).choose(squared, zero).square_root();
+        let (sin_1, cos_1) = (forward * y - x * c(s.b), forward * x + y * c(s.b));
         let theta_1 = sin_1.angle(cos_1);
         // On axis 1 any angle does: zero, and half a turn behind it.
         let length = (sin_1 * sin_1 + cos_1 * cos_1).square_root();
@@ -62,13 +109,13 @@ impl Kernel for EightBranches<'_> {
         let (sin_1, cos_1) = (sin_1 * over, lost.choose(front, cos_1 * over));
 
         // Joints 2 and 3: upper arm and forearm reach the wrist centre in their plane.
-        let (x, z) = (forward - c(s.a1), c(z));
+        let x = forward - c(s.a1);
         let forearm_squared = s.c3 * s.c3 + s.a2 * s.a2;
         let reach = (x * x + z * z).square_root();
         let cos = (reach * reach + c(s.c2 * s.c2 - forearm_squared)) / (reach * c(2.0 * s.c2));
         let sine_squared = one - cos * cos;
         let in_reach = one - sine_squared.at_most(c(-ROUNDING));
-        let sin = V::load(&LEAN) * zero.at_most(sine_squared).choose(sine_squared, zero).square_root();
+        let sin = self.lean * zero.at_most(sine_squared).choose(sine_squared, zero).square_root();
         let over = one / reach;
         let (sin_2, cos_2) = ((x * cos + z * sin) * over, (z * cos - x * sin) * over);
         let (along_x, along_z) = (x - c(s.c2) * sin_2, z - c(s.c2) * cos_2);
@@ -85,7 +132,7 @@ impl Kernel for EightBranches<'_> {
             [-sin_1, cos_1, zero],
             [sin_23 * cos_1, sin_23 * sin_1, cos_23],
         ];
-        let r = mul(&forearm, &matrix::splat_rows(&sixth));
+        let r = mul(&forearm, &sixth);
         let sine_5 = (r[1][0] * r[1][0] + r[2][0] * r[2][0]).square_root();
         let straight = sine_5.at_most(c(1e-13));
         let over = one / straight.choose(one, sine_5);
@@ -95,7 +142,7 @@ impl Kernel for EightBranches<'_> {
         let theta_5 = (sin_4 * r[1][0] - cos_4 * r[2][0]).angle(r[0][0]);
         // From what is left after θ4 is taken off, so that an error of θ4 where θ5 is small is made good by θ6.
         let theta_6 = (-(cos_4 * r[1][2] + sin_4 * r[2][2])).angle(cos_4 * r[1][1] + sin_4 * r[2][1]);
-        let flip = V::load(&FLIP);
+        let flip = self.flip;
         let half_turn = flip * c(PI);
 
         let theta = [
@@ -111,13 +158,13 @@ impl Kernel for EightBranches<'_> {
             *q_rad = wrapped(c(*sign) * (*q_rad - c(*zero_rad)));
         }
 
-        let there = Walk::to_flange(self.chain, &chain::sin_cos(&q_rad));
-        let v = sub(&matrix::splat(&goal.position_m), &there.position_m);
-        let (w, cosine) = small_rotation(&matrix::splat_rows(&goal.rotation), &there.rotation);
+        let there = Walk::to_flange(chain, &chain::sin_cos(&q_rad));
+        let v = sub(&goal.position_m, &there.position_m);
+        let (w, cosine) = small_rotation(&goal.rotation, &there.rotation);
         let in_place = dot(&v, &v).at_most(c(RESIDUAL_M * RESIDUAL_M))
             * dot(&w, &w).at_most(c(RESIDUAL_RAD * RESIDUAL_RAD))
             * (one - cosine.at_most(zero));
-        let beside = if squared > -ROUNDING { one } else { zero };
+        let beside = one - squared.at_most(c(-ROUNDING));
         Branches { q_rad: lanes::store6(&q_rad), proved: (in_place * in_reach * beside).store() }
     }
 }
@@ -168,6 +215,33 @@ mod tests {
                 assert!(nearest.fold(f64::MAX, f64::min) < 1e-6, "{name} {n} {q_rad:?}");
             }
         }
+    }
+
+    #[test]
+    fn one_branch_of_each_of_many_poses_is_what_all_branches_hold() {
+        let (mut found, mut none) = (0, 0);
+        for name in Robot::built_in_names() {
+            let closed = ClosedForm::new(&Robot::built_in(name).unwrap()).unwrap();
+            let pose = |n: usize| {
+                let mut q_rad: [f64; 6] = std::array::from_fn(|j| 3.0 * ((n * 7 + j * j) as f64 * 0.9).sin());
+                // A straight wrist among them, and one bent by next to nothing.
+                q_rad[4] = [q_rad[4], 0.0, 1e-7 * q_rad[4], -PI][if n % 11 < 3 { n % 4 } else { 0 }];
+                closed.chain.forward(&q_rad)
+            };
+            for count in [0, 1, 5, 8, 203] {
+                let asked: Vec<(Isometry3<f64>, usize)> = (0..count).map(|n| (pose(n), n * 5 % 9)).collect();
+                let mut each = asked.iter();
+                closed.branch_of_each(&asked, |q_rad| {
+                    let (pose, branch) = each.next().unwrap();
+                    let expected = closed.branches(pose).get(*branch).copied().flatten();
+                    let bits = |q_rad: Option<[f64; 6]>| q_rad.map(|q_rad| q_rad.map(f64::to_bits));
+                    assert_eq!(bits(q_rad), bits(expected), "{name} {branch}");
+                    if expected.is_some() { found += 1 } else { none += 1 }
+                });
+                assert!(each.next().is_none());
+            }
+        }
+        assert!(found > 1000 && none > 300, "{found} {none}");
     }
 
     #[test]
