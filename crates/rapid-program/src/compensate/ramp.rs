@@ -13,7 +13,7 @@ use super::plan::Correction;
 use super::warm_joints::warm_joints_each;
 use crate::program::data::JointTarget;
 use crate::program::motion::{SkipReason, TargetValue};
-use crate::schedule::{Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline};
+use crate::schedule::{Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline, timeline_of_one_law};
 use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms, GrowthLaw};
@@ -68,9 +68,15 @@ impl Ramp {
         }
         let samples = samples.as_slice();
         let tolerance_m = SHARE_OF_TOLERANCE * options.tolerance_m;
-        let targets: Vec<usize> = (0..samples.len()).collect();
         let drift = Samples { model, points: samples };
-        let found = timeline(&drift, &targets, SHARE_OF_KNOTS * tolerance_m, options.tolerance_m)?;
+        let sag_m = SHARE_OF_KNOTS * tolerance_m;
+        let found = match model.growth_alone() {
+            Some(_) => timeline_of_one_law(&drift, sag_m, options.tolerance_m)?,
+            None => {
+                let targets: Vec<usize> = (0..samples.len()).collect();
+                timeline(&drift, &targets, sag_m, options.tolerance_m)?
+            }
+        };
         let until_min = match options.until {
             Until::Auto => found.until_min,
             Until::Minutes(until_min) => until_min,

@@ -196,45 +196,6 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
     Err(ScheduleError::Unverified { worst_m })
 }
 
-/// When some targets drift: minutes so close that the drift is straight between them, and when it is over.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Timeline {
-    /// Minutes, ascending, from 0; at the last of them everything has settled.
-    pub at_min: Vec<f64>,
-    /// From here on what is still to come is under the tolerance.
-    pub until_min: f64,
-}
-
-impl Timeline {
-    /// Its minutes as moments.
-    pub fn moments(&self) -> impl Iterator<Item = Moment> + '_ {
-        let last = self.at_min.len().saturating_sub(1);
-        self.at_min
-            .iter()
-            .enumerate()
-            .map(move |(k, &t)| if k == last { Moment::Settled } else { Moment::Minute(t) })
-    }
-}
-
-/// The timeline of `targets`: straight to `sag_m` between its minutes, settled to `tolerance_m` at its end.
-///
-/// # Errors
-/// [`ScheduleError::NeverSettles`].
-pub fn timeline(
-    drift: &dyn Drift,
-    targets: &[usize],
-    sag_m: f64,
-    tolerance_m: f64,
-) -> Result<Timeline, ScheduleError> {
-    if targets.is_empty() {
-        return Ok(Timeline { at_min: vec![0.0], until_min: 0.0 });
-    }
-    let (displacements_m, bends_min) = (drift.displacements_m(targets), drift.bends_min());
-    let horizon_min = horizon_min(&displacements_m, bends_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
-    let curve = Curve::sample(&displacements_m, bends_min, horizon_min, sag_m);
-    Ok(Timeline { until_min: curve.settles_within(tolerance_m), at_min: curve.into_minutes(sag_m) })
-}
-
 impl Request {
     /// Whether it makes sense.
     ///

@@ -11,11 +11,13 @@ mod cover;
 mod curve;
 mod drift;
 mod functions;
+mod timeline;
 
 pub use bucket::{Bucket, Schedule};
-pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Timeline, Until, Width, choose, timeline};
+pub use choose::{Chosen, MAX_BUCKETS, Request, ScheduleError, Until, Width, choose};
 pub use drift::{Displacements, Drift, Moment};
 pub use functions::{Course, TimeFunctions};
+pub use timeline::{Timeline, timeline, timeline_of_one_law};
 
 #[cfg(test)]
 mod tests;

@@ -201,6 +201,34 @@ fn a_target_that_only_matters_late_is_found() {
 }
 
 #[test]
+fn the_furthest_target_tells_the_timeline_of_all_that_one_law_moves() {
+    let drift = two_stage(40);
+    let all: Vec<usize> = (0..40).collect();
+    let found = timeline_of_one_law(&drift, 1e-7, 5e-6).unwrap();
+    assert_eq!(found, timeline(&drift, &all, 1e-7, 5e-6).unwrap());
+    // By hand: 0.193 mm (1 + t/46) e^(-t/46) falls to 0.005 mm at t/46 = 5.53.
+    assert!((found.until_min - 46.0 * 5.53).abs() < 1.0, "{}", found.until_min);
+
+    // One that goes half as far, but later, is none of one law: it is found to be on its way still, and is taken in.
+    let late = Formula {
+        targets: 2,
+        bends_min: vec![],
+        displacement_m: |i, moment| {
+            let grown = |tau_min: f64| match moment {
+                Moment::Minute(t) => 1.0 - (-t / tau_min).exp(),
+                Moment::Settled => 1.0,
+            };
+            if i == 0 { [2e-4 * grown(20.0), 0.0, 0.0] } else { [0.0, 1e-4 * grown(90.0), 0.0] }
+        },
+    };
+    let found = timeline_of_one_law(&late, 1e-8, 5e-6).unwrap();
+    // 90 ln 20 minutes; what a straight line cuts off is 0.2 minutes there.
+    assert!((found.until_min - 269.61).abs() < 0.3, "{}", found.until_min);
+    let none = Formula { targets: 0, bends_min: vec![], displacement_m: |_, _| [0.0; 3] };
+    assert_eq!(timeline_of_one_law(&none, 1e-7, 5e-6), timeline(&none, &[], 1e-7, 5e-6));
+}
+
+#[test]
 fn requests_without_sense_are_named() {
     let drift = two_stage(1);
     for tolerance_m in [0.0, -1.0, f64::NAN, f64::INFINITY] {
