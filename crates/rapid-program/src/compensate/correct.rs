@@ -5,9 +5,10 @@ use super::model::{Model, Warm};
 use super::nominal::Point;
 use super::options::Options;
 use super::placement::keep;
-use super::plan::{Corrected, Corrections, Form, PlannedMotion, PlannedTarget, Status};
+use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
+use super::warm_joints::{Sent, SentTo};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
@@ -35,11 +36,11 @@ pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
     MotionCorrection::without_figures(PlannedMotion::kept(why))
 }
 
-/// Corrects a motion's points for all buckets, or for all nodes of time functions; `warm[k][i]` are the joints of point `i` in
-/// bucket `k`, or why there are none. What is left with time functions, [`MotionCorrection::add_errors_of_ramp`] says.
+/// Corrects a motion's points for all buckets, or for all nodes of time functions; `warm[k][i]` is where point `i` is sent in
+/// bucket `k`, or why it is kept. What is left with time functions, [`add_errors_of_ramp`](super::ramp_errors::add_errors_of_ramp) says.
 pub(super) fn correct(
     (motion, points): (&Motion, &[Point]),
-    warm: &[&[WarmJoints]],
+    warm: &[&[Sent]],
     at: &Moments,
     model: &Model,
     options: &Options,
@@ -57,8 +58,8 @@ pub(super) fn correct(
     let mut targets = Vec::with_capacity(count);
     let values = motion.targets.iter().flat_map(Target::values);
     for (i, (point, value)) in points.iter().zip(values).enumerate() {
-        let of_buckets = warm.iter().filter_map(|of_bucket| of_bucket.get(i));
-        let joints = match joints_per_bucket(point, of_buckets, model) {
+        let of_buckets = || warm.iter().filter_map(|of_bucket| of_bucket.get(i));
+        let joints = match joints_per_bucket(point, of_buckets(), model) {
             Ok(joints) => joints,
             Err(NoJoints::Skip(why)) => return kept(Arc::new(why)),
             Err(NoJoints::Refuse(why)) => {
@@ -68,8 +69,8 @@ pub(super) fn correct(
         };
         made.crossing = made.crossing.or_else(|| Crossing::of(motion, &value, &point.q_rad, &joints));
         let meant = point.object_from_tcp();
-        let mut commanded: Vec<Isometry3<f64>> = Vec::with_capacity(joints.len());
-        model.nominal.forward_each(&joints, |there| commanded.push(point.placement.object_from_tcp(&there)));
+        let commanded = |sent: &SentTo| point.placement.object_from_tcp(&sent.base_from_flange);
+        let commanded: Vec<Isometry3<f64>> = of_buckets().flatten().map(commanded).collect();
         made.add_corrections(&meant, &commanded);
         let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
@@ -160,9 +161,6 @@ fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
     RobTarget { object_from_tcp: point.object_from_tcp(), conf, ext: joints.ext }
 }
 
-/// The warm arm's joints at a point, radians, or why it is kept.
-pub(super) type WarmJoints = Result<[f64; 6], SkipReason>;
-
 /// Why a target has no corrected joints.
 enum NoJoints {
     /// The motion stays as it is.
@@ -174,14 +172,14 @@ enum NoJoints {
 /// The deformed arm's joints for each bucket.
 fn joints_per_bucket<'j>(
     point: &Point,
-    warm: impl Iterator<Item = &'j WarmJoints>,
+    warm: impl Iterator<Item = &'j Sent>,
     model: &Model,
 ) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);
     let mut joints: Vec<[f64; 6]> = Vec::new();
     let mut refusal = None;
-    for q_rad in warm {
-        let q_rad = q_rad.clone().map_err(NoJoints::Skip)?;
+    for sent in warm {
+        let q_rad = sent.as_ref().map_err(|why| NoJoints::Skip(why.clone()))?.q_rad;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -239,24 +237,8 @@ impl MotionCorrection {
         }
     }
 
-    /// What is left over all moments with the corrections as they are planned; `points` are the motion's.
-    pub(super) fn add_errors_of_ramp(&mut self, points: &[Point], ramp: &Ramp, model: &Model) {
-        if self.planned.error_m.is_none() {
-            return;
-        }
-        let targets = points.iter().zip(&self.planned.targets);
-        let errors_m = targets.map(|(point, target)| match &target.corrections {
-            _ if self.planned.form == Form::Live => ramp.errors_of_model_m(point, model),
-            Corrections::AtNodes(corrections) => ramp.errors_m(point, corrections, model),
-            Corrections::InBuckets(_) => [0.0; 2],
-        });
-        let worst = errors_m.reduce(|worst, error_m| [worst[0].max(error_m[0]), worst[1].max(error_m[1])]);
-        self.error_m = vec![worst.unwrap_or_default()];
-        self.planned.error_m = Some(self.worst_error_m());
-    }
-
     /// The worst over all buckets, `[uncorrected, corrected]`, metres.
-    fn worst_error_m(&self) -> [f64; 2] {
+    pub(super) fn worst_error_m(&self) -> [f64; 2] {
         [0, 1].map(|side| self.error_m.iter().map(|error_m| error_m[side]).fold(0.0, f64::max))
     }
 

@@ -28,6 +28,7 @@ mod planner;
 mod plausible;
 mod quadrant_border;
 mod ramp;
+mod ramp_errors;
 mod selection;
 mod shared_corrections;
 pub mod tabulate;

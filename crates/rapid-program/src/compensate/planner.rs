@@ -1,7 +1,7 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
-use super::correct::{Moments, MotionCorrection, WarmJoints, correct, kept};
+use super::correct::{Moments, MotionCorrection, correct, kept};
 use super::drift::ProgramPoints;
 use super::error::CompensateError;
 use super::figures::Tally;
@@ -15,9 +15,10 @@ use super::options::{FormChoice, Options};
 use super::plan::{Form, Plan, PlannedMotion, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
+use super::ramp_errors::add_errors_of_ramp;
 use super::shared_corrections::share_corrections;
 use super::unknown_branch::keep_unknown_branches;
-use super::warm_joints::warm_joints_of;
+use super::warm_joints::{Sent, sent_each, warm_joints_of};
 use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
@@ -188,20 +189,19 @@ impl Corrector<'_> {
             placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
         let all: Vec<&Point<'_>> = points.iter().flatten().collect();
         let arms = self.at.arms().as_slice().iter();
-        let warm: Vec<Vec<WarmJoints>> = arms.map(|arm| warm_joints_of(&all, arm, self.model)).collect();
+        let warm: Vec<Vec<Sent>> = arms.map(|arm| sent_each(&all, arm, self.model)).collect();
         let mut at = 0;
         let one = |((motion, resolved), points): ((&Motion, &Resolved), &Vec<Point<'_>>)| {
             let own = at..at + points.len();
             at = own.end;
-            let warm: Vec<&[WarmJoints]> =
+            let warm: Vec<&[Sent]> =
                 warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
             self.correct((motion, resolved), points, &warm)
         };
         let mut made: Vec<MotionCorrection> = motions.iter().zip(resolved).zip(&points).map(one).collect();
         if let Some(ramp) = self.at.ramp() {
             share_corrections(motions, &mut made);
-            let placed = made.iter_mut().zip(&points);
-            placed.for_each(|(made, points)| made.add_errors_of_ramp(points, ramp, self.model));
+            add_errors_of_ramp(&mut made, &points, ramp, self.model);
         }
         made
     }
@@ -210,7 +210,7 @@ impl Corrector<'_> {
         &self,
         (motion, resolved): (&Motion, &Resolved),
         points: &[Point<'_>],
-        warm: &[&[WarmJoints]],
+        warm: &[&[Sent]],
     ) -> MotionCorrection {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);

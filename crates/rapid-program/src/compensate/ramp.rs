@@ -13,11 +13,12 @@ use super::plan::Correction;
 use super::warm_joints::warm_joints_each;
 use crate::program::data::JointTarget;
 use crate::program::motion::{SkipReason, TargetValue};
-use crate::schedule::{Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline, timeline_of_one_law};
-use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use crate::schedule::{
+    Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline, timeline_of_one_law,
+};
+use nalgebra::{DMatrix, Isometry3};
 use rayon::prelude::*;
-use robot_model::deform::{Conditions, DeformedArm, DeformedArms, GrowthLaw};
-use robot_model::kinematics::{ArmsJoints, SolveError, Solved};
+use robot_model::deform::{Conditions, DeformedArms, GrowthLaw};
 use robot_model::units::rad_from_deg;
 
 /// The functions may take this share of the tolerance: a staircase takes all of it.
@@ -25,7 +26,7 @@ const SHARE_OF_TOLERANCE: f64 = 0.1;
 /// Linear pieces between knots may take this share of what the functions may.
 const SHARE_OF_KNOTS: f64 = 0.2;
 /// A turn counts as the shift at this distance, metres: 0.0001 deg for 0.0005 mm.
-const LEVER_M: f64 = 0.3;
+pub(super) const LEVER_M: f64 = 0.3;
 /// Targets from which functions of several laws are found, and moments at which every target is checked, at most.
 const FOUND_FROM: usize = 96;
 const CHECKS: usize = 12;
@@ -46,8 +47,8 @@ pub(super) struct Ramp {
     /// From here on what is still to come is under the tolerance, minutes.
     pub(super) until_min: f64,
     /// Moments at which every target is looked at: what the functions are worth, and the arms.
-    check_values: Vec<Vec<f64>>,
-    check_arms: DeformedArms,
+    pub(super) check_values: Vec<Vec<f64>>,
+    pub(super) check_arms: DeformedArms,
 }
 
 impl Ramp {
@@ -86,7 +87,11 @@ impl Ramp {
                 let off_cold = model.identified.as_ref().is_some_and(|model| model.is_off_cold());
                 let of_share = if off_cold { TimeFunctions::from_cold() } else { TimeFunctions::share() };
                 let of_share = Self::new(model, of_share, &found, until_min);
-                let half = law.minute_of(0.5).filter(|_| of_share.worst_m(model, samples) > tolerance_m);
+                // A correction's course is as + bs² in the share s of the drift, its scaled one (a + b)s: what is left, bs(1 - s), is
+                // most at half of the drift.
+                let half = law.minute_of(0.5).filter(|half_min| {
+                    of_share.worst_at_m(Moment::Minute(*half_min), samples, model) > tolerance_m
+                });
                 match half {
                     None => of_share.functions,
                     Some(half_min) if off_cold => TimeFunctions::from_cold_squared(half_min),
@@ -139,86 +144,6 @@ impl Ramp {
             })
             .collect()
     }
-
-    /// The worst distance of the TCP from the programmed pose over the moments that are looked at, `[uncorrected, corrected]`,
-    /// metres.
-    pub(super) fn errors_m(&self, point: &Point, corrections: &[Correction], model: &Model) -> [f64; 2] {
-        self.worst_misses_m(point, &self.commanded_q_rad(point, corrections, model))
-    }
-
-    /// The worst distances with the point's own joints and with `commanded` ones, which may be none, metres.
-    fn worst_misses_m(&self, point: &Point, commanded: &[Option<[f64; 6]>]) -> [f64; 2] {
-        let worst_m = |q_rad: ArmsJoints<'_>| {
-            let mut worst_m = 0.0_f64;
-            point.misses_m(&self.check_arms, q_rad, |missed_m| worst_m = worst_m.max(missed_m.norm()));
-            worst_m
-        };
-        let reached: Option<Vec<[f64; 6]>> = commanded.iter().copied().collect();
-        let after_m = reached.map_or(f64::INFINITY, |reached| worst_m(ArmsJoints::Each(&reached)));
-        [worst_m(ArmsJoints::Same(&point.q_rad)), after_m]
-    }
-
-    /// At each moment that is looked at the joints to which the corrected motion sends the controller, radians; `None` where
-    /// it cannot go.
-    fn commanded_q_rad(
-        &self,
-        point: &Point,
-        corrections: &[Correction],
-        model: &Model,
-    ) -> Vec<Option<[f64; 6]>> {
-        let mut found = Vec::with_capacity(self.check_values.len());
-        if corrections.iter().any(|correction| matches!(correction, Correction::Joints { .. })) {
-            found.extend(self.check_values.iter().map(|values| Some(turned(point, corrections, values))));
-        } else {
-            let meant = point.object_from_tcp();
-            let commanded = |values: &Vec<f64>| commanded_pose(point, &meant, corrections, values);
-            let poses: Vec<Isometry3<f64>> = self.check_values.iter().map(commanded).collect();
-            let solved = |solved: Result<Solved, SolveError>| found.push(solved.ok().map(|s| s.q_rad));
-            model.nominal.solve_each(&poses, &point.q_rad, solved);
-        }
-        found
-    }
-
-    /// The same where the model is asked at run time: it takes the arm as deformed at the nominal joints, which are a little
-    /// beside those that are reached.
-    pub(super) fn errors_of_model_m(&self, point: &Point, model: &Model) -> [f64; 2] {
-        let nominal = model.nominal.forward(&point.q_rad);
-        let commanded = |arm: &DeformedArm| {
-            let deformed = arm.under(&point.conditions).forward(&point.q_rad);
-            nominal * deformed.inverse() * nominal
-        };
-        let commanded: Vec<Isometry3<f64>> = self.check_arms.as_slice().iter().map(commanded).collect();
-        let mut found = Vec::with_capacity(commanded.len());
-        model.nominal.solve_each(&commanded, &point.q_rad, |solved| found.push(solved.ok().map(|s| s.q_rad)));
-        self.worst_misses_m(point, &found)
-    }
-
-    /// The worst of all points, metres; a turn counts as the shift that it is at
-    /// [`LEVER_M`].
-    fn worst_m(&self, model: &Model, points: &[Sample<'_>]) -> f64 {
-        let one = |Sample { point, by_joints }: &Sample<'_>| {
-            let joints: Option<Vec<[f64; 6]>> =
-                warm_joints_each(point, &self.nodes, model).map(Result::ok).collect();
-            let joints = joints?;
-            let commanded = |q_rad| point.placement.object_from_tcp(&model.nominal.forward(q_rad));
-            let corrections = match by_joints {
-                true => Self::turns(point, &joints),
-                false => Self::shifts(
-                    &point.object_from_tcp(),
-                    &joints.iter().map(commanded).collect::<Vec<Isometry3<f64>>>(),
-                ),
-            };
-            let commanded = self.commanded_q_rad(point, &corrections, model);
-            let misses = self.check_arms.as_slice().iter().zip(commanded).map(|(arm, q_rad)| {
-                let q_rad = q_rad?;
-                let there = arm.under(&point.conditions).forward(&q_rad);
-                let turned_rad = there.rotation.angle_to(&point.base_from_flange.rotation);
-                Some(point.miss_m(arm, &q_rad).norm().max(LEVER_M * turned_rad))
-            });
-            misses.map(|miss_m| miss_m.unwrap_or(f64::INFINITY)).reduce(f64::max)
-        };
-        points.par_iter().filter_map(one).reduce(|| 0.0, f64::max)
-    }
 }
 
 /// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.
@@ -239,39 +164,8 @@ fn anywhere<'p>(model: &Model, placement: &'p Placement) -> Vec<Sample<'p>> {
     poses_deg.into_iter().map(point).collect()
 }
 
-/// Joints with their corrections scaled by `values`, radians.
-fn turned(point: &Point, corrections: &[Correction], values: &[f64]) -> [f64; 6] {
-    let mut q_rad = point.q_rad;
-    for (correction, value) in corrections.iter().zip(values) {
-        if let Correction::Joints { turn_rad } = correction {
-            q_rad.iter_mut().zip(turn_rad).for_each(|(q_rad, by)| *q_rad += by * value);
-        }
-    }
-    q_rad
-}
-
-/// The flange's pose that the controller is sent to when the corrections are scaled by `values`.
-fn commanded_pose(
-    point: &Point,
-    meant: &Isometry3<f64>,
-    corrections: &[Correction],
-    values: &[f64],
-) -> Isometry3<f64> {
-    let (mut shift_m, mut turn) = (Vector3::zeros(), Vector3::zeros());
-    for (correction, value) in corrections.iter().zip(values) {
-        if let Correction::Pose { shift_m: by, turn: about } = correction {
-            shift_m += Vector3::from(*by) * *value;
-            turn += Vector3::from(*about) * *value;
-        }
-    }
-    let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
-    let commanded =
-        Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
-    point.placement.base_from_flange(&commanded)
-}
-
 /// What the functions are worth at a moment.
-fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> {
+pub(super) fn values(model: &Model, functions: &TimeFunctions, moment: Moment) -> Vec<f64> {
     let t_min = match moment {
         Moment::Minute(t_min) => t_min,
         Moment::Settled => f64::INFINITY,

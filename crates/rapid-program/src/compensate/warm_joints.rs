@@ -4,6 +4,7 @@ use super::model::Model;
 use super::nominal::Point;
 use super::placement::keep;
 use crate::program::motion::SkipReason;
+use nalgebra::Isometry3;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
 use robot_model::kinematics::{SolveError, Solved, solve};
 use robot_model::units::{deg_from_rad, rad_from_deg};
@@ -49,6 +50,29 @@ pub(super) fn warm_joints_of(
         found.extend(each.next().map(|point| allowed(point, solved, model)));
     });
     found
+}
+
+/// Where the nominal controller is sent so that the warm arm stands where a point is meant to be, or why the point is kept.
+pub(super) type Sent = Result<SentTo, SkipReason>;
+
+/// Joints, and what the nominal controller takes them for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SentTo {
+    /// Radians.
+    pub(super) q_rad: [f64; 6],
+    /// By nominal kinematics.
+    pub(super) base_from_flange: Isometry3<f64>,
+}
+
+/// The same for each of many points.
+pub(super) fn sent_each(points: &[&Point<'_>], arm: &DeformedArm, model: &Model<'_>) -> Vec<Sent> {
+    let warm = warm_joints_of(points, arm, model);
+    let known: Vec<[f64; 6]> = warm.iter().flatten().copied().collect();
+    let mut frames = Vec::with_capacity(known.len());
+    model.nominal.forward_each(&known, |base_from_flange| frames.push(base_from_flange));
+    let mut frames = frames.into_iter();
+    let mut sent = |q_rad| SentTo { q_rad, base_from_flange: frames.next().unwrap_or_default() };
+    warm.into_iter().map(|q_rad| q_rad.map(&mut sent)).collect()
 }
 
 /// Joints that were found for a point, where a correction may go there.
