@@ -15,6 +15,8 @@ use robot_model::units::rad_from_deg;
 pub(super) const WRIST_DEG: f64 = 2.0;
 /// Joints closer than this are the same solution, radians.
 const SAME_RAD: f64 = 1e-6;
+/// So far from where branches meet no rounding makes one of two, metres and radians.
+const APART: f64 = 1e-3;
 
 /// Where the arm stands before a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,6 +125,38 @@ pub(super) fn branch_of(
         branch.note = branch.note.or(other.note);
     }
     Ok(branch)
+}
+
+/// The same from the joints of one branch alone, `q_rad`, which is the one that confdata name: where these and the place that the
+/// arm comes from agree, so that [`branch_of`] has nothing to say of the others. `None` where it must be asked.
+pub(super) fn branch_as_written(
+    motion: &Motion,
+    q_rad: &[f64; 6],
+    conf: &ConfData,
+    from: &[ComesFrom],
+    model: &Model,
+) -> Option<Branch> {
+    let [from] = from else { return None };
+    let posture = model.closed.posture(q_rad);
+    // Where branches meet two of them may have one number.
+    let apart = posture.shoulder_m.abs() > APART && posture.elbow_rad.abs() > APART;
+    let solutions = model.closed.turns(q_rad);
+    let candidates = Candidates { solutions: &solutions, conf, model };
+    let on_branch = solutions.iter().all(|solution| solution.configuration.cfx == conf.cfx);
+    if !(apart && on_branch && posture.wrist_rad.abs() > APART) {
+        return None;
+    }
+    match motion.setup.path {
+        Path::Linear | Path::Circular => {
+            let along = candidates.along(from.joints().filter(|from| candidates.cfx(from) == conf.cfx)?)?;
+            same(&candidates.as_written()?, &along).then(|| Branch::known(along))
+        }
+        Path::Joint | Path::AbsJoint => {
+            let branch = candidates.of_joint_move(motion.setup.conf_monitored, from.joints()).ok()?;
+            let checked = motion.setup.conf_monitored == Some(true);
+            (checked && branch.note.is_none() && candidates.as_written().is_some()).then_some(branch)
+        }
+    }
 }
 
 /// The solutions of a robtarget within the joints' ranges, of which there is one at least, and what its confdata say.

@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+mod ahead;
 mod branch;
 mod clock_gaps;
 pub mod commanded;

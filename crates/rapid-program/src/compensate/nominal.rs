@@ -1,5 +1,6 @@
 //! Where each motion is meant to go, and with which joints.
 
+use super::ahead::{self, Ahead, PlacedTarget};
 use super::branch::{Branch, ComesFrom, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
@@ -228,9 +229,14 @@ impl Resolver<'_> {
         let mut done: Vec<Option<Resolved>> = vec![None; motions.len()];
         let mut waiting = vec![false; motions.len()];
         // The last placement seen: most motions share it.
-        let mut last = None;
+        let (mut last, mut last_ahead) = (None, None);
+        let mut ahead = Ahead::default();
         let mut stack = Vec::new();
         for first in 0..motions.len() {
+            if first.is_multiple_of(ahead::AT_ONE_GO) {
+                let some = &motions[first..motions.len().min(first + ahead::AT_ONE_GO)];
+                ahead = Ahead::new(first, some, self.model, &mut last_ahead);
+            }
             stack.push(first);
             while let Some(&i) = stack.last() {
                 if done[i].is_some() {
@@ -247,7 +253,7 @@ impl Resolver<'_> {
                 }
                 let from = self.comes_from(i, |p| done[p].as_ref());
                 done[i] = Some(resolve_motion(
-                    (&motions[i], self.hinted(i)),
+                    (&motions[i], self.hinted(i), ahead.at(i)),
                     &from,
                     self.model,
                     &mut last,
@@ -267,7 +273,7 @@ impl Resolver<'_> {
             let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&i)) else { continue };
             let from = self.comes_from(i, |p| resolved.get(p));
             let again = resolve_motion(
-                (motion, self.hinted(i)),
+                (motion, self.hinted(i), None),
                 &from,
                 self.model,
                 &mut None,
@@ -285,7 +291,7 @@ impl Resolver<'_> {
 }
 
 fn resolve_motion(
-    (motion, hinted): (&Motion, &[Hinted]),
+    (motion, hinted, ahead): (&Motion, &[Hinted], Option<&PlacedTarget>),
     from: &[ComesFrom],
     model: &Model,
     last: &mut Option<Arc<Placement>>,
@@ -294,7 +300,7 @@ fn resolve_motion(
     let indexed =
         motion.targets.iter().any(|target| target.value().is_none() && !target.elements().is_empty());
     let from = from.iter().map(|&from| if indexed { from.anywhere() } else { from }).collect();
-    let placed = place_targets((motion, hinted), from, model, last, messages);
+    let placed = place_targets((motion, hinted, ahead), from, model, last, messages);
     let (placement, branches, failed) = match placed {
         Ok((placement, branches)) => (Some(placement), branches, None),
         Err(why) => (None, Vec::new(), Some(why)),
@@ -341,16 +347,18 @@ fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Skip
 }
 
 fn place_targets(
-    (motion, hinted): (&Motion, &[Hinted]),
+    (motion, hinted, ahead): (&Motion, &[Hinted], Option<&PlacedTarget>),
     mut from: Vec<ComesFrom>,
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Result<(Arc<Placement>, Vec<Branch>), SkipReason> {
-    let placement = Placement::of(motion)?;
-    let placement = match last.take() {
-        Some(same) if *same == placement => same,
-        _ => Arc::new(placement),
+    let placement = match (ahead, last.take()) {
+        (Some(ahead), _) => Arc::clone(&ahead.placement),
+        (None, last) => {
+            let placement = Placement::of(motion)?;
+            last.filter(|same| **same == placement).unwrap_or_else(|| Arc::new(placement))
+        }
     };
     let placement = &*last.insert(placement);
     let mut branches = Vec::with_capacity(motion.targets.len());
@@ -374,7 +382,10 @@ fn place_targets(
                     Branch::known(q_rad)
                 }
                 TargetValue::Rob(pose) => {
-                    let base_from_flange = placement.base_from_flange(&pose.object_from_tcp);
+                    let base_from_flange = match ahead {
+                        Some(ahead) => ahead.base_from_flange,
+                        None => placement.base_from_flange(&pose.object_from_tcp),
+                    };
                     let placed = (motion, &base_from_flange, &pose.conf);
                     let by_hint =
                         hinted.map(|hinted| hinted_branch(placed, &from, model, hinted)).transpose();
@@ -383,7 +394,10 @@ fn place_targets(
                         None
                     }) {
                         Some(branch) => branch,
-                        None => branch_of(motion, &base_from_flange, &pose.conf, &from, model)?,
+                        None => match ahead.and_then(|ahead| ahead.as_written(motion, &from, model)) {
+                            Some(branch) => branch,
+                            None => branch_of(motion, &base_from_flange, &pose.conf, &from, model)?,
+                        },
                     };
                     if let Some(note) = branch.note {
                         say(note.message(motion, &pose.conf));

@@ -229,3 +229,56 @@ fn an_arc_is_one_motion_with_two_corrected_points() {
     assert_eq!(kept_code(&plan.motions[2].status), "reach::none");
     assert!(plan.motions[2].targets.is_empty());
 }
+
+/// Targets all over the workspace, on each branch of theirs and with confdata of that branch and of others, come from near, from
+/// another branch and from nowhere: where the written branch alone is answered for, all branches have the same answer.
+#[test]
+fn the_written_branch_alone_answers_as_all_branches_do() {
+    use super::super::branch::{Branch, ComesFrom, branch_as_written, branch_of};
+    let robot = irb140();
+    let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
+    let model = model::Model::new(&robot, std::borrow::Cow::Owned(rigid), &Options::default(), None).unwrap();
+    let (mut answered, mut left) = (0, 0);
+    for n in 0..400_usize {
+        let q_rad: [f64; 6] = std::array::from_fn(|j| {
+            let [low, high] = robot.joints[j].range_rad.unwrap_or([-3.0, 3.0]);
+            low + (high - low) * (0.5 + 0.5 * ((n * 6 + j) as f64 * 12.9898).sin())
+        });
+        let goal = model.nominal.forward(&q_rad);
+        let branches = model.closed.branches(&goal);
+        for (cfx, on_branch) in branches.iter().enumerate() {
+            let Some(on_branch) = on_branch else { continue };
+            for written in model.closed.solutions(&goal) {
+                let c = written.configuration;
+                // Of one in three the first quadrant is wrong.
+                let conf =
+                    ConfData { cf1: c.cf1 + i32::from(n % 3 == 2), cf4: c.cf4, cf6: c.cf6, cfx: c.cfx };
+                let near = ComesFrom::Joints(q_rad.map(|q_rad| q_rad + 1e-3));
+                let elsewhere = ComesFrom::Joints(written.q_rad);
+                for from in [near, elsewhere, ComesFrom::Anywhere, ComesFrom::UnknownBranch] {
+                    for (path, checked) in [
+                        (Path::Linear, false),
+                        (Path::Linear, true),
+                        (Path::Joint, true),
+                        (Path::Joint, false),
+                    ] {
+                        let mut asked = motion(path, &[]);
+                        Arc::make_mut(&mut asked.setup).conf_monitored = Some(checked);
+                        if usize::try_from(conf.cfx) != Ok(cfx) {
+                            continue;
+                        }
+                        let found = branch_as_written(&asked, on_branch, &conf, &[from], &model);
+                        let Some(Branch { q_rad, others, note }) = found else {
+                            left += 1;
+                            continue;
+                        };
+                        answered += 1;
+                        let all = branch_of(&asked, &goal, &conf, &[from], &model).unwrap();
+                        assert_eq!((q_rad, others, note), (all.q_rad, all.others, all.note), "{n} {cfx}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(answered > 2000 && left > 2000, "{answered} {left}");
+}
