@@ -4,7 +4,7 @@
 
 use super::model::Model;
 use super::nominal::{Point, Resolved};
-use super::path::{Ends, Leg};
+use super::path::{Corrected, Ends, Leg, deviations_m};
 use super::plan::{PlannedMotion, Status};
 use crate::program::Program;
 use crate::program::motion::MotionId;
@@ -29,14 +29,16 @@ pub(super) fn follow_paths(
         let follow = |i: usize| Followed::new(i, (program, resolved), model, warm, worst_bucket[i]);
         let followed: Vec<Followed> = numbers.filter(|&i| compensated[i]).filter_map(follow).collect();
         let solved = Solved::new(&followed, &compensated, warm);
-        for one in &followed {
+        let legs = followed.iter().map(|one| {
             let path = program.motions[one.motion].setup.path;
             let leg = Leg { path, start: &one.start, points: &one.points };
-            let ends = one.buckets.iter().filter_map(|&bucket| {
-                let arm = warm.as_slice().get(bucket)?;
-                Some((arm, solved.ends(one, &leg, bucket, compensated[one.before])))
-            });
-            planned[one.motion - chunk * AT_ONE_GO].mid_path_m = leg.deviation_m(ends, model);
+            let ends = |&bucket: &usize| (bucket, solved.ends(one, &leg, bucket, compensated[one.before]));
+            let buckets = one.buckets.iter().map(ends).collect();
+            (leg, buckets)
+        });
+        let legs: Vec<Corrected<'_>> = legs.collect();
+        for (one, deviation_m) in followed.iter().zip(deviations_m(&legs, warm.as_slice(), model)) {
+            planned[one.motion - chunk * AT_ONE_GO].mid_path_m = deviation_m;
         }
     });
 }

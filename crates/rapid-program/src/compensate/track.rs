@@ -10,6 +10,8 @@ const HALF_TURN_RAD: f64 = 1e-6;
 pub(super) struct Track {
     start: Isometry3<f64>,
     end: Isometry3<f64>,
+    /// From the start's orientation to the end's, radians.
+    turn: Vector3<f64>,
     arc: Option<Arc>,
 }
 
@@ -28,16 +30,16 @@ impl Track {
         let arc = via.and_then(|via| {
             Arc::through(start.translation.vector, via.translation.vector, end.translation.vector)
         });
-        Self { start, end, arc }
+        let turn = start.rotation.rotation_to(&end.rotation).scaled_axis();
+        Self { start, end, turn, arc }
     }
 
     /// The pose at `s` from 0 to 1; `None` where the ends are turned against each other by half a turn.
     pub(super) fn pose(&self, s: f64) -> Option<Isometry3<f64>> {
-        let turn = self.start.rotation.rotation_to(&self.end.rotation).scaled_axis();
-        if turn.norm() > PI - HALF_TURN_RAD {
+        if self.turn.norm() > PI - HALF_TURN_RAD {
             return None;
         }
-        let rotation = UnitQuaternion::from_scaled_axis(turn * s) * self.start.rotation;
+        let rotation = UnitQuaternion::from_scaled_axis(self.turn * s) * self.start.rotation;
         let position = match &self.arc {
             Some(arc) => arc.point(s),
             None => self.start.translation.vector.lerp(&self.end.translation.vector, s),
