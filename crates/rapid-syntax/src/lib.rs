@@ -36,7 +36,7 @@ pub mod word;
 
 pub use difference::first_difference;
 pub use edit::{Edit, EditError, apply};
-pub use literal::{number_value, string_value};
+pub use literal::{leading_decimal, number_value, string_value};
 pub use numbers::{parts_of_numbers, ranges_of_numbers};
 pub use parse::{parse, parse_by_productions};
 pub use source::SourceFile;

@@ -9,7 +9,9 @@ pub fn number_value(text: &[u8]) -> Option<f64> {
         [b'0', b'x' | b'X', ..] => 16,
         [b'0', b'o' | b'O', ..] => 8,
         [b'0', b'b' | b'B', ..] => 2,
-        [b'0'..=b'9' | b'.', ..] => return fast_float2::parse(text).ok(),
+        [b'0'..=b'9' | b'.', ..] => {
+            return leading_decimal(text).filter(|(_, length)| *length == text.len()).map(|(value, _)| value);
+        }
         _ => return None,
     };
     let digits = text.get(2..).filter(|d| !d.is_empty())?;
@@ -17,6 +19,63 @@ pub fn number_value(text: &[u8]) -> Option<f64> {
         let digit = char::from(d).to_digit(radix)?;
         Some(value * f64::from(radix) + f64::from(digit))
     })
+}
+
+/// The decimal number without sign that a text begins with, `12`, `.5`, `9E+09`: the nearest double, and its length in bytes.
+///
+/// `None` where none begins there.
+#[must_use]
+pub fn leading_decimal(text: &[u8]) -> Option<(f64, usize)> {
+    short_decimal(text).or_else(|| fast_float2::parse_partial(text).ok())
+}
+
+/// One of at most 15 digits: they are exact as a double, as is a power of ten up to 22, so that one product or quotient of the two
+/// is rounded once (Clinger, How to Read Floating Point Numbers Accurately, 1990).
+fn short_decimal(text: &[u8]) -> Option<(f64, usize)> {
+    const POWERS: [f64; 23] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
+        1e18, 1e19, 1e20, 1e21, 1e22,
+    ];
+    let digit = |at: usize| text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10);
+    let (mut digits, mut at) = (0_u64, 0);
+    while let Some(digit) = digit(at) {
+        digits = digits.wrapping_mul(10).wrapping_add(digit.into());
+        at += 1;
+    }
+    let (mut count, mut decimals) = (at, 0);
+    if text.get(at) == Some(&b'.') {
+        at += 1;
+        while let Some(digit) = digit(at) {
+            digits = digits.wrapping_mul(10).wrapping_add(digit.into());
+            (at, decimals) = (at + 1, decimals + 1);
+        }
+        count += decimals;
+    }
+    let mut exponent = 0;
+    if let Some(b'e' | b'E') = text.get(at) {
+        let sign = text.get(at + 1).filter(|sign| matches!(sign, b'+' | b'-'));
+        let from = at + 1 + usize::from(sign.is_some());
+        // Three digits and more are too many for a short number.
+        exponent = match (digit(from), digit(from + 1), digit(from + 2)) {
+            (Some(one), None, _) => usize::from(one),
+            (Some(ten), Some(one), None) => usize::from(ten) * 10 + usize::from(one),
+            _ => return None,
+        };
+        at = from + 1 + usize::from(digit(from + 1).is_some());
+        if sign == Some(&b'-') {
+            decimals += exponent;
+            exponent = 0;
+        }
+    }
+    if !(1..=15).contains(&count) {
+        return None;
+    }
+    let value = digits as f64;
+    let value = match exponent.checked_sub(decimals) {
+        Some(up) => value * POWERS.get(up)?,
+        None => value / POWERS.get(decimals - exponent)?,
+    };
+    Some((value, at))
 }
 
 /// The bytes of a string literal: quotes taken off, `""` a quote, `\\` a backslash, `\0D` the byte of these
@@ -75,6 +134,41 @@ mod tests {
         for no in [&b""[..], b"nan", b"inf", b"-1", b"0x", b"0b2", b"0o8", b"1a", b".", b"e5", b"1 "] {
             assert_eq!(number_value(no), None, "{}", String::from_utf8_lossy(no));
         }
+    }
+
+    /// By the standard library, which rounds correctly too.
+    #[test]
+    fn a_short_number_is_the_nearest_double_and_as_long_as_a_long_one() {
+        let mut state = 7_u64;
+        let mut below = |n: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % n
+        };
+        let mut short = 0;
+        for _ in 0..200_000 {
+            let mut text = Vec::new();
+            let run = |length: u64, below: &mut dyn FnMut(u64) -> u64, text: &mut Vec<u8>| {
+                (0..length).for_each(|_| text.push(b'0' + below(10) as u8));
+            };
+            run(below(10), &mut below, &mut text);
+            if below(3) > 0 {
+                text.push(b'.');
+                run(below(9), &mut below, &mut text);
+            }
+            if below(3) == 0 {
+                text.extend_from_slice([&b"e"[..], b"E+", b"E-", b"e-"][below(4) as usize]);
+                run(below(4), &mut below, &mut text);
+            }
+            text.extend_from_slice([&b""[..], b",", b"]", b"e", b".", b"x"][below(6) as usize]);
+            let expected = fast_float2::parse_partial::<f64, _>(&text).ok();
+            assert_eq!(leading_decimal(&text), expected, "{}", String::from_utf8_lossy(&text));
+            if let Some((value, length)) = short_decimal(&text) {
+                short += 1;
+                let text = std::str::from_utf8(&text[..length]).unwrap();
+                assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{text}");
+            }
+        }
+        assert!(short > 100_000, "{short}");
     }
 
     #[test]

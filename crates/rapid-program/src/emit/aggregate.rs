@@ -1,6 +1,7 @@
 //! The text of an aggregate: its numbers and its components.
 
 use super::insertion::white;
+use rapid_syntax::leading_decimal;
 
 /// Everything of an aggregate's text from its component `from` on, closing bracket included.
 pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
@@ -57,29 +58,37 @@ pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
 
 /// Calls `visit` with the numbers of a plain aggregate, in single precision, in order; whether all could be read.
 pub fn each_single(text: &[u8], mut visit: impl FnMut(f32)) -> bool {
-    text.split(|&b| matches!(b, b'[' | b']' | b',')).all(|part| match single(part) {
-        Ok(value) => {
-            value.into_iter().for_each(&mut visit);
-            true
+    let mut rest = text;
+    while let Some(at) = rest.iter().position(|&b| !(parts(b) || white(b))) {
+        rest = &rest[at..];
+        let digits = rest.strip_prefix(b"-").unwrap_or(rest);
+        let plain = leading_decimal(digits).filter(|(_, length)| {
+            let is_digit = digits.first().is_some_and(|first| first.is_ascii_digit());
+            is_digit && digits.get(*length).is_none_or(|&next| parts(next))
+        });
+        if let Some((value, length)) = plain {
+            let is_negative = digits.len() < rest.len();
+            visit(if is_negative { -value } else { value } as f32);
+            rest = &digits[length..];
+            continue;
         }
-        Err(()) => false,
-    })
+        let (part, behind) = rest.split_at(rest.iter().position(|&b| parts(b)).unwrap_or(rest.len()));
+        let Some(value) = single(part) else { return false };
+        visit(value);
+        rest = behind;
+    }
+    true
 }
 
-/// A number among white space; nothing where there is none.
-fn single(part: &[u8]) -> Result<Option<f32>, ()> {
-    let read = |digits: &[u8]| match fast_float2::parse::<f64, _>(digits) {
-        Ok(value) => Ok(value as f32),
-        Err(_) => Err(()),
-    };
-    let Some(from) = part.iter().position(|&b| !white(b)) else { return Ok(None) };
-    let to = part.iter().rposition(|&b| !white(b)).map_or(from, |last| last + 1);
-    let part = part.get(from..to).unwrap_or_default();
-    if !part.iter().any(|&b| white(b)) {
-        return read(part).map(Some);
-    }
+/// Whether a byte stands between an aggregate's numbers.
+fn parts(byte: u8) -> bool {
+    matches!(byte, b'[' | b']' | b',')
+}
+
+/// A number however it is written, with white space in it too.
+fn single(part: &[u8]) -> Option<f32> {
     let digits: Vec<u8> = part.iter().copied().filter(|&b| !white(b)).collect();
-    read(&digits).map(Some)
+    fast_float2::parse::<f64, _>(&digits).ok().map(|value| value as f32)
 }
 
 #[cfg(test)]
@@ -90,7 +99,9 @@ mod tests {
     fn numbers_are_read_in_single_precision() {
         assert_eq!(singles(b"[[1,2],[-3e1, .5]]"), Some(vec![1.0, 2.0, -30.0, 0.5]));
         assert_eq!(singles(b"[ [ 1 0 ,\t- 2 ] , \r\n ]"), Some(vec![10.0, -2.0]));
+        assert_eq!(singles(b"[1 ,+2,\n-0.5\t, 1e-3 ,-.5]"), Some(vec![1.0, 2.0, -0.5, 1e-3, -0.5]));
         assert_eq!(singles(b"[[1,x]]"), None);
+        assert_eq!(singles(b"[1e,2]"), None);
         assert_eq!(singles(b"[]"), Some(vec![]));
     }
 }

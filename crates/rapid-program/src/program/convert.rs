@@ -5,7 +5,7 @@ use super::data::{
 };
 use super::motion::TargetValue;
 use super::names::as_text;
-use super::value::Value;
+use super::value::{Value, plain_numbers};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use robot_model::units::{m_from_mm, rad_from_deg};
 
@@ -20,6 +20,29 @@ pub(super) type NotThat = (&'static str, String);
 pub(super) fn robtarget(value: &Value) -> Result<RobTarget, NotThat> {
     let [trans, rot, conf, ext] = parts(value, "robtarget")?;
     Ok(RobTarget { object_from_tcp: frame(trans, rot)?, conf: confdata(conf)?, ext: extjoint(ext)? })
+}
+
+/// A `robtarget` of plain numbers from its text; `None` where it is something else, or a value says why it is none.
+pub(super) fn robtarget_as_written(text: &[u8]) -> Option<RobTarget> {
+    let mut rest = text.strip_prefix(b"[")?;
+    let comma = |rest: &mut &[u8]| {
+        *rest = rest.trim_ascii_start().strip_prefix(b",")?;
+        Some(())
+    };
+    let trans = plain_numbers::<3>(&mut rest)?;
+    comma(&mut rest)?;
+    let rot = plain_numbers::<4>(&mut rest)?;
+    comma(&mut rest)?;
+    let conf = plain_numbers::<4>(&mut rest)?;
+    comma(&mut rest)?;
+    let ext = plain_numbers::<6>(&mut rest)?;
+    let held = |numbers: &[f64]| numbers.iter().all(|n| n.abs() <= f64::from(f32::MAX));
+    if rest.trim_ascii_start() != b"]" || !(held(&trans) && held(&rot) && held(&ext)) {
+        return None;
+    }
+    let [x, y, z] = trans.map(m_from_mm);
+    let object_from_tcp = Isometry3::from_parts(Translation3::new(x, y, z), rotation(rot).ok()?);
+    Some(RobTarget { object_from_tcp, conf: quadrants(conf).ok()?, ext: ext.map(used) })
 }
 
 /// A value as `jointtarget`.
@@ -98,7 +121,10 @@ pub(super) fn pose(value: &Value) -> Result<Isometry3<f64>, NotThat> {
 
 /// A value as `orient`, normalised.
 pub(super) fn orient(value: &Value) -> Result<UnitQuaternion<f64>, NotThat> {
-    let [w, x, y, z] = numbers::<4>(value, "orient")?;
+    rotation(numbers::<4>(value, "orient")?)
+}
+
+fn rotation([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, NotThat> {
     let quaternion = Quaternion::new(w, x, y, z);
     let length = quaternion.norm();
     if (length - 1.0).abs() > UNIT_LENGTH_TOLERANCE {
@@ -137,9 +163,12 @@ fn frame(trans: &Value, rot: &Value) -> Result<Isometry3<f64>, NotThat> {
 }
 
 fn confdata(value: &Value) -> Result<ConfData, NotThat> {
-    let quadrants = numbers::<4>(value, "confdata")?;
+    quadrants(numbers::<4>(value, "confdata")?)
+}
+
+fn quadrants(numbers: [f64; 4]) -> Result<ConfData, NotThat> {
     let mut whole = [0; 4];
-    for (whole, n) in whole.iter_mut().zip(quadrants) {
+    for (whole, n) in whole.iter_mut().zip(numbers) {
         if n.round() != n || n.abs() > f64::from(i16::MAX) {
             return Err(("keep::bad-number", format!("{n} in confdata is no quadrant")));
         }
@@ -200,6 +229,28 @@ mod tests {
         assert_eq!((read.object_from_tcp.rotation.w, read.object_from_tcp.rotation.i), (0.0, 1.0));
         assert_eq!(read.conf, ConfData { cf1: -1, cf4: 0, cf6: 2, cfx: 5 });
         assert_eq!(read.ext, [None, None, Some(12.5), None, None, None]);
+    }
+
+    #[test]
+    fn a_robtarget_right_from_its_text_is_that_of_its_value() {
+        let written = [
+            &b"[[400, -0.5,250.0],[0,1,0.0,0],[-1,0,2,5],[9E+09,9E9,12.5,9e9,9E09,9E9]]"[..],
+            b" [[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]] ",
+            b"[\r\n[1 ,2\t,3] , [0.707,0,0.707,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,-7] ]",
+            b"[[1,2,3],[1,1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,3],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,1e39],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,+3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9],0]",
+        ];
+        let read = written.map(robtarget_as_written);
+        for (text, read) in written.iter().zip(&read) {
+            let by_value = Value::of_plain_list(text).and_then(|value| robtarget(&value).ok());
+            assert_eq!(*read, by_value, "{}", String::from_utf8_lossy(text));
+        }
+        assert_eq!(read.iter().flatten().count(), 2);
     }
 
     #[test]

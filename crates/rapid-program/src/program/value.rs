@@ -3,6 +3,7 @@
 
 use super::index::DatumId;
 use super::motion::SkipReason;
+use rapid_syntax::leading_decimal;
 use std::rc::Rc;
 
 /// Why something is not known.
@@ -119,19 +120,7 @@ fn plain_list(rest: &mut &[u8], depth: u32) -> Option<Value> {
             let list = (depth < DEEPEST).then(|| plain_list(rest, depth + 1))?;
             parts.push(list?);
         } else {
-            let (negative, digits) = match rest.strip_prefix(b"-") {
-                Some(digits) => (true, digits),
-                None => (false, *rest),
-            };
-            if !digits.first()?.is_ascii_digit() {
-                return None;
-            }
-            let (number, length) = fast_float2::parse_partial::<f64, _>(digits).ok()?;
-            if !number.is_finite() {
-                return None;
-            }
-            parts.push(Value::Num(if negative { -number } else { number }));
-            *rest = digits.get(length..)?;
+            parts.push(Value::Num(plain_number(rest)?));
         }
         *rest = rest.trim_ascii_start();
         let (&next, after) = rest.split_first()?;
@@ -142,6 +131,33 @@ fn plain_list(rest: &mut &[u8], depth: u32) -> Option<Value> {
             _ => return None,
         }
     }
+}
+
+/// The signed decimal number that comes next, and past it; finite.
+fn plain_number(rest: &mut &[u8]) -> Option<f64> {
+    let (negative, digits) = match rest.strip_prefix(b"-") {
+        Some(digits) => (true, digits),
+        None => (false, *rest),
+    };
+    if !digits.first()?.is_ascii_digit() {
+        return None;
+    }
+    let (number, length) = leading_decimal(digits)?;
+    *rest = digits.get(length..)?;
+    number.is_finite().then_some(if negative { -number } else { number })
+}
+
+/// A list of so many signed decimal numbers as it is written, and past it; `None` where something else comes next.
+pub(super) fn plain_numbers<const N: usize>(rest: &mut &[u8]) -> Option<[f64; N]> {
+    *rest = rest.trim_ascii_start().strip_prefix(b"[")?;
+    let mut numbers = [0.0; N];
+    for (k, number) in numbers.iter_mut().enumerate() {
+        *rest = rest.trim_ascii_start();
+        *number = plain_number(rest)?;
+        let next: &[u8] = if k + 1 < N { b"," } else { b"]" };
+        *rest = rest.trim_ascii_start().strip_prefix(next)?;
+    }
+    Some(numbers)
 }
 
 /// The number that a numeric literal spells; `None` where it is none or overflows.

@@ -108,6 +108,15 @@ impl<'a> MotionReader<'_, 'a> {
         on_ways: Option<&FiniteSet>,
     ) -> (Target, Option<SkipReason>, Option<Rc<Reached>>) {
         let (origin, literal) = self.origin(expr, ctx);
+        if !joints_wanted
+            && expr.kind == ExprKind::Numbers
+            && let Some(target) =
+                convert::robtarget_as_written(self.evaluator.index.text(ctx.file, expr.range))
+            && let Some(literal) = literal
+        {
+            let target = Target::new(expr.range, origin).with_value(&TargetValue::Rob(target));
+            return (target.with_literal(literal), None, None);
+        }
         let mut calc = None;
         let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
             let value = typed.value;
@@ -288,7 +297,7 @@ fn look_alike(a: &RobTarget, b: &RobTarget) -> bool {
 }
 
 /// The letter of an external axis that a target places away from 0 and that may move the base.
-fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
+pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
     target.values().find_map(|value| {
         let ext = match value {
             TargetValue::Rob(target) => target.ext,
