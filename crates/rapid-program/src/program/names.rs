@@ -4,7 +4,7 @@
 //! it is that, else as Latin-1, so `ÄRM` and `ärm` are one name in either.
 
 use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::hash::{BuildHasher, BuildHasherDefault, Hasher, RandomState};
 
 /// A name, whatever its case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -13,7 +13,8 @@ pub(super) struct Sym(u32);
 /// All names of a program.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names {
-    by_text: HashMap<Box<str>, Sym>,
+    /// By the name in lower case.
+    by_text: HashMap<Box<[u8]>, Sym, NameSeed>,
     texts: Vec<Box<str>>,
 }
 
@@ -56,6 +57,56 @@ impl Hasher for NumberHasher {
     }
 }
 
+/// Where the hashes of names begin: elsewhere in every run, as whoever wrote a module could make names collide else.
+#[derive(Clone, Debug)]
+struct NameSeed([u64; 2]);
+
+impl Default for NameSeed {
+    fn default() -> Self {
+        let seed = RandomState::new();
+        Self([seed.hash_one(0_u8), seed.hash_one(1_u8)])
+    }
+}
+
+impl BuildHasher for NameSeed {
+    type Hasher = NameHasher;
+
+    fn build_hasher(&self) -> NameHasher {
+        let [start, factor] = self.0;
+        NameHasher { state: start, factor: factor | 1 }
+    }
+}
+
+/// Eight letters at a time; names are short, and asked for a dozen times a motion.
+struct NameHasher {
+    state: u64,
+    factor: u64,
+}
+
+impl NameHasher {
+    fn add(&mut self, number: u64) {
+        let product = u128::from(self.state ^ number) * u128::from(self.factor);
+        self.state = (product as u64) ^ (product >> 64) as u64;
+    }
+}
+
+impl Hasher for NameHasher {
+    fn finish(&self) -> u64 {
+        self.state
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        let (eights, rest) = bytes.as_chunks::<8>();
+        eights.iter().for_each(|eight| self.add(u64::from_le_bytes(*eight)));
+        let last = rest.iter().fold(rest.len() as u64, |last, &byte| last << 8 | u64::from(byte));
+        self.add(last);
+    }
+
+    fn write_usize(&mut self, length: usize) {
+        self.add(length as u64);
+    }
+}
+
 /// The name in lower case.
 pub(super) fn lower_case(name: &[u8]) -> String {
     match std::str::from_utf8(name) {
@@ -81,8 +132,8 @@ impl Names {
         }
         let text: Box<str> = lower_case(name).into();
         let sym = Sym(self.texts.len() as u32);
-        self.texts.push(text.clone());
-        self.by_text.insert(text, sym);
+        self.by_text.insert(text.as_bytes().into(), sym);
+        self.texts.push(text);
         sym
     }
 
@@ -94,9 +145,9 @@ impl Names {
         {
             lower.copy_from_slice(name);
             lower.make_ascii_lowercase();
-            return std::str::from_utf8(lower).ok().and_then(|text| self.by_text.get(text).copied());
+            return self.by_text.get(&*lower).copied();
         }
-        self.by_text.get(lower_case(name).as_str()).copied()
+        self.by_text.get(lower_case(name).as_bytes()).copied()
     }
 
     /// The name in lower case.

@@ -1,5 +1,6 @@
 //! [`Program::read`]: from files to motions with all that the text says of them.
 
+mod like_the_last;
 mod motion_data;
 mod motion_target;
 mod skip_reasons;
@@ -20,6 +21,7 @@ use super::state::{State, View, states_at_motions, targets_on_ways};
 use super::tracked::TrackedData;
 use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
+use like_the_last::Last;
 use motion_target::{MotionTargets, calls_own};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -72,6 +74,7 @@ impl Program {
             on_ways,
             base_fixed: overrides.base_fixed,
             nests,
+            last: None,
             recent_setups: VecDeque::new(),
             last_skip: None,
             kept_over: BTreeMap::new(),
@@ -123,6 +126,8 @@ struct MotionReader<'f, 'a> {
     found_positions: OwnPositions,
     /// The combinations of loops that stand round motions.
     nests: Vec<Vec<usize>>,
+    /// The last motion, where the next one may be like it.
+    last: Option<Last<'a>>,
     /// The last setups, the last one first: most motions share one of them.
     recent_setups: VecDeque<Arc<MotionSetup>>,
     /// The last reason for which a motion stays as it is.
@@ -149,6 +154,9 @@ const RECENT_SETUPS: usize = 16;
 
 impl<'a> MotionReader<'_, 'a> {
     fn motion(&mut self, site: &MotionSite<'a>, at: usize, state: Option<&State>) -> Motion {
+        if let Some(motion) = self.like_the_last(site, at, state) {
+            return motion;
+        }
         let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
@@ -201,7 +209,7 @@ impl<'a> MotionReader<'_, 'a> {
                 self.made_of_pers.insert(MotionId::new(at), pers);
             }
         }
-        Motion {
+        let motion = Motion {
             file: ctx.file,
             line: index.file(ctx.file).line(range),
             range,
@@ -216,7 +224,9 @@ impl<'a> MotionReader<'_, 'a> {
                 && ![args.tool, args.wobj].into_iter().flatten().any(|expr| calls_own(index, ctx, expr)),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
-        }
+        };
+        self.keep_as_last(site, &args, state, &motion);
+        motion
     }
 
     /// A setup that is one of the last ones stands once.

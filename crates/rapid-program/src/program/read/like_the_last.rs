@@ -1,0 +1,109 @@
+//! Motions that differ from the one before in nothing but the numbers of their target: in a path that a post-processor wrote, nearly
+//! all. What the other words mean has been found once.
+
+use super::MotionReader;
+use super::motion_target::moving_axis;
+use crate::program::convert;
+use crate::program::index::Ctx;
+use crate::program::motion::{Motion, MotionSetup, Origin, Path, Target, TargetValue};
+use crate::program::motion_site::{MotionSite, MoveArgs};
+use crate::program::state::State;
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::{ArgKind, Expr, ExprKind, StmtKind};
+use std::sync::Arc;
+
+/// A motion that can be corrected, with the words round its inline target.
+pub(super) struct Last<'a> {
+    ctx: Ctx,
+    /// The loops round it: the variable of a FOR is another datum in each.
+    nest: u32,
+    /// What is in force there; compared by address, as neighbours share it.
+    state: *const State,
+    before: &'a [u8],
+    behind: &'a [u8],
+    setup: Arc<MotionSetup>,
+}
+
+impl<'a> MotionReader<'_, 'a> {
+    /// The motion that stands there, where all but its target is the last one's.
+    pub(super) fn like_the_last(
+        &self,
+        site: &MotionSite<'a>,
+        at: usize,
+        state: Option<&State>,
+    ) -> Option<Motion> {
+        let (last, index) = (self.last.as_ref()?, self.evaluator.index);
+        let ctx = site.ctx(index);
+        let alike = last.ctx == ctx
+            && last.nest == site.nest
+            && std::ptr::eq(last.state, state?)
+            && site.not_read.is_none()
+            && !self.on_ways.contains_key(&at);
+        let expr = inline_target(site).filter(|_| alike)?;
+        let (range, text) = (site.stmt.range, |range| index.text(ctx.file, range));
+        let before = text(TextRange::new(range.start, expr.range.start));
+        if before != last.before || text(TextRange::new(expr.range.end, range.end)) != last.behind {
+            return None;
+        }
+        let value = TargetValue::Rob(convert::robtarget_as_written(text(expr.range))?);
+        let file = ctx.file;
+        let target = Target::new(expr.range, Origin::Inline).with_value(&value);
+        let target = target.with_literal(Span { file, range: expr.range });
+        if moving_axis(&target, self.base_fixed).is_some() {
+            return None;
+        }
+        Some(Motion {
+            file,
+            line: index.file(file).line(range),
+            range,
+            setup: Arc::clone(&last.setup),
+            targets: std::iter::once(target).collect(),
+            previous: None,
+            from_start: false,
+            run_time: false,
+            skip_reason: None,
+            from_search: false,
+        })
+    }
+
+    /// Keeps the words of a motion that has no reason to stay, where names alone stand beside its target: those mean the same in
+    /// the next one.
+    pub(super) fn keep_as_last(
+        &mut self,
+        site: &MotionSite<'a>,
+        args: &MoveArgs<'a>,
+        state: Option<&State>,
+        motion: &Motion,
+    ) {
+        self.last = None;
+        let index = self.evaluator.index;
+        let (ctx, range) = (site.ctx(index), site.stmt.range);
+        let frames = [args.speed, args.zone, args.tool].into_iter().flatten();
+        let values = frames.chain(args.options.iter().filter_map(|(_, value)| *value));
+        let names_alone = args.conditional.is_empty() && values.into_iter().all(|e| e.kind == ExprKind::Name);
+        if !names_alone || motion.skip_reason.is_some() || motion.setup.path == Path::AbsJoint {
+            return;
+        }
+        let (Some(state), Some(expr)) = (state, inline_target(site)) else { return };
+        let text = |from: u32, to: u32| index.text(ctx.file, TextRange::new(from, to));
+        self.last = Some(Last {
+            ctx,
+            nest: site.nest,
+            state,
+            before: text(range.start, expr.range.start),
+            behind: text(expr.range.end, range.end),
+            setup: Arc::clone(&motion.setup),
+        });
+    }
+}
+
+/// The only target of a motion, its first argument, where that is an aggregate of numbers.
+fn inline_target<'a>(site: &MotionSite<'a>) -> Option<&'a Expr> {
+    let StmtKind::Call(call) = &site.stmt.kind else { return None };
+    match &call.args.first()?.kind {
+        ArgKind::Positional(expr) if expr.kind == ExprKind::Numbers && *site.form.targets == [0] => {
+            Some(expr)
+        }
+        _ => None,
+    }
+}
