@@ -425,6 +425,37 @@ fn a_loop_that_is_left_from_inside_goes_on_behind_it() {
 }
 
 #[test]
+fn a_loop_that_a_called_routine_leaves_goes_on_until_it_does() {
+    for (body, step, n) in [
+        ("WHILE TRUE DO\nonce;\nENDWHILE\nn:=0;", "n:=n+1;\nIF n>5 EXIT;", 6.0),
+        // Two calls deep, and the way there decides as well.
+        ("WHILE TRUE DO\nn:=n+1;\nIF n>5 deeper;\nENDWHILE\nn:=0;", "EXIT;", 6.0),
+        // The loop's routine handles what the called one raises.
+        (
+            "WHILE TRUE DO\nonce;\nENDWHILE\nn:=0;\nERROR\nn:=n+100;\nRETURN;",
+            "n:=n+1;\nIF n>5 RAISE ERR_ARGVALERR;",
+            106.0,
+        ),
+        // What decides is handed over.
+        ("VAR num k:=0;\nWHILE TRUE DO\nk:=k+1;\nn:=k;\ncheck k;\nENDWHILE\nn:=0;", "EXIT;", 6.0),
+        ("again:\nonce;\nGOTO again;", "n:=n+1;\nIF n>5 EXIT;", 6.0),
+        // What stays as it is ends nothing, and a RETURN leaves the called routine alone.
+        ("WHILE TRUE DO\nonce;\nENDWHILE\nn:=0;", "n:=n+1;\nIF diStop=1 OR m>5 EXIT;", 1.0),
+        ("WHILE TRUE DO\nonce;\nENDWHILE\nn:=0;", "n:=n+1;\nIF n>5 RETURN;", 1.0),
+        // Routines that call each other.
+        ("WHILE TRUE DO\ncircle;\nENDWHILE\nn:=0;", "n:=n+1;\nIF n>5 EXIT;\nIF m>0 circle;", 6.0),
+    ] {
+        let text = format!(
+            "MODULE M\nPERS num n:=0;\nPERS num m:=0;\nPROC main()\n{body}\nENDPROC\nPROC once()\n{step}\nENDPROC\n\
+             PROC deeper()\nonce;\nENDPROC\nPROC circle()\nonce;\nENDPROC\nPROC check(num k)\nIF k>5 once;\nENDPROC\nENDMODULE"
+        );
+        let mut c = controller(&text);
+        c.call("main", 1).unwrap();
+        assert_eq!(c.number("n").unwrap(), n, "{body} {step}");
+    }
+}
+
+#[test]
 fn modules_are_loaded_and_vanish() {
     let mut c = controller(
         r#"MODULE M

@@ -102,8 +102,8 @@ pub(super) enum Op {
     Assign(Expr, Expr),
     Call(Rc<Call>),
     Jump(usize),
-    /// The beginning of a loop that only what stands in its body may end: what decides on that.
-    LoopEnter(Rc<[Expr]>),
+    /// The beginning of a loop that only what stands in its body may end: how it does.
+    LoopEnter(Rc<Exits>),
     /// The end of an endless loop's body: jump back and count a pass.
     LoopBack(usize),
     JumpUnless(Expr, usize),
@@ -141,6 +141,17 @@ pub(super) enum Op {
     Unknown(Rc<str>),
     /// The end of an ERROR handler or of the routine.
     End,
+}
+
+/// How a loop's body leaves the loop, or a routine what calls it.
+#[derive(Debug)]
+pub(super) struct Exits {
+    /// It does on some way.
+    pub leaves: bool,
+    /// What decides on the ways there.
+    pub deciding: Vec<Expr>,
+    /// Procedures that are called and may leave in turn, with what decides on the way there and what is handed over.
+    pub calls: Vec<(Name, Vec<Expr>)>,
 }
 
 /// An operation and where it stands in the source.
@@ -183,6 +194,8 @@ pub(super) struct Code {
     pub instructions: Vec<Instruction>,
     /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
     pub handlers: Vec<(Vec<Expr>, usize)>,
+    /// How its statements leave what calls it.
+    pub exits: Exits,
     /// Where the BACKWARD section begins.
     pub backward: Option<usize>,
 }

@@ -1,9 +1,9 @@
 //! From the tree of a routine to the flat form it is executed in.
 
 use super::code::{
-    Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, Name, NameRef, Op, Param,
+    Arg, Call, Callee, Code, Exits, Expr, ExprKind, Instruction, LocalDecl, Name, NameRef, Op, Param,
 };
-use super::exits::exits;
+use super::exits;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree;
 use rapid_syntax::{SourceFile, number_value, parts_of_numbers, string_value};
@@ -47,6 +47,7 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
         .collect();
     c.block(&routine.body);
     c.push(Op::End, TextRange::empty(routine.range.end));
+    let exits = c.exits(&exits::of_routine(&routine.body));
     let mut handlers = Vec::new();
     let mut backward = None;
     for handler in &routine.handlers {
@@ -62,7 +63,7 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
         c.push(Op::End, TextRange::empty(handler.range.end));
     }
     c.resolve_gotos();
-    Code { params, decls: c.decls, slots: c.slots, instructions: c.instructions, handlers, backward }
+    Code { params, decls: c.decls, slots: c.slots, instructions: c.instructions, handlers, exits, backward }
 }
 
 struct Compiler<'f> {
@@ -265,10 +266,16 @@ impl<'f> Compiler<'f> {
             }
             _ => None,
         };
-        let deciding: Vec<Expr> = exits(body, &label).into_iter().map(|expr| self.expr(expr)).collect();
-        if !deciding.is_empty() {
-            self.push(Op::LoopEnter(deciding.into()), range);
+        let exits = self.exits(&exits::of_loop(body, &label));
+        if !exits.deciding.is_empty() || !exits.calls.is_empty() {
+            self.push(Op::LoopEnter(exits.into()), range);
         }
+    }
+
+    fn exits(&self, found: &exits::Exits<'_>) -> Exits {
+        let all = |of: &[&tree::Expr]| of.iter().map(|expr| self.expr(expr)).collect();
+        let calls = found.calls.iter().map(|(name, way)| (lower_case_name(self.file, *name), all(way)));
+        Exits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
     }
 
     fn declaration(&mut self, decl: &tree::DataDecl) {

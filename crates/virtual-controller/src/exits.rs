@@ -1,28 +1,52 @@
 //! How a loop that its own condition never ends is left from inside: what decides on the way to each exit.
 
-use rapid_syntax::tree::{Expr, IfStmt, Stmt, StmtKind};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{ArgKind, Callee, Expr, IfStmt, Stmt, StmtKind};
 use std::collections::BTreeSet;
 
-/// What decides whether a loop's body leaves the loop: by RETURN, EXIT, RAISE or a GOTO to a label outside.
+/// How a body is left.
+#[derive(Debug, Default)]
+pub(super) struct Exits<'t> {
+    /// It is left on some way.
+    pub leaves: bool,
+    /// What decides on the ways to where it is left.
+    pub deciding: Vec<&'t Expr>,
+    /// Calls of procedures, which may leave it in turn: the name, and what decides on the way there and what is handed over.
+    pub calls: Vec<(TextRange, Vec<&'t Expr>)>,
+}
+
+/// How a loop's body leaves the loop: by RETURN, EXIT, RAISE or a GOTO to a label outside.
 ///
 /// `label` gives a label's name the same for every spelling.
-pub(super) fn exits<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> Vec<&'t Expr> {
+pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> Exits<'t> {
     let mut inside = BTreeSet::new();
     labels(body, label, &mut inside);
-    let mut found = Found { inside, label, way: Vec::new(), out: Vec::new() };
+    let jumps_out = |stmt: &Stmt| match stmt.kind {
+        StmtKind::Return(_) => true,
+        StmtKind::Goto(_) => label(stmt).is_some_and(|to| !inside.contains(&to)),
+        _ => false,
+    };
+    let mut found = Found { jumps_out, way: Vec::new(), out: Exits::default() };
     found.block(body);
     found.out
 }
 
-struct Found<'t, 'l, L> {
-    inside: BTreeSet<String>,
-    label: &'l L,
-    /// What has decided on the way to the present statement.
-    way: Vec<&'t Expr>,
-    out: Vec<&'t Expr>,
+/// How a routine's body leaves what calls it: by EXIT or RAISE.
+pub(super) fn of_routine(body: &[Stmt]) -> Exits<'_> {
+    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: Exits::default() };
+    found.block(body);
+    found.out
 }
 
-impl<'t, L: Fn(&Stmt) -> Option<String>> Found<'t, '_, L> {
+struct Found<'t, J> {
+    /// Whether a RETURN or GOTO leaves.
+    jumps_out: J,
+    /// What has decided on the way to the present statement.
+    way: Vec<&'t Expr>,
+    out: Exits<'t>,
+}
+
+impl<'t, J: Fn(&Stmt) -> bool> Found<'t, J> {
     fn block(&mut self, body: &'t [Stmt]) {
         for stmt in body {
             self.statement(stmt);
@@ -32,9 +56,16 @@ impl<'t, L: Fn(&Stmt) -> Option<String>> Found<'t, '_, L> {
     fn statement(&mut self, stmt: &'t Stmt) {
         let before = self.way.len();
         match &stmt.kind {
-            StmtKind::Return(_) | StmtKind::Raise(_) | StmtKind::Exit => self.out.extend(&self.way),
-            StmtKind::Goto(_) if (self.label)(stmt).is_some_and(|to| !self.inside.contains(&to)) => {
-                self.out.extend(&self.way);
+            StmtKind::Raise(_) | StmtKind::Exit => self.leave(),
+            _ if (self.jumps_out)(stmt) => self.leave(),
+            StmtKind::Call(call) => {
+                if let Callee::Name(name) = call.callee {
+                    let handed = call.args.iter().filter_map(|arg| match &arg.kind {
+                        ArgKind::Positional(value) | ArgKind::Named { value: Some(value), .. } => Some(value),
+                        ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
+                    });
+                    self.out.calls.push((name, self.way.iter().copied().chain(handed).collect()));
+                }
             }
             StmtKind::While(looped) => self.way.push(&looped.cond),
             StmtKind::For(looped) => self.way.extend([&looped.from, &looped.to]),
@@ -47,6 +78,11 @@ impl<'t, L: Fn(&Stmt) -> Option<String>> Found<'t, '_, L> {
             self.block(body);
         }
         self.way.truncate(before);
+    }
+
+    fn leave(&mut self) {
+        self.out.leaves = true;
+        self.out.deciding.extend(&self.way);
     }
 }
 

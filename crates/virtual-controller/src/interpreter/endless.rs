@@ -1,12 +1,14 @@
 //! Loops that wait for what nothing here brings about: found, and named, instead of being run for ever.
 
 use super::Interpreter;
-use crate::code::{Arg, Expr, ExprKind, Instruction, NameRef, Op};
-use crate::machine::{Access, DataRef};
+use crate::code::{Arg, Exits, Expr, ExprKind, Instruction, NameRef, Op};
+use crate::machine::{Access, DataRef, Deciding};
 use crate::outcome::{Fault, Outcome};
 use crate::predefined;
 use crate::value::Value;
 use rapid_syntax::diagnostic::TextRange;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// A loop is looked at each time that it was passed so often.
 const LOOKED_AT: u64 = 8;
@@ -25,6 +27,23 @@ pub(super) enum Waiting {
     Still,
     /// Nothing changes that its conditions ask for, for long; whether it moves the arm.
     Long { moves: bool },
+}
+
+/// The ways out of a loop, as they are collected.
+struct Ways {
+    asked: Vec<(Option<usize>, Expr)>,
+    /// Of routines that were looked at: whether they leave what calls them.
+    leaving: BTreeMap<usize, bool>,
+}
+
+impl Ways {
+    fn ask(&mut self, expressions: &[Expr], of: Option<usize>) {
+        let mut found = Vec::new();
+        expressions.iter().for_each(|expr| leaves(expr, &mut found));
+        // Locals of a routine that is not in execution are worth nothing yet.
+        let is_there = |leaf: &&&Expr| of.is_none() || matches!(leaf.kind, ExprKind::Name(_));
+        self.asked.extend(found.iter().filter(is_there).map(|leaf| (of, (*leaf).clone())));
+    }
 }
 
 impl Interpreter<'_> {
@@ -64,19 +83,55 @@ impl Interpreter<'_> {
     /// is left from inside: a loop whose exits ask for what stays as it is counts as endless.
     pub(super) fn nears_its_end(&mut self, top: usize) -> bool {
         let Some(frame) = self.machine.stack.frames.last() else { return false };
-        let Some(Op::LoopEnter(deciding)) = frame.code.instructions.get(top).map(|i| i.op.clone()) else {
+        let Some(asked) = frame.deciding.get(&top).map(|deciding| deciding.asked.clone()) else {
             return false;
         };
-        let now = self.deciding(&deciding);
+        let now = self.worth(&asked);
         let Some(frame) = self.machine.stack.frames.last_mut() else { return false };
-        frame.deciding.insert(top, now.clone()).is_some_and(|before| before != now)
+        let Some(deciding) = frame.deciding.get_mut(&top) else { return false };
+        std::mem::replace(&mut deciding.values, now.clone()) != now
     }
 
-    /// What the names in expressions are worth now.
-    pub(super) fn deciding(&mut self, expressions: &[Expr]) -> Vec<Option<Value>> {
-        let mut asked = Vec::new();
-        expressions.iter().for_each(|expr| leaves(expr, &mut asked));
-        asked.into_iter().map(|leaf| self.present(leaf)).collect()
+    /// What decides whether the loop at whose beginning the program is is left from inside, by itself or by what it calls.
+    pub(super) fn deciding(&mut self, exits: &Exits) -> Deciding {
+        let mut ways = Ways { asked: Vec::new(), leaving: BTreeMap::new() };
+        self.ways_out(exits, (self.machine.stack.scope.0, None), &mut ways);
+        let asked: Rc<[_]> = ways.asked.into();
+        let values = self.worth(&asked);
+        Deciding { asked, values }
+    }
+
+    /// Collects what decides on the ways out of a body whose names are those of a module, and of what it calls; whether there
+    /// is one. Names are looked up in `of`, `None` for those of the routine in execution.
+    fn ways_out(&self, exits: &Exits, (module, of): (usize, Option<usize>), ways: &mut Ways) -> bool {
+        ways.ask(&exits.deciding, of);
+        let mut leaves = exits.leaves;
+        for (name, way) in &exits.calls {
+            let Some(callee) = self.program.routine(module, name) else { continue };
+            let known = ways.leaving.get(&callee).copied();
+            let callee_leaves = known.unwrap_or_else(|| {
+                ways.leaving.insert(callee, false); // a circle of calls adds nothing
+                let Some(code) = self.program.code(callee) else { return false };
+                let home = self.program.module_of(callee);
+                let leaves = self.ways_out(&code.exits, (home, Some(home)), ways);
+                ways.leaving.insert(callee, leaves);
+                leaves
+            });
+            if callee_leaves {
+                leaves = true;
+                ways.ask(way, of);
+            }
+        }
+        leaves
+    }
+
+    /// What names are worth now.
+    fn worth(&mut self, asked: &[(Option<usize>, Expr)]) -> Vec<Option<Value>> {
+        let one = |(module, leaf): &(Option<usize>, Expr)| match module {
+            None => self.present(leaf),
+            Some(module) => self.in_module(*module, |c| c.present(leaf)),
+        };
+        asked.iter().map(one).collect()
     }
 
     /// The end of a run in a loop that waits in vain: the loop from `to` to the operation in work.

@@ -72,10 +72,10 @@ impl Interpreter<'_> {
                 self.machine.stack.jump(*to);
                 Ok(())
             }
-            Op::LoopEnter(deciding) => {
-                let values = self.deciding(deciding);
+            Op::LoopEnter(exits) => {
+                let deciding = self.deciding(exits);
                 if let Some(frame) = self.machine.stack.frames.last_mut() {
-                    frame.deciding.insert(frame.current, values);
+                    frame.deciding.insert(frame.current, deciding);
                 }
                 Ok(())
             }

@@ -1,7 +1,7 @@
 //! The call stack: routines in execution, their parameters and locals.
 
 use super::DataRef;
-use crate::code::{Code, Name};
+use crate::code::{Code, Expr, Name};
 use crate::effort::Effort;
 use crate::value::{Type, Value};
 use std::collections::BTreeMap;
@@ -51,9 +51,18 @@ pub(crate) struct Frame {
     /// Passes of each endless loop, by the instruction that jumps back.
     pub passes: BTreeMap<usize, u64>,
     /// What decides whether a loop is left, when its present pass began, by the loop's first instruction.
-    pub deciding: BTreeMap<usize, Vec<Option<Value>>>,
+    pub deciding: BTreeMap<usize, Deciding>,
     /// What is known of each loop that may wait in vain, by the instruction that jumps back.
     pub polls: BTreeMap<usize, Poll>,
+}
+
+/// What decides whether a loop is left from inside.
+#[derive(Debug)]
+pub(crate) struct Deciding {
+    /// The names that it hangs on, each with the module in which it is looked up; `None`: in the loop's own routine.
+    pub asked: Rc<[(Option<usize>, Expr)]>,
+    /// What they were worth when the present pass began; `None` where that takes work to find out.
+    pub values: Vec<Option<Value>>,
 }
 
 /// A loop that may wait for what never comes.
