@@ -126,9 +126,13 @@ impl Pending {
 /// `output::unwritable`, which says what was written until then.
 pub fn place_all(mut files: Vec<Pending>) -> Result<(), Diagnostic> {
     files.sort_by_key(|file| !file.is_through());
-    let _uninterrupted = placing();
+    // A pipe may wait for its reader for ever; until a file is in its place an interruption leaves nothing.
+    let mut uninterrupted = None;
     let mut written: Vec<String> = Vec::new();
     for file in files {
+        if !file.is_through() && uninterrupted.is_none() {
+            uninterrupted = Some(placing());
+        }
         let path = file.path().display().to_string();
         if let Err(mut said) = file.place() {
             said.help = Some(match written.as_slice() {

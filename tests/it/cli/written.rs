@@ -2,6 +2,7 @@
 
 use super::{Bench, CUBE, driftpost, err, out};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 /// A program of tens of thousands of moves is large enough to be interrupted in the middle.
 fn large(moves: usize) -> String {
@@ -90,6 +91,42 @@ fn an_interrupted_run_leaves_nothing_and_a_killed_one_what_the_next_takes_away()
     let small = driftpost(&["compensate", CUBE, "-o", &result, "--diff", "none"]);
     assert_eq!(small.status.code(), Some(0), "{}", err(&small));
     assert_eq!(bench.files(), ["in/Large.mod", "out/deep/Large.mod"]);
+}
+
+/// Nobody reads the pipe: the run waits for that with its results beside their places, and an interruption ends it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_that_waits_for_the_reader_of_a_pipe_can_be_interrupted() {
+    let bench = Bench::default();
+    let (pipe, result) = (bench.path("pipe"), bench.path("Cube.mod").display().to_string());
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+        .args(["compensate", CUBE, "-o", &result, "--diff", "none", "--json", &pipe.display().to_string()])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let begun = std::time::Instant::now();
+    while bench.files() == ["pipe"] && begun.elapsed().as_secs() < 60 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it came to the pipe");
+    }
+    // What is left to do before the pipe takes some milliseconds.
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let asked = std::time::Instant::now();
+    let ended = loop {
+        if let Some(ended) = child.try_wait().unwrap() {
+            break Some(ended);
+        }
+        if asked.elapsed().as_secs() >= 10 {
+            child.kill().unwrap();
+            child.wait().unwrap();
+            break None;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    assert_eq!(ended.and_then(|ended| ended.code()), Some(130));
+    assert_eq!(bench.files(), ["pipe"]);
 }
 
 #[test]
