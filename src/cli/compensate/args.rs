@@ -13,7 +13,7 @@ use crate::cli::shared::{JointAngles, RobotName, name_and_value};
 use crate::cli::suggest;
 use clap::ValueEnum;
 use driftpost::application::{Compensation, Named};
-use rapid_program::compensate::{FormChoice, Options, Selection};
+use rapid_program::compensate::{FormChoice, JointsHint, Options, Selection};
 use rapid_program::emit::{Clock, Core, EmitOptions, Sensor};
 use rapid_program::program::Overrides;
 use rapid_program::schedule::{Until, Width};
@@ -41,7 +41,7 @@ pub struct Args {
         long,
         value_name = "TASK=ROBOT[,DEFORMATION]",
         value_parser = task_robot,
-        conflicts_with_all = ["robot", "deformation", "model", "joints_hint", "touch", "in_place"],
+        conflicts_with_all = ["robot", "deformation", "model", "touch", "in_place"],
         help_heading = "Robot and deformation"
     )]
     pub task: Vec<TaskRobot>,
@@ -408,8 +408,13 @@ impl Args {
         let start = given_for("--start-joints", &self.start_joints, &self.task, of_task)?;
         let home = given_for("--home", &self.home, &self.task, of_task)?.cloned();
         let start_rad = start.map(|joints| joints.0);
+        let mut options = Options { start_rad, ..self.options(identified.as_ref())? };
+        if let (Some(of), Some(hint)) = (of_task, &mut options.joints_hint) {
+            let others = self.task.iter().filter(|other| *other != of).map(|other| other.task.clone());
+            *hint = Arc::new(JointsHint::clone(hint).without_tasks(others.collect()));
+        }
         Ok(Compensation {
-            options: Options { start_rad, ..self.options(identified.as_ref())? },
+            options,
             emit: self.emit_options(&robot, &deformation, identified.as_ref())?,
             overrides: Overrides { task: of_task.map(|of| of.task.clone()), home, ..self.overrides() },
             allow_non_nominal: self.allow_non_nominal,

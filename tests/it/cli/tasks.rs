@@ -189,6 +189,62 @@ fn tasks_that_are_not_named_or_hold_no_motion_are_refused() {
     assert!(both.contains("cannot be used with"), "{both}");
 }
 
+/// A row of the hint belongs to the task that its file stands in, and is looked up there alone.
+#[test]
+fn joints_known_from_outside_are_a_tasks_own() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let loose = PRESS
+        .replace("    MoveAbsJ jHome,v500,fine,tGrip;\n    MoveJ pIn", "    ConfL \\Off;\n    MoveL pIn");
+    // From nowhere the configuration as it is written counts.
+    let loose = loose.replace("[0,0,-1,0]", "[0,0,0,0]");
+    bench.file("backup/RAPID/TASK2/PROGMOD/Press.mod", &loose);
+    let second = format!("TASK2={LARGE},{}", bench.file("drift2.csv", TABLE));
+    let to = |name: &str| bench.path(name).display().to_string();
+    let run = |rest: &[&str]| {
+        let tasks = ["compensate", &source, "--task", "TASK1=irb140", "--task", &second, "--growth"];
+        let results = ["two-stage:60", "-o", &to("out"), "--force", "--diff", "none"];
+        driftpost(&[&tasks[..], &results, &["--joints-csv", &to("joints.csv")], rest].concat())
+    };
+    // The joints of pIn at minute 0, when nothing is deformed.
+    let p_in = || {
+        let table = bench.text("joints.csv");
+        let row = table.lines().find(|row| row.starts_with("pIn,")).unwrap().to_owned();
+        let cells: Vec<f64> = row.split(',').skip(4).take(6).map(|cell| cell.parse().unwrap()).collect();
+        cells
+    };
+    let output = run(&[]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let written = p_in();
+    // The other wrist: axes 4 and 6 half a turn on, axis 5 turned over.
+    let mut other = written.clone();
+    (other[3], other[4], other[5]) = (written[3] - 180.0, -written[4], written[5] + 180.0);
+    let row = |file: &str, line: u32, q_deg: &[f64]| {
+        let joints: Vec<String> = q_deg.iter().map(f64::to_string).collect();
+        format!("{file},{line},{}\n", joints.join(","))
+    };
+    let head = "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
+    let cube = fs::read_to_string(CUBE).unwrap();
+    let (first, line) = cube.lines().enumerate().find(|(_, line)| line.contains("MoveAbsJ")).unwrap();
+    let start = line.split_once("[[").unwrap().1.split_once(']').unwrap().0;
+    let start: Vec<f64> = start.split(',').map(|q| q.trim().parse().unwrap()).collect();
+    let cube = row("TASK1/PROGMOD/Cube45.mod", first as u32 + 1, &start);
+    let hint = bench.file("hint.csv", format!("{head}{cube}{}", row("TASK2/PROGMOD/Press.mod", 9, &other)));
+    let output = run(&["--joints-hint", &hint]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let hinted = p_in();
+    assert!(
+        hinted.iter().zip(&other).all(|(a, b)| ((a - b + 540.0) % 360.0 - 180.0).abs() < 1e-3),
+        "{hinted:?}"
+    );
+    for wrong in [row("TASK2/PROGMOD/Press.mod", 1, &other), row("TASK3/PROGMOD/Press.mod", 9, &other)] {
+        let hint = bench.file("hint.csv", format!("{head}{wrong}"));
+        let output = run(&["--joints-hint", &hint]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}: {}", out(&output));
+        assert!(err(&output).contains("hint::line"), "{wrong}: {}", err(&output));
+    }
+}
+
 /// Where each arm stands at its entry, by a jointtarget of its own task or by angles; of one name in both tasks each has its own.
 #[test]
 fn home_and_start_joints_are_a_tasks_own() {

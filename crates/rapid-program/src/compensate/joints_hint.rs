@@ -2,7 +2,7 @@
 //!
 //! Knows nothing of arms: what a row says is checked where the motion it belongs to is placed.
 
-use crate::program::Program;
+use crate::program::{Program, is_of_task};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use rapid_syntax::diagnostic::{Diagnostic, LineIndex, counted};
 use robot_model::units::rad_from_deg;
@@ -13,6 +13,8 @@ use thiserror::Error;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointsHint {
     rows: Vec<HintRow>,
+    /// Tasks whose motions are another robot's: rows that name their files are left to its hint.
+    elsewhere: Vec<String>,
 }
 
 /// One row: the joints at one target of one motion.
@@ -128,7 +130,13 @@ impl JointsHint {
         if rows.is_empty() {
             return Err(JointsHintError::Csv { line: 1, message: "there are no rows".to_owned() });
         }
-        Ok(Self { rows })
+        Ok(Self { rows, elsewhere: Vec::new() })
+    }
+
+    /// The same for one of several robots: rows in the files of the tasks `elsewhere` are not its own.
+    #[must_use]
+    pub fn without_tasks(self, elsewhere: Vec<String>) -> Self {
+        Self { elsewhere, ..self }
     }
 
     /// The rows by the motions that they belong to.
@@ -143,6 +151,9 @@ impl JointsHint {
         let mut rows: BTreeMap<(usize, u32), Vec<Hinted>> = BTreeMap::new();
         for row in &self.rows {
             let file = file_of(program, row)?;
+            if self.elsewhere.iter().any(|task| is_of_task(&program.files[file].path, Some(task))) {
+                continue;
+            }
             rows.entry((file, row.line)).or_default().push(row.joints);
         }
         let mut hints = Hints::new();
