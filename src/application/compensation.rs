@@ -371,6 +371,7 @@ fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<SkipReason>>
     let (code, text) = (error.code(), error.to_string());
     let (mut messages, kept) = match error {
         CompensateError::NothingToCompensate { diagnostics, kept, .. } => (diagnostics, kept),
+        CompensateError::NoDrift { diagnostics, .. } => (diagnostics, Vec::new()),
         _ => (Vec::new(), Vec::new()),
     };
     messages.push(Diagnostic::error(code, text));

@@ -318,7 +318,9 @@ fn a_table_that_cannot_be_a_robots_is_named_or_refused() {
     };
     let cube =
         ProgramFiles::one("Cube45.mod", include_bytes!("../../fixtures/robodk/irc5/Cube45.mod").to_vec());
-    assert_eq!(error_codes(&refusal(&with("metres.csv"), &cube)), ["compensate::no-drift"]);
+    let metres = refusal(&with("metres.csv"), &cube);
+    assert_eq!(error_codes(&metres), ["compensate::no-drift"]);
+    assert!(metres.messages.iter().any(|m| m.diagnostic.code == "deform::small"), "{:?}", metres.messages);
     assert_eq!(error_codes(&refusal(&with("zero.csv"), &cube)), ["deform::nothing"]);
     let large = refusal(&with("large.csv"), &cube);
     assert!(error_codes(&large).contains(&"refuse::correction"));

@@ -59,6 +59,8 @@ pub enum CompensateError {
         drift_mm: f64,
         /// The tolerance asked for, mm.
         tolerance_mm: f64,
+        /// What there is to be said about the table or the model.
+        diagnostics: Vec<Diagnostic>,
     },
     /// There is no motion.
     #[error("the program holds no motion")]

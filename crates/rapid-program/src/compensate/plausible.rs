@@ -74,7 +74,8 @@ pub(super) fn check_drift(
     let drift_m = summary.worst_before_m;
     let [tolerance_mm, drift_mm] = [tolerance_m, drift_m].map(mm_from_m);
     if drift_m <= tolerance_m {
-        return Err(CompensateError::NoDrift { drift_mm, tolerance_mm });
+        let diagnostics = std::mem::take(messages).finish();
+        return Err(CompensateError::NoDrift { drift_mm, tolerance_mm, diagnostics });
     }
     if tolerance_m > drift_m / 2.0 {
         let text = format!(
