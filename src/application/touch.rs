@@ -52,9 +52,9 @@ impl TouchRequest {
     ) -> Result<Touch, Diagnostic> {
         Self::of_one_law(arm)?;
         let point = program.fixed_point(overrides, self.point.each_ref().map(String::as_str))?;
-        let radius_m = match &self.by {
-            TouchBy::Search { radius_m, .. } => *radius_m,
-            TouchBy::Routine(_) => 0.0,
+        let (radius_m, routine) = match &self.by {
+            TouchBy::Search { radius_m, .. } => (*radius_m, None),
+            TouchBy::Routine(name) => (0.0, program.local_procedure(name)),
         };
         let TouchReference { q_rad, cold_m, settled_m } = TouchReference::of(&point, radius_m, arm)?;
         let conf = point.target.conf;
@@ -64,7 +64,7 @@ impl TouchRequest {
             by: self.by.clone(),
             sigma_m: self.sigma_m,
             log: self.log,
-            local: point.local,
+            local: point.local.into_iter().chain(routine).collect(),
             frames: TouchFrames {
                 object_from_tcp: point.target.object_from_tcp,
                 conf: [conf.cf1, conf.cf4, conf.cf6, conf.cfx],

@@ -1,8 +1,9 @@
 //! What is refused leaves the state as it is.
 
-use super::{Cell, TABLE_TAU_MIN, Truth, emitted, search};
+use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, emitted, job, search};
+use driftpost::ProgramFiles;
 use rapid_program::compensate::FormChoice;
-use rapid_program::emit::TouchBy;
+use rapid_program::emit::{Core, TouchBy};
 use robot_model::deform::GrowthLaw;
 
 const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
@@ -63,6 +64,37 @@ fn a_wrong_first_state_is_right_after_two_touches() {
             assert!(worst < 0.02 && (age - 1.0).abs() < 0.1, "{form:?} {start} {worst} {said} {age}");
         }
     }
+}
+
+/// What the module with `tcTouch` cannot see is not called there: a controller would refuse to run it.
+#[test]
+fn a_routine_that_is_local_to_another_module_is_refused() {
+    let (head, tail) = SOURCE.split_once("  PROC probe(").unwrap();
+    let (probe, end) = tail.split_once("ENDPROC\n").unwrap();
+    let refused = |scope: &str, own: bool, core: Core| {
+        let probe = format!("  {scope}PROC probe({probe}ENDPROC\n");
+        let (cell, tools) = match own {
+            true => (format!("{head}{probe}{end}"), "MODULE Tools\nENDMODULE\n".to_owned()),
+            false => (format!("{head}{end}"), format!("MODULE Tools\n{probe}ENDMODULE\n")),
+        };
+        let program = ProgramFiles::new(
+            [("Cell.mod", cell), ("Tools.mod", tools)]
+                .map(|(name, text)| (name.to_owned(), text.into_bytes())),
+        );
+        let mut job = job(FormChoice::Ramp, LAW, Some((TouchBy::Routine("Probe".into()), 0.02)));
+        job.emit.core = Some(core);
+        let refusal = job.run(&program).err()?;
+        let message = &refusal.messages.last().unwrap().diagnostic;
+        assert_eq!(message.code, "touch::clock");
+        Some(message.message.clone())
+    };
+    assert_eq!(refused("", false, Core::Embedded), None);
+    assert_eq!(refused("", false, Core::Separate), None);
+    assert_eq!(refused("LOCAL ", true, Core::Embedded), None);
+    let said = refused("LOCAL ", false, Core::Embedded).unwrap();
+    assert!(said.contains("Probe is LOCAL to its module, and the module that gets tcTouch"), "{said}");
+    let said = refused("LOCAL ", true, Core::Separate).unwrap();
+    assert!(said.contains("and tcCore cannot see it"), "{said}");
 }
 
 /// A cell whose program finds the point by a routine of its own, which says what `pSeen` holds.
@@ -177,7 +209,7 @@ fn a_point_that_is_not_found_and_a_displacement_are_refused() {
 fn it_is_taken_out_again_and_nothing_else_differs() {
     let folder = tempfile::tempdir().unwrap();
     let cell = folder.path().join("Cell.mod");
-    std::fs::write(&cell, super::SOURCE).unwrap();
+    std::fs::write(&cell, SOURCE).unwrap();
     for (form, by) in [("schedule", "signal"), ("ramp", "routine"), ("live", "signal"), ("auto", "routine")] {
         let out = folder.path().join(format!("{form}.mod"));
         let driftpost = |args: &[&str]| {
@@ -197,7 +229,7 @@ fn it_is_taken_out_again_and_nothing_else_differs() {
         let back = format!("back_{form}.mod");
         driftpost(&["restore", &out, "-o", &back]);
         let restored = std::fs::read(folder.path().join(&back)).unwrap();
-        assert_eq!(restored, super::SOURCE.as_bytes(), "{form}");
+        assert_eq!(restored, SOURCE.as_bytes(), "{form}");
     }
 }
 

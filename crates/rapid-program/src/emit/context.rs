@@ -11,8 +11,8 @@ use super::scale::Scaled;
 use super::touch::ROOM;
 use crate::compensate::LiveBasis;
 use crate::compensate::plan::{Corrected, Corrections, Form, Plan, PlannedTarget, Status, Totals};
-use crate::program::Program;
 use crate::program::motion::Target;
+use crate::program::{LocalName, Program};
 use crate::schedule::{Bucket, Moment};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::FileId;
@@ -59,11 +59,13 @@ impl<'e> EmitContext<'e> {
         changes: &Changes,
     ) -> Result<Self, EmitError> {
         let totals = Totals::of(program, plan);
-        if let Some(name) = options.touch.as_ref().and_then(|touch| touch.local.first())
-            && core == Core::Separate
-        {
+        let sees =
+            |local: &LocalName| core == Core::Embedded && changes.keys().all(|at| local.modules.contains(at));
+        let mut local = options.touch.iter().flat_map(|touch| &touch.local);
+        if let Some(LocalName { name, .. }) = local.find(|local| !sees(local)) {
+            let whose = if core == Core::Separate { "tcCore" } else { "the module that gets tcTouch" };
             let why =
-                format!("{name} is LOCAL to its module, and tcCore cannot see it: declare it without LOCAL");
+                format!("{name} is LOCAL to its module, and {whose} cannot see it: declare it without LOCAL");
             return Err(EmitError::CannotTouch(why));
         }
         let text = core_text((program, plan), options, law, (&totals, changes))?;

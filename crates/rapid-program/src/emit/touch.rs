@@ -4,6 +4,7 @@
 //! carries on how the lags depend on what was known at the last touch, so that a touch needs no history.
 
 use super::number::{num, pose};
+use crate::program::LocalName;
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::thermal_filter as filter;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -35,8 +36,8 @@ pub struct Touch {
     pub sigma_m: f64,
     /// Each touch is written to a file in HOME, as `driftpost state` reads it.
     pub log: bool,
-    /// Those of the three that are LOCAL to their module.
-    pub local: Vec<String>,
+    /// Those of the three, and of the routine, that are LOCAL to their modules.
+    pub local: Vec<LocalName>,
     /// Target, tool and work object as they were reckoned with.
     pub frames: TouchFrames,
     /// Nominal joints at the point, radians.

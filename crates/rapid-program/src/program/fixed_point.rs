@@ -3,14 +3,15 @@
 use super::const_eval::ConstEvaluator;
 use super::convert::{self, NotThat};
 use super::data::{RobTarget, ToolData, WobjData};
-use super::index::Index;
+use super::index::{Ctx, Datum, Index, RoutineEntry};
 use super::motion::MotionSetup;
 use super::names::lower_case;
 use super::predefined::predefined;
 use super::value::Value;
 use super::writes::Writes;
 use super::{Overrides, Program};
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use rapid_syntax::tree::{RoutineKind, Scope};
 
 /// A target, its tool and its work object, as the program has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +23,16 @@ pub struct FixedPoint {
     /// The work object that the target stands in.
     pub wobj: WobjData,
     /// Those of the three that are LOCAL to their module.
-    pub local: Vec<String>,
+    pub local: Vec<LocalName>,
+}
+
+/// A name that only modules of their own see.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LocalName {
+    /// The name.
+    pub name: String,
+    /// The modules that declare it: their files, and which of a file's modules it is.
+    pub modules: Vec<(FileId, usize)>,
 }
 
 impl Program {
@@ -43,10 +53,12 @@ impl Program {
         let mut local = Vec::new();
         let mut initial = |name: &str| -> Result<Value, String> {
             let sym = index.names.find(name.as_bytes());
-            let declared = index.data.iter().position(|d| Some(d.name) == sym && d.ctx.routine.is_none());
-            if let Some(datum) = declared {
+            let declared = |d: &&Datum<'_>| Some(d.name) == sym && d.ctx.routine.is_none();
+            let global = index.data.iter().position(|d| declared(&d) && !d.local);
+            if let Some(datum) = global.or_else(|| index.data.iter().position(|d| declared(&d))) {
                 if index.data[datum].local {
-                    local.push(name.to_owned());
+                    let modules = index.data.iter().filter(declared).map(|d| module_at(&index, d.ctx));
+                    local.push(LocalName { name: name.to_owned(), modules: modules.collect() });
                 }
                 return evaluator.initial(datum).map_err(|why| why.reason.clone());
             }
@@ -74,6 +86,27 @@ impl Program {
             local,
         })
     }
+
+    /// A procedure that is called from outside by its name, where none but LOCAL ones have it.
+    #[must_use]
+    pub fn local_procedure(&self, name: &str) -> Option<LocalName> {
+        let index = Index::new(&self.files);
+        let sym = index.names.find(name.as_bytes())?;
+        let is_named =
+            |routine: &&RoutineEntry<'_>| routine.name == sym && routine.tree.kind == RoutineKind::Proc;
+        let named: Vec<&RoutineEntry<'_>> = index.routines.iter().filter(is_named).collect();
+        let all_local = !named.is_empty() && named.iter().all(|routine| routine.tree.scope == Scope::Local);
+        all_local.then(|| LocalName {
+            name: name.to_owned(),
+            modules: named.iter().map(|routine| module_at(&index, routine.ctx)).collect(),
+        })
+    }
+}
+
+/// The file of a module, and which of the file's modules it is.
+fn module_at(index: &Index<'_>, ctx: Ctx) -> (FileId, usize) {
+    let before = index.modules.iter().take(ctx.module).filter(|module| module.file == ctx.file);
+    (ctx.file, before.count())
 }
 
 fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, NotThat>) -> Result<T, String> {

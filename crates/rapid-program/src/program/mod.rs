@@ -46,7 +46,7 @@ mod writes;
 mod written_by;
 
 pub use file_pairs::FilePairs;
-pub use fixed_point::FixedPoint;
+pub use fixed_point::{FixedPoint, LocalName};
 pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 
 use module_facts::Facts;
