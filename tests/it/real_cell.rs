@@ -175,6 +175,51 @@ fn a_target_that_is_read_as_data_is_kept_or_named() {
     assert!(said.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 34")), "{said:?}");
 }
 
+/// PERS and module VAR outlive a cycle: what is used before it is set has, from the second pass on, what was set last.
+#[test]
+fn a_tool_that_is_set_after_its_first_motion_is_no_longer_what_is_declared() {
+    let files = program(&["set_later.mod"]);
+    let of = |form: FormChoice, far: &'static str| {
+        let compensation = compensation().in_form(form);
+        let made = compensation.run(&files).unwrap();
+        let [tool, wobj] =
+            if far == "kept" { ["keep::tool-unknown", "keep::wobj-unknown"] } else { [far; 2] };
+        let expected = [
+            (19, "compensated"), // joints, whatever the tool
+            (20, tool),
+            (21, "compensated"), // half a millimetre needs no other correction
+            (22, "compensated"), // it is set to what it is declared with
+            (23, "compensated"), // what a hand calls is told
+            (25, tool),          // its length is a VAR that is set later
+            (26, wobj),
+            (27, tool), // CalcRobT gives another target with another tool
+            (33, "compensated"),
+        ];
+        assert_eq!(statuses(&made), expected, "{form:?}");
+        let kept_over = messages(&made, "state::pers-kept");
+        let told =
+            ["tFar", "tNear", "wMoved"].map(|name| kept_over.iter().any(|said| said.starts_with(name)));
+        assert_eq!((told, kept_over.len()), ([true; 3], 3), "{kept_over:?}");
+        let by_hand = messages(&made, "state::set-by-hand");
+        assert!(by_hand.len() == 1 && by_hand[0].starts_with("tTaught"), "{by_hand:?}");
+        if far == "kept" {
+            let why = [20, 25, 26, 27].map(|line| reason(&made, line));
+            assert!(
+                why[0].starts_with("tFar is used here before") && why[0].contains(" mm apart"),
+                "{why:?}"
+            );
+            assert!(why[1].contains("line 32 of set_later.mod"), "{why:?}");
+            assert!(why[2].starts_with("wMoved ") && why[3].contains("no one target serves both"), "{why:?}");
+        }
+    };
+    for form in [FormChoice::Schedule, FormChoice::Ramp] {
+        of(form, "kept");
+    }
+    for form in [FormChoice::Live, FormChoice::Auto] {
+        of(form, "compensated");
+    }
+}
+
 /// Whichever way a reading of the warm arm's place takes, the model must not be asked about it.
 #[test]
 fn where_the_arm_stands_is_not_corrected_again() {

@@ -119,6 +119,7 @@ impl Reader<'_> {
             tool: None,
             wobj_name: None,
             wobj: None,
+            later_frames: vec![],
             frame_arguments: [None, None],
             speed: None,
             zone: None,

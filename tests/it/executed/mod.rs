@@ -10,6 +10,7 @@ mod mutations;
 mod one_of;
 mod scenarios;
 mod sensor;
+mod set_later;
 
 use made::{borrowed, compensated, fixture, session, warmth};
 use robot_model::deform::{Deformation, GrowthLaw};

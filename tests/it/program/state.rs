@@ -1,6 +1,7 @@
 //! Tool, work object and what else is in force, followed through the program.
 
 use super::{at, because_line, code, codes, main_of, module, program, tool, tools_mm, warnings};
+use rapid_program::program::Program;
 
 fn data() -> String {
     format!(
@@ -25,6 +26,74 @@ fn assignments_count_from_their_line_on() {
     assert_eq!(read.motions[3].setup.wobj.as_ref().unwrap().uframe.translation.z, 0.0);
     // Both are used before the program sets them: a PERS remembers the last run.
     assert_eq!(warnings(&read), ["state::pers-kept"; 2]);
+}
+
+/// x in mm of the tools that a motion may have in later passes.
+fn later_mm(program: &Program, motion: usize) -> Vec<i32> {
+    let later = program.motions[motion].setup.later_frames.iter();
+    later.map(|frames| (frames.tool.frame_from_tcp.translation.x * 1e3).round() as i32).collect()
+}
+
+/// PERS and module VAR outlive a cycle: what a program leaves in them the next one begins with.
+#[test]
+fn what_a_pass_leaves_the_next_begins_with() {
+    let read =
+        main_of(&data(), &format!("{MOVE}t:={};\nIF DI1=1 t:={};\nt.tframe.trans.x:=4;", tool(2), tool(3)));
+    assert_eq!((codes(&read), later_mm(&read, 0)), (vec!["-"], vec![2, 3, 4]));
+    assert_eq!((warnings(&read), read.motions[0].run_time), (vec!["state::pers-kept"], true));
+    // Set to what it is declared with: there is nothing to be said.
+    let read = main_of(&data(), &format!("{MOVE}t:={};\nt.tframe.trans:=[1,0,0];", tool(1)));
+    assert_eq!((codes(&read), later_mm(&read, 0), warnings(&read)), (vec!["-"], vec![], vec![]));
+    // A motion before which part of it is set sees the rest as it was left.
+    let read = main_of(
+        &data(),
+        &format!("t.tframe.trans.x:=5;\n{MOVE}t:=[TRUE,[[5,6,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];"),
+    );
+    assert_eq!((codes(&read), because_line(&read, 0)), (vec!["keep::tool-unknown"], 8));
+    // By way of a VAR of the module, and by one of the routine, which is new in each call.
+    let set = "t.tframe.trans.x:=n;\n";
+    let read = main_of(&format!("{}VAR num n:=1;", data()), &format!("{set}{MOVE}n:=9;"));
+    assert_eq!((codes(&read), because_line(&read, 0)), (vec!["keep::tool-unknown"], 8));
+    let read = main_of(&data(), &format!("VAR num n:=1;\n{set}{MOVE}n:=9;"));
+    assert_eq!((codes(&read), tools_mm(&read)), (vec!["-"], vec![Some(1)]));
+    // What only run time tells.
+    let read = main_of(&data(), &format!("{MOVE}t.tframe.trans.x:=AInput(ai1);"));
+    assert_eq!((codes(&read), because_line(&read, 0)), (vec!["keep::tool-unknown"], 7));
+    // In the course of a loop it goes on and on.
+    let read = main_of(&data(), &format!("{MOVE}t.tframe.trans.x:=t.tframe.trans.x+1;"));
+    assert_eq!(codes(&read), ["keep::tool-unknown"]);
+}
+
+#[test]
+fn what_a_hand_calls_counts_where_it_is_known() {
+    let with = |main: &str, other: &str| {
+        module(&format!("{}\nPROC {main}()\n{MOVE}ENDPROC\nPROC other()\n{other}ENDPROC", data()))
+    };
+    let known = format!("t:={};\n", tool(2));
+    for main in ["main", "part"] {
+        assert_eq!(later_mm(&with(main, &known), 0), [2]);
+    }
+    let unknown = "t.tframe.trans.x:=AInput(ai1);\n";
+    let read = with("main", unknown);
+    assert_eq!((codes(&read), warnings(&read)), (vec!["-"], vec!["state::set-by-hand"]));
+    // Of a library nobody knows which routine comes first.
+    assert_eq!(codes(&with("part", unknown)), ["keep::tool-unknown"]);
+    // What main calls it calls in each cycle.
+    let read =
+        module(&format!("{}\nPROC main()\n{MOVE}other;\nENDPROC\nPROC other()\n{unknown}ENDPROC", data()));
+    assert_eq!(codes(&read), ["keep::tool-unknown"]);
+}
+
+#[test]
+fn more_pairs_than_are_looked_at_are_kept() {
+    let sets = |n: i32| (2..2 + n).map(|x| format!("t:={};\n", tool(x))).collect::<String>();
+    let read = |n: i32| main_of(&data(), &format!("{MOVE}{}", sets(n)));
+    assert_eq!((codes(&read(16)), later_mm(&read(16), 0).len()), (vec!["-"], 16));
+    assert_eq!(codes(&read(17)), ["keep::tool-unknown"]);
+    // Six tools at three places are eighteen pairs, one of them that of the first pass.
+    let places = "w.uframe.trans:=[0,0,10];\nw.uframe.trans:=[0,0,20];\n";
+    let read = |n: i32| main_of(&data(), &format!("{MOVE}{}{places}", sets(n)));
+    assert_eq!((codes(&read(4)), codes(&read(5))), (vec!["-"], vec!["keep::tool-unknown"]));
 }
 
 #[test]

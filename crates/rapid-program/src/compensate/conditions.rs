@@ -28,19 +28,23 @@ const SLACK_KG: f64 = 0.1;
 /// Fills in load and direction of every point, where the model depends on them.
 pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let Some(identified) = &model.identified else { return };
-    let needs_load = identified.needs_load() || identified.terms.iter().any(|t| t.held_above_n_m.is_some());
     let directions = if identified.needs_direction() { directions(program, resolved) } else { Vec::new() };
     for (i, (motion, resolved)) in program.motions.iter().zip(resolved).enumerate() {
-        let payload = if needs_load { payload(motion, model.payload_kg) } else { Payload::default() };
+        let payload = payload_under(motion.setup.tool.as_ref(), motion, model);
         resolved.set_conditions(payload, directions.get(i).map_or(&[][..], Vec::as_slice));
     }
 }
 
-/// What hangs on the flange in a motion: the tool's load data (RAPID gives its centre in the flange's frame) and what is
-/// gripped (its centre in the tool's frame), where that is known.
-fn payload(motion: &Motion, given_kg: Option<f64>) -> Payload {
-    let grip = motion.setup.grip.unwrap_or_default();
-    payload_of(motion.setup.tool.as_ref(), grip, given_kg)
+/// What hangs on the flange in a motion with such a tool, where the model depends on it: the tool's load data (RAPID gives its
+/// centre in the flange's frame) and what is gripped (its centre in the tool's frame), where that is known.
+pub(super) fn payload_under(tool: Option<&ToolData>, motion: &Motion, model: &Model<'_>) -> Payload {
+    let needs_load = model.identified.as_ref().is_some_and(|identified| {
+        identified.needs_load() || identified.terms.iter().any(|term| term.held_above_n_m.is_some())
+    });
+    if !needs_load {
+        return Payload::default();
+    }
+    payload_of(tool, motion.setup.grip.unwrap_or_default(), model.payload_kg)
 }
 
 /// What hangs on the flange with a tool and what it grips.

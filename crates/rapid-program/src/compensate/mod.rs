@@ -15,6 +15,7 @@ mod figures;
 mod follow_paths;
 mod hinted_branch;
 mod joints_hint;
+mod later_frames;
 mod live;
 mod live_basis;
 mod messages;

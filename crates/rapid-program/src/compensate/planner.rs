@@ -6,6 +6,7 @@ use super::drift::ProgramPoints;
 use super::error::CompensateError;
 use super::figures::Tally;
 use super::follow_paths::follow_paths;
+use super::later_frames::keep_other_later_frames;
 use super::live;
 use super::live_basis::LiveBasis;
 use super::messages::Messages;
@@ -61,6 +62,7 @@ pub fn plan(
     let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints.unwrap_or_default());
     conditions::fill(program, &model, &mut resolved);
     keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
+    keep_other_later_frames(program, &model, options.tolerance_m, &mut resolved);
     keep_one_of_several(program, options, &mut resolved);
     keep_as_asked(program, options, &mut resolved);
     for (resolved, why) in resolved.iter_mut().zip(left_alone) {

@@ -89,6 +89,8 @@ pub struct MotionSetup {
     pub wobj_name: Option<String>,
     /// The work object in force.
     pub wobj: Option<WobjData>,
+    /// The same in later passes, where the program uses one before it sets it.
+    pub later_frames: Vec<LaterFrames>,
     /// The bytes of the tool argument and of the value of `\WObj`, as the source has them.
     pub frame_arguments: [Option<Box<[u8]>>; 2],
     /// Speed, where it is known.
@@ -100,6 +102,17 @@ pub struct MotionSetup {
     pub conf_monitored: Option<bool>,
     /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
     pub grip: Option<LoadData>,
+}
+
+/// Tool and work object that a motion may have from the second pass of its program on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LaterFrames {
+    /// The tool in force then.
+    pub tool: ToolData,
+    /// The work object in force then.
+    pub wobj: WobjData,
+    /// Where the program sets the one that differs, the tool where both do.
+    pub set_at: Span,
 }
 
 /// Why a motion stays as it is, as far as the program's text tells.

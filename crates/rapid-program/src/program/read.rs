@@ -1,5 +1,6 @@
 //! [`Program::read`]: from files to motions with all that the text says of them.
 
+mod frames;
 mod like_the_last;
 mod motion_data;
 mod motion_target;
@@ -17,10 +18,11 @@ use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
-use super::state::{State, View, states_at_motions, targets_on_ways};
+use super::state::{LeftBehind, StatesAtMotions, View, states_at_motions, targets_on_ways};
 use super::tracked::TrackedData;
 use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
+use frames::{Frames, Seen};
 use like_the_last::Last;
 use motion_target::{MotionTargets, calls_own};
 use rapid_syntax::SourceFile;
@@ -50,7 +52,8 @@ impl Program {
         let sites = MotionSites::new(&mut evaluator, task);
         let tracked = TrackedData::new(&index, &writes, &sites);
         let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
-        let states = states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
+        let StatesAtMotions { first, any, left } =
+            states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
         let of_targets = TrackedData::of_targets(&index, &writes, &sites);
         let on_ways = if of_targets.data.is_empty() {
             BTreeMap::new()
@@ -67,6 +70,7 @@ impl Program {
         let mut finish = MotionReader {
             evaluator,
             tracked: &tracked,
+            left: &left,
             own_positions: OwnPositions::new(&index),
             found_positions: OwnPositions::of_searches(&index),
             read_as_data: ReadAsData::new(&index),
@@ -84,7 +88,7 @@ impl Program {
         };
         let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
         let mut junctions = BTreeMap::new();
-        for ((site, state), before) in sites.into_iter().zip(states).zip(order) {
+        for ((site, (first, any)), before) in sites.into_iter().zip(first.into_iter().zip(any)).zip(order) {
             let (previous, from_start) = match before {
                 Before::Motion(previous) => (Some(previous), false),
                 Before::Start => (None, true),
@@ -94,7 +98,8 @@ impl Program {
                 }
                 Before::Unknown => (None, false),
             };
-            let motion = finish.motion(&site, motions.len(), state.as_deref());
+            let seen = Seen { first: first.as_deref(), any: any.as_deref() };
+            let motion = finish.motion(&site, motions.len(), &seen);
             motions.push(Motion { previous, from_start, ..motion });
         }
         let made_of_pers = std::mem::take(&mut finish.made_of_pers);
@@ -122,6 +127,8 @@ impl Program {
 struct MotionReader<'f, 'a> {
     evaluator: ConstEvaluator<'a>,
     tracked: &'f TrackedData,
+    /// What the program leaves in them.
+    left: &'f [LeftBehind],
     own_positions: OwnPositions,
     found_positions: OwnPositions,
     /// The combinations of loops that stand round motions.
@@ -132,7 +139,7 @@ struct MotionReader<'f, 'a> {
     recent_setups: VecDeque<Arc<MotionSetup>>,
     /// The last reason for which a motion stays as it is.
     last_skip: Option<Arc<SkipReason>>,
-    /// PERS that motions use before the program sets them, once each.
+    /// Tools and work objects that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
     read_as_data: ReadAsData,
     /// The values that data can have, where they are a few.
@@ -153,10 +160,11 @@ struct MotionReader<'f, 'a> {
 const RECENT_SETUPS: usize = 16;
 
 impl<'a> MotionReader<'_, 'a> {
-    fn motion(&mut self, site: &MotionSite<'a>, at: usize, state: Option<&State>) -> Motion {
-        if let Some(motion) = self.like_the_last(site, at, state) {
+    fn motion(&mut self, site: &MotionSite<'a>, at: usize, seen: &Seen<'_>) -> Motion {
+        if let Some(motion) = self.like_the_last(site, at, seen) {
             return motion;
         }
+        let state = seen.first;
         let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
@@ -169,13 +177,11 @@ impl<'a> MotionReader<'_, 'a> {
             None => &Constant,
         };
         let (speed, zone) = (self.speed(&args, ctx, known), self.zone(&args, ctx, known));
-        let (tool, wobj) = self.frames(&args, (ctx, form.path), known, &mut reasons);
-        let (tool, grip) = self.total_load(&args, ctx, known, (tool, state.and_then(|state| state.grip)));
+        let Frames { tool, wobj, later } = self.frames(&args, (ctx, form.path), seen, &mut reasons);
+        let (tool, later_frames, grip) =
+            self.total_load(&args, ctx, known, (tool, later, state.and_then(|state| state.grip)));
         if !self.same_frames(&args, ctx, &reached) {
             reasons.add_other_frames();
-        }
-        if let Some(state) = state {
-            self.note_kept_over(state, &args, ctx, Span { file: ctx.file, range });
         }
         let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
         let frame_arguments = [text(args.tool), text(args.wobj)];
@@ -189,6 +195,7 @@ impl<'a> MotionReader<'_, 'a> {
             tool,
             wobj_name,
             wobj,
+            later_frames,
             frame_arguments: frame_arguments.map(|text| text.map(Into::into)),
             speed,
             zone,
@@ -200,6 +207,7 @@ impl<'a> MotionReader<'_, 'a> {
             grip,
         };
         let (skip_reason, known_at_run_time) = reasons.told();
+        self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
             for (datum, warning) in read_elsewhere {
@@ -209,6 +217,7 @@ impl<'a> MotionReader<'_, 'a> {
                 self.made_of_pers.insert(MotionId::new(at), pers);
             }
         }
+        let has_later = !setup.later_frames.is_empty();
         let motion = Motion {
             file: ctx.file,
             line: index.file(ctx.file).line(range),
@@ -217,7 +226,7 @@ impl<'a> MotionReader<'_, 'a> {
             targets: targets.into_iter().collect(),
             previous: None,
             from_start: false,
-            run_time: (known_at_run_time || one_of)
+            run_time: (known_at_run_time || one_of || has_later)
                 && args.tool.is_some()
                 && args.conditional.is_empty()
                 // Tool and work object are named twice then: in the question and in the motion.
@@ -225,7 +234,7 @@ impl<'a> MotionReader<'_, 'a> {
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
         };
-        self.keep_as_last(site, &args, state, &motion);
+        self.keep_as_last(site, &args, seen, &motion);
         motion
     }
 

@@ -7,24 +7,26 @@
 //! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
 //! on with TRYNEXT or RETRY, it goes on with that.
 
+mod entry;
 mod steps;
 mod targets;
 
+pub(super) use entry::LeftBehind;
 pub(super) use targets::targets_on_ways;
 
 use super::data::LoadData;
 
 use super::cfg::ControlFlow;
-use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
+use super::const_eval::{ConstEvaluator, TrackedValues};
 use super::flow::{BLOCKERS, ForwardAnalysis, RoutineCfg, every_step, walk};
-use super::index::{Ctx, DatumId, DatumKind, RoutineIndex};
+use super::index::{Ctx, DatumId, RoutineIndex};
 use super::mod_ref::{RoutineEffects, routine_effects};
 use super::motion::SkipReason;
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
-use rapid_syntax::tree::{DataKind, Expr, RoutineKind};
-use std::collections::{BTreeMap, BTreeSet};
+use rapid_syntax::tree::{Expr, RoutineKind};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// States a routine is walked with one by one; behind it only what they have in common counts.
@@ -38,8 +40,8 @@ const MOST_STEPS: u64 = 30_000_000;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SlotState {
     pub(super) value: Value,
-    /// It is still the declared value on some way that leads here.
-    pub(super) declared: bool,
+    /// On some way that leads here it is still what the program was entered with; of data that outlive a cycle.
+    pub(super) at_entry: bool,
     set_at: Option<Span>,
 }
 
@@ -68,16 +70,33 @@ impl TrackedValues for View<'_> {
     }
 }
 
-/// What each of so many motions sees; `None` where no way leads to it.
+/// What each motion sees; `None` where no way leads to it.
+pub(super) type AtMotions = Vec<Option<Rc<State>>>;
+
+/// What motions see, by passes of the program.
+pub(super) struct StatesAtMotions {
+    /// In the first pass, which begins with the declared values.
+    pub(super) first: AtMotions,
+    /// In whatever pass: data that outlive a cycle begin with the declared value or with one that the program has left.
+    pub(super) any: AtMotions,
+    /// What the program leaves in the data that are tracked.
+    pub(super) left: Vec<LeftBehind>,
+}
+
+/// What each of so many motions sees.
 pub(super) fn states_at_motions<'a>(
     evaluator: &mut ConstEvaluator<'a>,
     motions: usize,
     control_flow: &ControlFlow<'a>,
     tracked: &TrackedData,
-) -> Vec<Option<Rc<State>>> {
+) -> StatesAtMotions {
     let mut walker = Walker::new(evaluator, motions, control_flow, tracked);
     walker.run();
-    walker.at_motions
+    let first = walker.at_motions.clone();
+    while walker.widen_entry() {
+        walker.run();
+    }
+    StatesAtMotions { first, any: walker.at_motions, left: walker.left }
 }
 
 struct Walker<'w, 'a> {
@@ -96,6 +115,12 @@ struct Walker<'w, 'a> {
     in_handlers: Vec<RoutineEffects>,
     /// Motions whose target is looked at on every visit.
     watched: BTreeMap<usize, Watched<'a>>,
+    /// What the data that are tracked are worth at the entry; nothing: what they are declared with.
+    entry: Vec<Value>,
+    /// What this pass has left in them so far.
+    left: Vec<LeftBehind>,
+    /// What is being walked runs only where somebody calls it by hand.
+    by_hand: bool,
 }
 
 /// The target of a motion, and what it was on the visits so far; `None` where that is not known or too much.
@@ -144,6 +169,9 @@ impl<'w, 'a> Walker<'w, 'a> {
             in_handlers: Vec::new(),
             effects: routine_effects(control_flow),
             watched: BTreeMap::new(),
+            entry: Vec::new(),
+            left: vec![LeftBehind::default(); tracked.data.len()],
+            by_hand: false,
             evaluator,
             control_flow,
             tracked,
@@ -155,22 +183,24 @@ impl Walker<'_, '_> {
     fn run(&mut self) {
         self.in_handlers = self.control_flow.routines.iter().map(|cfg| self.in_handlers_of(cfg)).collect();
         let index = self.evaluator.index;
-        let called: BTreeSet<RoutineIndex> =
-            self.effects.iter().flat_map(|t| t.calls.iter().copied()).collect();
-        let declared = self.declared();
-        let trap = |id: RoutineIndex| index.routines[id].tree.kind == RoutineKind::Trap;
+        let entered = self.entry();
         let ids = 0..self.control_flow.routines.len();
-        for id in ids.clone() {
-            if trap(id) {
-                let anything = self.anything("a trap may run at any time");
-                self.call(id, anything);
-            } else if !called.contains(&id) {
-                self.call(id, declared.clone());
-            }
+        for id in ids.clone().filter(|&id| index.routines[id].tree.kind == RoutineKind::Trap) {
+            let anything = self.anything("a trap may run at any time");
+            self.call(id, anything);
         }
+        let [begins, by_hand] = self.not_called();
+        for id in begins {
+            self.call(id, entered.clone());
+        }
+        self.by_hand = true;
+        for id in by_hand {
+            self.call(id, entered.clone());
+        }
+        self.by_hand = false;
         for id in ids {
             if self.walked[id].is_empty() {
-                self.call(id, declared.clone()); // it is called in a circle only
+                self.call(id, entered.clone()); // it is called in a circle only
             }
         }
         if self.steps > MOST_STEPS {
@@ -218,45 +248,6 @@ impl Walker<'_, '_> {
             own.add(&self.effects[callee]);
         }
         own
-    }
-
-    /// The state a program starts with: declared values, everything else off.
-    fn declared(&mut self) -> State {
-        let mut slots = Vec::with_capacity(self.tracked.data.len());
-        for &datum in &self.tracked.data {
-            let kind = self.evaluator.index.data[datum].kind;
-            let persistent = kind == DatumKind::Declared(DataKind::Pers);
-            let value = match kind {
-                DatumKind::Declared(_) => self.evaluator.initial(datum),
-                DatumKind::Param { .. } | DatumKind::LoopVariable => self.evaluator.datum(datum, &Constant),
-            };
-            let mut value = value.unwrap_or_else(Value::Unknown);
-            if !self.watched.is_empty() && matches!(kind, DatumKind::Declared(_)) {
-                // What a cycle of the program has left in it the next one begins with.
-                value = Value::Unknown(unknown("it may be as the cycle before has left it"));
-            }
-            slots.push(SlotState { value, declared: persistent, set_at: None });
-        }
-        // From its beginning a program grips nothing.
-        let grip = Some(LoadData::default());
-        State {
-            slots,
-            conf_l: Some(true),
-            conf_j: Some(true),
-            grip,
-            blockers: [const { None }; BLOCKERS.len()],
-        }
-    }
-
-    /// A state of which nothing is known that the program changes.
-    fn anything(&mut self, reason: &str) -> State {
-        let mut state = self.declared();
-        let mut all = RoutineEffects::default();
-        for effects in &self.effects {
-            all.add(effects);
-        }
-        lose(&mut state, &all, &unknown(reason));
-        state
     }
 
     /// What a motion sees on one more visit.
@@ -397,7 +388,7 @@ fn same(a: &State, b: &State) -> bool {
         && a.conf_j == b.conf_j
         && a.grip == b.grip
         && a.blockers.iter().zip(&b.blockers).all(|(a, b)| a.is_some() == b.is_some())
-        && a.slots.iter().zip(&b.slots).all(|(a, b)| a.declared == b.declared && a.value.same(&b.value))
+        && a.slots.iter().zip(&b.slots).all(|(a, b)| a.at_entry == b.at_entry && a.value.same(&b.value))
 }
 
 fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {

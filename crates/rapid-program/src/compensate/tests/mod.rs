@@ -61,6 +61,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         tool: Some(ToolData::tool0()),
         wobj_name: None,
         wobj: Some(WobjData::wobj0()),
+        later_frames: vec![],
         frame_arguments: [None, None],
         speed: Some(SpeedData { v_tcp_m_s: 0.25, v_ori_rad_s: rad_from_deg(500.0) }),
         zone: Some(ZoneData { finep: false, pzone_tcp_m: 0.001 }),

@@ -2,6 +2,7 @@
 //! all. What the other words mean has been found once.
 
 use super::MotionReader;
+use super::frames::Seen;
 use super::motion_target::moving_axis;
 use crate::program::convert;
 use crate::program::index::Ctx;
@@ -17,26 +18,22 @@ pub(super) struct Last<'a> {
     ctx: Ctx,
     /// The loops round it: the variable of a FOR is another datum in each.
     nest: u32,
-    /// What is in force there; compared by address, as neighbours share it.
-    state: *const State,
+    /// What is in force there in the first pass and in any; compared by address, as neighbours share it.
+    states: [*const State; 2],
     before: &'a [u8],
     behind: &'a [u8],
     setup: Arc<MotionSetup>,
+    run_time: bool,
 }
 
 impl<'a> MotionReader<'_, 'a> {
     /// The motion that stands there, where all but its target is the last one's.
-    pub(super) fn like_the_last(
-        &self,
-        site: &MotionSite<'a>,
-        at: usize,
-        state: Option<&State>,
-    ) -> Option<Motion> {
+    pub(super) fn like_the_last(&self, site: &MotionSite<'a>, at: usize, seen: &Seen<'_>) -> Option<Motion> {
         let (last, index) = (self.last.as_ref()?, self.evaluator.index);
         let ctx = site.ctx(index);
         let alike = last.ctx == ctx
             && last.nest == site.nest
-            && std::ptr::eq(last.state, state?)
+            && last.states == states_of(seen)?
             && site.not_read.is_none()
             && !self.on_ways.contains_key(&at);
         let expr = inline_target(site).filter(|_| alike)?;
@@ -60,7 +57,7 @@ impl<'a> MotionReader<'_, 'a> {
             targets: std::iter::once(target).collect(),
             previous: None,
             from_start: false,
-            run_time: false,
+            run_time: last.run_time,
             skip_reason: None,
             from_search: false,
         })
@@ -72,7 +69,7 @@ impl<'a> MotionReader<'_, 'a> {
         &mut self,
         site: &MotionSite<'a>,
         args: &MoveArgs<'a>,
-        state: Option<&State>,
+        seen: &Seen<'_>,
         motion: &Motion,
     ) {
         self.last = None;
@@ -84,17 +81,23 @@ impl<'a> MotionReader<'_, 'a> {
         if !names_alone || motion.skip_reason.is_some() || motion.setup.path == Path::AbsJoint {
             return;
         }
-        let (Some(state), Some(expr)) = (state, inline_target(site)) else { return };
+        let (Some(states), Some(expr)) = (states_of(seen), inline_target(site)) else { return };
         let text = |from: u32, to: u32| index.text(ctx.file, TextRange::new(from, to));
         self.last = Some(Last {
             ctx,
             nest: site.nest,
-            state,
+            states,
             before: text(range.start, expr.range.start),
             behind: text(expr.range.end, range.end),
             setup: Arc::clone(&motion.setup),
+            run_time: motion.run_time,
         });
     }
+}
+
+/// The states that a motion sees, where a way leads to it.
+fn states_of(seen: &Seen<'_>) -> Option<[*const State; 2]> {
+    Some([std::ptr::from_ref(seen.first?), std::ptr::from_ref(seen.any?)])
 }
 
 /// The only target of a motion, its first argument, where that is an aggregate of numbers.

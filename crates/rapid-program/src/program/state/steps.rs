@@ -25,7 +25,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 Rc::new(SkipReason { code: "keep::runtime-target", reason, because: at })
             };
             a.value = a.value.join(&b.value, &why);
-            a.declared |= b.declared;
+            a.at_entry |= b.at_entry;
             a.set_at = at;
         }
         into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
@@ -58,13 +58,15 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                     self.tracked.data.get(*slot).map(|&datum| self.evaluator.index.data[datum].type_name);
                 if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
                     let value = self.with_component(&old.value, type_name, path, new);
-                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                    *old = SlotState { value: value.clone(), at_entry: false, set_at: Some(*at) };
+                    self.leave_behind(*slot, value, *at);
                 }
             }
             FlowStep::Invalidate { slot, why, at } => {
                 if let Some(old) = state.slots.get_mut(*slot) {
                     let value = Value::Unknown(why.clone());
-                    *old = SlotState { value, declared: false, set_at: Some(*at) };
+                    *old = SlotState { value: value.clone(), at_entry: false, set_at: Some(*at) };
+                    self.leave_behind(*slot, value, *at);
                 }
             }
             FlowStep::ConfL(on) => state.conf_l = *on,
@@ -109,7 +111,7 @@ impl Walker<'_, '_> {
                 None => self.evaluator.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
             };
             if let Some(slot) = entry.slots.get_mut(binding.slot) {
-                *slot = SlotState { value, declared: false, set_at: None };
+                *slot = SlotState { value, at_entry: false, set_at: None };
             }
         }
         let mut out = maybe.then(|| state.clone());

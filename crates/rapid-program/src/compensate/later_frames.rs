@@ -1,0 +1,110 @@
+//! Motions whose tool or work object is another one from the second pass of their program on: corrected only where the same
+//! correction serves.
+
+use super::conditions;
+use super::model::Model;
+use super::nominal::{Point, Resolved};
+use super::placement::{Placement, keep};
+use super::warm_joints::warm_joints;
+use crate::program::Program;
+use crate::program::motion::{LaterFrames, Motion, SkipReason, Target, TargetValue};
+use crate::schedule::Moment;
+use nalgebra::Isometry3;
+use rayon::prelude::*;
+use robot_model::deform::{Conditions, DeformedArm};
+use robot_model::kinematics::Solution;
+use robot_model::units::mm_from_m;
+use std::sync::Arc;
+
+/// Leaves as they are the motions whose settled corrections with a later tool or work object are further than `tolerance_m`
+/// from those with the first.
+pub(super) fn keep_other_later_frames(
+    program: &Program,
+    model: &Model<'_>,
+    tolerance_m: f64,
+    resolved: &mut [Resolved],
+) {
+    let settled = model.arm(Moment::Settled);
+    program.motions.par_iter().zip(resolved).for_each(|(motion, resolved)| {
+        if motion.setup.later_frames.is_empty() || resolved.kept().is_some() {
+            return;
+        }
+        let worst = motion.setup.later_frames.iter().map(|later| {
+            let apart_m = apart_m(motion, resolved, later, &settled, model);
+            (apart_m.unwrap_or(f64::INFINITY), later)
+        });
+        let worst = worst.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        if let Some((apart_m, later)) = worst.filter(|(apart_m, _)| *apart_m > tolerance_m) {
+            resolved.keep(Arc::new(why(motion, later, apart_m)));
+        }
+    });
+}
+
+/// How far apart the corrected targets are with the first frames and with later ones, at the TCP or the flange, metres; `None`
+/// where nothing can be said or done with the later ones.
+fn apart_m(
+    motion: &Motion,
+    resolved: &Resolved,
+    later: &LaterFrames,
+    settled: &DeformedArm,
+    model: &Model<'_>,
+) -> Option<f64> {
+    let placement = Placement::of_data(&later.tool, &later.wobj).ok()?;
+    let values = motion.targets.iter().flat_map(Target::values);
+    let mut apart_m: f64 = 0.0;
+    for (point, value) in resolved.points(motion, model).zip(values) {
+        let corrected = model.nominal.forward(&warm_joints(&point, settled, model).ok()?);
+        // Where the controller goes with the later frames, when it is given what was made for the first.
+        let (q_rad, goes) = match value {
+            TargetValue::Rob(target) => {
+                let base_from_flange = placement.base_from_flange(&target.object_from_tcp);
+                let q_rad = on_same_branch(&base_from_flange, &point.q_rad, model)?;
+                (q_rad, placement.base_from_flange(&point.placement.object_from_tcp(&corrected)))
+            }
+            TargetValue::Joint(_) => (point.q_rad, corrected),
+            // What the controller makes of the joints is another target with other frames; a table has the numbers of the first.
+            TargetValue::FromJoints(_) => return None,
+        };
+        let payload = conditions::payload_under(Some(&later.tool), motion, model);
+        let conditions = Conditions { payload, ..point.conditions };
+        let then = Point::new(&placement, &value, q_rad, conditions, model);
+        let wanted = model.nominal.forward(&warm_joints(&then, settled, model).ok()?);
+        let tcp_m = distance_m(&placement.object_from_tcp(&goes), &placement.object_from_tcp(&wanted));
+        apart_m = apart_m.max(tcp_m).max(distance_m(&goes, &wanted));
+    }
+    Some(apart_m)
+}
+
+fn on_same_branch(
+    base_from_flange: &Isometry3<f64>,
+    q_rad: &[f64; 6],
+    model: &Model<'_>,
+) -> Option<[f64; 6]> {
+    let cfx = model.closed.configuration(q_rad).cfx;
+    let solutions = model.closed.solutions(base_from_flange);
+    let same = solutions.iter().filter(|solution| solution.configuration.cfx == cfx);
+    let far = |solution: &&Solution| solution.squared_distance(q_rad);
+    same.min_by(|a, b| far(a).total_cmp(&far(b))).map(|solution| solution.q_rad)
+}
+
+fn distance_m(a: &Isometry3<f64>, b: &Isometry3<f64>) -> f64 {
+    (a.translation.vector - b.translation.vector).norm()
+}
+
+fn why(motion: &Motion, later: &LaterFrames, apart_m: f64) -> SkipReason {
+    let setup = &motion.setup;
+    let tool = setup.tool.as_ref() != Some(&later.tool);
+    let (code, name) = match tool {
+        true => ("keep::tool-unknown", setup.tool_name.as_deref()),
+        false => ("keep::wobj-unknown", setup.wobj_name.as_deref()),
+    };
+    let apart = match apart_m.is_finite() {
+        true => format!("the corrections are {:.3} mm apart", mm_from_m(apart_m)),
+        false => "no one target serves both".to_owned(),
+    };
+    let reason = format!(
+        "{} is used here before the program sets it: from the second pass on it may be what is set there, and {apart}",
+        name.unwrap_or("its tool")
+    );
+    SkipReason { because: Some(later.set_at), ..keep(code, reason) }
+}

@@ -1,0 +1,174 @@
+//! What a program is entered with: declared values in its first pass, and in later ones what it has left in the PERS and the
+//! VAR of its modules, which both outlive a cycle.
+//!
+//! The entry is widened by what is written, component by component, until a walk writes nothing that it does not have. Routines
+//! that nothing calls beside a `main` are called by hand: what they set counts where it is known, as somebody may choose a tool so; what
+//! only run time tells (a tool that is calibrated) does not, or nothing made of it could be corrected by tables.
+
+use super::{MOST_STEPS, SlotState, State, Walker, lose, unknown};
+use crate::program::const_eval::Constant;
+use crate::program::data::LoadData;
+use crate::program::flow::{BLOCKERS, Slot};
+use crate::program::index::{DatumId, DatumKind, RoutineIndex};
+use crate::program::mod_ref::RoutineEffects;
+use crate::program::motion::SkipReason;
+use crate::program::value::{Value, Why};
+use rapid_syntax::diagnostic::Span;
+use rapid_syntax::tree::{DataKind, RoutineKind};
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// More values are too many to look at each.
+const MOST_LEFT: usize = 16;
+
+/// What a program writes into a datum that outlives a cycle.
+#[derive(Clone, Debug, Default)]
+pub(in crate::program) struct LeftBehind {
+    /// The values that are known in every part, each with the first place that sets it.
+    pub(in crate::program) values: Vec<(Value, Span)>,
+    /// Where a value is set that is not known, or one too many.
+    pub(in crate::program) unknown: Option<Span>,
+    /// The same in what is called by hand alone.
+    pub(in crate::program) by_hand: Option<Span>,
+    /// What all of them have in common.
+    common: Option<Value>,
+}
+
+impl Walker<'_, '_> {
+    /// Takes what the last pass has left into the entry, and forgets that pass; `false` where the entry had it all.
+    pub(super) fn widen_entry(&mut self) -> bool {
+        if self.steps > MOST_STEPS {
+            return false;
+        }
+        let before: Vec<Value> = self.entry().slots.into_iter().map(|slot| slot.value).collect();
+        let mut widened = before.clone();
+        for (slot, (value, left)) in widened.iter_mut().zip(&self.left).enumerate() {
+            if !self.outlives(self.tracked.data[slot]) {
+                continue;
+            }
+            for (known, at) in &left.values {
+                *value = value.join(known, &|| self.as_left(Some(*at)));
+            }
+            if let Some(common) = &left.common {
+                let why = self.as_left(left.unknown);
+                *value = unknown_since(value, &value.join(common, &|| why.clone()), &why);
+            }
+        }
+        if before.iter().zip(&widened).all(|(a, b)| a.same(b)) {
+            return false;
+        }
+        self.entry = widened;
+        self.at_motions.fill(None);
+        self.last_seen = None;
+        self.walked.iter_mut().for_each(Vec::clear);
+        self.common.fill(None);
+        self.steps = 0;
+        self.left.fill(LeftBehind::default());
+        true
+    }
+
+    fn as_left(&self, at: Option<Span>) -> Why {
+        let place = at.map_or(String::new(), |at| format!(": {}", self.evaluator.index.place(at)));
+        let reason = format!("it is used before it is set, as the program has left it{place}");
+        Rc::new(SkipReason { code: "keep::runtime-target", reason, because: at })
+    }
+
+    /// Notes what a statement sets.
+    pub(super) fn leave_behind(&mut self, slot: Slot, value: Value, at: Span) {
+        let Some(left) = self.left.get_mut(slot) else { return };
+        let is_known = value.unknown().is_none();
+        if !is_known && self.by_hand {
+            left.by_hand.get_or_insert(at);
+            return;
+        }
+        left.common = Some(match left.common.take() {
+            None => value.clone(),
+            Some(common) => common.join(&value, &|| unknown("it is set to several values")),
+        });
+        if left.values.iter().any(|(known, _)| known.same(&value)) {
+            return;
+        }
+        if is_known && left.values.len() < MOST_LEFT {
+            left.values.push((value, at));
+        } else {
+            left.unknown.get_or_insert(at);
+        }
+    }
+
+    /// Whether a datum has at the entry what the cycle before has left in it.
+    fn outlives(&self, datum: DatumId) -> bool {
+        let entry = &self.evaluator.index.data[datum];
+        let kept = [DataKind::Pers, DataKind::Var].map(DatumKind::Declared);
+        entry.ctx.routine.is_none() && kept.contains(&entry.kind)
+    }
+
+    /// The routines that nothing calls: those with which the program or a library begins, and those beside a `main`, which only a
+    /// hand calls.
+    pub(super) fn not_called(&self) -> [Vec<RoutineIndex>; 2] {
+        let index = self.evaluator.index;
+        let called: BTreeSet<RoutineIndex> =
+            self.effects.iter().flat_map(|t| t.calls.iter().copied()).collect();
+        let task =
+            |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|module| module.task);
+        let is_main = |id: RoutineIndex| index.names.text(index.routines[id].name) == "main";
+        let of_kind = |id: RoutineIndex| index.routines[id].tree.kind != RoutineKind::Trap;
+        let ids = 0..self.control_flow.routines.len();
+        let with_main: BTreeSet<Option<u32>> = ids.clone().filter(|&id| is_main(id)).map(task).collect();
+        let entries = ids.filter(|&id| of_kind(id) && !called.contains(&id));
+        let (by_hand, begins) = entries.partition(|&id| !is_main(id) && with_main.contains(&task(id)));
+        [begins, by_hand]
+    }
+
+    /// The state a program starts with: everything off.
+    pub(super) fn entry(&mut self) -> State {
+        let mut slots = Vec::with_capacity(self.tracked.data.len());
+        for (slot, &datum) in self.tracked.data.iter().enumerate() {
+            let kind = self.evaluator.index.data[datum].kind;
+            let value = match kind {
+                DatumKind::Declared(_) => self.evaluator.initial(datum),
+                DatumKind::Param { .. } | DatumKind::LoopVariable => self.evaluator.datum(datum, &Constant),
+            };
+            let mut value = value.unwrap_or_else(Value::Unknown);
+            if !self.watched.is_empty() && matches!(kind, DatumKind::Declared(_)) {
+                // What a cycle of the program has left in it the next one begins with.
+                value = Value::Unknown(unknown("it may be as the cycle before has left it"));
+            }
+            if let Some(entry) = self.entry.get(slot) {
+                value = entry.clone();
+            }
+            slots.push(SlotState { value, at_entry: self.outlives(datum), set_at: None });
+        }
+        // From its beginning a program grips nothing.
+        let grip = Some(LoadData::default());
+        State {
+            slots,
+            conf_l: Some(true),
+            conf_j: Some(true),
+            grip,
+            blockers: [const { None }; BLOCKERS.len()],
+        }
+    }
+
+    /// A state of which nothing is known that the program changes.
+    pub(super) fn anything(&mut self, reason: &str) -> State {
+        let mut state = self.entry();
+        let mut all = RoutineEffects::default();
+        for effects in &self.effects {
+            all.add(effects);
+        }
+        lose(&mut state, &all, &unknown(reason));
+        state
+    }
+}
+
+/// A value with a reason for the parts that were known `before` and are not known `now`.
+fn unknown_since(before: &Value, now: &Value, why: &Why) -> Value {
+    match (before, now) {
+        (Value::Unknown(_), _) => before.clone(),
+        (_, Value::Unknown(_)) => Value::Unknown(why.clone()),
+        (Value::Parts(before), Value::Parts(now)) => {
+            Value::parts(before.iter().zip(now.iter()).map(|(before, now)| unknown_since(before, now, why)))
+        }
+        _ => now.clone(),
+    }
+}
