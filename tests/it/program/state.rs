@@ -84,6 +84,21 @@ fn what_a_hand_calls_counts_where_it_is_known() {
     assert_eq!(codes(&read), ["keep::tool-unknown"]);
 }
 
+/// It is taken to change nothing, so what it could change is named: PERS that it sees.
+#[test]
+fn a_routine_that_is_not_given_is_told_with_what_it_can_set() {
+    let told = |data: &str| {
+        let read = main_of(data, &format!("OpenGrip;\n{MOVE}"));
+        let found = read.diagnostics.iter().find(|found| found.code == "resolve::routine-not-given");
+        found.unwrap().help.clone().unwrap()
+    };
+    assert!(told(&data()).starts_with("it could set t and w, used by motions here"), "{}", told(&data()));
+    let hidden = data().replace("PERS tooldata", "LOCAL PERS tooldata");
+    assert!(told(&hidden).starts_with("it could set w, used"), "{}", told(&hidden));
+    let hidden = hidden.replace("PERS wobjdata", "LOCAL PERS wobjdata");
+    assert!(told(&hidden).starts_with("it is taken to leave tools"), "{}", told(&hidden));
+}
+
 #[test]
 fn more_pairs_than_are_looked_at_are_kept() {
     let sets = |n: i32| (2..2 + n).map(|x| format!("t:={};\n", tool(x))).collect::<String>();

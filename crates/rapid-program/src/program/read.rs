@@ -29,7 +29,7 @@ use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
 use skip_reasons::SkipReasons;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 impl Program {
@@ -82,6 +82,7 @@ impl Program {
             recent_setups: VecDeque::new(),
             last_skip: None,
             kept_over: BTreeMap::new(),
+            settable: BTreeSet::new(),
             guesses: BTreeMap::new(),
             read_elsewhere: BTreeMap::new(),
             made_of_pers: BTreeMap::new(),
@@ -103,25 +104,43 @@ impl Program {
             motions.push(Motion { previous, from_start, ..motion });
         }
         let made_of_pers = std::mem::take(&mut finish.made_of_pers);
+        let settable: Vec<String> =
+            finish.settable.iter().map(|&datum| finish.evaluator.name_of(datum)).collect();
         diagnostics.extend(finish.evaluator.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
         diagnostics.extend(finish.read_elsewhere.into_values());
         diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
         diagnostics.extend(super::loads::warnings(&index));
-        for (name, at) in &not_given {
-            let text = format!("{name} is not among the given files");
-            diagnostics.push(
-                Diagnostic::warning("resolve::routine-not-given", text)
-                    .at(*at)
-                    .help("it is taken to leave tools, work objects and displacements as they are"),
-            );
-        }
+        diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::forget_bodies);
         Self { files, routines, loops, motions, junctions, made_of_pers, facts, home_rad, diagnostics }
     }
+}
+
+/// So many names are listed; behind them stands how many more there are.
+const MOST_LISTED: usize = 4;
+
+/// The warning of a routine that is called and not given; `settable`: the tools and work objects of motions that it can set.
+fn not_among_the_files(name: &str, at: Span, settable: &[String]) -> Diagnostic {
+    let text = format!("{name} is not among the given files");
+    let listed = match settable {
+        [] => None,
+        [one] => Some(one.clone()),
+        [others @ .., last] if others.len() < MOST_LISTED => {
+            Some(format!("{} and {last}", others.join(", ")))
+        }
+        all => Some(format!("{} and {} more", all[..MOST_LISTED].join(", "), all.len() - MOST_LISTED)),
+    };
+    let help = match listed {
+        None => "it is taken to leave tools, work objects and displacements as they are".to_owned(),
+        Some(listed) => format!(
+            "it could set {listed}, used by motions here: it is taken to leave tools, work objects and displacements as they are"
+        ),
+    };
+    Diagnostic::warning("resolve::routine-not-given", text).at(at).help(help)
 }
 
 struct MotionReader<'f, 'a> {
@@ -141,6 +160,8 @@ struct MotionReader<'f, 'a> {
     last_skip: Option<Arc<SkipReason>>,
     /// Tools and work objects that motions use before the program sets them, once each.
     kept_over: BTreeMap<usize, Diagnostic>,
+    /// Tools and work objects of motions that other modules, given or not, can set.
+    settable: BTreeSet<usize>,
     read_as_data: ReadAsData,
     /// The values that data can have, where they are a few.
     finite_sets: FiniteSets<'a>,

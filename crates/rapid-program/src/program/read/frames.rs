@@ -5,7 +5,7 @@ use super::skip_reasons::{SkipReasons, keep};
 use crate::program::const_eval::{Constant, TrackedValues};
 use crate::program::convert;
 use crate::program::data::{ToolData, WobjData};
-use crate::program::index::{Ctx, DatumId};
+use crate::program::index::{Ctx, DatumId, DatumKind};
 use crate::program::motion::{LaterFrames, Path, SkipReason};
 use crate::program::motion_site::MoveArgs;
 use crate::program::names::as_text;
@@ -13,7 +13,7 @@ use crate::program::other_tasks;
 use crate::program::state::{LeftBehind, State, View};
 use crate::program::value::{DataName, Value, Why, why};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
-use rapid_syntax::tree::Expr;
+use rapid_syntax::tree::{DataKind, Expr};
 
 /// More pairs of tool and work object are not looked at.
 const MOST_LATER: usize = 16;
@@ -127,8 +127,8 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         slot.is_some_and(|slot| slot.value.unknown().is_none())
     }
 
-    /// Warns, of a motion that may be corrected, of a tool or work object that is used before the program sets it, as it keeps its
-    /// value from pass to pass.
+    /// Notes which tools and work objects other modules can set, and warns, of a motion that may be corrected, of one that is used
+    /// before the program sets it, as it keeps its value from pass to pass.
     pub(super) fn note_frames(
         &mut self,
         (seen, may_be_corrected): (&Seen<'_>, bool),
@@ -138,6 +138,10 @@ impl<'f, 'a> MotionReader<'f, 'a> {
     ) {
         for expr in [args.tool, args.wobj].into_iter().flatten() {
             let Some(DataName::Declared(datum)) = self.evaluator.data_name(expr, ctx) else { continue };
+            let entry = &self.evaluator.index.data[datum];
+            if !entry.local && entry.kind == DatumKind::Declared(DataKind::Pers) {
+                self.settable.insert(datum);
+            }
             let told = !may_be_corrected || self.kept_over.contains_key(&datum);
             let Some(left) = self.at_entry(datum, seen).filter(|_| !told && self.is_known(datum, seen.first))
             else {
