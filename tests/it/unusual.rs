@@ -233,3 +233,52 @@ fn a_work_object_that_a_late_bound_routine_turns_is_not_the_one_before() {
         }
     }
 }
+
+/// A parameter by reference is the datum that was handed over: who changes the one changes the other.
+#[test]
+fn a_parameter_by_reference_changes_with_what_it_stands_for() {
+    let body = "  PERS tooldata tG:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  PERS tooldata tH:=[TRUE,[[0,130,220],[0.9238795,0.3826834,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  PERS tooldata tCur:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  PERS wobjdata wA:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PROC main()
+    tCur:=tG;
+    wA.oframe:=[[0,0,0],[1,0,0,0]];
+    MoveAbsJ jh,v100,fine,tool0;
+    go tCur;
+    work wA;
+  ENDPROC
+  PROC go(PERS tooldata t)
+    MoveJ pA,v100,fine,t;
+    tCur:=tH;
+    MoveJ pA,v100,fine,t;
+    further t;
+  ENDPROC
+  PROC further(PERS tooldata u)
+    MoveJ pC,v100,fine,u;
+    tCur:=tG;
+    MoveJ pC,v100,fine,u;
+  ENDPROC
+  PROC work(PERS wobjdata w)
+    MoveJ pA,v100,fine,tool0\\WObj:=w;
+    find;
+    MoveJ pA,v100,fine,tool0\\WObj:=w;
+  ENDPROC
+  PROC find()
+    wA.oframe:=[[20,-150,-100],[0.9763,0.1,0.15,0.12]];
+  ENDPROC\n";
+    for form in ["schedule", "ramp"] {
+        let made = made(form, body);
+        let changed: Vec<&str> = [2, 4, 6].iter().map(|&at| made.motions[at].1.as_str()).collect();
+        assert!(
+            changed[0].contains("t stands for tCur, which is changed: line 19"),
+            "{form}: {:?}",
+            made.motions
+        );
+        assert!(changed[1].contains("u stands for tCur, which is changed: line 25"), "{form}: {changed:?}");
+        assert!(changed[2].contains("w stands for wA, which is changed: line 34"), "{form}: {changed:?}");
+        let before: Vec<&str> = [1, 5].iter().map(|&at| made.motions[at].0.as_str()).collect();
+        assert_eq!(before, ["compensated"; 2], "{form}: {:?}", made.motions);
+        assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
+    }
+}

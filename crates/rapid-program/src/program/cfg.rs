@@ -232,6 +232,22 @@ impl<'a> CfgBuilder<'_, 'a> {
     ) {
         if let Some(slot) = self.slot(root) {
             out.push(Node::Step(FlowStep::Assign { slot, path, value, ctx: self.ctx, at }));
+            self.aliases_change(slot, at, out);
+        }
+    }
+
+    fn invalidate(&self, slot: usize, why: Why, at: Span, out: &mut Vec<Node<'a>>) {
+        out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
+        self.aliases_change(slot, at, out);
+    }
+
+    /// A parameter by reference changes with the datum that was handed over.
+    fn aliases_change(&self, slot: usize, at: Span, out: &mut Vec<Node<'a>>) {
+        let name = |slot: usize| self.tracked.data.get(slot).map(|&datum| self.evaluator.name_of(datum));
+        for &alias in self.tracked.aliases(slot) {
+            let (Some(param), Some(datum)) = (name(alias), name(slot)) else { continue };
+            let why = self.why(at, format!("{param} stands for {datum}, which is changed"));
+            out.push(Node::Step(FlowStep::Invalidate { slot: alias, why, at }));
         }
     }
 

@@ -14,6 +14,8 @@ use std::collections::BTreeSet;
 pub(super) struct TrackedData {
     pub(super) slot_of: Vec<Option<Slot>>,
     pub(super) data: Vec<DatumId>,
+    /// For each slot those of the parameters by reference that may stand for its datum.
+    stand_for: Vec<Vec<Slot>>,
 }
 
 impl TrackedData {
@@ -47,7 +49,8 @@ impl TrackedData {
 
     /// Those that can be tracked, and whatever their values are made of.
     fn of(index: &Index<'_>, writes: &Writes, wanted: BTreeSet<DatumId>) -> Self {
-        let mut out = Self { slot_of: vec![None; index.data.len()], data: Vec::new() };
+        let slot_of = vec![None; index.data.len()];
+        let mut out = Self { slot_of, data: Vec::new(), stand_for: Vec::new() };
         let can_be = |datum: DatumId| {
             let entry = &index.data[datum];
             let changes = match entry.kind {
@@ -71,7 +74,24 @@ impl TrackedData {
         for (slot, &datum) in out.data.iter().enumerate() {
             out.slot_of[datum] = Some(slot);
         }
+        out.stand_for = out.data.iter().map(|&datum| out.standing_for(datum, writes)).collect();
         out
+    }
+
+    /// The parameters that are handed a datum by reference, or a parameter that is.
+    fn standing_for(&self, datum: DatumId, writes: &Writes) -> Vec<Slot> {
+        let (mut found, mut new) = (BTreeSet::new(), vec![datum]);
+        while let Some(datum) = new.pop() {
+            let handed = writes.by_reference.iter().filter(|(handed, _)| *handed == datum);
+            new.extend(handed.map(|(_, param)| *param).filter(|&param| found.insert(param)));
+        }
+        found.remove(&datum);
+        found.into_iter().filter_map(|param| self.slot(param)).collect()
+    }
+
+    /// The slots of parameters by reference that may stand for the datum of a slot: they change with it.
+    pub(super) fn aliases(&self, slot: Slot) -> &[Slot] {
+        self.stand_for.get(slot).map_or(&[], Vec::as_slice)
     }
 
     /// The slot of a datum that is tracked.

@@ -48,6 +48,8 @@ pub(super) struct Writes {
     by_datum: Vec<Option<(Write, How)>>,
     /// A value is set by a name that is computed at run time: anything may be changed.
     pub(super) by_computed_name: Option<Span>,
+    /// Data that are handed to parameters by reference, each with the parameter that then stands for it.
+    pub(super) by_reference: Vec<(DatumId, DatumId)>,
     by_name: Vec<(Sym, Span)>,
 }
 
@@ -79,7 +81,8 @@ impl Writes {
             }
         }
         scan.follow_parameters();
-        let Scan { mut writes, .. } = scan;
+        let Scan { mut writes, passed, .. } = scan;
+        writes.by_reference = passed.iter().map(|passed| (passed.datum, passed.param)).collect();
         for (name, at) in std::mem::take(&mut writes.by_name) {
             for (id, datum) in index.data.iter().enumerate() {
                 if datum.name == name {

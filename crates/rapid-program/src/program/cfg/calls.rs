@@ -98,7 +98,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             if let Some(slot) = self.slot(root) {
                 let written = as_text(self.text(name));
                 let why = self.why(at, format!("{written} is not given and may change it"));
-                out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
+                self.invalidate(slot, why, at, out);
             }
         }
     }

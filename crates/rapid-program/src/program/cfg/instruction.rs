@@ -24,7 +24,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 && let Some(slot) = self.slot(root)
             {
                 let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
-                out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
+                self.invalidate(slot, why, at, out);
             }
         }
     }
@@ -144,7 +144,8 @@ impl<'a> CfgBuilder<'_, 'a> {
                 _ => match self.slot(word) {
                     Some(slot) => {
                         let why = self.why(at, "text that was not understood names it".into());
-                        FlowStep::Invalidate { slot, why, at }
+                        self.invalidate(slot, why, at, out);
+                        continue;
                     }
                     None => continue,
                 },
