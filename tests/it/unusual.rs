@@ -282,3 +282,36 @@ fn a_parameter_by_reference_changes_with_what_it_stands_for() {
         assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
     }
 }
+
+/// At its end a program begins anew where the arm stands, which need not be where it stood at first.
+#[test]
+fn the_second_cycle_comes_from_where_the_first_has_ended() {
+    let cell = |end: &str| {
+        format!(
+            "{HEAD}  PROC main()
+    ConfL\\Off;
+    ConfJ\\Off;
+    MoveJ pA,v100,fine,tool0;
+    MoveJ pC,v100,fine,tool0;
+    {end}
+  ENDPROC
+ENDMODULE\n"
+        )
+    };
+    // Behind axis 1: pA is nearest on the other side from there.
+    let behind =
+        "MoveAbsJ [[-165.964,-27.0938,-186.002,-180,56.9044,14],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;";
+    let folder = tempfile::tempdir().unwrap();
+    for (end, status) in [
+        (behind.to_owned(), "kept"),
+        (format!("IF DInput(di1)=1 ExitCycle;\n    {behind}\n    MoveAbsJ jh,v100,fine,tool0;"), "kept"),
+        ("MoveAbsJ jh,v100,fine,tool0;".to_owned(), "compensated"),
+        (format!("{behind}\n    WHILE TRUE DO\n      WaitTime 1;\n    ENDWHILE"), "compensated"),
+    ] {
+        std::fs::write(folder.path().join("Cell.mod"), cell(&end)).unwrap();
+        let args = ["compensate", "Cell.mod", "--form", "ramp", "-o", "out.mod", "--force", "--json", "-"];
+        let args = [&args[..], &["--start-joints", "0,0,0,0,90,0"]].concat();
+        let review = driftpost(folder.path(), &args);
+        assert_eq!(review["motions"][0]["status"], status, "{end}");
+    }
+}

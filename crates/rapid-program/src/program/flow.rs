@@ -77,6 +77,8 @@ pub(super) enum FlowStep<'a> {
     /// A routine that is not given, or text that was not understood: where the arm stands after it is
     /// not known.
     UnknownPosition,
+    /// `ExitCycle`: the program begins anew, with what is in force.
+    ExitCycle,
 }
 
 /// What a parameter that is tracked is worth in a call.

@@ -38,6 +38,7 @@ impl RoutineEffects {
             FlowStep::Motions { .. }
             | FlowStep::Blocker(_, None)
             | FlowStep::UnknownPosition
+            | FlowStep::ExitCycle
             | FlowStep::MayFail(_) => {}
         }
     }

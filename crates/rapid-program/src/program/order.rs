@@ -73,6 +73,7 @@ pub(super) fn order(
             .iter()
             .map(|cfg| cfg.handlers.iter().any(|h| moves(h)))
             .collect(),
+        exits_cycle: false,
     };
     for id in 0..routines {
         walker.exit(id);
@@ -102,6 +103,8 @@ struct Walker<'w, 'a> {
     busy: Vec<RoutineIndex>,
     /// For each routine whether its handlers may move the arm.
     moved_by_handlers: Vec<bool>,
+    /// Somewhere a cycle of the program ends before its end.
+    exits_cycle: bool,
 }
 
 impl Walker<'_, '_> {
@@ -140,7 +143,7 @@ impl Walker<'_, '_> {
         let has_main = index.routines.iter().any(is_main);
         let first = |(id, r): (RoutineIndex, &RoutineEntry<'_>)| match r.tree.kind {
             RoutineKind::Trap => Some(ComesFrom::Anywhere),
-            _ if is_main(r) => Some(ComesFrom::Start),
+            _ if is_main(r) => Some(self.begins(id)),
             _ if called.contains(&id) => None,
             RoutineKind::Proc if !has_main => Some(ComesFrom::Start),
             RoutineKind::Proc | RoutineKind::Func { .. } => Some(ComesFrom::Anywhere),
@@ -162,6 +165,20 @@ impl Walker<'_, '_> {
             if !changed {
                 return entries;
             }
+        }
+    }
+}
+
+impl Walker<'_, '_> {
+    /// Where the arm comes from when main begins: the first time from where it stands, then from where it ended, as a
+    /// controller begins a program anew that has come to its end.
+    fn begins(&self, main: RoutineIndex) -> ComesFrom {
+        if self.exits_cycle {
+            return ComesFrom::Anywhere;
+        }
+        match self.exits.get(main) {
+            Some(Some(Some(exit))) => either(&ComesFrom::Start, &resolve(exit, &ComesFrom::Start)),
+            _ => ComesFrom::Start,
         }
     }
 }
@@ -219,6 +236,10 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 Some(if away { ComesFrom::Anywhere } else { state })
             }
             FlowStep::UnknownPosition => Some(ComesFrom::Anywhere),
+            FlowStep::ExitCycle => {
+                self.exits_cycle = true;
+                None
+            }
             FlowStep::Assign { .. }
             | FlowStep::Invalidate { .. }
             | FlowStep::ConfL(_)

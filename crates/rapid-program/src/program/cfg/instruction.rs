@@ -83,7 +83,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 }
                 FlowStep::UnknownPosition
             }
-            "exitcycle" => return out.push(Node::Stop),
+            "exitcycle" => FlowStep::ExitCycle,
             _ if moves_arm(&lower) => FlowStep::UnknownPosition,
             _ if harmless(&lower) => return,
             _ => {

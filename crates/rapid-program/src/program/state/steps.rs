@@ -89,6 +89,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
             }
             FlowStep::UnknownPosition => {}
+            FlowStep::ExitCycle => return None,
         }
         Some(state)
     }
