@@ -315,3 +315,29 @@ ENDMODULE\n"
         assert_eq!(review["motions"][0]["status"], status, "{end}");
     }
 }
+
+/// Where a loop begins is known before its way back is: the branches of all its motions are.
+#[test]
+fn a_loop_that_nobody_checks_is_followed_from_where_it_is_entered() {
+    let body = "  PROC main()
+    ConfJ\\Off;
+    ConfL\\Off;
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveJ pB,v100,fine,tool0;
+    FOR i FROM 1 TO 3 DO
+      MoveJ pA,v100,fine,tool0;
+      IF DInput(di1)=1 MoveL Offs(pC,0,0,20),v100,fine,tool0;
+      MoveJ pC,v100,fine,tool0;
+    ENDFOR
+    WHILE TRUE DO
+      MoveJ pA,v100,fine,tool0;
+      MoveL pC,v100,fine,tool0;
+      MoveJ pB,v100,fine,tool0;
+    ENDWHILE
+  ENDPROC\n";
+    for form in ["schedule", "ramp"] {
+        let made = made(form, body);
+        assert!(made.motions.iter().all(|(status, _)| status == "compensated"), "{form}: {:?}", made.motions);
+        assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
+    }
+}

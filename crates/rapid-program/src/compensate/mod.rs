@@ -40,6 +40,7 @@ mod touch_reference;
 mod track;
 mod unknown_branch;
 mod warm_joints;
+mod ways_back;
 mod wobj_shift_baseline;
 
 pub use error::CompensateError;

@@ -7,10 +7,11 @@ use super::joints_hint::{Hinted, Hints};
 use super::messages::Messages;
 use super::model::Model;
 use super::placement::{Placement, keep};
+use super::ways_back::{before, ways_back};
 use crate::program::Program;
 use crate::program::data::JointTarget;
 use crate::program::few::Few;
-use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
+use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Conditions, Payload};
@@ -172,7 +173,8 @@ pub(super) fn resolve(
     start_rad: Option<[f64; 6]>,
     hints: &Hints,
 ) -> (Vec<Resolved>, Messages) {
-    let mut resolver = Resolver { program, model, start_rad, hints, apart: BTreeSet::new() };
+    let ways_back = ways_back(program);
+    let mut resolver = Resolver { program, model, start_rad, hints, ways_back, apart: BTreeSet::new() };
     loop {
         let (resolved, messages) = resolver.pass();
         // A loop was entered on what its first way in said; the way back must say the same.
@@ -190,19 +192,13 @@ struct Resolver<'r> {
     model: &'r Model<'r>,
     start_rad: Option<[f64; 6]>,
     hints: &'r Hints,
+    /// Ways of loops back to where they begin, which are looked at last.
+    ways_back: BTreeSet<(usize, usize)>,
     /// Junctions whose ways bring the arm along on different branches.
     apart: BTreeSet<usize>,
 }
 
 impl Resolver<'_> {
-    /// The motions that may run just before one.
-    fn before(&self, i: usize) -> impl Iterator<Item = usize> {
-        let motions = &self.program.motions;
-        let junction = self.program.junctions.get(&MotionId::new(i)).map_or(&[][..], Vec::as_slice);
-        let all = motions[i].previous.iter().chain(junction).map(|before| before.index());
-        all.filter(|&before| before < motions.len())
-    }
-
     /// The joints that a motion is known to end with, by target.
     fn hinted(&self, i: usize) -> &[Hinted] {
         self.hints.get(&i).map_or(&[], Vec::as_slice)
@@ -213,7 +209,8 @@ impl Resolver<'_> {
         if self.apart.contains(&i) {
             return vec![ComesFrom::UnknownBranch];
         }
-        let mut from: Vec<ComesFrom> = self.before(i).filter_map(|p| done(p).map(Resolved::exit)).collect();
+        let before = before(self.program, i);
+        let mut from: Vec<ComesFrom> = before.filter_map(|p| done(p).map(Resolved::exit)).collect();
         if self.program.motions[i].from_start {
             from.push(self.start_rad.map_or(ComesFrom::Anywhere, ComesFrom::Joints));
         }
@@ -246,7 +243,9 @@ impl Resolver<'_> {
                 if !waiting[i] {
                     waiting[i] = true;
                     let pending = stack.len();
-                    stack.extend(self.before(i).filter(|&p| done[p].is_none() && !waiting[p]));
+                    let first =
+                        |&p: &usize| done[p].is_none() && !waiting[p] && !self.ways_back.contains(&(p, i));
+                    stack.extend(before(self.program, i).filter(first));
                     if stack.len() > pending {
                         continue;
                     }
