@@ -341,3 +341,38 @@ fn a_loop_that_nobody_checks_is_followed_from_where_it_is_entered() {
         assert!(made.corrected_mm < 0.0055, "{form}: {}", made.corrected_mm);
     }
 }
+
+/// What asks the operator, reads on in a file or tells the time is asked as often as in the source.
+#[test]
+fn an_index_that_asks_somebody_is_asked_once() {
+    let body = "  CONST robtarget pRow{2}:=[[[420,60,330],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],
+    [[420,70,330],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]];
+  PERS tooldata tRow{2}:=[[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]],
+    [TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]];
+  VAR iodev dev;
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveL pRow{UINumEntry(\"Which?\")},v100,fine,tool0;
+    MoveL pRow{ReadNum(dev)},v100,fine,tool0;
+    MoveL Offs(pA,0,0,DInput(di1)),v100,fine,tRow{ReadNum(dev)};
+    MoveL pRow{DInput(di1)+1},v100,fine,tool0;
+  ENDPROC\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("Cell.mod"), format!("{HEAD}{body}ENDMODULE\n")).unwrap();
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let args = ["compensate", "Cell.mod", "--form", form, "-o", "out.mod", "--force", "--json", "-"];
+        let review = driftpost(folder.path(), &args);
+        let text = std::fs::read_to_string(folder.path().join("out.mod")).unwrap();
+        for asks in ["UINumEntry(", "ReadNum("] {
+            let moves = text.lines().filter(|line| line.contains("MoveL") && line.contains(asks));
+            for line in moves {
+                assert_eq!(line.matches(asks).count(), 1, "{form}: {line}");
+            }
+        }
+        // A signal is looked at twice.
+        assert_eq!(review["motions"][4]["status"], "compensated", "{form}");
+        let asked = if form == "live" || form == "auto" { "compensated" } else { "kept" };
+        assert_eq!(review["motions"][2]["status"], asked, "{form}");
+        assert_eq!(review["motions"][3]["status"], "kept", "{form}");
+    }
+}

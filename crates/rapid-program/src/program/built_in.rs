@@ -1,9 +1,30 @@
 //! The controller's own functions, by name in lower case. ABB, "RAPID Instructions, Functions and Data types",
 //! lists them; a function of another name may write whatever it is handed.
 
+use super::instructions::{harmless, move_form};
+
 /// Whether a function is the controller's own.
 pub(super) fn is_built_in_function(name: &str) -> bool {
     FUNCTIONS.binary_search(&name).is_ok()
+}
+
+/// Whether a name in lower case is that of a function, an instruction or an error number of the controller, which a program may
+/// hide by declaring it anew.
+#[must_use]
+pub fn is_controllers_own(name: &str) -> bool {
+    is_built_in_function(name)
+        || harmless(name)
+        || move_form(name).is_some()
+        || name == "c_progdisp"
+        || name.starts_with("err_")
+}
+
+/// Whether a function of the controller, asked a second time, may answer something else, or does something: it asks the
+/// operator, reads on in a file, tells the time.
+pub(super) fn is_asked_once(name: &str) -> bool {
+    const FAMILIES: [&str; 6] = ["cam", "getnext", "read", "rmq", "socket", "ui"];
+    const ONE: [&str; 6] = ["cdate", "clkread", "ctime", "gettime", "strtoval", "testandset"];
+    FAMILIES.iter().any(|family| name.starts_with(family)) || ONE.contains(&name)
 }
 
 const FUNCTIONS: &[&str] = &[

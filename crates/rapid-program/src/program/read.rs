@@ -24,7 +24,7 @@ use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
 use frames::{Frames, Seen};
 use like_the_last::Last;
-use motion_target::{MotionTargets, calls_own};
+use motion_target::{MotionTargets, is_asked_once};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
@@ -251,7 +251,7 @@ impl<'a> MotionReader<'_, 'a> {
                 && args.tool.is_some()
                 && args.conditional.is_empty()
                 // Tool and work object are named twice then: in the question and in the motion.
-                && ![args.tool, args.wobj].into_iter().flatten().any(|expr| calls_own(index, ctx, expr)),
+                && ![args.tool, args.wobj].into_iter().flatten().any(|expr| is_asked_once(index, ctx, expr)),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
         };

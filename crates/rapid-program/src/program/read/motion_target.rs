@@ -2,7 +2,7 @@
 
 use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
-use crate::program::built_in::is_built_in_function;
+use crate::program::built_in::{self, is_built_in_function};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
 use crate::program::data::RobTarget;
@@ -197,7 +197,7 @@ impl<'a> MotionReader<'_, 'a> {
         let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
         let base = &element_of.base;
         let ([index], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
-        if calls_own(self.evaluator.index, ctx, index) && !self.is_bucket(index, ctx) {
+        if is_asked_once(self.evaluator.index, ctx, index) && !self.is_bucket(index, ctx) {
             return Vec::new(); // asked twice, for the element and for its correction, it may answer differently
         }
         let Ok(Value::Parts(parts)) = self.evaluator.fold(base, ctx, &Constant).map(|typed| typed.value)
@@ -275,14 +275,17 @@ impl<'a> MotionReader<'_, 'a> {
     }
 }
 
-/// Whether an expression calls a function other than the controller's own: it may do more than answer.
-pub(super) fn calls_own(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
-    let mut calls = false;
+/// Whether an expression may be worth something else when it is asked a second time, or does more than answer: it calls a
+/// function other than the controller's own, or one of those that ask the operator, read a file, tell the time.
+pub(super) fn is_asked_once(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+    let mut once = false;
     every_call(expr, &mut |name, _| {
         let written = lower_case(index.text(ctx.file, name));
-        calls |= index.declares_routine(name, ctx) || !is_built_in_function(&written);
+        once |= index.declares_routine(name, ctx)
+            || !is_built_in_function(&written)
+            || built_in::is_asked_once(&written);
     });
-    calls
+    once
 }
 
 /// Whether two targets are too near to be told apart by where they are.
