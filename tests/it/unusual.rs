@@ -376,3 +376,44 @@ fn an_index_that_asks_somebody_is_asked_once() {
         assert_eq!(review["motions"][3]["status"], "kept", "{form}");
     }
 }
+
+/// Clock and functions would ask the program's own Exp where they mean the controller's.
+#[test]
+fn a_program_that_hides_what_the_clock_asks_the_controller_is_refused() {
+    let hiding = |declaration: &str| {
+        format!(
+            "{HEAD}  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveL pA,v100,fine,tool0;
+  ENDPROC
+  {declaration}
+ENDMODULE\n"
+        )
+    };
+    let folder = tempfile::tempdir().unwrap();
+    for (declaration, refused) in [
+        ("FUNC num Exp(num x)\n    RETURN 7;\n  ENDFUNC", true),
+        ("LOCAL FUNC num EXP(num x)\n    RETURN 7;\n  ENDFUNC", true),
+        ("PROC TPWrite(string s)\n  ENDPROC", true),
+        ("FUNC num ASin(num x)\n    RETURN 7;\n  ENDFUNC", false),
+    ] {
+        std::fs::write(folder.path().join("Cell.mod"), hiding(declaration)).unwrap();
+        for form in ["schedule", "ramp"] {
+            let mut run = Command::cargo_bin("driftpost").unwrap();
+            let args = ["compensate", "Cell.mod", "--form", form, "-o", "out.mod", "--force"];
+            let run = run.current_dir(folder.path()).args(args).output().unwrap();
+            let said = String::from_utf8_lossy(&run.stderr);
+            assert_eq!(run.status.code(), Some(if refused { 2 } else { 0 }), "{declaration}: {said}");
+            assert_eq!(
+                said.contains("Cell.mod:10: ") && said.contains("hides the controller's own"),
+                refused,
+                "{said}"
+            );
+        }
+        let separate = ["compensate", "Cell.mod", "--form", "ramp", "--core", "separate", "-o", "far.mod"];
+        let mut run = Command::cargo_bin("driftpost").unwrap();
+        let run = run.current_dir(folder.path()).args(separate).arg("--force").output().unwrap();
+        let local = declaration.starts_with("LOCAL") || !refused;
+        assert_eq!(run.status.success(), local, "{declaration}: {}", String::from_utf8_lossy(&run.stderr));
+    }
+}

@@ -10,6 +10,7 @@ use super::context::{Changes, EmitContext};
 use super::core_module::core_file;
 use super::digest;
 use super::header;
+use super::hidden;
 use super::module;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
 use super::restore::restore;
@@ -68,6 +69,7 @@ pub fn emit_each<E: From<EmitError>>(
         return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() }.into());
     }
     let context = EmitContext::new((program, plan), options, (&law, core), &changes)?;
+    hidden::check(&context, &changes)?;
     // As many at a time as are worked on, so that memory does not grow with their number.
     for some in changed.chunks(rayon::current_num_threads()) {
         let emitted: Vec<_> =

@@ -18,6 +18,7 @@ mod digest;
 mod emission;
 mod header;
 mod header_text;
+mod hidden;
 mod identity;
 mod insertion;
 pub mod live;

@@ -226,6 +226,21 @@ pub enum EmitError {
         /// The line of the motion.
         line: u32,
     },
+    /// A given module declares what clock and functions ask the controller for.
+    #[error(
+        "{}:{line}: {name} is declared here and hides the controller's own, which clock and functions call: rename it{instead}",
+        path.display()
+    )]
+    HiddenName {
+        /// The file that is concerned.
+        path: PathBuf,
+        /// The line of the declaration.
+        line: u32,
+        /// As it is declared.
+        name: String,
+        /// What else can be done.
+        instead: &'static str,
+    },
     /// The plan was made for another program or is not whole.
     #[error("the plan does not fit the program: {0}")]
     PlanMismatch(String),
@@ -255,6 +270,7 @@ impl EmitError {
             Self::NoModule { .. } => "emit::no-module",
             Self::NotRestored { .. } => "emit::not-restored",
             Self::NoName { .. } => "emit::no-name",
+            Self::HiddenName { .. } => "emit::hidden-name",
             Self::PlanMismatch(_) => "emit::plan-mismatch",
             Self::Edit { .. } => "emit::edit",
         }

@@ -45,6 +45,7 @@ mod value;
 mod writes;
 mod written_by;
 
+pub use built_in::is_controllers_own;
 pub use file_pairs::FilePairs;
 pub use fixed_point::{FixedPoint, LocalName};
 pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
