@@ -417,3 +417,45 @@ ENDMODULE\n"
         assert_eq!(run.status.success(), local, "{declaration}: {}", String::from_utf8_lossy(&run.stderr));
     }
 }
+
+/// An array of a routine's own hides the module's of the same name: what was touched up goes where the motion found it.
+#[test]
+fn a_touched_up_element_goes_into_the_array_that_the_routine_sees() {
+    let target = |x: i32| format!("[[{x},60,330],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    let array = |x: i32| format!("CONST robtarget pRow{{2}}:=[{},{}];", target(x), target(x + 10));
+    let source = format!(
+        "{HEAD}  {}
+  PROC main()
+    VAR num i:=1;
+    MoveAbsJ jh,v100,fine,tool0;
+    i:=i+1;
+    MoveL pRow{{i}},v100,fine,tool0;
+    own;
+  ENDPROC
+  PROC own()
+    {}
+    VAR num i:=0;
+    i:=i+1;
+    MoveL pRow{{i}},v100,fine,tool0;
+  ENDPROC
+ENDMODULE\n",
+        array(420),
+        array(400)
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("Cell.mod"), &source).unwrap();
+    let run = |args: &[&str]| {
+        Command::cargo_bin("driftpost").unwrap().current_dir(folder.path()).args(args).output().unwrap()
+    };
+    assert!(run(&["compensate", "Cell.mod", "-o", "made.mod", "--quiet"]).status.success());
+    let untouched = run(&["restore", "made.mod", "-o", "back.mod"]);
+    assert_eq!(untouched.status.code(), Some(0), "{}", String::from_utf8_lossy(&untouched.stderr));
+    let made = std::fs::read_to_string(path("made.mod")).unwrap();
+    let (before, array) = made.split_once("robtarget tcpRow_2{").unwrap();
+    let touched = format!("{before}robtarget tcpRow_2{{{}", array.replacen("[[400,", "[[400.5,", 1));
+    std::fs::write(path("touched.mod"), touched).unwrap();
+    assert_eq!(run(&["restore", "touched.mod", "-o", "back2.mod"]).status.code(), Some(1));
+    let back = std::fs::read_to_string(path("back2.mod")).unwrap();
+    assert_eq!(back, source.replace("[[400,60", "[[400.5,60"));
+}

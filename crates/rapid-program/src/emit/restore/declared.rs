@@ -5,7 +5,7 @@ use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
 use super::removal::{Remover, Use};
 use crate::emit::point::Declarations;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::ModuleItem;
+use rapid_syntax::tree::{DataDecl, ModuleItem, Routine, StmtKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<'w> Remover<'w> {
@@ -20,7 +20,7 @@ impl<'w> Remover<'w> {
         for (name, array) in arrays.iter().filter(|_| self.record.is_whole) {
             let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
             let values = match routine {
-                Some(_) if array.indexed => self.declared_elements(array),
+                Some(routine) if array.indexed => self.declared_elements(array, Some(routine)),
                 Some(routine) => declarations.initial_value(&array.was, routine).into_iter().collect(),
                 None => Vec::new(),
             };
@@ -64,11 +64,20 @@ impl<'w> Remover<'w> {
         Ok(found)
     }
 
-    /// The elements of the array that a motion named, where it is declared in this module.
-    pub(super) fn declared_elements(&self, array: &Array) -> Vec<TextRange> {
-        let named = self.module.items.iter().find_map(|item| match item {
-            ModuleItem::Data(data) if data.name.of(self.bytes).eq_ignore_ascii_case(&array.was) => Some(data),
+    /// The elements of the array that a motion in `routine` named, where it is declared in this module.
+    pub(super) fn declared_elements(&self, array: &Array, routine: Option<&Routine>) -> Vec<TextRange> {
+        let is_named = |data: &DataDecl| data.name.of(self.bytes).eq_ignore_ascii_case(&array.was);
+        let mut of_routine = routine.into_iter().flat_map(|routine| &routine.body);
+        let local = of_routine.find_map(|stmt| match &stmt.kind {
+            StmtKind::Data(data) if is_named(data) => Some(&**data),
             _ => None,
+        });
+        let mut of_module = self.module.items.iter();
+        let named = local.or_else(|| {
+            of_module.find_map(|item| match item {
+                ModuleItem::Data(data) if is_named(data) => Some(data),
+                _ => None,
+            })
         });
         named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default()
     }

@@ -251,14 +251,14 @@ impl<'w> Remover<'w> {
         let mut done = Vec::new();
         for (name, array) in arrays {
             let Some(rows) = meant.get(name.as_str()) else { continue };
+            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
             if array.indexed {
                 if rows.iter().any(Option::is_some) {
-                    self.declare_elements(array, rows)?;
+                    self.declare_elements((array, routine), rows)?;
                     done.push(name.as_str());
                 }
                 continue;
             }
-            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
             if let Some(init) = routine.and_then(|routine| declarations.initial_value(&array.was, routine)) {
                 by_init.entry(init).or_default().push((name, rows.first().and_then(Option::as_ref)));
             }
@@ -274,8 +274,12 @@ impl<'w> Remover<'w> {
     }
 
     /// Puts touched-up values into the elements of the array that the motions name.
-    fn declare_elements(&mut self, array: &Array, rows: &[Option<Meant>]) -> Result<(), RestoreError> {
-        let elements = self.declared_elements(array);
+    fn declare_elements(
+        &mut self,
+        (array, routine): (&Array, Option<&Routine>),
+        rows: &[Option<Meant>],
+    ) -> Result<(), RestoreError> {
+        let elements = self.declared_elements(array, routine);
         for (row, new) in rows.iter().enumerate() {
             let Some(new) = new else { continue };
             let Some(range) = elements.get(row) else {
