@@ -33,6 +33,8 @@ pub struct Simulation {
     pub task: Option<String>,
     /// Files on the controller's disk: path and bytes.
     pub disk: Vec<(String, Vec<u8>)>,
+    /// The same of the controller that executes the original, where one is given.
+    pub original_disk: Vec<(String, Vec<u8>)>,
     /// Tools and work objects for names that no given module declares.
     pub overrides: Overrides,
     /// Joints with which the arm stands when the entry is called first, radians.
@@ -59,6 +61,7 @@ impl Simulation {
             options: SessionOptions::default(),
             task: None,
             disk: Vec::new(),
+            original_disk: Vec::new(),
             overrides: Overrides::default(),
             start_rad: None,
             set: Vec::new(),
@@ -78,6 +81,7 @@ impl Simulation {
     ) -> Result<Report, SimulateError> {
         let given = self.given_data(program);
         let given_original = original.map(|original| self.given_data(original));
+        let is_given = original.is_some();
         let mut files = self.loaded(program);
         files.extend(given.iter().map(|text| (GIVEN, text.as_bytes())));
         let original = original.zip(given_original.as_ref()).map(|(original, given)| {
@@ -97,6 +101,10 @@ impl Simulation {
         }
         for (path, bytes) in &self.disk {
             session.program.put_file(path, bytes);
+        }
+        let original_disk = if is_given { &self.original_disk } else { &self.disk };
+        for (path, bytes) in original_disk {
+            session.original.put_file(path, bytes);
         }
         match course {
             Course::Scenario(scenario) => scenario.play(&mut session)?,

@@ -42,9 +42,12 @@ impl FromStr for Minutes {
         } else {
             text.split(',').map(number).collect::<Result<Vec<f64>, _>>()?
         };
-        match minutes.iter().find(|minute| **minute < 0.0) {
-            Some(minute) => {
+        match minutes.iter().find(|minute| !(0.0..=MOST).contains(*minute)) {
+            Some(minute) if *minute < 0.0 => {
                 Err(MinutesError(format!("minute {minute} is before the cold start, which is minute 0")))
+            }
+            Some(minute) => {
+                Err(MinutesError(format!("minute {minute:e} is later than a year, {MOST} minutes")))
             }
             None => Ok(Self(minutes)),
         }
@@ -72,7 +75,8 @@ mod tests {
     #[test]
     fn what_is_no_list_is_refused() {
         for text in [
-            "", "a", "0:", "1:0:1", "0:10:0", "0:10:-1", "-5", "0,-1", "nan", "0:inf:1", "1:2:3:4", "0:1e9:1",
+            "", "a", "0:", "1:0:1", "0:10:0", "0:10:-1", "-5", "0,-1", "nan", "0:inf:1", "1:2:3:4",
+            "0:1e9:1", "1e300", "0,525601",
         ] {
             assert!(text.parse::<Minutes>().is_err(), "{text}");
         }

@@ -6,7 +6,7 @@ use metrology::diagnose;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Robot, SerialArm};
-use robot_model::units::{m_from_mm, rad_from_deg};
+use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 
 /// The robot, by name, file or backup.
 #[derive(Debug, clap::Args)]
@@ -64,6 +64,31 @@ pub struct ProgramSettings {
 /// Angles of the joints, radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointAngles(pub [f64; 6]);
+
+impl JointAngles {
+    /// Refuses joints at which a robot cannot stand.
+    ///
+    /// # Errors
+    /// `option::range`, naming the first such joint.
+    pub fn check(&self, robot: &Robot) -> Result<(), Diagnostic> {
+        /// A start that was read from a display and stands on the end of a range is no mistake.
+        const ROUNDED_RAD: f64 = 1e-3;
+        for (axis, (q_rad, joint)) in self.0.iter().zip(&robot.joints).enumerate() {
+            let Some([from, to]) = joint.range_rad else { continue };
+            if *q_rad < from - ROUNDED_RAD || *q_rad > to + ROUNDED_RAD {
+                let [q, from, to] = [*q_rad, from, to].map(deg_from_rad);
+                let text = format!(
+                    "--start-joints: joint {} at {q:.1} deg is outside its range {from:.1} to {to:.1} deg",
+                    axis + 1
+                );
+                let help =
+                    format!("give the joints in degrees, and the robot with --robot (it is {})", robot.name);
+                return Err(Diagnostic::error("option::range", text).help(help));
+            }
+        }
+        Ok(())
+    }
+}
 
 /// Six angles in degrees.
 ///

@@ -160,7 +160,17 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         console
             .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
     }
+    if let (Some(task), false) = (&args.task, tasks.is_empty())
+        && !tasks.iter().any(|known| known.eq_ignore_ascii_case(task))
+    {
+        let text = format!("--task {task}: no module stands in a folder {task}");
+        let help = format!("the tasks are {}", tasks.join(", "));
+        return Err(Diagnostic::error("task::no-motion", text).help(help).into());
+    }
     let robot = made_with.robot(args.settings.robot.as_deref())?;
+    if let Some(joints) = args.settings.start_joints {
+        joints.check(&robot)?;
+    }
     let truth = true_robot(args, robot, &made_with)?;
     let scenario = match &args.scenario {
         Some(path) => {
@@ -200,6 +210,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     simulation.task = args.task.clone();
     simulation.disk = program.disk()?;
+    simulation.original_disk = original.as_ref().map_or(Ok(Vec::new()), ProgramInput::disk)?;
     let course = match scenario {
         Some(scenario) => Course::Scenario(scenario),
         None => Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())),

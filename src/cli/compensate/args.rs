@@ -407,6 +407,9 @@ impl Args {
         let Models { robot, deformation, identified } = self.models(of_task)?;
         let start = given_for("--start-joints", &self.start_joints, &self.task, of_task)?;
         let home = given_for("--home", &self.home, &self.task, of_task)?.cloned();
+        if let Some(joints) = start {
+            joints.check(&robot.model)?;
+        }
         let start_rad = start.map(|joints| joints.0);
         let mut options = Options { start_rad, ..self.options(identified.as_ref())? };
         if let (Some(of), Some(hint)) = (of_task, &mut options.joints_hint) {
@@ -512,6 +515,7 @@ impl Args {
             ("--stale-min", Some(self.stale_min)),
             ("--tau-cool", self.tau_cool),
             ("--until", until),
+            ("--bucket-min", self.bucket_min.filter(|minutes| *minutes > 0.0)),
         ])
     }
 }

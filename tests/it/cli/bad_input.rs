@@ -128,10 +128,14 @@ fn numbers_beyond_all_measure_are_answered_with_a_short_sentence() {
         assert!(err(&output).contains(sentence), "{options:?}: {}", err(&output));
         assert!(err(&output).lines().all(|line| line.len() < 250), "{}", err(&output));
     };
-    for option in ["--tau-cool", "--gap-min", "--hold-min", "--stale-min", "--until"] {
+    for option in ["--tau-cool", "--gap-min", "--hold-min", "--stale-min", "--until", "--bucket-min"] {
         refused(&[option, "1e300"], "must be at most a year");
         refused(&[option, "-1"], "not -1");
     }
+    refused(
+        &["--start-joints", "0,0,0,0,300,0"],
+        "joint 5 at 300.0 deg is outside its range -115.0 to 115.0 deg",
+    );
     refused(&["--tool", "-12,0,80"], "write NAME=VALUE");
     refused(
         &["--payload-kg", "-1", "--model", "fixtures/model/every_effect.toml"],
@@ -157,6 +161,12 @@ fn numbers_beyond_all_measure_are_answered_with_a_short_sentence() {
     for (arguments, sentence) in [
         (&["simulate", CUBE, "--passes", "0"][..], "--passes must be 1 or more"),
         (&["simulate", CUBE, "--passes", "-1"], "'-1' for '--passes"),
+        (&["simulate", CUBE, "--minutes", "0,1e300"], "minute 1e300 is later than a year"),
+        (
+            &["simulate", CUBE, "--start-joints", "0,0,-900,0,0,0"],
+            "joint 3 at -900.0 deg is outside its range",
+        ),
+        (&["simulate", "fixtures/cell/two_tasks", "--task", "TASK9"], "no module stands in a folder TASK9"),
         (&["changed", CUBE, CUBE, "--limit-mm", "-1"], "--limit-mm must be more than 0"),
         (&["plan", "--n", "-3"], "'-3' for '--n"),
     ] {

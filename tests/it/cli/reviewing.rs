@@ -238,3 +238,39 @@ fn the_thermometer_is_the_one_that_the_modules_clock_reads() {
     assert_eq!(output.status.code(), Some(1), "{} {}", out(&output), err(&output));
     assert!(err(&output).contains("--thermometer NAME names the analog input"), "{}", err(&output));
 }
+
+/// A module that the program loads lies on the disk of both controllers, the original's and the corrected program's.
+#[test]
+fn the_original_loads_its_modules_too() {
+    let bench = Bench::default();
+    let target = |x: i32| format!("[[{x},60,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    bench.file(
+        "cell/Main.mod",
+        format!(
+            "MODULE MainModule\n  PROC main()\n    MoveAbsJ [[0,0,0,0,90,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n    \
+             Load \\Dynamic,\"HOME:/More.mod\";\n    %\"rMore\"%;\n    UnLoad \"HOME:/More.mod\";\n    \
+             MoveL {},v100,fine,tool0;\n  ENDPROC\nENDMODULE\n",
+            target(420)
+        ),
+    );
+    bench.file(
+        "cell/HOME/More.mod",
+        format!(
+            "MODULE More\n  PROC rMore()\n    MoveL {},v100,fine,tool0;\n  ENDPROC\nENDMODULE\n",
+            target(400)
+        ),
+    );
+    let [cell, made] = ["cell", "made"].map(|name| bench.path(name).display().to_string());
+    assert_eq!(driftpost(&["compensate", &cell, "-o", &made]).status.code(), Some(0));
+    for program in [[&made, &cell], [&cell, &cell]] {
+        let [program, original] = program.map(String::as_str);
+        let output =
+            driftpost(&["simulate", program, "--original", original, "--minutes", "0,60", "--json", "-"]);
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        for pass in report["minutes"].as_array().unwrap() {
+            assert!(pass["failure"].is_null() && pass["mismatch"].is_null() && pass["n"] == 3, "{pass}");
+        }
+    }
+    let alone = driftpost(&["simulate", &cell, "--minutes", "0"]);
+    assert_eq!(alone.status.code(), Some(0), "{}", out(&alone));
+}
