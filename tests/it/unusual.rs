@@ -459,3 +459,39 @@ ENDMODULE\n",
     let back = std::fs::read_to_string(path("back2.mod")).unwrap();
     assert_eq!(back, source.replace("[[400,60", "[[400.5,60"));
 }
+
+/// Behind a handler that goes on the arm may stand anywhere, or where the way without an error leaves it: confdata that nobody
+/// checks, and that speak against this way, are not believed.
+#[test]
+fn a_handler_that_goes_on_does_not_hide_where_the_arm_comes_from() {
+    let body = |conf: &str, handler: &str| {
+        format!(
+            "  CONST robtarget pT:=[[400,100,400],[0.08063959,0.15119923,0.97775502,0.12095938],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget jBehind:=[[-167.453,-25.2762,-189.232,14.1156,-42.5385,-159.216],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num n:=1;
+  PROC main()
+    {conf}
+    go;
+    MoveL pT,v100,fine,tool0;
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveL pA,v100,fine,tool0;
+  ERROR
+    {handler}
+    TRYNEXT;
+  ENDPROC
+  PROC go()
+    MoveAbsJ jBehind,v100,fine,tool0;
+    n:=1/n;
+  ENDPROC\n"
+        )
+    };
+    for handler in ["n:=2;", "MoveAbsJ jh,v100,fine,tool0;"] {
+        for form in ["schedule", "ramp"] {
+            let off = made(form, &body("ConfL\\Off;", handler));
+            assert_eq!(off.motions[0].0, "kept", "{form} {handler}: {:?}", off.motions);
+            assert!(off.motions[0].1.contains("any of"), "{form} {handler}: {:?}", off.motions);
+            assert_eq!(off.motions[2].0, "compensated", "{form} {handler}: {:?}", off.motions);
+            assert!(off.corrected_mm < 0.0055, "{form} {handler}: {}", off.corrected_mm);
+        }
+    }
+}

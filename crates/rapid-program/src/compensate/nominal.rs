@@ -11,7 +11,7 @@ use super::ways_back::{before, ways_back};
 use crate::program::Program;
 use crate::program::data::JointTarget;
 use crate::program::few::Few;
-use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
+use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Conditions, Payload};
@@ -214,7 +214,7 @@ impl Resolver<'_> {
         if self.program.motions[i].from_start {
             from.push(self.start_rad.map_or(ComesFrom::Anywhere, ComesFrom::Joints));
         }
-        if from.is_empty() {
+        if from.is_empty() || self.program.also_anywhere.contains(&MotionId::new(i)) {
             from.push(ComesFrom::Anywhere);
         }
         from

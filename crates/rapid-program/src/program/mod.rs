@@ -54,7 +54,7 @@ use module_facts::Facts;
 use motion::{Loop, Motion, MotionId, RoutineInfo};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Span};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is said from outside about a program, beside its text.
 ///
@@ -90,6 +90,8 @@ pub struct Program {
     pub motions: Vec<Motion>,
     /// The motions that run just before those with several such; [`Motion::from_start`] says whether these may be the first.
     pub junctions: BTreeMap<MotionId, Vec<MotionId>>,
+    /// Those of them to which the arm may also come from where the text does not say, as behind an error handler that goes on.
+    pub also_anywhere: BTreeSet<MotionId>,
     /// The motions whose targets a PERS goes into, with its name and declaration: a controller may hold another value than the file.
     pub made_of_pers: BTreeMap<MotionId, (String, Span)>,
     /// Modules, remarks, routines that a program can begin with.

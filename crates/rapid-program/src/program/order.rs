@@ -33,6 +33,8 @@ enum ComesFrom {
 struct Places {
     entry: bool,
     start: bool,
+    /// Or from a place that is not known.
+    anywhere: bool,
     motions: BTreeSet<MotionId>,
 }
 
@@ -47,6 +49,8 @@ pub(super) enum Before {
     OneOf {
         /// It may be the first.
         start: bool,
+        /// The arm may also come from where the text does not say.
+        anywhere: bool,
         /// The motions, in file order.
         motions: Vec<MotionId>,
     },
@@ -85,7 +89,8 @@ pub(super) fn order(
             ComesFrom::Motion(previous) => Before::Motion(previous),
             ComesFrom::Start => Before::Start,
             ComesFrom::OneOf(places) if !places.entry => {
-                Before::OneOf { start: places.start, motions: places.motions.iter().copied().collect() }
+                let motions = places.motions.iter().copied().collect();
+                Before::OneOf { start: places.start, anywhere: places.anywhere, motions }
             }
             ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere => Before::Unknown,
         }
@@ -123,7 +128,7 @@ impl Walker<'_, '_> {
             exit = walk(self, &cfg.body, &ComesFrom::Entry);
             for handler in &cfg.handlers {
                 if walk(self, handler, &ComesFrom::Anywhere).is_some() {
-                    exit = Some(ComesFrom::Anywhere);
+                    exit = Some(exit.map_or(ComesFrom::Anywhere, |exit| or_anywhere(&exit)));
                 }
             }
         }
@@ -213,9 +218,9 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 let caller = self.busy.last().copied();
                 let mut out = maybe.then(|| state.clone());
                 if recovery.next {
-                    out = Some(ComesFrom::Anywhere); // the call may end anywhere
+                    out = Some(ComesFrom::Anywhere); // the call may end anywhere, too
                 }
-                let state = if recovery.again { ComesFrom::Anywhere } else { state };
+                let state = if recovery.again { or_anywhere(&state) } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
                         self.calls.push((caller, callee, state.clone()));
@@ -233,7 +238,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             FlowStep::MayFail(recovery) => {
                 let moved = self.busy.last().and_then(|&routine| self.moved_by_handlers.get(routine));
                 let away = recovery.resumes() && moved.copied().unwrap_or(false);
-                Some(if away { ComesFrom::Anywhere } else { state })
+                Some(if away { or_anywhere(&state) } else { state })
             }
             FlowStep::UnknownPosition => Some(ComesFrom::Anywhere),
             FlowStep::ExitCycle => {
@@ -270,6 +275,11 @@ fn resolve(from: &ComesFrom, entry: &ComesFrom) -> ComesFrom {
     }
 }
 
+/// The same, or from a place that is not known.
+fn or_anywhere(from: &ComesFrom) -> ComesFrom {
+    either(from, &ComesFrom::Anywhere)
+}
+
 /// Where the arm may come from by two ways.
 fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
     if a == b {
@@ -278,7 +288,7 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
     let mut all = Places::default();
     for from in [a, b] {
         match from {
-            ComesFrom::Anywhere => return ComesFrom::Anywhere,
+            ComesFrom::Anywhere => all.anywhere = true,
             ComesFrom::Entry => all.entry = true,
             ComesFrom::Start => all.start = true,
             ComesFrom::Motion(motion) => {
@@ -287,6 +297,7 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
             ComesFrom::OneOf(places) => {
                 all.entry |= places.entry;
                 all.start |= places.start;
+                all.anywhere |= places.anywhere;
                 all.motions.extend(&places.motions);
             }
         }

@@ -88,12 +88,15 @@ impl Program {
             made_of_pers: BTreeMap::new(),
         };
         let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
-        let mut junctions = BTreeMap::new();
+        let (mut junctions, mut also_anywhere) = (BTreeMap::new(), BTreeSet::new());
         for ((site, (first, any)), before) in sites.into_iter().zip(first.into_iter().zip(any)).zip(order) {
             let (previous, from_start) = match before {
                 Before::Motion(previous) => (Some(previous), false),
                 Before::Start => (None, true),
-                Before::OneOf { start, motions: before } => {
+                Before::OneOf { start, anywhere, motions: before } => {
+                    if anywhere {
+                        also_anywhere.insert(MotionId::new(motions.len()));
+                    }
                     junctions.insert(MotionId::new(motions.len()), before);
                     (None, start)
                 }
@@ -116,7 +119,18 @@ impl Program {
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::forget_bodies);
-        Self { files, routines, loops, motions, junctions, made_of_pers, facts, home_rad, diagnostics }
+        Self {
+            files,
+            routines,
+            loops,
+            motions,
+            junctions,
+            also_anywhere,
+            made_of_pers,
+            facts,
+            home_rad,
+            diagnostics,
+        }
     }
 }
 
