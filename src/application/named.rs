@@ -70,6 +70,7 @@ impl From<Robot> for Named<Robot> {
     fn from(robot: Robot) -> Self {
         let built_in = Robot::built_in_names()
             .iter()
+            .chain(Robot::built_in_with_offset_wrist())
             .copied()
             .find(|name| Robot::built_in(name).as_ref() == Some(&robot));
         built_in.and_then(Self::built_in).unwrap_or_else(|| {

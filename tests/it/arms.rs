@@ -214,6 +214,40 @@ fn where_programs_are_written_other_arms_are_refused_by_name() {
 }
 
 #[test]
+fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() {
+    let cube = "fixtures/robodk/irc5/Cube45.mod";
+    let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
+    for arguments in [
+        &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
+        &vec!["simulate", cube],
+        &vec!["diff", cube, "fixtures/robodk/irc5/Cube45.mod"],
+        &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
+    ] {
+        let said = driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
+        let text = String::from_utf8_lossy(&said.stderr).into_owned();
+        assert_eq!(said.status.code(), Some(2), "{arguments:?}: {text}");
+        assert!(
+            text.contains("robot::structure") && text.contains("axes 4, 5 and 6 do not meet in one point"),
+            "{arguments:?}: {text}"
+        );
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let set = folder.path().join("set");
+    let named = ["--robot", "crb15000-5"];
+    let made = ["--effects", "gear_mesh:3:20", "--n", "60", "--rho", "4", "--seed", "5"];
+    driftpost().arg("synth").arg(&set).args(named).args(made).assert().success();
+    let measured = set.join("set_0000/measurements.csv");
+    let said = driftpost().arg("diagnose").arg(measured).args(named).args(["--json", "-"]).output().unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&said.stdout).unwrap();
+    assert_eq!(json["verdict"], "explained");
+    let cause = &json["causes"][0];
+    assert_eq!(
+        (&cause["effect"], &cause["joint"], &cause["n"]),
+        (&"gear_mesh".into(), &3.into(), &20.into())
+    );
+}
+
+#[test]
 fn poses_of_an_arm_that_slides_are_planned_in_mm_and_within_its_ranges() {
     let scara = arm("scara");
     let options = PlanOptions {

@@ -114,6 +114,69 @@ fn every_built_in_robot_is_the_arm_that_others_describe() {
     }
 }
 
+/// Of two descriptions' ranges the narrower one stands, so that nothing is told to be in reach that one of them has out of it. RobotComponents' of the two
+/// reaches of the IRB 1600 stand each with the other (docs/ROBOTS.md).
+#[test]
+fn ranges_lie_within_those_that_others_give() {
+    let rows = rows(include_str!("../../fixtures/oracle/robotcomponents_ranges.csv"));
+    let all = Robot::built_in_names().iter().chain(Robot::built_in_with_offset_wrist());
+    assert!(all.copied().eq(rows.iter().map(|row| row[0])));
+    for row in rows.iter().filter(|row| row[0] != "irb1600-1.45") {
+        let theirs = numbers(&row[1..]);
+        for (j, (joint, theirs)) in robot(row[0]).joints.iter().zip(theirs.chunks(2)).enumerate() {
+            let [low, high] = joint.range_rad.unwrap().map(f64::to_degrees);
+            // Some of theirs are rounded to whole degrees.
+            assert!(
+                low > theirs[0] - 0.3 && high < theirs[1] + 0.3,
+                "{} joint {}: {low} {high}",
+                row[0],
+                j + 1
+            );
+        }
+    }
+}
+
+/// A product of exponentials (Brockett 1984): each axis as a line of the zero pose in the base, the flange's pose there behind them. Nothing
+/// goes from frame to frame, as the robot files do.
+#[test]
+fn gofa_is_the_arm_that_others_describe_and_has_no_closed_form() {
+    let rows = rows(include_str!("../../fixtures/oracle/robotcomponents_offset_wrist.csv"));
+    assert_eq!(Robot::built_in_with_offset_wrist(), rows.iter().map(|row| row[0]).collect::<Vec<_>>());
+    let mut random = Random(15);
+    for row in rows {
+        let [a1, a2, a3, b, c1, c2, c3, c4]: [f64; 8] = numbers(&row[1..]).try_into().unwrap();
+        let [upper, wrist, hand] = [c1 + c2, c1 + c2 - a2, c1 + c2 - a2 - a3];
+        let lines = [
+            (Vector3::z(), Vector3::zeros()),
+            (Vector3::y(), Vector3::new(a1, b, c1)),
+            (Vector3::y(), Vector3::new(a1, b, upper)),
+            (Vector3::x(), Vector3::new(a1, b, wrist)),
+            (Vector3::y(), Vector3::new(a1 + c3, b, wrist)),
+            (Vector3::x(), Vector3::new(a1 + c3, b, hand)),
+        ];
+        let home = Isometry3::from_parts(
+            (Vector3::new(a1 + c3 + c4, b, hand) / 1000.0).into(),
+            UnitQuaternion::from_axis_angle(&Vector3::y_axis(), FRAC_PI_2),
+        );
+        let arm = Robot::by_name(row[0]).unwrap();
+        let ours = Chain::nominal(&arm);
+        for _ in 0..200 {
+            let q_rad = random.joints(PI);
+            let about = |(j, (axis, through_mm)): (usize, &(Vector3<f64>, Vector3<f64>))| {
+                let turn = UnitQuaternion::from_scaled_axis(axis * q_rad[j]);
+                let through_m = through_mm / 1000.0;
+                Isometry3::from_parts((through_m - turn * through_m).into(), turn)
+            };
+            let theirs =
+                lines.iter().enumerate().map(about).fold(Isometry3::identity(), |all, one| all * one) * home;
+            let (distance_m, angle_rad) = gap(&ours.forward(&q_rad), &theirs);
+            assert!(distance_m < 1e-12 && angle_rad < 1e-7, "{}: {distance_m} {angle_rad}", row[0]);
+        }
+        let refused = ClosedForm::new(&arm).unwrap_err().to_string();
+        assert!(refused.contains("axes 4, 5 and 6 do not meet in one point"), "{refused}");
+    }
+}
+
 /// Largest difference of two joint vectors, whole turns apart being the same.
 fn apart_rad(a: &[f64; 6], b: &[f64; 6]) -> f64 {
     let wrapped = |x: f64| (x - TAU * (x / TAU).round()).abs();

@@ -67,15 +67,6 @@ pub enum RobotError {
         /// Why, and what to do.
         reason: String,
     },
-    /// An arm of six axes whose last three do not meet in one point, known by name.
-    #[error(
-        "`{name}` is refused: its wrist has an offset, so that axes 4, 5 and 6 do not meet in one point, and the joints of a robtarget are \
-         found in closed form for arms where they do"
-    )]
-    OffsetWrist {
-        /// As asked for.
-        name: String,
-    },
     /// No built-in robot of that name.
     #[error(
         "no built-in robot is called `{name}`{}; built in are {}. For another robot give the path of a robot file (TOML)",
@@ -104,7 +95,6 @@ impl RobotError {
             Self::Backup { .. } => "robot::backup",
             Self::NotSixAxis { .. } => "robot::six-axis",
             Self::Refused { .. } => "robot::coupled",
-            Self::OffsetWrist { .. } => "robot::wrist",
             Self::Unknown { .. } => "robot::unknown",
         }
     }
@@ -118,9 +108,6 @@ impl From<RobotError> for Diagnostic {
             RobotError::NotSixAxis { .. } => diagnostic.help(
                 "diagnose, validate, plan, compare-measurements, accuracy and robot take arms of four to seven joints",
             ),
-            RobotError::OffsetWrist { .. } => {
-                diagnostic.help("diagnose, validate and plan take it from a robot file, URDF or Denavit-Hartenberg table of it")
-            }
             _ => diagnostic,
         }
     }

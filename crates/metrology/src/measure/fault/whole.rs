@@ -311,7 +311,8 @@ impl Trial<'_> {
     }
 
     fn other_robot(&self) -> Option<Fault> {
-        let others = Robot::built_in_names().iter().filter_map(|name| {
+        let names = Robot::built_in_names().iter().chain(Robot::built_in_with_offset_wrist());
+        let others = names.filter_map(|name| {
             let other = SerialArm::built_in(name).filter(|other| other.name != self.robot.name)?;
             left_m(&other, &self.stations, self.targets).map(|left_m| (left_m, name))
         });
