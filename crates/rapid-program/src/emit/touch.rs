@@ -64,6 +64,9 @@ pub struct TouchFrames {
 /// In the form `schedule` there are buckets up to so many times the table's settled drift, for what touches find.
 pub const ROOM: f64 = 1.5;
 
+/// Touches that one call of `tcTouch` makes at most: one, one more where it surprises, a third where the two do not agree.
+const TRIES: u32 = 3;
+
 /// How the point is found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TouchBy {
@@ -148,6 +151,8 @@ impl Touch {
             ("@ACROSS@", num(filter::GATE_ACROSS * variance)),
             ("@GATE@", num(filter::GATE * filter::GATE)),
             ("@AGREE@", num(agree)),
+            ("@PLAIN@", num(filter::GATE.powi(2) * variance / square)),
+            ("@TRIES@", TRIES.to_string()),
             ("@RHO@", num(filter::FIRST_CORRELATION)),
             ("@LEAST@", num(-filter::GATE * (variance / square).sqrt())),
             ("@SEEN@", num(seen)),

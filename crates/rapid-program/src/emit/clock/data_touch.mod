@@ -8,6 +8,7 @@
   LOCAL PERS num tcBy{2,5}:=[[1,0,0,0,0],[0,1,0,0,0]];
   LOCAL PERS num tcTouched{5}:=[0,0,0,0,0];
   LOCAL VAR num tcTo{2,5};
+  LOCAL VAR num tcSeen{4}:=[0,0,0,0];
   LOCAL VAR num tcHas:=0;
   LOCAL VAR num tcLag1:=0;
   LOCAL VAR num tcHours:=0;

@@ -1,9 +1,11 @@
   PROC tcTouch()
-    ! Measures at a fixed point how warm the arm is; a touch that is refused leaves the state as it is
+    ! Measures at a fixed point how warm the arm is, again where a touch surprises; one that is refused leaves the state as it is
     VAR robtarget tcWhere;
     VAR robtarget tcFound;
+    VAR robtarget tcMeant;
     VAR bool tcIs:=FALSE;
     tcTouchSaid:="";
+    tcSeen:=[0,0,0,0];
     tcUpdate;
     IF NOT tcAlive tcBegin tcPart(tcAmount/2),@SECOND_HALF@;
     IF NOT tcAlive OR NOT tcStands(@POINT@) THEN
@@ -11,17 +13,23 @@
       RETURN;
     ENDIF
     tcWhere:=Offs(@COLD@,@DX@*tcHas,@DY@*tcHas,@DZ@*tcHas);
-    tcProbe tcWhere,tcFound,tcIs;
-    tcUpdate;
-    IF NOT tcIs THEN
-      tcRefuse "the point was not found";
-    ELSEIF NOT tcAlive OR NOT tcStands(tcFound) THEN
-      tcRefuse "the arm is not where it should be";
-    ELSE
+    tcMeant:=@COLD@;
+    FOR tcN FROM 1 TO @TRIES@ DO
+      tcProbe tcWhere,tcFound,tcIs;
+      tcUpdate;
+      IF NOT tcIs THEN
+        tcRefuse "the point was not found";
+        RETURN;
+      ELSEIF NOT tcAlive OR NOT tcStands(tcFound) THEN
+        tcRefuse "the arm is not where it should be";
+        RETURN;
+      ENDIF
 log#      tcLog tcFound;
-      tcWhere:=@COLD@;
-      tcLearn tcFound.trans.x-tcWhere.trans.x,tcFound.trans.y-tcWhere.trans.y,tcFound.trans.z-tcWhere.trans.z;
-    ENDIF
+      tcLearn tcFound.trans.x-tcMeant.trans.x,tcFound.trans.y-tcMeant.trans.y,tcFound.trans.z-tcMeant.trans.z;
+      IF tcTouchSaid="Touch taken" RETURN;
+    ENDFOR
+    TPWrite tcTouchSaid;
+    IF tcSeen{4}=1 tcTouched:=[tcTouched{1},tcTouched{2},tcSeen{3},1,tcTouched{5}];
   ENDPROC
 
   LOCAL PROC tcRefuse(string tcWhy)
@@ -92,7 +100,7 @@ log#      tcLog tcFound;
     VAR num tcNow{5,5};
     tcM:=(@DX@*tcX+@DY@*tcY+@DZ@*tcZ)*@PER_SQUARE@;
     IF tcX*tcX+tcY*tcY+tcZ*tcZ-tcM*tcM*@SQUARE@>@ACROSS@ OR tcM<@LEAST@ OR tcM>@MOST@ THEN
-      tcRefuse "it is not where warmth could have brought it";
+      tcTouchSaid:="Touch refused: it is not where warmth could have brought it";
       RETURN;
     ENDIF
     tcReach;
@@ -115,15 +123,23 @@ log#      tcLog tcFound;
     tcOff:=tcM-tcHas;
     IF tcOff*tcOff>@GATE@*(tcNow{@SEEN@,@SEEN@}+@R@) THEN
       IF tcTouched{4}=0 OR (tcOff-tcTouched{3})*(tcOff-tcTouched{3})>@AGREE@ THEN
-        tcTouched:=[tcTouched{1},tcTouched{2},tcOff,1,tcTouched{5}];
-        tcRefuse "it is over three sigma from what is expected";
+        tcSeen:=[tcSeen{1},tcSeen{2},tcOff,1];
+        tcTouchSaid:="Touch refused: it is over three sigma from what is expected";
         RETURN;
       ENDIF
-      ! Two in a row that agree: the state was wrong
+      ! Two calls in a row that agree: the state was wrong
       tcNow{1,1}:=tcNow{1,1}+tcOff*tcOff;
       tcNow{1,2}:=tcNow{1,2}+@RHO@*tcOff*tcOff;
       tcNow{2,1}:=tcNow{1,2};
       tcNow{2,2}:=tcNow{2,2}+tcOff*tcOff;
+    ELSEIF tcOff*tcOff>@PLAIN@ THEN
+      ! More than a touch's own noise: not without a second one that agrees
+      IF tcSeen{2}=0 OR (tcOff-tcSeen{1})*(tcOff-tcSeen{1})>2*@PLAIN@ THEN
+        tcSeen:=[tcOff,1,tcSeen{3},tcSeen{4}];
+        tcTouchSaid:="Touch refused: no second touch agrees with it";
+        RETURN;
+      ENDIF
+      tcOff:=(tcOff+tcSeen{1})/2;
     ENDIF
     tcVar:=tcNow{@SEEN@,@SEEN@}+@R@;
     FOR tcN FROM 1 TO 5 DO
