@@ -77,17 +77,25 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
 }
 
 fn false_touches(out: &mut String, w: &WarmUp) {
-    let lines: Vec<String> =
-        w.residuals.iter().filter(|one| one.looks_false).map(|one| one.line.to_string()).collect();
-    if !lines.is_empty() {
-        let some = counted(lines.len(), "touch");
-        let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
-        let _ = writeln!(
-            out,
-            "{some} {verb} false, further off than noise takes one: {word} {}; the fit counts what looks false like the others: take it out and fit again",
-            lines.join(", ")
-        );
+    let all = || w.residuals.iter().filter(|one| one.looks_false);
+    let lines: Vec<String> = all().map(|one| one.line.to_string()).collect();
+    if lines.is_empty() {
+        return;
     }
+    let some = counted(lines.len(), "touch");
+    let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
+    let what = if all().any(|one| one.counts) {
+        "all count, as so many are no accidents: does the arm drift as this law says, is the tip's place right?"
+    } else if lines.len() == 1 {
+        "it is set aside"
+    } else {
+        "they are set aside"
+    };
+    let _ = writeln!(
+        out,
+        "{some} {verb} false, further off than noise takes one: {word} {}; {what}",
+        lines.join(", ")
+    );
 }
 
 fn forecast_at_targets(out: &mut String, there: &TargetForecast) {
@@ -140,7 +148,7 @@ pub fn json(w: &WarmUp, there: Option<&TargetForecast>) -> Value {
         "parameters": parameters,
         "residuals": w.residuals.iter().map(|one| json!({
             "line": one.line, "point": one.point, "t_min": one.t_min, "before_mm": mm(&one.before_m), "after_mm": mm(&one.after_m),
-            "looks_false": one.looks_false,
+            "looks_false": one.looks_false, "counts": one.counts,
         })).collect::<Vec<_>>(),
         "targets": there.map(|t| json!({
             "drift_rms_mm": mm_from_m(t.drift_rms_m), "left_rms_mm": mm_from_m(t.left_rms_m),

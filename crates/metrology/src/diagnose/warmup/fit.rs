@@ -5,21 +5,27 @@ use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus
 use super::parameters::{PARAMETERS, signature};
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
-use super::touch_residuals::touch_residuals;
+use super::touch_residuals::{false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
-use crate::measure::{self, RegisterError, Station, Touches, register};
+use crate::measure::{self, RegisterError, Station, Touch, Touches, register};
 use nalgebra::{DMatrix, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::Robot;
+use std::collections::BTreeSet;
 
 /// A pose that moved by more than this between two touches of one point is another pose, radians.
 const SAME_POSE_RAD: f64 = 0.02;
 
 /// Histories this much less likely than the likeliest do not count.
 const NEGLIGIBLE_NATS: f64 = 14.0;
+
+/// Where more of the touches than this look false, all of them count.
+const MOST_ASIDE: f64 = 0.15;
+/// Fits without what looked false in the one before, at most.
+const MOST_ROUNDS: usize = 12;
 
 /// Why there is no fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -79,7 +85,7 @@ struct FittedHistory {
     posterior: Posterior,
 }
 
-/// Fits a settled deformation and its growth to `touches` of one robot.
+/// Fits a settled deformation and its growth to `touches` of one robot; those that look false are set aside, the furthest off first.
 ///
 /// # Errors
 /// Too few touches, a point in two poses, all at one time, poses that cannot be registered.
@@ -93,6 +99,40 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         return Err(FitError::NoTime { span_min: last_min - first_min });
     }
     let stops = options.stops.clone().unwrap_or_else(|| history::longest_pause(touches));
+    let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
+    let mut aside = BTreeSet::new();
+    let (mut found, mut gain_nats) = of(&aside)?;
+    for _ in 0..MOST_ROUNDS {
+        let mut next = false_lines(&found.residuals, &aside);
+        // So many are no accidents of single touches: it is the arm that does not go as the fit has it.
+        let are_many = next.len() as f64 > MOST_ASIDE * found.residuals.len() as f64;
+        if are_many {
+            next.clear();
+        }
+        if next == aside {
+            break;
+        }
+        (found, gain_nats) = of(&next)?;
+        aside = next;
+        if are_many {
+            break;
+        }
+    }
+    // Asked at the end: false touches hide a drift.
+    if gain_nats < ALARM_NATS {
+        return Err(FitError::NoDrift { gain_nats });
+    }
+    Ok(found)
+}
+
+/// The fit to all touches but those of some lines, which are told beside it, and by how many nats a drift is likelier than none.
+fn fit_without(
+    touches: &Touches,
+    all: &[Point],
+    aside: &BTreeSet<u64>,
+    stops: &[Standstill],
+) -> Result<(WarmUp, f64), FitError> {
+    let points: Vec<Point> = all.iter().map(|point| point.without(aside)).collect();
     let mut grid = Vec::new();
     for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
         for tau_min in taus_min() {
@@ -106,7 +146,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         }
     }
     let sums =
-        |history: &ThermalHistory| points.iter().map(|p| p.sums(history, &stops)).collect::<Vec<Sums>>();
+        |history: &ThermalHistory| points.iter().map(|p| p.sums(history, stops)).collect::<Vec<Sums>>();
     let weigh = |grid: Vec<ThermalHistory>| -> Vec<WeighedHistory> {
         grid.into_par_iter()
             .filter_map(|history| {
@@ -121,9 +161,6 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     let drift =
         log_sum(coarse.iter().map(|w| w.log_evidence)) - (coarse.len() as f64).ln() - log_weight_of_sizes();
     let gain_nats = drift - log_evidence_of_none(&sums(&likeliest.history));
-    if gain_nats < ALARM_NATS {
-        return Err(FitError::NoDrift { gain_nats });
-    }
     let other_law = share_of_other_law(&coarse, likeliest);
     // Round the likeliest, as wide as the evidence is and fine enough for it.
     let weighed = weigh(history::finer_grid(&coarse, likeliest));
@@ -162,25 +199,27 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         .map(|p| TouchedPoint {
             name: touches.points.get(p.index).cloned().unwrap_or_default(),
             q_rad: p.q_rad,
-            settled_m: p.sums(&history, &stops).settled_m(),
+            settled_m: p.sums(&history, stops).settled_m(),
         })
         .collect();
-    let residuals = touch_residuals(&points, &touches.points, &history, &stops, &settled);
-    Ok(WarmUp {
+    let residuals = touch_residuals((all, aside), &touches.points, &history, stops, &settled);
+    let minute = |touch: Option<&Touch>| touch.map_or(0.0, |touch| touch.t_min);
+    let warm_up = WarmUp {
         growth: history.law,
         tau_sigma_min: spread(|h| h.law.tau_min(), history.law.tau_min().unwrap_or(0.0)),
         other_law,
         tau_cool_min: history.tau_cool_min.map(|cool| [cool, spread(|h| h.tau_cool_min, cool)]),
-        stops,
+        stops: stops.to_vec(),
         sigma_m: chosen.sigma_m,
         settled,
         covariance,
         prior: chosen.prior,
         points: touched,
         residuals,
-        span_min: [first_min, last_min],
-        touches: touches.touches.len(),
-    })
+        span_min: [minute(touches.touches.first()), minute(touches.touches.last())],
+        touches: touches.touches.len() - aside.len(),
+    };
+    Ok((warm_up, gain_nats))
 }
 
 /// Probability of the law that is not the likeliest's.

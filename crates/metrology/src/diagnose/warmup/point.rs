@@ -3,6 +3,7 @@
 use super::history::{Standstill, ThermalHistory, warmth};
 use super::posterior::Sums;
 use nalgebra::{Matrix3xX, Vector3};
+use std::collections::BTreeSet;
 
 /// The touches of one point in one pose.
 pub(super) struct Point {
@@ -15,6 +16,19 @@ pub(super) struct Point {
 }
 
 impl Point {
+    /// Without the touches of these lines.
+    pub(super) fn without(&self, lines: &BTreeSet<u64>) -> Self {
+        let kept = || (0..self.lines.len()).filter(|&i| !lines.contains(&self.lines[i]));
+        Self {
+            index: self.index,
+            q_rad: self.q_rad,
+            signature: self.signature.clone(),
+            lines: kept().map(|i| self.lines[i]).collect(),
+            t_min: kept().map(|i| self.t_min[i]).collect(),
+            observed_m: kept().map(|i| self.observed_m[i]).collect(),
+        }
+    }
+
     /// What the likelihood needs of them under a history of warmth.
     pub(super) fn sums(&self, history: &ThermalHistory, stops: &[Standstill]) -> Sums {
         let grown = warmth(history, stops, &self.t_min);

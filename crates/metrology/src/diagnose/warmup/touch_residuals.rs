@@ -4,6 +4,7 @@ use super::history::{Standstill, ThermalHistory, warmth};
 use super::parameters::PARAMETERS;
 use super::point::Point;
 use nalgebra::{SVector, Vector3};
+use std::collections::BTreeSet;
 
 /// The median length of a vector of three normal coordinates, in their standard deviation (the root of chi-square's median at 3).
 const MEDIAN_LENGTH: f64 = 1.538_172_3;
@@ -23,13 +24,15 @@ pub struct TouchResidual {
     pub before_m: Vector3<f64>,
     /// What the fitted deformation leaves of it.
     pub after_m: Vector3<f64>,
-    /// It lies further off than noise takes a touch. The fit counts it like any other.
+    /// It lies further off than noise takes a touch.
     pub looks_false: bool,
+    /// The fit counts it: it does not look false, or too many do.
+    pub counts: bool,
 }
 
-/// Every touch of `points`, in the order of time.
+/// Every touch of `points`, in the order of time, beside the fit to all but those of the lines `aside`.
 pub(super) fn touch_residuals(
-    points: &[Point],
+    (points, aside): (&[Point], &BTreeSet<u64>),
     names: &[String],
     history: &ThermalHistory,
     stops: &[Standstill],
@@ -42,7 +45,9 @@ pub(super) fn touch_residuals(
         let settled_m = &point.signature * settled;
         let drift_m = |i: usize| settled_m * grown[i];
         let n = point.t_min.len();
-        let cold_m = (0..n).map(|i| point.observed_m[i] - drift_m(i)).sum::<Vector3<f64>>() / n as f64;
+        let kept: Vec<usize> = (0..n).filter(|&i| !aside.contains(&point.lines[i])).collect();
+        let sum_m: Vector3<f64> = kept.iter().map(|&i| point.observed_m[i] - drift_m(i)).sum();
+        let cold_m = sum_m / kept.len().max(1) as f64;
         all.extend((0..n).map(|i| {
             let before_m = point.observed_m[i] - cold_m;
             TouchResidual {
@@ -52,6 +57,7 @@ pub(super) fn touch_residuals(
                 before_m,
                 after_m: before_m - drift_m(i),
                 looks_false: false,
+                counts: !aside.contains(&point.lines[i]),
             }
         }));
     }
@@ -61,6 +67,17 @@ pub(super) fn touch_residuals(
         touch.looks_false = looks_false;
     }
     all
+}
+
+/// The lines to set aside next: those aside that look false still, and of the others those that do and are at least half as far off as the
+/// furthest: near ones may only seem so while far ones pull at the fit.
+pub(super) fn false_lines(all: &[TouchResidual], aside: &BTreeSet<u64>) -> BTreeSet<u64> {
+    let others = all.iter().filter(|touch| !aside.contains(&touch.line));
+    let furthest_m = others.map(|touch| touch.after_m.norm()).fold(0.0, f64::max);
+    let is_next = |touch: &&TouchResidual| {
+        touch.looks_false && (aside.contains(&touch.line) || touch.after_m.norm() >= furthest_m / 2.0)
+    };
+    all.iter().filter(is_next).map(|touch| touch.line).collect()
 }
 
 /// Which lengths are beyond what the middle one lets expect.
