@@ -337,7 +337,10 @@ fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Set
     let Ok(first) = first else { return Ok((usage(words)?, Settings::default())) };
     let settings = Settings::find(&built, &first).map_err(ParseFailure::Settings)?;
     let Some(name) = first.subcommand_name() else { return Ok((usage(words)?, settings)) };
-    Ok((usage(&settings.add_to(words, name))?, settings))
+    match command.clone().try_get_matches_from(settings.add_to(words, name)) {
+        Ok(matches) => Ok((matches, settings)),
+        Err(error) => Err(settings.blame(&error).map_or(ParseFailure::Usage(error), ParseFailure::Settings)),
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Defaults of a shop: `driftpost.toml`, found upwards from what a command works on. The command line wins.
 
 use super::{OUTPUTS, files, suggest};
+use clap::error::{ContextKind, ContextValue};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -67,6 +68,12 @@ impl Settings {
                         own.extend(table.clone());
                     }
                 }
+                (toml::Value::Table(_), false) => {
+                    let near = suggest::nearest(key, COMMANDS);
+                    let near = near.map_or_else(String::new, |near| format!("; did you mean `[{near}]`?"));
+                    let text = format!("`[{key}]` is no command that takes defaults{near}");
+                    return Err(wrong("settings::unknown", text));
+                }
                 _ => {
                     let known = COMMANDS.iter().find(|one| option(command, one, key).is_some());
                     let one = toml::Table::from_iter([(key.clone(), value.clone())]);
@@ -106,6 +113,23 @@ impl Settings {
         let at =
             (1..words.len()).find(|&at| words[at] == command && !is_value(at)).unwrap_or(words.len() - 1);
         [&words[..=at], &self.words, &words[at + 1..]].concat()
+    }
+
+    /// What is wrong with a command line, told of the file where an option of it has its value from there.
+    #[must_use]
+    pub fn blame(&self, error: &clap::Error) -> Option<Diagnostic> {
+        let Some(ContextValue::String(arg)) = error.get(ContextKind::InvalidArg) else { return None };
+        let option = arg.split([' ', '=']).next()?;
+        let is_it = |word: &OsString| {
+            let word = word.to_string_lossy();
+            word == option || word.strip_prefix(option).is_some_and(|rest| rest.starts_with('='))
+        };
+        self.words.iter().any(is_it).then(|| {
+            let text = error.to_string();
+            let told = text.split("\n\n").next().unwrap_or(&text);
+            let told: Vec<&str> = told.trim_start_matches("error: ").split_whitespace().collect();
+            Diagnostic::error("settings::value", format!("{}: {}", self.path.display(), told.join(" ")))
+        })
     }
 
     /// Every option of a command with its value and where that comes from.

@@ -64,12 +64,21 @@ fn what_is_no_default_is_refused_with_its_key() {
         ("in-place = true\n", "settings::not-a-default", "`in-place`"),
         ("[compensate]\noutput = \"x\"\n", "settings::not-a-default", "`output`"),
         ("robot = \n", "settings::toml", "driftpost.toml"),
+        ("[compensat]\nform = \"ramp\"\n", "settings::unknown", "did you mean `[compensate]`?"),
+        ("[shop]\nform = \"ramp\"\n", "settings::unknown", "`[shop]` is no command"),
+        ("form = \"rampp\"\n", "settings::value", "driftpost.toml: invalid value 'rampp' for '--form"),
+        ("[compensate]\ntolerance-mm = \"wide\"\n", "settings::value", "invalid float literal"),
+        ("tolerance-mm = [0.01, 0.02]\n", "settings::value", "--tolerance-mm"),
     ] {
         bench.file("driftpost.toml", text);
         let output = driftpost(&["compensate", &program]);
         assert_eq!(output.status.code(), Some(2), "{text}");
         assert!(err(&output).contains(code) && err(&output).contains(named), "{text}: {}", err(&output));
     }
+    // What is wrong on the command line is none of the file's.
+    bench.file("driftpost.toml", "form = \"rampp\"\n");
+    let output = driftpost(&["compensate", &program, "--form", "rump"]);
+    assert!(err(&output).contains("'rump'") && !err(&output).contains("settings::"), "{}", err(&output));
     let output = driftpost(&["compensate", &program, "--settings", "/nowhere/x.toml"]);
     assert!(err(&output).contains("input::missing"), "{}", err(&output));
     assert_eq!(bench.files(), ["Cube45.mod", "driftpost.toml"]);
