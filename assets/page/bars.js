@@ -1,24 +1,17 @@
-// Bars as plain SVG: a value of each row on one scale, with its interval where there is one.
+// Bars: a value of each row on one scale, with its interval where there is one. Labels are text that wraps, the bars SVG.
 
 import { h, svg } from './dom.js';
 
-const ROW = 36;
 const WIDE = 99;
 
 /** Rows are `{ label, value, text, colour, interval: [low, high] }`, values from 0 to `most`. */
 export function bars({ label, rows, most }) {
   const x = (value) => Math.min(Math.max(value / most, 0), 1) * WIDE;
-  const parts = rows.flatMap((row, i) => {
-    const y = i * ROW;
-    const interval = row.interval
-      ? [svg('line', { x1: `${x(row.interval[0])}%`, x2: `${x(row.interval[1])}%`, y1: y + 24, y2: y + 24, class: 'bar-interval' })]
-      : [];
-    return [
-      svg('text', { x: 0, y: y + 13, class: 'bar-name' }, row.label, svg('tspan', { dx: 8, class: 'bar-value' }, row.text)),
-      svg('rect', { x: 0, y: y + 18, width: `${Math.max(x(row.value), 0.3)}%`, height: 12, class: `bar-${row.colour ?? 'plain'}`, rx: 1.5 }),
-      ...interval,
-    ];
-  });
+  const one = (row) => h('div', { class: 'bar-row' },
+    h('span', { class: 'bar-name', text: row.label }), ' ', h('span', { class: 'bar-value', text: row.text }),
+    svg('svg', { width: '100%', height: 12, 'aria-hidden': 'true' },
+      svg('rect', { x: 0, y: 0, width: `${Math.max(x(row.value), 0.3)}%`, height: 12, class: `bar-${row.colour ?? 'plain'}`, rx: 1.5 }),
+      row.interval ? [svg('line', { x1: `${x(row.interval[0])}%`, x2: `${x(row.interval[1])}%`, y1: 6, y2: 6, class: 'bar-interval' })] : []));
   const text = rows.map((row) => `${row.label} ${row.text}`).join('; ');
-  return h('div', { class: 'bars' }, svg('svg', { width: '100%', height: rows.length * ROW, role: 'img', 'aria-label': `${label}: ${text}` }, parts));
+  return h('div', { class: 'bars', role: 'img', 'aria-label': `${label}: ${text}` }, rows.map(one));
 }

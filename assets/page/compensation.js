@@ -1,6 +1,6 @@
 // The page of `driftpost compensate`.
 
-import { count, h, mm, plural, store } from './dom.js';
+import { NONE, count, h, mm, plural, store } from './dom.js';
 import { Correction, Course } from './course.js';
 import { armSection } from './compensation_arm.js';
 import { curveSection } from './compensation_curves.js';
@@ -50,14 +50,17 @@ function overview(data, view, totals, refused) {
   const cheaper = (data.other_tolerances ?? []).map((one) => `${one.tolerance_mm} mm ${one.buckets}`).join(', ');
   return section('overview', 'Overview', 'Overview', said,
     data.worst_before_mm !== null && figures(
-      figure('Worst error, uncorrected', mm(data.worst_before_mm), 'mm', 'any corrected target, any minute', 'before'),
-      figure('Worst error, corrected', mm(data.worst_after_mm, data.worst_after_mm < 0.0005 ? 6 : 4), 'mm', 'any corrected target, any minute', 'after'),
+      // of no target at all the worst is no zero
+      totals.compensated > 0 && [
+        figure('Worst error, uncorrected', mm(data.worst_before_mm), 'mm', 'any corrected target, any minute', 'before'),
+        figure('Worst error, corrected', mm(data.worst_after_mm, data.worst_after_mm < 0.0005 ? 6 : 4), 'mm', 'any corrected target, any minute', 'after'),
+      ],
       figure('Motions', count(totals.motions), '', `${count(totals.compensated)} compensated, ${count(totals.kept)} kept, ${count(totals.refused)} refused`),
       many > 0
         ? figure('Buckets', count(many), '', cheaper && `at other tolerances: ${cheaper}`)
         : figure('Form', formOf(totals), '', 'scaled at run time, no buckets'),
-      many > 0 && figure('Largest step between buckets', mm(data.worst_switch_jump_mm), 'mm', 'of the TCP'),
-      figure('One work-object shift instead', mm(data.rigid_shift_worst_mm), 'mm', 'would be left at worst'),
+      totals.compensated > 0 && many > 0 && figure('Largest step between buckets', mm(data.worst_switch_jump_mm), 'mm', 'of the TCP'),
+      totals.compensated > 0 && figure('One work-object shift instead', mm(data.rigid_shift_worst_mm), 'mm', 'would be left at worst'),
     ),
     view.shown && h('p', { class: 'notice', text: `${count(totals.motions)} motions are too many for one page: it holds ${count(view.shown)} of them: up to 10,000 that are kept or refused, and those with the largest corrections. Figures above and sums of routines are over all.` }),
     view.from_json && h('p', { class: 'notice', text: 'Made from JSON alone: arm, curves and source are on the page that `compensate --report` writes.' }));
@@ -65,7 +68,7 @@ function overview(data, view, totals, refused) {
 
 function formOf(totals) {
   const forms = Object.entries(totals.by_form ?? {}).filter(([, n]) => n > 0).map(([name]) => name);
-  return forms.join(', ') || '–';
+  return forms.join(', ') || NONE;
 }
 
 const provenance = (view) => [...(view.provenance ?? []), ...(view.settings ?? [])];

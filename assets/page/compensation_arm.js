@@ -37,7 +37,7 @@ export function armSection(scene) {
     deformed.paint(colour('arm'), colour('arm-joint'));
     cloud.paint({ path: colour('path'), ring: colour('accent') });
   });
-  const most = Math.max(scene.data.worst_before_mm ?? 0, 1e-6);
+  const most = Math.max(scene.data.worst_before_mm || worstDrawn(course), 1e-6);
   const error = new Float64Array(3);
   let areErrorsStale = true;
   const refresh = oncePerFrame(() => {
@@ -163,6 +163,12 @@ function jog({ course, state }, arm) {
   state.on('joints', () => sliders.forEach((one, i) => one.set(state.joints[i])));
   return h('fieldset', { class: 'jog' }, h('legend', { text: 'Jog' }), sliders.map((one) => one.element),
     button('Back to the target', () => state.set({ joints: course.joints(state.point ?? 0) }), { class: 'small' }));
+}
+
+/** The largest error of a target when all has settled, mm: of a program of which no target is corrected. */
+function worstDrawn(course) {
+  const shares = course.at(course.end);
+  return Array.from({ length: course.count }, (_, i) => Math.hypot(...course.error(i, shares))).reduce((most, one) => Math.max(most, one), 0);
 }
 
 function legend(most, state) {

@@ -87,7 +87,7 @@ function alongProgram({ course, motions, state, data }) {
   const of = (i) => motions.get(course.points.motion[i]);
   const few = which.length <= 400;
   const plot = curves({
-    title: 'Correction of each target, in the order of the program', x: which.map((i) => i + 1), xLabel: 'target', yLabel: 'mm',
+    title: 'Correction of each target, in the order of the program', x: which.map((i) => i + 1), xLabel: 'target', whole: true, yLabel: 'mm',
     text: `Corrections of ${which.length} targets`,
     series: [
       { label: 'largest correction', colour: 'before', dots: few, values: which.map((i) => of(i)?.max_correction_mm ?? null) },
@@ -104,7 +104,7 @@ function alongProgram({ course, motions, state, data }) {
 function jointsAlong({ course, state, motions }) {
   const which = drawn(course);
   const plot = curves({
-    title: 'Joints at the targets', x: which.map((i) => i + 1), xLabel: 'target', yLabel: 'deg', zero: false,
+    title: 'Joints at the targets', x: which.map((i) => i + 1), xLabel: 'target', whole: true, yLabel: 'deg', zero: false,
     text: `Nominal joints at ${which.length} targets`,
     series: [1, 2, 3, 4, 5, 6].map((j) => ({ label: `J${j}`, colour: `joint-${j}`, width: 1.5, dots: which.length === 1, values: which.map((i) => course.points.q_deg[6 * i + j - 1]) })),
     needle: () => (state.point === null ? null : state.point + 1),

@@ -1,13 +1,19 @@
 // The table of motions, and sums of routines where there are too many.
 
-import { count, h, mm, deg } from './dom.js';
+import { count, h, mm } from './dom.js';
 import { choice } from './controls.js';
 import { section } from './layout.js';
 import { table } from './table.js';
 import { nameOf } from './target_card.js';
 
 const text = (value) => (value === null || value === undefined ? '' : String(value));
-const figure = (key, label, decimals = 4) => ({ key, label, number: true, value: (row) => row[key], text: (row) => (row[key] === null || row[key] === undefined ? '–' : mm(row[key], decimals)) });
+const figure = (key, label, decimals = 4) => ({ key, label, number: true, value: (row) => row[key], text: (row) => mm(row[key], decimals) });
+
+/** A figure of those that are corrected. */
+const corrected = (column) => {
+  const of = (row) => (row.status === 'compensated' ? row : {});
+  return { ...column, value: (row) => column.value(of(row)), text: (row) => column.text(of(row)) };
+};
 
 export function motionSection(scene) {
   const { data, view, course, state } = scene;
@@ -19,8 +25,7 @@ export function motionSection(scene) {
     { key: 'routine', label: 'routine', value: (row) => row.routine, text: (row) => text(row.routine), class: 'name' },
     { key: 'kind', label: 'move', value: (row) => row.kind, text: (row) => text(row.kind) },
     { key: 'status', label: 'status', value: (row) => row.status, text: (row) => (row.status === 'compensated' ? text(row.form) : `${row.status}: ${text(row.reason)}`), class: 'reason' },
-    figure('max_correction_mm', 'correction mm'),
-    { ...figure('max_correction_deg', 'deg'), text: (row) => deg(row.max_correction_deg, 5) },
+    corrected(figure('max_correction_mm', 'correction mm')), corrected(figure('max_correction_deg', 'deg', 5)),
     figure('mid_path_mm', 'mid-path mm'), figure('before_mm', 'before mm'), figure('after_mm', 'after mm'),
   ].filter(Boolean);
   const order = { refused: 0, kept: 1, compensated: 2 };

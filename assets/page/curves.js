@@ -6,15 +6,17 @@ import { MarkLabels } from './mark_labels.js';
 import { colour, onTheme } from './theme.js';
 
 const FONT = '12px system-ui, sans-serif';
+/** From tick to tick of what is counted. */
+const WHOLE = [1, 10, 100, 1e3, 1e4, 1e5].flatMap((ten) => [1, 2, 5].map((n) => n * ten));
 
 /**
  * Series are `{ label, values, colour, dash, dots, bars, width, gaps }`; `right` is a second scale `{ label, factor }` of the same values,
- * `names` stand at 0, 1, 2 ... below;
+ * `names` stand at 0, 1, 2 ... below; `whole`: x counts things;
  * `marks` are vertical lines `{ at, colour, dash, label, to, shade }`
  * that stay, with their word above the plot, shaded up to `to`;
  * `needle` says where the one line stands that follows the reader, or null; `text` is what is told instead of the picture.
  */
-export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [], needle = () => null, height = 240, onClick, zero = true, right = null, names = null }) {
+export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [], needle = () => null, height = 240, onClick, zero = true, right = null, names = null, whole = false }) {
   const place = h('div', { class: 'plot' });
   const legend = h('ul', { class: 'legend' });
   const labels = marks().some((mark) => mark.label) ? new MarkLabels() : null;
@@ -39,8 +41,8 @@ export function curves({ title, text, x, xLabel, yLabel, series, marks = () => [
     }));
     return {
       width, height, padding: labels ? [5, null, null, null] : undefined, legend: { show: false }, cursor: { drag: { x: true, y: false }, points: { show: !now.some((one) => one.dots) } },
-      scales: { x: { time: false, ...(names && { range: [0.5, names.length - 1.5] }) }, y: { range: (_, low, high) => range(low, high, zero) } },
-      axes: [{ ...axis(xLabel, 34), ...(names && { splits: () => names.map((_, i) => i).filter((i) => names[i] !== ''), values: (_, at) => at.map((i) => names[i]) }) }, { ...axis(yLabel, 52), values: plainly }, ...(right ? [{ ...axis(right.label, 64), side: 1, grid: { show: false }, values: (u, ticks) => plainly(u, ticks.map((tick) => Number((tick * right.factor).toPrecision(2)))) }] : [])],
+      scales: { x: { time: false, ...(names && { range: [0.5, names.length - 1.5] }), ...(whole && { range: (_, low, high) => [low - 0.5, high + 0.5] }) }, y: { range: (_, low, high) => range(low, high, zero) } },
+      axes: [{ ...axis(xLabel, 34), ...(whole && { incrs: WHOLE }), ...(names && { splits: () => names.map((_, i) => i).filter((i) => names[i] !== ''), values: (_, at) => at.map((i) => names[i]) }) }, { ...axis(yLabel, 52), values: plainly }, ...(right ? [{ ...axis(right.label, 64), side: 1, grid: { show: false }, values: (u, ticks) => plainly(u, ticks.map((tick) => Number((tick * right.factor).toPrecision(2)))) }] : [])],
       series: [{}, ...own], hooks: { drawAxes: [drawShades], draw: [drawMarks, placeNeedle], setScale: labels ? [placeLabels] : [], ready: labels ? [placeLabels] : [] },
     };
   }

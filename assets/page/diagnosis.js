@@ -1,6 +1,6 @@
 // The page of `driftpost diagnose`.
 
-import { count, h, mm, number, plural, store } from './dom.js';
+import { NONE, count, h, mm, number, plural, store } from './dom.js';
 import { bars } from './bars.js';
 import { figure, figures, later, messages, record, section } from './layout.js';
 import { table } from './table.js';
@@ -28,7 +28,7 @@ export function causeName(cause) {
 }
 
 const percent = (p) => (p > 0.999 ? '> 99.9 %' : p < 0.001 ? '< 0.1 %' : `${(100 * p).toFixed(1)} %`);
-const size = (cause) => (cause.size === null ? '–' : `${number(cause.size)}${cause.sigma === null ? '' : ` ± ${number(cause.sigma)}`} ${cause.unit === '1' ? '' : cause.unit}`);
+const size = (cause) => (cause.size === null ? NONE : `${number(cause.size)}${cause.sigma === null ? '' : ` ± ${number(cause.sigma)}`} ${cause.unit === '1' ? '' : cause.unit}`);
 
 export function diagnosis({ data, view, version }) {
   const [tone, verdict] = VERDICTS[data.verdict] ?? ['', words(data.verdict)];

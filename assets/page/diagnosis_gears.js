@@ -1,6 +1,6 @@
 // Spectra of the gears: how far each joint swings, line by line, and what that is at the tool.
 
-import { h, number } from './dom.js';
+import { h, mm, number } from './dom.js';
 import { curves } from './curves.js';
 import { section } from './layout.js';
 import { table } from './table.js';
@@ -32,7 +32,7 @@ export function gearSection(data, view) {
     { key: 'joint', label: 'joint', number: true, value: (row) => row.joint, text: (row) => String(row.joint) },
     { key: 'n', label: 'lines a turn', number: true, value: (row) => row.n, text: (row) => String(row.n) },
     { key: 'mrad', label: 'mrad', number: true, value: (row) => row.mrad, text: (row) => size(row.mrad, row.sigma_mrad) },
-    { key: 'mm', label: 'mm at the tool', number: true, value: (row) => row.mm, text: (row) => (row.mm === null ? '–' : row.mm.toFixed(4)) },
+    { key: 'mm', label: 'mm at the tool', number: true, value: (row) => row.mm, text: (row) => mm(row.mm) },
     { key: 'named', label: 'named', value: (row) => (row.named ? 1 : 0), text: (row) => (row.named ? (NAMES[row.n] ?? `${row.n} a turn`) : '') },
   ];
   return section('gears', 'Gears: lines over a turn of each joint', 'Gears',

@@ -1,6 +1,6 @@
 // Residuals of every row: by joint angle, over time, as a table.
 
-import { h, mm } from './dom.js';
+import { NONE, h, mm } from './dom.js';
 import { curves } from './curves.js';
 import { section } from './layout.js';
 import { table } from './table.js';
@@ -33,7 +33,7 @@ export function residualSection(scene) {
   const columns = [
     { key: 'line', label: 'line', number: true, value: (row) => row.line, text: (row) => String(row.line) },
     { key: 'id', label: 'id', value: (row) => row.id, text: (row) => row.id ?? '', class: 'name' },
-    timed && { key: 't', label: 'min', number: true, value: (row) => row.t, text: (row) => (row.t === null ? '–' : String(row.t)) },
+    timed && { key: 't', label: 'min', number: true, value: (row) => row.t, text: (row) => (row.t === null ? NONE : String(row.t)) },
     { key: 'before', label: 'before mm', number: true, value: (row) => row.before, text: (row) => mm(row.before, 3) },
     { key: 'after', label: 'after mm', number: true, value: (row) => row.after, text: (row) => mm(row.after, 3) },
     { key: 'outlier', label: 'set aside', value: (row) => (row.outlier ? 1 : 0), text: (row) => (row.outlier ? 'false row' : '') },

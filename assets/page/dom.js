@@ -34,10 +34,13 @@ let last = 0;
 /** An id that no other element of the page has. */
 export const newId = (name) => `${name}-${(last += 1)}`;
 
-/** A length in mm with so many decimals; a dash where there is none. */
-export const mm = (value, decimals = 4) => (Number.isFinite(value) ? value.toFixed(decimals) : '–');
+/** What stands where there is no number. */
+export const NONE = '–';
 
-export const deg = (value, decimals = 3) => (Number.isFinite(value) ? value.toFixed(decimals) : '–');
+/** A length in mm with so many decimals; a dash where there is none. */
+export const mm = (value, decimals = 4) => (Number.isFinite(value) ? value.toFixed(decimals) : NONE);
+
+export const deg = (value, decimals = 3) => (Number.isFinite(value) ? value.toFixed(decimals) : NONE);
 
 /** 12345 as 12,345. */
 export const count = (value) => value.toLocaleString('en-US');
@@ -46,7 +49,7 @@ export const plural = (n, word) => `${count(n)} ${word}${n === 1 ? '' : 's'}`;
 
 /** A number of any size as a person reads it. */
 export function number(value) {
-  if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+  if (value === null || value === undefined || !Number.isFinite(value)) return NONE;
   const size = Math.abs(value);
   if (value !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
   return String(Number(value.toPrecision(5)));

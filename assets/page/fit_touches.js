@@ -5,7 +5,7 @@ import { curves } from './curves.js';
 import { table } from './table.js';
 
 export const rowsOf = (residuals) => residuals.map((one, i) => ({
-  i, line: one.line, point: one.point, t: one.t_min, before: Math.hypot(...one.before_mm), after: Math.hypot(...one.after_mm), of: one.after_mm, looksFalse: one.looks_false,
+  i, line: one.line, point: one.point, t: one.t_min, before: Math.hypot(...one.before_mm), after: Math.hypot(...one.after_mm), of: one.after_mm, looksFalse: one.looks_false, counts: one.counts,
 }));
 
 /** Two pictures of the same touches. */
@@ -52,7 +52,7 @@ export function touchTable(rows, chosen) {
     { key: 'before', label: 'moved mm', number: true, value: (row) => row.before, text: (row) => mm(row.before) },
     { key: 'after', label: 'left mm', number: true, value: (row) => row.after, text: (row) => mm(row.after) },
     { key: 'of', label: 'left x, y, z', value: (row) => row.after, text: (row) => row.of.map((value) => mm(value, 3)).join(', ') },
-    { key: 'false', label: 'judged', value: (row) => (row.looksFalse ? 1 : 0), text: (row) => (row.looksFalse ? 'looks false' : '') },
+    { key: 'false', label: 'judged', value: (row) => (row.looksFalse ? 1 : 0), text: (row) => (row.looksFalse ? `looks false${row.counts ? '' : ', set aside'}` : '') },
   ];
   const list = table({ caption: 'Touches', name: 'touches', columns, rows, sort: { key: 'after', up: false }, rowClass: (row) => (row.looksFalse ? 'refused' : ''), onRow: (row) => chosen.set({ row: row.i }) });
   chosen.on('row', () => list.choose(rows[chosen.row] ?? null));

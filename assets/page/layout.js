@@ -1,6 +1,6 @@
 // What every page has: head, sections, messages, figures, record with lines to sign.
 
-import { h, plural } from './dom.js';
+import { NONE, h, plural } from './dom.js';
 import { button } from './controls.js';
 import { toggleTheme } from './theme.js';
 
@@ -27,7 +27,7 @@ export function section(id, title, short, ...content) {
 
 /** A figure with what it means. */
 export const figure = (label, value, unit, note, tone = '') => h('div', { class: `figure ${tone}` },
-  h('dt', { text: label }), h('dd', {}, h('span', { class: 'value', text: value }), unit && h('span', { class: 'unit', text: ` ${unit}` }), note && h('span', { class: 'note', text: note })));
+  h('dt', { text: label }), h('dd', {}, h('span', { class: 'value', text: value }), unit && value !== NONE && h('span', { class: 'unit', text: ` ${unit}` }), note && h('span', { class: 'note', text: note })));
 
 export const figures = (...all) => h('dl', { class: 'figures' }, all);
 

@@ -1,17 +1,21 @@
 // A page of any other result: its figures, and its lists as tables.
 
-import { count, h, number } from './dom.js';
+import { NONE, count, h, number } from './dom.js';
 import { facts, figure, figures, messages, record, section } from './layout.js';
 import { table } from './table.js';
 
 const words = (key) => key.replaceAll('_', ' ').replace(/ (mm|deg|min|kg)$/, ' ($1)');
 const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
-function shown(value) {
-  if (value === null || value === undefined) return '–';
-  if (typeof value === 'number') return number(value);
+/** Decimals of a column by its unit, so that its numbers stand under each other; others have as many as they need. */
+const DECIMALS = { mm: 4, deg: 4, min: 2 };
+const decimalsOf = (key) => DECIMALS[/[ _(](mm|deg|min)\)?$/.exec(key)?.[1]];
+
+function shown(value, decimals) {
+  if (value === null || value === undefined) return NONE;
+  if (typeof value === 'number') return decimals === undefined ? number(value) : value.toFixed(decimals);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (Array.isArray(value)) return value.map(shown).join(', ');
+  if (Array.isArray(value)) return value.map((one) => shown(one, decimals)).join(', ');
   if (isObject(value)) return Object.entries(value).map(([key, one]) => `${words(key)} ${shown(one)}`).join('; ');
   return String(value);
 }
@@ -22,7 +26,7 @@ export function listOf(name, rows) {
   const keys = [...new Set(flat.flatMap((row) => Object.keys(row)))].filter((key) => flat.some((row) => row[key] !== null));
   const columns = keys.map((key) => ({
     key, label: words(key), number: flat.every((row) => row[key] === null || row[key] === undefined || typeof row[key] === 'number'),
-    value: (row) => (isObject(row[key]) || Array.isArray(row[key]) ? shown(row[key]) : row[key]), text: (row) => shown(row[key]),
+    value: (row) => (isObject(row[key]) || Array.isArray(row[key]) ? shown(row[key]) : row[key]), text: (row) => shown(row[key], decimalsOf(key)),
   }));
   return table({ caption: words(name), name, columns, rows: flat }).element;
 }

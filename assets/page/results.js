@@ -32,7 +32,7 @@ export function accuracy({ data, view, version }) {
 }
 
 export function comparison({ data, view, version }) {
-  const tools = data.tools.map((one, i) => ({ reflector: i + 1, 'moved by (mm)': Math.hypot(...one.by_mm), x: one.by_mm[0], y: one.by_mm[1], z: one.by_mm[2], 'sigma (mm)': one.sigma_mm }));
+  const tools = data.tools.map((one, i) => ({ reflector: i + 1, 'moved by (mm)': Math.hypot(...one.by_mm), 'x (mm)': one.by_mm[0], 'y (mm)': one.by_mm[1], 'z (mm)': one.by_mm[2], 'sigma (mm)': one.sigma_mm }));
   const sections = [
     section('overview', 'Overview', 'Overview',
       figures(

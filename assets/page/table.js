@@ -1,6 +1,6 @@
 // A table that is sorted by its headings, searched, and shown a page at a time; whole in print as far as it is short.
 
-import { beforehand, count, h, plural } from './dom.js';
+import { NONE, beforehand, count, h, plural } from './dom.js';
 import { button, search } from './controls.js';
 
 const PAGE = 40;
@@ -38,7 +38,7 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
   function cells(row) {
     return columns.map((column, k) => {
       const text = column.text(row);
-      const content = k === 0 && onRow ? h('button', { type: 'button', class: 'link', text: text || '–', onclick: () => onRow(row) }) : text;
+      const content = k === 0 && onRow ? h('button', { type: 'button', class: 'link', text: text || NONE, onclick: () => onRow(row) }) : text;
       return h('td', { class: `${column.number ? 'number' : ''} ${column.class ?? ''}`.trim(), title: String(text).length > 24 ? text : undefined }, content);
     });
   }

@@ -54,7 +54,8 @@ impl PageOutput {
         data: &Value,
         text: &str,
     ) -> anyhow::Result<()> {
-        let title = inputs.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+        let last = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned();
+        let title = inputs.iter().map(|(name, _)| last(name)).collect::<Vec<_>>().join(", ");
         let provenance: Vec<(String, String)> =
             inputs.iter().map(|(name, sha256)| (name.clone(), format!("SHA-256 {sha256}"))).collect();
         let page = ResultPage { title, data, text, provenance: &provenance };

@@ -7,6 +7,7 @@ mod browser;
 mod bundle;
 mod compensation;
 mod hostile;
+mod nasty;
 mod results;
 mod screenshots;
 #[cfg(all(feature = "link", unix))]
@@ -14,6 +15,7 @@ mod watch;
 mod work;
 
 use browser::Browser;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -33,6 +35,15 @@ fn driftpost(arguments: &[&str], code: i32) {
     );
 }
 
+/// Cells of tables and labels of bars whose text goes beyond them, into the next column or out of sight.
+const RUNS_OUT: &str = "(() => { const out = [];
+    for (const place of document.querySelectorAll('td, th, .bar-row')) {
+        const inside = document.createRange(); inside.selectNodeContents(place);
+        const [text, own] = [inside.getBoundingClientRect(), place.getBoundingClientRect()];
+        if (own.width > 0 && text.width > 0 && (text.right > own.right + 1 || text.left < own.left - 1)) out.push(place.textContent.slice(0, 60));
+    }
+    return out; })()";
+
 /// A page in all four settings: nothing on the console, nothing loaded, nothing beside the window, nothing that axe-core finds.
 fn looks_right(browser: &mut Browser, page: &Path) {
     for (width, scheme) in SETTINGS {
@@ -41,6 +52,7 @@ fn looks_right(browser: &mut Browser, page: &Path) {
         let over = browser.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
         assert!(over <= 0.0, "{at}: {over} px beside the window");
         assert!(browser.text("main").len() > 200, "{at}: nothing to read");
+        assert_eq!(browser.eval(RUNS_OUT), json!([]), "{at}: text runs out of its place");
         accessible::check(browser, &at);
         assert_eq!(browser.complaints(), [""; 0], "{at}");
         assert_eq!(Vec::from_iter(browser.requests()), [format!("file://{}", page.display())], "{at}");
