@@ -164,7 +164,14 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
     let values = match kind {
         // Where the payload's centre lies is no part of the robot.
         EffectKind::JointCompliance => compliance(dataset, variant, &values)?,
-        EffectKind::LinkBending => by_link(values, 2, variant.joint? + 1, 9),
+        EffectKind::LinkBending => {
+            let mut all = by_link(values, 2, variant.joint? + 2, 10);
+            if variant.refined {
+                // By the moment alone: without the end force's part.
+                all[2] = Value { value: -all[0].value, ..all[0] };
+            }
+            all
+        }
         EffectKind::PayloadMass => {
             let share = if payload_scaling == PayloadScaling::PerKilogram {
                 1.0 / dataset.largest_payload_kg

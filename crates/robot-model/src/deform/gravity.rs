@@ -69,10 +69,10 @@ pub struct Bend {
 }
 
 impl Pull {
-    /// How the link between two joints' origins (base frame) bends when this pulls at its end: an even one, and
-    /// the change where it gives more near its root than near its tip.
+    /// How the link between two joints' origins (base frame) bends when this pulls at its end: an even one, the change where it
+    /// gives more near its root than near its tip, and what the end force has in the first, apart from the moment.
     #[must_use]
-    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [Bend; 2] {
+    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [Bend; 3] {
         let along = to_m - from_m;
         let across = |v: Vector3<f64>| {
             if along.norm() > 1e-6 { v - along * (v.dot(&along) / along.norm_squared()) } else { v }
@@ -81,7 +81,8 @@ impl Pull {
         let lever = along.cross(&Vector3::new(0.0, 0.0, -self.weight_n));
         let even =
             Bend { turn_n_m: moment + lever * 0.5, sink_m_n_m: (moment * 0.5 + lever / 3.0).cross(&along) };
-        [even, Bend { turn_n_m: lever, sink_m_n_m: (moment + lever).cross(&along) }]
+        let uneven = Bend { turn_n_m: lever, sink_m_n_m: (moment + lever).cross(&along) };
+        [even, uneven, Bend { turn_n_m: lever * 0.5, sink_m_n_m: (lever / 3.0).cross(&along) }]
     }
 
     fn add(&mut self, moment_n_m: &Vector3<f64>, weight_n: f64) {
@@ -217,12 +218,19 @@ mod tests {
         // Level, straight ahead: a kilogram one metre further along the flange's z.
         assert!((loads.unit_lever_n[1][2] - 9.80665).abs() < 1e-9, "{:?}", loads.unit_lever_n[1]);
         // The upper arm under the weight and the moment of all beyond the elbow.
-        let [even, _] = loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
+        let [even, ..] = loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
         let weight = 9.80665 * (links[2..].iter().map(|l| l.mass_kg).sum::<f64>() + 2.0);
         let moment = loads.torque_n_m[2];
         assert!((even.turn_n_m.y - moment - 0.36 * weight / 2.0).abs() < 1e-9, "{even:?}");
         let sink = moment * 0.36 / 2.0 + 0.36 * 0.36 * weight / 3.0;
         assert!((even.sink_m_n_m.z + sink).abs() < 1e-9, "{even:?}");
         assert!((loads.payload_torque_n_m[1] - 2.0 * loads.unit_torque_n_m[1]).abs() < 1e-12);
+        // The weight's own part of that; without it a beam under an end moment alone is left: M and M L / 2.
+        let [even, _, force] =
+            loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
+        assert!((force.turn_n_m.y - 0.36 * weight / 2.0).abs() < 1e-9, "{force:?}");
+        assert!((force.sink_m_n_m.z + 0.36 * 0.36 * weight / 3.0).abs() < 1e-9, "{force:?}");
+        assert!(((even.turn_n_m - force.turn_n_m).y - moment).abs() < 1e-9);
+        assert!(((even.sink_m_n_m - force.sink_m_n_m).z + moment * 0.36 / 2.0).abs() < 1e-9);
     }
 }

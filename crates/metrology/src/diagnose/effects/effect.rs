@@ -73,7 +73,8 @@ pub struct EffectVariant {
     pub gravity_hold: GravityHold,
     /// Payload mass: where the excess hangs.
     pub payload_scaling: PayloadScaling,
-    /// With its own departures from the plain shape: a gear's even harmonic, a spring that hardens or softens.
+    /// With its own departures from the plain shape: a gear's even harmonic, a spring that hardens or softens, a link that bends by
+    /// the moment alone.
     pub refined: bool,
 }
 

@@ -7,7 +7,7 @@ use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Bend;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
-/// more at one end than at the other, and each link's share of the load may be wrong.
+/// more at one end than at the other, or bend by the end moment alone, and each link's share of the load may be wrong.
 pub struct LinkBending;
 
 /// How far a link's end usually turns under the largest load of the measurement, radians: a third of a joint's sag.
@@ -16,6 +16,10 @@ const BEND_RAD: f64 = 1.5e-4;
 /// How far the shares of an uneven cantilever usually lie from those of an even one: a hinge at its tip is at
 /// -1/2, -1/2, -1/3, one at its root at 1/2, 1/2, 2/3.
 const UNEVEN: f64 = 0.3;
+
+/// Share of the links that bend by the moment at their end alone: the part that gives is short against the lever of what hangs
+/// beyond it, or lies in the bearing at its end.
+const BY_MOMENT: f64 = 0.3;
 
 impl Effect for LinkBending {
     fn kind(&self) -> EffectKind {
@@ -35,20 +39,25 @@ impl Effect for LinkBending {
         (0..joints - 1)
             // Where a joint at its root or tip slides, how much of the link is a beam changes: left to geometry.
             .filter(|&i| !dataset.slides[i] && !dataset.slides[i + 1])
-            .map(|i| {
+            .flat_map(|i| {
                 let turn_n_m = |o: &Observation| {
-                    let [even, _] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
+                    let [even, ..] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
                     even.turn_n_m.norm()
                 };
                 let largest_n_m = dataset.observations.iter().map(turn_n_m).fold(0.0, f64::max);
                 let prior_sigma = sag_per_load(BEND_RAD, largest_n_m);
                 let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
                 sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, joints - 1 - i));
-                Candidate {
+                [(false, 1.0 - BY_MOMENT), (true, BY_MOMENT)].map(|(refined, weight)| Candidate {
                     sign_constrained: true,
                     n_reported: 1,
-                    ..Candidate::new(EffectKind::LinkBending, EffectVariant::of_joint(i), sizes)
-                }
+                    weight,
+                    ..Candidate::new(
+                        EffectKind::LinkBending,
+                        EffectVariant { refined, ..EffectVariant::of_joint(i) },
+                        sizes.clone(),
+                    )
+                })
             })
             .collect()
     }
@@ -66,9 +75,14 @@ impl Effect for LinkBending {
             twist.iter_mut().zip(bend.sink_m_n_m.iter()).for_each(|(to, sink)| *to += sink);
             twist
         };
-        out.extend(observation.loads.beyond[i + 1].bend(&from_m, &to_m).iter().map(moved));
+        let [even, uneven, force] = observation.loads.beyond[i + 1].bend(&from_m, &to_m);
+        let mut plain = moved(&even);
+        if variant.refined {
+            plain.iter_mut().zip(moved(&force)).for_each(|(to, by)| *to -= by);
+        }
+        out.extend([plain, moved(&uneven)]);
         for link in &observation.loads.link_beyond[i + 1][i + 1..observation.joints()] {
-            let [even, _] = link.bend(&from_m, &to_m);
+            let [even, ..] = link.bend(&from_m, &to_m);
             out.push(moved(&even));
         }
     }

@@ -348,7 +348,7 @@ fn write_term(out: &mut String, term: &Term, kinds: &Joints<JointKind>) {
         let _ = writeln!(out, "n = {n}");
     }
     for ((key, unit), value) in term.kind.parameters(kind_of(term.joint, kinds)).iter().zip(&term.values) {
-        let optional = ["link", "joint", "uneven", "hardening", "softening"]
+        let optional = ["link", "joint", "uneven", "force", "hardening", "softening"]
             .iter()
             .any(|correction| key.starts_with(correction));
         if optional && value.value == 0.0 && value.sigma.is_none() {

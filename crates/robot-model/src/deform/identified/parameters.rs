@@ -71,6 +71,7 @@ const JOINTS: [Parameter; 6] = [
 const LINK_7: Parameter = ("link7_rad_per_n_m", Unit::Plain);
 const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
 const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
+const END_FORCE: Parameter = ("force_rad_per_n_m", Unit::Plain);
 const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
 const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS, []);
 /// Beside the linear spring one in proportion to the torque's square, and one to its root, both with its sign.
@@ -100,7 +101,7 @@ const SLIDING_SPRING: [Parameter; 10] = [
     ("softening_m_per_root_n", Unit::Plain),
     ("link7_m_per_n", Unit::Plain),
 ];
-const PER_BEND: [Parameter; 9] = joined([COMPLIANCE, UNEVEN], LINKS, [LINK_7]);
+const PER_BEND: [Parameter; 10] = joined([COMPLIANCE, UNEVEN, END_FORCE], LINKS, [LINK_7]);
 const PER_TILT: [Parameter; 9] = joined(TILT, LINKS, [LINK_7]);
 const PER_JOINT: [Parameter; 8] =
     joined([("kg", Unit::Plain)], JOINTS, [("joint7_rad_per_n_m", Unit::Plain)]);

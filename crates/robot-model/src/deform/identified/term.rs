@@ -320,8 +320,8 @@ impl Term {
                     take(bend, v(k));
                 }
                 for (k, part) in loads.link_beyond[link + 1].iter().enumerate().take(joints) {
-                    let [even, _] = part.bend(&ends[0], &ends[1]);
-                    take(&even, v(k + 2));
+                    let [even, ..] = part.bend(&ends[0], &ends[1]);
+                    take(&even, v(k + 3));
                 }
                 let into = frames[link].rotation.inverse();
                 let (shift, turn) = (into * sink, into * turn);
