@@ -140,14 +140,18 @@ impl Library<'_> {
         }
     }
 
-    /// Two causes in one joint against any one that was ever near, in the place of both: a shape can be taken
-    /// for the sum of two others.
+    /// Two causes in one joint, or two that give way under load, against any one that was ever near, in the place of both: a
+    /// shape can be taken for the sum of two others.
     pub(super) fn merge(&mut self, search: &mut Search<'_>) {
         let joint = |of: &ChosenCause| self.candidates[of.candidate].variant.joint;
+        let loaded = |of: &ChosenCause| self.candidates[of.candidate].kind.needs_load();
         let chosen = &search.chosen;
         let pairs: Vec<(usize, usize)> = (0..chosen.len())
             .flat_map(|k| (0..k).map(move |i| (i, k)))
-            .filter(|&(i, k)| joint(&chosen[i]).is_some() && joint(&chosen[i]) == joint(&chosen[k]))
+            .filter(|&(i, k)| {
+                joint(&chosen[i]).is_some() && joint(&chosen[i]) == joint(&chosen[k])
+                    || loaded(&chosen[i]) && loaded(&chosen[k])
+            })
             .collect();
         for (i, k) in pairs.into_iter().rev() {
             let others = search.others(&[i, k]);
