@@ -25,6 +25,7 @@ mod outcome;
 mod rounding;
 mod scatter;
 mod search;
+mod set_aside;
 pub mod signature;
 mod slow_noise;
 mod spectrum;

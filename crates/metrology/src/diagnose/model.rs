@@ -7,6 +7,7 @@ use super::evidence::{EvidencePeak, NuisanceModel};
 use super::linearise::{Linearised, shift_m};
 use super::marginal::NoisePrior;
 use super::search::{ALARM_NATS, ChosenCause, Library, NULL_PRIOR, cause_columns};
+use super::set_aside::SetAside;
 use super::slow_noise::{self, SlowNoise};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
@@ -194,6 +195,7 @@ fn settled<'a>(
     let Start { mut variance_ratio, mut arm_m, mut robust, mut outliers, mut slow } = start;
     // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
     let mut shared = SharedError::default();
+    let mut set_aside = SetAside::new(outliers.len());
     let mut round = 0;
     loop {
         let base_weights: Vec<f64> =
@@ -213,6 +215,7 @@ fn settled<'a>(
         let fit = solve(&design, &all_groups, &chosen, Some(peak.geometry_ratio));
         let residuals = design.residuals(&fit.coefficients);
         let (mut next_robust, mut next_outliers) = robust_weights(linear, &residuals, &base_weights);
+        set_aside.settle((&robust, &outliers), (&mut next_robust, &mut next_outliers));
         let shared_ratio = shared.at_targets(dataset);
         let noise_m = peak.sigma_m * (1.0 + shared_ratio).sqrt();
         let carried = steps_of_few(
