@@ -49,6 +49,7 @@ mod real;
 mod real_cell;
 mod shop;
 mod simulate;
+mod slow_noise;
 mod tabulate;
 #[path = "../../fuzz/targets.rs"]
 mod targets;

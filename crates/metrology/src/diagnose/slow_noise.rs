@@ -70,9 +70,8 @@ pub fn likeliest(
 ) -> Option<SlowNoise> {
     let enough = dataset.observations.len() >= 4 * STATIONS_PER_WAVE;
     // Rows without times are often in the order of their places, and in a large set much of the arm is: what is slow
-    // over them is no noise. Nor is what neither repeats nor a statement say to be noise.
-    let noise_known = noise.known.is_some() && dataset.observations.len() <= MOST_STATIONS;
-    if dataset.time_min.is_none() || !noise_known || !enough {
+    // over them is no noise.
+    if dataset.time_min.is_none() || dataset.observations.len() > MOST_STATIONS || !enough {
         return None;
     }
     let groups: Vec<usize> = (0..design.groups()).collect();

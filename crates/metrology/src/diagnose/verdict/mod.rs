@@ -21,7 +21,7 @@ use noise::{
     slowness,
 };
 use robot_model::deform::EffectKind;
-use size::{cause, cause_unfitted, line_among_many, moved_m, total_rms_m};
+use size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
 use structure::{
     MANY_CAUSES, SMALL_BESIDE, add_gp_alternatives, alternative_share, gp_alternative_share, left_over_m,
     location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines, structure as structure_in,
@@ -155,7 +155,7 @@ fn with_causes(
     let mut clear = 0;
     let mut winning_gp: Option<usize> = None;
     let mut needed = 0;
-    let mut lost = 0;
+    let mut lost = Vec::new();
     for i in 0..chosen.len() {
         if chosen.len() > MANY_CAUSES && workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
         {
@@ -182,7 +182,7 @@ fn with_causes(
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
         if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
             winning_gp = structure_in(workspace, &ranking).map(|s| s.1);
-            lost += 1;
+            lost.push(i);
         }
         let play_too = looks_like_play(workspace, linear, first.best);
         clear += usize::from(
@@ -241,7 +241,15 @@ fn with_causes(
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
     // Causes that most of them structure could replace are no causes but its parts.
-    let parts = lost > 1 && 2 * lost > needed && left.is_some();
+    let parts = lost.len() > 1 && 2 * lost.len() > needed && left.is_some();
+    // Nor does structure that stands where a small one of them would.
+    let kept: Vec<ChosenCause> =
+        (0..chosen.len()).filter(|i| !lost.contains(i)).map(|i| chosen[i].clone()).collect();
+    let kept_rms_m = if lost.is_empty() { cause_rms_m } else { total_rms_m(model, workspace, &kept) };
+    let lost_rms_m = (cause_rms_m.powi(2) - kept_rms_m.powi(2)).max(0.0).sqrt();
+    if lost_rms_m < MAX_RESIDUAL_SHARE * cause_rms_m {
+        winning_gp = None;
+    }
     let alone = (winning_gp.is_some() || together) && !beside || all || parts || shape.or(varies).is_some();
 
     let mut switched: Vec<u64> = chosen
@@ -252,15 +260,16 @@ fn with_causes(
     switched.sort_unstable();
     switched.dedup();
     let slowness = slowness(model, workspace, linear, chosen);
-    // Where nothing says how much noise there is, slow scatter as large as the causes may be noise.
-    let slow_share = match slowness {
-        Slowness::Structure { noise_known: false, .. } => 1.0,
-        _ => MAX_RESIDUAL_SHARE,
+    let moved_m = moved_m(model, workspace, linear, chosen);
+    // Where nothing says how much noise there is, slow scatter as large as all that the causes move may be noise.
+    let largest_slow_m = match slowness {
+        Slowness::Structure { noise_known: false, .. } => cause_rms_m.max(rms(&moved_m)),
+        _ => MAX_RESIDUAL_SHARE * cause_rms_m,
     };
 
     let mut place = Location { joint: causes.first().and_then(|c| c.joint), ..Location::default() };
     place.time = causes.first().map(|c| c.time);
-    place.region = region_of(linear, &moved_m(model, workspace, linear, chosen));
+    place.region = region_of(linear, &moved_m);
     let (verdict, reason) = if alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m {
         let gp_alternative = winning_gp.or(left.map(|l| l.1)).or_else(|| {
             let groups: Vec<usize> = (0..workspace.design.groups()).collect();
@@ -281,7 +290,7 @@ fn with_causes(
             None => (Verdict::UnexplainedStructure, reason),
         }
     } else if let Slowness::Structure { rms_m, .. } = slowness
-        && rms_m > cause_rms_m * slow_share
+        && rms_m > largest_slow_m
     {
         place = over_time(model, workspace, linear, chosen);
         (

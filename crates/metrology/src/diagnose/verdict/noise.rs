@@ -19,6 +19,11 @@ const STATED_SCATTER: f64 = 2.8;
 const BY_CHANCE: f64 = 2.878;
 /// Structure left that is larger than this share of the causes makes them doubtful.
 pub const MAX_RESIDUAL_SHARE: f64 = 0.5;
+/// Variance over the one stated that says that the statement holds. An autoregressive process keeps less than this beside its slow
+/// waves, whatever its correlation from .6 on.
+const AS_STATED: std::ops::Range<f64> = 0.72..1.5;
+/// All scatter over the variance stated, from which on what is slow is not of it.
+const ON_TOP: f64 = 1.35;
 /// The reason that [`slow_noise`] gives.
 pub const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
      part of it, but together they scatter no more than the noise allows";
@@ -159,7 +164,7 @@ pub fn slowness(
     let Some(slow) = model.slow else { return Slowness::None };
     let chi = reduced_chi_square(model, workspace, linear, chosen);
     match chi {
-        Some((value, limit)) if value <= limit => Slowness::WithinNoise,
+        Some((value, limit)) if value <= limit && !beyond_statement(model, value) => Slowness::WithinNoise,
         _ => Slowness::Structure {
             rms_m: slow.size * model.peak.sigma_m * 3.0_f64.sqrt(),
             noise_known: chi.is_some(),
@@ -182,12 +187,27 @@ pub fn slow_noise(
     );
     over_time
         && linear.dataset.time_min.is_some()
-        && reduced_chi_square(model, workspace, linear, &[]).is_some_and(|(value, limit)| value <= limit)
+        && reduced_chi_square(model, workspace, linear, &[])
+            .is_some_and(|(value, limit)| value <= limit && !beyond_statement(model, value))
+}
+
+/// Whether what is slow comes on top of the noise that was stated, where all together are `total` times the statement's variance.
+/// A statement may be 1.4 times off, and then all noise is; but where noise that is not slow alone is as large as stated, the
+/// statement holds, and what is slow is none of it.
+fn beyond_statement(model: &Model, total: f64) -> bool {
+    let Some((stated_m, _)) = model.noise.known.filter(|_| !model.noise.from_repeats) else { return false };
+    model.slow.is_some() && comes_on_top((model.peak.sigma_m / stated_m).powi(2), total)
+}
+
+/// The same of variances over the one stated: `fast` of what is not slow, and `total`.
+fn comes_on_top(fast: f64, total: f64) -> bool {
+    AS_STATED.contains(&fast) && total > ON_TOP
 }
 
 #[cfg(test)]
 mod tests {
-    use super::variance_ratio;
+    use super::{comes_on_top, variance_ratio};
+    use std::f64::consts::PI;
 
     /// Upper 1 % and 5 % points of F as tables of the distribution give them.
     #[test]
@@ -202,5 +222,24 @@ mod tests {
             assert!((found / table - 1.0).abs() < 0.015, "{above} {below}: {found}");
         }
         assert_eq!(variance_ratio(2.878, 100.0, 1.0), f64::INFINITY);
+    }
+
+    /// Of an autoregressive process of unit variance the share at frequencies under f per row is 2/pi atan(tan(pi f) (1 + r) / (1 - r))
+    /// (integral of its spectrum); 14 half periods, or one for six rows, are slow. Stated 5 % of sigma too low, or right: noise. As
+    /// much on top of white noise as stated: none.
+    #[test]
+    fn noise_that_is_slow_as_a_whole_does_not_come_on_top_of_what_is_stated() {
+        for rows in [30.0_f64, 60.0, 100.0, 300.0] {
+            for r in [0.6, 0.75, 0.9, 0.95] {
+                let f = 0.5 * (rows / 6.0).floor().min(14.0) / rows;
+                let slow = 2.0 / PI * ((PI * f).tan() * (1.0 + r) / (1.0 - r)).atan();
+                for total in [1.0, 1.1] {
+                    assert!(!comes_on_top(total * (1.0 - slow), total), "{rows} {r}");
+                }
+            }
+        }
+        assert!(comes_on_top(1.0, 2.0));
+        // All of it 1.4 times the statement, and white but for a little.
+        assert!(!comes_on_top(1.9, 2.0));
     }
 }

@@ -1,0 +1,101 @@
+//! What is slow over the rows of a measurement: of the noise that is stated, on top of it, or beside a cause.
+
+use assert_cmd::Command;
+use exam::effect::Effect;
+use exam::generate::data_set;
+use exam::poses::{Recorded, Spread};
+use exam::recipe::Recipe;
+use exam::rng::Rng;
+use exam::truth::QuestionKind;
+use robot_model::robot::Robot;
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::fs;
+
+const SIGMA_MM: f64 = 0.02;
+
+/// A hundred noted rows with `effects`, their noise as much like the row's before as `slowness` says.
+fn rows(effects: Vec<(Effect, f64)>, slowness: f64, seed: u64) -> String {
+    let recipe = Recipe {
+        name: "slow".into(),
+        kind: if effects.is_empty() { QuestionKind::None } else { QuestionKind::One },
+        effects,
+        n: 100,
+        repeats: 0,
+        sigma_mm: SIGMA_MM,
+        stated_sigma_mm: None,
+        spread: Spread::Wide,
+        recorded: Recorded::NOTED,
+        slowness,
+        outliers: 0.0,
+        geometry: 0.0,
+        payloads_kg: [0.0, 3.0],
+    };
+    let robot = Robot::built_in("irb140").unwrap();
+    data_set(&(&robot).into(), "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap().csv
+}
+
+/// The same rows, each coordinate of each point further by what `shift_mm` says at the row's part of the whole.
+fn shifted(csv: &str, shift_mm: impl Fn(f64, usize) -> f64) -> String {
+    let mut rows: Vec<Vec<String>> =
+        csv.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    let x = rows[0].iter().position(|name| name == "x_mm").unwrap();
+    let last = (rows.len() - 2) as f64;
+    for (k, row) in rows.iter_mut().skip(1).enumerate() {
+        for axis in 0..3 {
+            let moved = row[x + axis].parse::<f64>().unwrap() + shift_mm(k as f64 / last, axis);
+            row[x + axis] = format!("{moved:.5}");
+        }
+    }
+    rows.iter().map(|row| row.join(",") + "\n").collect()
+}
+
+fn diagnose(csv: &str, arguments: &[&str]) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, json) = (folder.path().join("m.csv"), folder.path().join("out.json"));
+    fs::write(&path, csv).unwrap();
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("diagnose").arg(&path).arg("--json").arg(&json).args(arguments).assert().success();
+    serde_json::from_slice(&fs::read(json).unwrap()).unwrap()
+}
+
+/// White noise of the size that is stated and a wave of two to three periods as large: twice the variance stated, half of it slow.
+/// The statement holds for the one half, so the other is none of it. Noise of the size stated that is slow as a whole is noise.
+#[test]
+fn what_is_slow_on_top_of_the_noise_stated_is_structure() {
+    let stated = ["--sigma-mm", "0.02"];
+    for seed in [1, 2, 3] {
+        let white = rows(Vec::new(), 0.0, seed);
+        assert_eq!(diagnose(&white, &stated)["verdict"], "nothing_above_noise");
+        let wave = |part: f64, axis: usize| {
+            2.0_f64.sqrt() * SIGMA_MM * (TAU * ((2.0 + 0.5 * axis as f64) * part + 0.1 * axis as f64)).sin()
+        };
+        let answer = diagnose(&shifted(&white, wave), &stated);
+        assert_eq!(
+            (&answer["verdict"], &answer["where"]["time"]),
+            (&Value::from("unexplained_structure"), &Value::from("drift")),
+            "{}",
+            answer["reason"]
+        );
+        let slow = rows(Vec::new(), 0.8, seed);
+        assert_eq!(diagnose(&slow, &stated)["verdict"], "nothing_above_noise");
+    }
+}
+
+/// A gear off centre, twice the noise, in noise that is slow and of which nobody says how much it is: the gear is named, and what
+/// wanders beside it takes nothing from it.
+#[test]
+fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
+    for seed in [1, 2, 3] {
+        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7 };
+        let answer = diagnose(&rows(vec![(gear, 2.0)], 0.85, seed), &[]);
+        let causes: Vec<(&str, u64)> = answer["causes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|cause| (cause["effect"].as_str().unwrap(), cause["joint"].as_u64().unwrap_or(0)))
+            .collect();
+        assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
+        assert_eq!(causes, [("gear_eccentricity", 3)]);
+    }
+}
