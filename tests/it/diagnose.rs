@@ -8,6 +8,8 @@ use exam::poses::{Recorded, Spread};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::truth::QuestionKind;
+use nalgebra::Point3;
+use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -366,6 +368,25 @@ fn a_shift_near_one_place_is_no_cause_of_the_library() {
         answer["where"]["region"]["center_mm"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
     let away_mm = found.zip(centre_mm).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     assert!(away_mm < 180.0, "{away_mm} {answer:#}");
+}
+
+/// A hose that lies over as the wrist turns through: the hand is 0.1 mm further along the flange's x with joint 5 above zero than below.
+#[test]
+fn a_hand_that_stands_elsewhere_with_the_wrist_to_the_other_side_is_no_cause_of_the_library() {
+    let chain = Chain::nominal(&Robot::built_in("irb140").unwrap());
+    let most_deg = [150.0, 50.0, 50.0, 160.0, 100.0, 160.0];
+    let csv = file(100, |k| {
+        // Equidistributed by the golden section and its powers.
+        let share = |j: usize| ((k + 1) as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract();
+        let q_deg: [f64; 6] = std::array::from_fn(|j| most_deg[j] * (2.0 * share(j) - 1.0));
+        let side_mm = 0.05 * q_deg[4].signum();
+        let flange = chain.forward(&q_deg.map(f64::to_radians));
+        let hand_m = flange * Point3::new(0.04 + side_mm / 1000.0, 0.03, 0.09);
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.02 * noise(3 * k + axis)))
+    });
+    let (code, answer, json) = diagnose(csv.as_bytes(), &[]);
+    assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{answer}");
+    assert!(json.unwrap()["reason"].as_str().unwrap().ends_with("the side to which the wrist is bent"));
 }
 
 /// Two and three false readings one after the other, near the beginning and in the middle: rows to be set aside, and no step

@@ -32,6 +32,8 @@ pub enum GpAlternative {
     WristCable,
     /// The same with finer detail.
     WristCableFine,
+    /// A shift with the hand, other with the wrist's middle joint to one side than to the other: a hose that lies over.
+    WristFlip,
     /// A shift over time.
     Time,
     /// A faster shift over time.
@@ -91,7 +93,11 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
             all.extend((0..joints).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
         }
     }
-    all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
+    all.extend([
+        (GpAlternative::WristCable, 1.0),
+        (GpAlternative::WristCableFine, 1.0),
+        (GpAlternative::WristFlip, 0.5),
+    ]);
     for position in 0..BUMP_CENTRES {
         let share = 2.0 / (BUMP_CENTRES * BUMP_RADII_M.len()) as f64;
         all.extend(
@@ -149,6 +155,12 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         }
         GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
         GpAlternative::WristCableFine => wrist_columns(design, dataset, WRIST_RAD[1]),
+        GpAlternative::WristFlip => compress(&design.stack(dataset, 3, |_, observation, out| {
+            let middle = observation.joints().saturating_sub(2);
+            let side = observation.as_angle(middle).signum();
+            let axes = observation.flange.column_iter();
+            out.extend(axes.map(|a| [side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0]));
+        })),
         GpAlternative::Pair(a, b, j) => {
             let at = |observation: &Observation| vec![observation.as_angle(a), observation.as_angle(b)];
             let centres = farthest_points(dataset, at, 25);

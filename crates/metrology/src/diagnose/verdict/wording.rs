@@ -64,6 +64,7 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
         GpAlternative::WristCable | GpAlternative::WristCableFine => {
             "the angles of the wrist's joints".to_owned()
         }
+        GpAlternative::WristFlip => "the side to which the wrist is bent".to_owned(),
         GpAlternative::Pair(a, b, j) => {
             format!("joint {}, depending on the angles of joints {} and {}", j + 1, a + 1, b + 1)
         }
