@@ -2,7 +2,7 @@
 
 use super::cause_rows::{number, percent, plainly, rows};
 use super::counted;
-use metrology::diagnose::{Diagnosis, FalseRow, Verdict, describe};
+use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
 use robot_model::units::deg_from_rad;
@@ -19,10 +19,10 @@ const MOST_FALSE: usize = 12;
 pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
-    line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     if let Some(said) = mostly_explained(d) {
         line(&mut page, &said);
     }
+    line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     left(&mut page, d);
     line(&mut page, &format!("Next: {}.", next_step(d, arm)));
     line(&mut page, "");
@@ -40,24 +40,32 @@ const MOST: f64 = 0.9;
 /// A candidate that is named as what explains it.
 const LIKELY_CANDIDATE: f64 = 0.4;
 
-/// What is explained although the verdict is that something is not.
+/// The share of the gap's square that the model takes, where that is most of it although the verdict is that something is not
+/// explained.
+fn share_explained(d: &Diagnosis) -> Option<f64> {
+    let unexplained = matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
+    let share = 1.0 - d.shrink.ratio?.powi(2);
+    (unexplained && share >= MOST).then_some(share)
+}
+
+/// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
+/// their size at the tool.
 pub(super) fn mostly_explained(d: &Diagnosis) -> Option<String> {
-    let ratio = d.shrink.ratio.filter(|ratio| 1.0 - ratio * ratio >= MOST)?;
-    if !matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
-        return None;
-    }
-    let share = 100.0 * (1.0 - ratio * ratio);
+    let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
-    let likely = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE);
+    let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
+    let size_mm = |cause: &Cause| cause.rms_mm.unwrap_or(0.0);
+    likely.sort_by(|a, b| size_mm(b).total_cmp(&size_mm(a)));
     let leading: Vec<String> = likely
+        .iter()
         .take(3)
-        .map(|c| format!("{} ({:.3} mm at the tool)", describe(c), c.rms_mm.unwrap_or(0.0)))
+        .map(|cause| format!("{} ({:.3} mm at the tool)", describe(cause), size_mm(cause)))
         .collect();
     let by = match leading.is_empty() {
-        true => "small errors of all joints' geometry and the nearest candidates".to_owned(),
-        false => leading.join("; "),
+        true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),
+        false => format!("likeliest in it {}", leading.join(", ")),
     };
-    Some(format!("Mostly explained all the same: {share:.0} % of the gap's square is taken by {by}."))
+    Some(format!("Mostly explained: the model takes {percent:.0} % of the gap's square; {by}."))
 }
 
 /// What is left, in one line.
@@ -118,6 +126,10 @@ pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
         Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
         Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
         Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),
+        _ if share_explained(d).is_some() && d.no_model.is_none() => match poses.is_empty() {
+            true => write.to_owned(),
+            false => format!("{write}; for what is left {poses}"),
+        },
         _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
         _ => poses,
     }
@@ -237,7 +249,12 @@ fn evidence(page: &mut String, d: &Diagnosis) {
     let named =
         matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
     line(page, "");
-    line(page, if named { "What it is" } else { "Nearest candidates, none of them the answer" });
+    // Under the other verdicts the odds that a candidate is right are even at best, and each probability is halved.
+    let title = match named {
+        true => "What it is",
+        false => "Nearest candidates, none of them the answer (so none is likelier than 50 %)",
+    };
+    line(page, title);
     zeros(page, d);
     let rows = rows(&d.causes, named);
     for row in rows.iter().take(MOST_LISTED) {
