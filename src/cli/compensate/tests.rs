@@ -54,10 +54,10 @@ fn out(words: &[&str]) -> Out {
 #[test]
 fn pages_are_made_with_one_common_module() {
     let schedule = out(&["--form", "schedule"]);
-    assert_eq!(schedule.files.len(), 5, "A, B, C, Main and the common module");
-    assert!(schedule.messages.contains("keep::configuration"));
+    assert_eq!(schedule.files.len(), 6, "A, B, C, D, Main and the common module");
+    assert!(schedule.messages.contains("reach::none"));
     let ramp = out(&["--form", "ramp", "--all", "--clock", "elapsed"]);
-    assert_eq!(ramp.files.len(), 5);
+    assert_eq!(ramp.files.len(), 6);
     assert_eq!(ramp.json["motions"].as_array().unwrap().len(), 57);
     assert_eq!(ramp.json["buckets"], Value::Array(Vec::new()));
     // A row for each of the targets that the table's header and the JSON count, at every minute.
