@@ -495,3 +495,34 @@ fn a_handler_that_goes_on_does_not_hide_where_the_arm_comes_from() {
         }
     }
 }
+
+/// A routine that is called from more places than are told apart, one of them behind a handler that goes on: nothing tells the branch
+/// there, and reading the program ends.
+#[test]
+fn a_routine_called_from_many_places_and_from_anywhere_is_read() {
+    let calls: String =
+        (0..12).map(|k| format!("    MoveJ Offs(pA,{k},0,0),v100,fine,tool0;\n    further;\n")).collect();
+    let body = format!(
+        "  PROC main()
+    ConfJ\\Off;
+    ConfL\\Off;
+    MoveAbsJ jh,v100,fine,tool0;
+    further;
+{calls}    WaitDI di1,1;
+    further;
+    ERROR
+      MoveAbsJ jh,v100,fine,tool0;
+      TRYNEXT;
+  ENDPROC
+  PROC further()
+    MoveL pC,v100,fine,tool0;
+    last;
+  ENDPROC
+  PROC last()
+    MoveL pA,v100,fine,tool0;
+  ENDPROC\n"
+    );
+    let made = made("ramp", &body);
+    assert!(made.motions.iter().any(|motion| motion.0 == "compensated"), "{:?}", made.motions);
+    assert!(made.corrected_mm < 0.0005, "{}", made.corrected_mm);
+}

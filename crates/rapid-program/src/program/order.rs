@@ -26,6 +26,8 @@ enum ComesFrom {
     OneOf(Rc<Places>),
     /// From a place that is not known.
     Anywhere,
+    /// From more places than are told apart: whatever is added, it stays so.
+    ManyPlaces,
 }
 
 /// Several places, of which the arm comes from one.
@@ -92,7 +94,9 @@ pub(super) fn order(
                 let motions = places.motions.iter().copied().collect();
                 Before::OneOf { start: places.start, anywhere: places.anywhere, motions }
             }
-            ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere => Before::Unknown,
+            ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere | ComesFrom::ManyPlaces => {
+                Before::Unknown
+            }
         }
     };
     walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
@@ -288,6 +292,7 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
     let mut all = Places::default();
     for from in [a, b] {
         match from {
+            ComesFrom::ManyPlaces => return ComesFrom::ManyPlaces,
             ComesFrom::Anywhere => all.anywhere = true,
             ComesFrom::Entry => all.entry = true,
             ComesFrom::Start => all.start = true,
@@ -302,5 +307,5 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
             }
         }
     }
-    if all.motions.len() > MOST_MOTIONS { ComesFrom::Anywhere } else { ComesFrom::OneOf(Rc::new(all)) }
+    if all.motions.len() > MOST_MOTIONS { ComesFrom::ManyPlaces } else { ComesFrom::OneOf(Rc::new(all)) }
 }
