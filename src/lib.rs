@@ -32,7 +32,7 @@
 //!
 //! let found = Diagnosis::new(robot).run(&measured);
 //! println!("{}", found.text());
-//! assert!(found.findings.causes.len() > 1);
+//! assert!(!found.findings.causes.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
