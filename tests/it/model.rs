@@ -162,7 +162,7 @@ fn gripping(first: &str, second: &str) -> String {
     format!(
         "MODULE Grips\n  PERS tooldata t:={tool};\n  PERS loaddata part:=[3,[0,0,0],[1,0,0,0],0,0,0];\n\
          \x20 CONST robtarget a:={};\n  CONST robtarget b:={};\n\
-         \x20 PROC main()\n{first}    MoveJ a,v100,fine,t;\n{second}    MoveJ b,v100,fine,t;\n  ENDPROC\nENDMODULE\n",
+         \x20 PROC main()\n{first}    MoveJ a,v100,fine,t;\n{second}    MoveJ b,v100,fine,t;\n    GripLoad load0;\n  ENDPROC\nENDMODULE\n",
         target(450.0),
         target(500.0)
     )

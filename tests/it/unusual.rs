@@ -526,3 +526,38 @@ fn a_routine_called_from_many_places_and_from_anywhere_is_read() {
     assert!(made.motions.iter().any(|motion| motion.0 == "compensated"), "{:?}", made.motions);
     assert!(made.corrected_mm < 0.0005, "{}", made.corrected_mm);
 }
+
+/// Motion settings outlive a cycle, as PERS do: what is in force where `main` ends, or at ExitCycle, is in force where it begins anew.
+#[test]
+fn a_displacement_that_main_leaves_on_is_on_in_the_next_cycle() {
+    let cell = |begin: &str, end: &str| {
+        format!(
+            "{HEAD}  PROC main()
+    {begin}
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveL pA,v100,fine,tool0;
+    MoveL pC,v100,fine,tool0;
+    {end}
+  ENDPROC
+ENDMODULE\n"
+        )
+    };
+    let on = "PDispSet [[0,0,-60],[1,0,0,0]];";
+    let folder = tempfile::tempdir().unwrap();
+    for (begin, end, status) in [
+        ("", on.to_owned(), "kept"),
+        ("", format!("IF DInput(di1)=1 THEN\n      {on}\n      ExitCycle;\n    ENDIF"), "kept"),
+        ("", format!("WHILE TRUE DO\n      {on}\n      WaitTime 1;\n    ENDWHILE"), "compensated"),
+        ("PDispOff;", on.to_owned(), "compensated"),
+        ("", format!("{on}\n    PDispOff;"), "compensated"),
+    ] {
+        std::fs::write(folder.path().join("Cell.mod"), cell(begin, &end)).unwrap();
+        let args = ["compensate", "Cell.mod", "--form", "ramp", "-o", "out.mod", "--force", "--json", "-"];
+        let review = driftpost(folder.path(), &args);
+        for motion in [1, 2] {
+            let told = &review["motions"][motion];
+            assert_eq!(told["status"], status, "{begin} {end}: {told}");
+            assert_eq!(told["code"] == "keep::displacement", status == "kept", "{told}");
+        }
+    }
+}

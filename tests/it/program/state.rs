@@ -246,7 +246,7 @@ PROC sub1()\n{MOVE}t:={};\nENDPROC\nPROC other()\nENDPROC",
 fn of_several_reasons_that_which_holds_in_every_form_is_told() {
     let data = format!("VAR num n;\n{}", data());
     let body = format!(
-        "n:=DInput(d);\nMoveL Offs(p,n,0,0),v100,fine,t;\nPDispOn p,tool0;\nMoveL Offs(p,n,0,0),v100,fine,t;\n{MOVE}"
+        "n:=DInput(d);\nMoveL Offs(p,n,0,0),v100,fine,t;\nPDispOn p,tool0;\nMoveL Offs(p,n,0,0),v100,fine,t;\n{MOVE}PDispOff;"
     );
     let read = main_of(&data, &body);
     assert_eq!(codes(&read), ["keep::runtime-target", "keep::displacement", "keep::displacement"]);
@@ -268,7 +268,7 @@ fn displacements_keep_motion_until_they_are_off() {
     ] {
         let body = format!("{MOVE}{on}\n{MOVE}{off}\n{MOVE}");
         assert_eq!(codes(&main_of(&data(), &body)), ["-", expected, "-"], "{on}");
-        let body = format!("IF DI1=1 {on}\n{MOVE}");
+        let body = format!("IF DI1=1 {on}\n{MOVE}{off}");
         assert_eq!(codes(&main_of(&data(), &body)), [expected], "{on}");
     }
 }
@@ -276,7 +276,7 @@ fn displacements_keep_motion_until_they_are_off() {
 #[test]
 fn confl_and_confj() {
     let body = format!(
-        "{MOVE}ConfL\\Off;\n{MOVE}MoveJ p,v100,fine,t;\nConfJ \\Off;\nMoveJ p,v100,fine,t;\nConfL\\On;\n{MOVE}IF DI1=1 ConfL\\Off;\n{MOVE}"
+        "{MOVE}ConfL\\Off;\n{MOVE}MoveJ p,v100,fine,t;\nConfJ \\Off;\nMoveJ p,v100,fine,t;\nConfL\\On;\n{MOVE}IF DI1=1 ConfL\\Off;\n{MOVE}ConfL\\On;\nConfJ\\On;"
     );
     let read = main_of(&data(), &body);
     let conf: Vec<_> = read.motions.iter().map(|m| m.setup.conf_monitored).collect();
@@ -287,7 +287,7 @@ fn confl_and_confj() {
 fn what_is_gripped() {
     let load = "PERS loaddata part:=[4.5,[10,0,80],[1,0,0,0],0,0,0];\nPERS loaddata late:=[1,[0,0,1],[1,0,0,0],0,0,0];";
     let body = format!(
-        "{MOVE}GripLoad part;\n{MOVE}hold;\n{MOVE}GripLoad load0;\n{MOVE}IF DI1=1 GripLoad part;\n{MOVE}late.mass:=n;\nGripLoad late;\n{MOVE}"
+        "{MOVE}GripLoad part;\n{MOVE}hold;\n{MOVE}GripLoad load0;\n{MOVE}IF DI1=1 GripLoad part;\n{MOVE}late.mass:=n;\nGripLoad late;\n{MOVE}GripLoad load0;"
     );
     let text =
         format!("{}\n{load}\nVAR num n;\nPROC main()\n{body}\nENDPROC\nPROC hold()\n{MOVE}ENDPROC", data());

@@ -16,8 +16,6 @@ use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// Joints that turn by less have not moved, radians.
 const STILL_RAD: f64 = 1e-7;
-/// A tool that weighs this much or less is none: RAPID's tool0 weighs a gram.
-const NO_LOAD_KG: f64 = 0.001;
 /// Joints this far outside the ranges seen are still inside, degrees.
 const SLACK_DEG: f64 = 1.0;
 /// The same for temperatures, degrees Celsius.
@@ -53,8 +51,8 @@ pub(super) fn payload_of(tool: Option<&ToolData>, grip: LoadData, given_kg: Opti
     if let Some(mass_kg) = given_kg {
         return Payload { mass_kg, cog_m: load.cog_m };
     }
-    let own_kg = if load.mass_kg > NO_LOAD_KG { load.mass_kg } else { 0.0 };
-    let Some(tool) = tool.filter(|tool| tool.robhold && grip.mass_kg > NO_LOAD_KG) else {
+    let own_kg = if load.weighs_nothing() { 0.0 } else { load.mass_kg };
+    let Some(tool) = tool.filter(|tool| tool.robhold && !grip.weighs_nothing()) else {
         return Payload { mass_kg: own_kg, cog_m: load.cog_m };
     };
     let gripped_m = (tool.frame_from_tcp * Point3::from(grip.cog_m)).coords;

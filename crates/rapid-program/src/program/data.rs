@@ -52,6 +52,15 @@ pub struct LoadData {
     pub cog_m: [f64; 3],
 }
 
+impl LoadData {
+    /// Whether it is none: RAPID's `load0`, and what hangs on `tool0`, weigh a gram.
+    #[must_use]
+    pub fn weighs_nothing(&self) -> bool {
+        const NO_LOAD_KG: f64 = 0.001;
+        self.mass_kg <= NO_LOAD_KG
+    }
+}
+
 /// `tooldata`: a tool's frame and load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolData {

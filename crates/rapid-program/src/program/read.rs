@@ -204,7 +204,8 @@ impl<'a> MotionReader<'_, 'a> {
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
         let mut reasons = SkipReasons::of_statement(site, ctx, &args);
-        reasons.add_state(state, &args);
+        // Motion settings may be other ones in a later pass than in the first.
+        reasons.add_state(seen.any, &args);
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
         let known: &dyn TrackedValues = match state {
@@ -214,7 +215,7 @@ impl<'a> MotionReader<'_, 'a> {
         let (speed, zone) = (self.speed(&args, ctx, known), self.zone(&args, ctx, known));
         let Frames { tool, wobj, later } = self.frames(&args, (ctx, form.path), seen, &mut reasons);
         let (tool, later_frames, grip) =
-            self.total_load(&args, ctx, known, (tool, later, state.and_then(|state| state.grip)));
+            self.total_load(&args, ctx, known, (tool, later, seen.any.and_then(|state| state.grip)));
         if !self.same_frames(&args, ctx, &reached) {
             reasons.add_other_frames();
         }
@@ -234,7 +235,7 @@ impl<'a> MotionReader<'_, 'a> {
             frame_arguments: frame_arguments.map(|text| text.map(Into::into)),
             speed,
             zone,
-            conf_monitored: state.and_then(|state| match form.path {
+            conf_monitored: seen.any.and_then(|state| match form.path {
                 Path::Linear | Path::Circular => state.conf_l,
                 Path::Joint => state.conf_j,
                 Path::AbsJoint => Some(false),

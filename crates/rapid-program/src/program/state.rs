@@ -115,8 +115,10 @@ struct Walker<'w, 'a> {
     in_handlers: Vec<RoutineEffects>,
     /// Motions whose target is looked at on every visit.
     watched: BTreeMap<usize, Watched<'a>>,
-    /// What the data that are tracked are worth at the entry; nothing: what they are declared with.
-    entry: Vec<Value>,
+    /// What the program is entered with; nothing: declared values, and everything off.
+    entry: Option<State>,
+    /// What motion settings are in force where a cycle ends, on any way of this pass.
+    cycle_end: Option<State>,
     /// What this pass has left in them so far.
     left: Vec<LeftBehind>,
     /// What is being walked runs only where somebody calls it by hand.
@@ -169,7 +171,8 @@ impl<'w, 'a> Walker<'w, 'a> {
             in_handlers: Vec::new(),
             effects: routine_effects(control_flow),
             watched: BTreeMap::new(),
-            entry: Vec::new(),
+            entry: None,
+            cycle_end: None,
             left: vec![LeftBehind::default(); tracked.data.len()],
             by_hand: false,
             evaluator,
@@ -191,7 +194,10 @@ impl Walker<'_, '_> {
         }
         let [begins, by_hand] = self.not_called();
         for id in begins {
-            self.call(id, entered.clone());
+            let after = self.call(id, entered.clone());
+            if let Some(exit) = after.exit.filter(|_| self.is_main(id)) {
+                self.end_cycle(&exit);
+            }
         }
         self.by_hand = true;
         for id in by_hand {

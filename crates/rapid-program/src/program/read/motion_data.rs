@@ -22,14 +22,13 @@ impl<'a> MotionReader<'_, 'a> {
         known: &dyn TrackedValues,
         (tool, later, grip): (Option<ToolData>, Vec<LaterFrames>, Option<LoadData>),
     ) -> (Option<ToolData>, Vec<LaterFrames>, Option<LoadData>) {
-        const NO_LOAD_KG: f64 = 0.001;
         if !args.has("tload") {
             return (tool, later, grip);
         }
         let given = args.options.iter().find(|(name, _)| name == "tload").and_then(|(_, value)| *value);
         let load = given.and_then(|expr| self.evaluator.fold(expr, ctx, known).ok());
         match load.and_then(|load| convert::loaddata(&load.value).ok()) {
-            Some(load) if load.mass_kg <= NO_LOAD_KG => (tool, later, grip),
+            Some(load) if load.weighs_nothing() => (tool, later, grip),
             Some(load) => {
                 let under = |tool| ToolData { load, ..tool };
                 let later = later.into_iter().map(|l| LaterFrames { tool: under(l.tool), ..l }).collect();

@@ -1,11 +1,12 @@
-//! What a program is entered with: declared values in its first pass, and in later ones what it has left in the PERS and the
-//! VAR of its modules, which both outlive a cycle.
+//! What a program is entered with: declared values and nothing in force in its first pass, and in later ones what it has left in the
+//! PERS and the VAR of its modules, and the motion settings (ConfL, GripLoad, PDispOn, ...) in force where `main` ends: they
+//! all outlive a cycle (ABB, "RAPID Instructions", ExitCycle: variables, persistents and motion settings are not affected).
 //!
 //! The entry is widened by what is written, component by component, until a walk writes nothing that it does not have. Routines
 //! that nothing calls beside a `main` are called by hand: what they set counts where it is known, as somebody may choose a tool so; what
 //! only run time tells (a tool that is calibrated) does not, or nothing made of it could be corrected by tables.
 
-use super::{MOST_STEPS, SlotState, State, Walker, lose, unknown};
+use super::{MOST_STEPS, SlotState, State, Walker, lose, same, unknown};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::flow::{BLOCKERS, Slot};
@@ -40,9 +41,12 @@ impl Walker<'_, '_> {
         if self.steps > MOST_STEPS {
             return false;
         }
-        let before: Vec<Value> = self.entry().slots.into_iter().map(|slot| slot.value).collect();
+        let before = self.entry();
         let mut widened = before.clone();
-        for (slot, (value, left)) in widened.iter_mut().zip(&self.left).enumerate() {
+        if let Some(end) = self.cycle_end.take() {
+            widened.join_settings(&end);
+        }
+        for (slot, (SlotState { value, .. }, left)) in widened.slots.iter_mut().zip(&self.left).enumerate() {
             if !self.outlives(self.tracked.data[slot]) {
                 continue;
             }
@@ -54,10 +58,10 @@ impl Walker<'_, '_> {
                 *value = unknown_since(value, &value.join(common, &|| why.clone()), &why);
             }
         }
-        if before.iter().zip(&widened).all(|(a, b)| a.same(b)) {
+        if same(&before, &widened) {
             return false;
         }
-        self.entry = widened;
+        self.entry = Some(widened);
         self.at_motions.fill(None);
         self.last_seen = None;
         self.walked.iter_mut().for_each(Vec::clear);
@@ -65,6 +69,14 @@ impl Walker<'_, '_> {
         self.steps = 0;
         self.left.fill(LeftBehind::default());
         true
+    }
+
+    /// Notes the settings in force where a cycle ends: the next one begins with them.
+    pub(super) fn end_cycle(&mut self, state: &State) {
+        match &mut self.cycle_end {
+            Some(end) => end.join_settings(state),
+            None => self.cycle_end = Some(state.clone()),
+        }
     }
 
     fn as_left(&self, at: Option<Span>) -> Why {
@@ -110,19 +122,27 @@ impl Walker<'_, '_> {
             self.effects.iter().flat_map(|t| t.calls.iter().copied()).collect();
         let task =
             |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|module| module.task);
-        let is_main = |id: RoutineIndex| index.names.text(index.routines[id].name) == "main";
         let of_kind = |id: RoutineIndex| index.routines[id].tree.kind != RoutineKind::Trap;
         let ids = 0..self.control_flow.routines.len();
-        let with_main: BTreeSet<Option<u32>> = ids.clone().filter(|&id| is_main(id)).map(task).collect();
+        let with_main: BTreeSet<Option<u32>> = ids.clone().filter(|&id| self.is_main(id)).map(task).collect();
         let entries = ids.filter(|&id| of_kind(id) && !called.contains(&id));
-        let (by_hand, begins) = entries.partition(|&id| !is_main(id) && with_main.contains(&task(id)));
+        let (by_hand, begins) = entries.partition(|&id| !self.is_main(id) && with_main.contains(&task(id)));
         [begins, by_hand]
     }
 
-    /// The state a program starts with: everything off.
+    /// Whether a program begins there, anew in every cycle.
+    pub(super) fn is_main(&self, id: RoutineIndex) -> bool {
+        let index = self.evaluator.index;
+        index.names.text(index.routines[id].name) == "main"
+    }
+
+    /// The state a program starts with: in its first pass everything off.
     pub(super) fn entry(&mut self) -> State {
+        if let Some(entry) = &self.entry {
+            return entry.clone();
+        }
         let mut slots = Vec::with_capacity(self.tracked.data.len());
-        for (slot, &datum) in self.tracked.data.iter().enumerate() {
+        for &datum in &self.tracked.data {
             let kind = self.evaluator.index.data[datum].kind;
             let value = match kind {
                 DatumKind::Declared(_) => self.evaluator.initial(datum),
@@ -132,9 +152,6 @@ impl Walker<'_, '_> {
             if !self.watched.is_empty() && matches!(kind, DatumKind::Declared(_)) {
                 // What a cycle of the program has left in it the next one begins with.
                 value = Value::Unknown(unknown("it may be as the cycle before has left it"));
-            }
-            if let Some(entry) = self.entry.get(slot) {
-                value = entry.clone();
             }
             slots.push(SlotState { value, at_entry: self.outlives(datum), set_at: None });
         }

@@ -2,6 +2,7 @@
 
 use super::{MOST_STEPS, SlotState, State, View, Walker, same, unknown};
 use crate::program::const_eval::Constant;
+use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
 use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
 use crate::program::index::{Ctx, RoutineIndex};
@@ -28,14 +29,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             a.at_entry |= b.at_entry;
             a.set_at = at;
         }
-        into.conf_l = into.conf_l.filter(|c| other.conf_l == Some(*c));
-        into.conf_j = into.conf_j.filter(|c| other.conf_j == Some(*c));
-        into.grip = into.grip.filter(|load| other.grip == Some(*load));
-        for (a, b) in into.blockers.iter_mut().zip(&other.blockers) {
-            if a.is_none() {
-                a.clone_from(b);
-            }
-        }
+        into.join_settings(other);
         !same(&before, into)
     }
 
@@ -89,9 +83,31 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 return self.call_any(routines, bindings, *maybe, *recovery, *ctx, &state);
             }
             FlowStep::UnknownPosition => {}
-            FlowStep::ExitCycle => return None,
+            FlowStep::ExitCycle => {
+                if !self.by_hand {
+                    self.end_cycle(&state);
+                }
+                return None;
+            }
         }
         Some(state)
+    }
+}
+
+impl State {
+    /// What is in force on either of two ways; unknown where they differ.
+    pub(super) fn join_settings(&mut self, other: &Self) {
+        self.conf_l = self.conf_l.filter(|on| other.conf_l == Some(*on));
+        self.conf_j = self.conf_j.filter(|on| other.conf_j == Some(*on));
+        let same_load = |load: &LoadData| {
+            other.grip.is_some_and(|also| also == *load || also.weighs_nothing() && load.weighs_nothing())
+        };
+        self.grip = self.grip.filter(same_load);
+        for (held, also) in self.blockers.iter_mut().zip(&other.blockers) {
+            if held.is_none() {
+                held.clone_from(also);
+            }
+        }
     }
 }
 
