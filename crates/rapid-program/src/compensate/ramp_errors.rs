@@ -139,7 +139,7 @@ impl Ramp {
 
 /// Where a motion sends the controller.
 enum Commanded {
-    /// To joints, radians.
+    /// Joint angles of a motion to joints, radians.
     Joints([f64; 6]),
     /// To a pose of the flange in the base.
     Pose(Isometry3<f64>),

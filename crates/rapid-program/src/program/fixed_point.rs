@@ -29,7 +29,7 @@ pub struct FixedPoint {
 /// A name that only modules of their own see.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LocalName {
-    /// The name.
+    /// The name as the program spells it.
     pub name: String,
     /// The modules that declare it: their files, and which of a file's modules it is.
     pub modules: Vec<(FileId, usize)>,
