@@ -91,6 +91,7 @@ function causeSection(data) {
     { key: 'posterior', label: 'probability', number: true, value: (c) => c.posterior, text: (c) => percent(c.posterior) },
     { key: 'size', label: 'size', number: true, value: (c) => c.size, text: size },
     { key: 'rms', label: 'moves the tool by, mm', number: true, value: (c) => c.rms_mm, text: (c) => mm(c.rms_mm, 3) },
+    { key: 'seen', label: 'beside base and target, mm', number: true, value: (c) => c.rms_seen_mm, text: (c) => mm(c.rms_seen_mm, 3) },
     { key: 'evidence', label: 'evidence, nats', number: true, value: (c) => c.evidence_nats, text: (c) => number(c.evidence_nats) },
     { key: 'usual', label: 'usual', value: (c) => c.usual, text: (c) => c.usual ?? '', class: 'name' },
     { key: 'source', label: 'source', value: (c) => c.source, text: (c) => c.source ?? '', class: 'reason' },

@@ -10,9 +10,9 @@ pub fn rows(causes: &[Cause], named: bool) -> Vec<String> {
     let (bands, others) = gear_bands(causes);
     let largest = |slot: usize| {
         let of_slot = causes.iter().filter(|c| c.slot == slot);
-        of_slot.filter_map(|c| c.rms_mm).fold(0.0, f64::max)
+        of_slot.map(Cause::seen_mm).fold(0.0, f64::max)
     };
-    let mut rows: Vec<(f64, String)> = bands.iter().map(|band| (band.rms_mm, band_in_words(band))).collect();
+    let mut rows: Vec<(f64, String)> = bands.iter().map(|band| (band.seen_mm, band_in_words(band))).collect();
     // They come the likeliest first, and sorting keeps that order among alternatives.
     rows.extend(others.iter().map(|cause| (largest(cause.slot), in_words(cause, causes))));
     if named {
@@ -31,7 +31,7 @@ fn band_in_words(band: &GearBand) -> String {
         band.n[0],
         band.n[1],
         1e3 * band.rms_rad,
-        moves(band.rms_mm)
+        moves(band.rms_mm, band.seen_mm)
     )
 }
 
@@ -83,7 +83,7 @@ fn in_words(cause: &Cause, causes: &[Cause]) -> String {
         };
     }
     if let Some(rms_mm) = cause.rms_mm {
-        let _ = write!(text, ", {}", moves(rms_mm));
+        let _ = write!(text, ", {}", moves(rms_mm, cause.seen_mm()));
     }
     let alternatives = causes.iter().filter(|c| c.slot == cause.slot).count();
     let choice =
@@ -92,12 +92,21 @@ fn in_words(cause: &Cause, causes: &[Cause]) -> String {
     text
 }
 
-/// What an effect does at the measured point; one on an axis that the point lies on is seen by the orientation alone.
-fn moves(rms_mm: f64) -> String {
+/// Where base and target take more than this share of what an effect does, both numbers are said.
+const LEFT: f64 = 0.8;
+
+/// What an effect does at the measured point, and what base and target leave of that; one on an axis that the point lies on is seen
+/// by the orientation alone.
+fn moves(rms_mm: f64, seen_mm: f64) -> String {
     if rms_mm < 0.0005 {
         "turns the tool without moving it".to_owned()
     } else {
-        format!("moves the tool by {rms_mm:.3} mm")
+        let seen = if seen_mm < LEFT * rms_mm {
+            format!(", {seen_mm:.3} mm beside base and target")
+        } else {
+            String::new()
+        };
+        format!("moves the tool by {rms_mm:.3} mm{seen}")
     }
 }
 

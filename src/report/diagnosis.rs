@@ -49,17 +49,16 @@ fn share_explained(d: &Diagnosis) -> Option<f64> {
 }
 
 /// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
-/// their size at the tool.
+/// what they move the tool by beside base and target.
 pub(super) fn mostly_explained(d: &Diagnosis) -> Option<String> {
     let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
     let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
-    let size_mm = |cause: &Cause| cause.rms_mm.unwrap_or(0.0);
-    likely.sort_by(|a, b| size_mm(b).total_cmp(&size_mm(a)));
+    likely.sort_by(|a, b| b.seen_mm().total_cmp(&a.seen_mm()));
     let leading: Vec<String> = likely
         .iter()
         .take(3)
-        .map(|cause| format!("{} ({:.3} mm at the tool)", describe(cause), size_mm(cause)))
+        .map(|cause| format!("{} ({:.3} mm at the tool)", describe(cause), cause.seen_mm()))
         .collect();
     let by = match leading.is_empty() {
         true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),

@@ -483,3 +483,25 @@ fn a_small_fixed_exam() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("exam::seal"));
 }
+
+/// What an effect moves the tool by is larger than what measurements show of it, as base and target stand where they fit best. The
+/// generator, which shares no code with the diagnosis, says the latter of what it plants.
+#[test]
+fn what_base_and_target_leave_of_a_cause_is_told_beside_its_own_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let planted =
+        ["--effects", "gear_mesh:3:20,gear_eccentricity:2", "--n", "150", "--rho", "4", "--seed", "3"];
+    let csv = synth(folder.path(), &planted);
+    let truth: Value =
+        serde_json::from_slice(&fs::read(folder.path().join("sets/sealed/truth.json")).unwrap()).unwrap();
+    let (_, _, json) = diagnose(csv.as_bytes(), &["--robot", "irb140"]);
+    let json = json.unwrap();
+    for effect in truth["sets"][0]["effects"].as_array().unwrap() {
+        let causes = json["causes"].as_array().unwrap();
+        let cause = causes.iter().find(|cause| cause["effect"] == effect["effect"]).unwrap();
+        let mm = |of: &Value, key: &str| of[key].as_f64().unwrap();
+        let (seen, own, expected) = (mm(cause, "rms_seen_mm"), mm(cause, "rms_mm"), mm(effect, "rms_mm"));
+        assert!((seen / expected - 1.0).abs() < 0.03, "{seen} for {expected} mm");
+        assert!(own > seen, "{own} mm of its own, {seen} mm shown");
+    }
+}

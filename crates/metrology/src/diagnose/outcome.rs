@@ -76,6 +76,8 @@ pub struct Cause {
     pub unit: &'static str,
     /// The effect's own size at the measured point over these poses.
     pub rms_mm: Option<f64>,
+    /// What of `rms_mm` is left where base and target stand as well as they can beside it: the part that measurements show.
+    pub rms_seen_mm: Option<f64>,
     /// How much likelier than nothing in its place, nats.
     pub evidence_nats: Option<f64>,
     /// Usual size, for comparison.
@@ -88,6 +90,12 @@ pub struct Cause {
 }
 
 impl Cause {
+    /// What it moves the measured point by beside base and target, mm; 0 of a cause that was not fitted.
+    #[must_use]
+    pub fn seen_mm(&self) -> f64 {
+        self.rms_seen_mm.or(self.rms_mm).unwrap_or(0.0)
+    }
+
     /// An effect as a cause of no joint, not fitted.
     #[must_use]
     pub(super) fn of(kind: EffectKind, posterior: f64) -> Self {
@@ -105,6 +113,7 @@ impl Cause {
             sigma: None,
             unit: effect.map_or("", |e| e.unit()),
             rms_mm: None,
+            rms_seen_mm: None,
             evidence_nats: None,
             usual: effect.map_or("", |e| e.usual_size()),
             source: effect.map_or("", |e| e.source()),

@@ -1,6 +1,7 @@
 //! Causes with their sizes, fitted beside the others.
 
 use super::cause_group::CauseGroup;
+use crate::diagnose::design::Design;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{Fit, Model, Workspace, solve};
@@ -40,6 +41,7 @@ pub fn cause(
     cause.size = Some(size);
     cause.sigma = Some(sigma);
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
+    cause.rms_seen_mm = Some(mm_from_m(rms(&seen_m(&workspace.design, candidate, &columns, &fit))));
     cause
 }
 
@@ -145,6 +147,24 @@ fn size_of(candidate: &Candidate, columns: &[usize], fit: &Fit, sigma_m: f64) ->
     (size, sigma_m * variance.max(0.0).sqrt())
 }
 
+/// How far the effect moves the point at each station where base and target are placed anew beside it, metres: the columns of the
+/// design are what registration leaves of the effects' signatures.
+fn seen_m(design: &Design, candidate: &Candidate, columns: &[usize], fit: &Fit) -> Vec<f64> {
+    let mut without = vec![0.0; fit.coefficients.len()];
+    let nothing = design.residuals(&without);
+    for &column in columns.iter().take(reported(candidate, columns.len())) {
+        without[column - 1] = fit.coefficients[column - 1];
+    }
+    let moved = design.residuals(&without);
+    nothing.iter().zip(&moved).map(|(a, b)| shift_m(&std::array::from_fn(|k| a[k] - b[k]))).collect()
+}
+
+/// How many of an effect's columns are its own: what a warm-up effect adds as a constant is no part of it.
+fn reported(candidate: &Candidate, columns: usize) -> usize {
+    let constant = candidate.effect().unit() != "mm" && candidate.effect().time() == "drift";
+    if constant { candidate.n_reported } else { columns }
+}
+
 /// How far the effect moves the point at each station, metres.
 fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: &Fit) -> Vec<f64> {
     let mut buffer = Vec::new();
@@ -155,9 +175,7 @@ fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: 
         .map(|observation| {
             buffer.clear();
             candidate.effect().signature(&candidate.variant, &linear.dataset, observation, &mut buffer);
-            // What a warm-up effect adds as a constant of its own is no part of it.
-            let constant = candidate.effect().unit() != "mm" && candidate.effect().time() == "drift";
-            let n_reported = if constant { candidate.n_reported } else { buffer.len() };
+            let n_reported = reported(candidate, buffer.len());
             let mut sum = [0.0; 6];
             for ((twist, &column), prior_sigma) in
                 buffer.iter().zip(columns).zip(&candidate.prior_sigma).take(n_reported)

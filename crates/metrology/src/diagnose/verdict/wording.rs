@@ -123,6 +123,8 @@ pub struct GearBand {
     pub rms_rad: f64,
     /// At the measured point over these poses, all lines together, mm.
     pub rms_mm: f64,
+    /// What of it is left beside base and target, mm.
+    pub seen_mm: f64,
 }
 
 /// So many lines of one joint's gear are said together.
@@ -148,6 +150,7 @@ pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
             ],
             rms_rad: together(lines.iter().filter_map(|c| c.size).map(|size| 0.5 * size * size).sum()),
             rms_mm: together(lines.iter().filter_map(|c| c.rms_mm).map(|mm| mm * mm).sum()),
+            seen_mm: together(lines.iter().map(|c| c.seen_mm().powi(2)).sum()),
         })
         .collect();
     let banded =
@@ -168,7 +171,7 @@ pub fn in_short(causes: &[Cause]) -> String {
         .iter()
         .map(|b| {
             (
-                b.rms_mm,
+                b.seen_mm,
                 format!("{} gear lines of joint {}, {} to {} per turn", b.lines, b.joint, b.n[0], b.n[1]),
             )
         })
@@ -179,7 +182,7 @@ pub fn in_short(causes: &[Cause]) -> String {
     slots.dedup();
     for slot in slots {
         let alternatives: Vec<&&Cause> = others.iter().filter(|c| c.slot == slot).collect();
-        let size = alternatives.iter().filter_map(|c| c.rms_mm).fold(0.0, f64::max);
+        let size = alternatives.iter().map(|c| c.seen_mm()).fold(0.0, f64::max);
         let names: Vec<String> = alternatives.iter().map(|c| describe(c)).collect();
         let sure = alternatives.iter().all(|c| c.posterior >= CERTAIN);
         match names.as_slice() {
