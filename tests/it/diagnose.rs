@@ -502,6 +502,8 @@ fn what_base_and_target_leave_of_a_cause_is_told_beside_its_own_size() {
         let mm = |of: &Value, key: &str| of[key].as_f64().unwrap();
         let (seen, own, expected) = (mm(cause, "rms_seen_mm"), mm(cause, "rms_mm"), mm(effect, "rms_mm"));
         assert!((seen / expected - 1.0).abs() < 0.03, "{seen} for {expected} mm");
-        assert!(own > seen, "{own} mm of its own, {seen} mm shown");
+        // A gear line of many periods looks like no shift or turn; one of a single period does.
+        let taken = if cause["effect"] == "gear_eccentricity" { 0.1..0.5 } else { -0.001..0.02 };
+        assert!(taken.contains(&(1.0 - seen / own)), "{own} mm of its own, {seen} mm shown");
     }
 }

@@ -33,6 +33,9 @@ pub enum Mismatch {
     },
 }
 
+/// Commanded points closer than this are one, but for rounding, metres.
+const SAME_POINT_M: f64 = 1e-7;
+
 /// How far the TCP was from where a move was meant to take it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseError {
@@ -113,6 +116,20 @@ impl Evaluator<'_> {
             &executed.setup.object_from_tcp(&truth.under(&executed.conditions()).forward(b)),
             &intended.setup.object_from_tcp(&self.nominal.forward(a)),
         )
+    }
+
+    /// Whether both moves were told the same circle point, or none. By its place alone: how the tool is turned there depends on where
+    /// the arc began.
+    #[must_use]
+    pub fn same_circle_point(&self, a: &Move, b: &Move) -> bool {
+        let point = |of: &Move, via_q_rad: &[f64; 6]| {
+            of.setup.object_from_tcp(&self.nominal.forward(via_q_rad)).translation.vector
+        };
+        match (&a.via_q_rad, &b.via_q_rad) {
+            (Some(via_a), Some(via_b)) => (point(a, via_a) - point(b, via_b)).norm() < SAME_POINT_M,
+            (None, None) => true,
+            _ => false,
+        }
     }
 
     /// Largest distance of the TCP's path from the line or arc that was intended, metres; `None` where a start is

@@ -43,9 +43,7 @@ impl Session {
             pass.n += 1;
             pass.before.add(&before);
             pass.after.add(&after);
-            if is_same(a.q_rad.as_ref(), b.q_rad.as_ref())
-                && is_same(a.via_q_rad.as_ref(), b.via_q_rad.as_ref())
-            {
+            if is_same(a.q_rad.as_ref(), b.q_rad.as_ref()) && evaluator.same_circle_point(a, b) {
                 unchanged.push((b, after.position_m));
             } else {
                 pass.corrected.add(&after);

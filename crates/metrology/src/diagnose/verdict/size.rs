@@ -7,6 +7,7 @@ use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{Fit, Model, Workspace, solve};
 use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
+use nalgebra::{DMatrix, DVector};
 use robot_model::units::mm_from_m;
 
 /// A cause with its size: fitted in place `i` of `chosen`, or alone.
@@ -41,7 +42,7 @@ pub fn cause(
     cause.size = Some(size);
     cause.sigma = Some(sigma);
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
-    cause.rms_seen_mm = Some(mm_from_m(rms(&seen_m(&workspace.design, candidate, &columns, &fit))));
+    cause.rms_seen_mm = Some(mm_from_m(rms(&seen_m(&workspace.design, &groups, candidate, &columns, &fit))));
     cause
 }
 
@@ -147,16 +148,37 @@ fn size_of(candidate: &Candidate, columns: &[usize], fit: &Fit, sigma_m: f64) ->
     (size, sigma_m * variance.max(0.0).sqrt())
 }
 
-/// How far the effect moves the point at each station where base and target are placed anew beside it, metres: the columns of the
-/// design are what registration leaves of the effects' signatures.
-fn seen_m(design: &Design, candidate: &Candidate, columns: &[usize], fit: &Fit) -> Vec<f64> {
-    let mut without = vec![0.0; fit.coefficients.len()];
-    let nothing = design.residuals(&without);
-    for &column in columns.iter().take(reported(candidate, columns.len())) {
-        without[column - 1] = fit.coefficients[column - 1];
+/// How far the effect moves the point at each station where base and target are placed anew beside it, metres.
+fn seen_m(
+    design: &Design,
+    groups: &[usize],
+    candidate: &Candidate,
+    columns: &[usize],
+    fit: &Fit,
+) -> Vec<f64> {
+    let own = &columns[..reported(candidate, columns.len())];
+    let gram = design.gram(groups);
+    let placed: Vec<usize> = design.registration.clone().collect();
+    let normal = DMatrix::from_fn(placed.len(), placed.len(), |r, c| {
+        // Directions that the poses do not determine stay where they are.
+        gram[(placed[r], placed[c])] * if r == c { 1.0 + 1e-10 } else { 1.0 }
+            + if r == c { 1e-18 } else { 0.0 }
+    });
+    let along = DVector::from_fn(placed.len(), |r, _| {
+        own.iter().map(|&c| gram[(placed[r], c)] * fit.coefficients[c - 1]).sum::<f64>()
+    });
+    let mut coefficients = vec![0.0; fit.coefficients.len()];
+    for &c in own {
+        coefficients[c - 1] = fit.coefficients[c - 1];
     }
-    let moved = design.residuals(&without);
-    nothing.iter().zip(&moved).map(|(a, b)| shift_m(&std::array::from_fn(|k| a[k] - b[k]))).collect()
+    if let Some(cholesky) = normal.cholesky() {
+        for (c, value) in placed.iter().zip(cholesky.solve(&along).iter()) {
+            coefficients[c - 1] = -value;
+        }
+    }
+    let without = design.residuals(&vec![0.0; coefficients.len()]);
+    let moved = design.residuals(&coefficients);
+    without.iter().zip(&moved).map(|(a, b)| shift_m(&std::array::from_fn(|k| a[k] - b[k]))).collect()
 }
 
 /// How many of an effect's columns are its own: what a warm-up effect adds as a constant is no part of it.
