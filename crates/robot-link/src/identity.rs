@@ -71,13 +71,13 @@ impl Session {
             .flat_map(|page| page.all("sys-option").filter_map(|o| o.optional("option")))
             .map(str::to_owned);
         let options = options.collect();
-        let robot = self.optional(requests::ROBOT_TYPE)?;
+        let robot = self.optional(requests::ROBOT_TYPE, &[])?;
         let robot = robot.and_then(|r| Some(r.one("sys-robottype").ok()?.optional("robot-type")?.to_owned()));
-        let controller = self.optional(requests::CONTROLLER)?;
+        let controller = self.optional(requests::CONTROLLER, &[])?;
         let named = |field: &str| {
             Some(controller.as_ref()?.one("ctrl-identity-info").ok()?.optional(field)?.to_owned())
         };
-        let motion = self.optional(requests::MOTION)?;
+        let motion = self.optional(requests::MOTION, &[])?;
         let accuracy = motion
             .and_then(|m| m.contents.states.iter().find_map(|s| s.fields.get("absacc-active").cloned()));
         let writer = match self.holder() {
@@ -172,8 +172,12 @@ impl Session {
     }
 
     /// What may be missing on this controller.
-    fn optional(&mut self, request: &'static requests::Request) -> Result<Option<Answer>, LinkError> {
-        match self.ask(request, &[]) {
+    pub(crate) fn optional(
+        &mut self,
+        request: &'static requests::Request,
+        arguments: &[(&'static str, &str)],
+    ) -> Result<Option<Answer>, LinkError> {
+        match self.ask(request, arguments) {
             Ok(answer) => Ok(Some(answer)),
             Err(error) if is_missing(&error) => Ok(None),
             Err(error) => Err(error),

@@ -35,6 +35,15 @@ pub(crate) fn file(name: &str) -> Result<&str, LinkError> {
     })
 }
 
+/// A place in the tree of devices, as the controller calls it.
+pub(crate) fn device(name: &str) -> Result<&str, LinkError> {
+    let is_plain = name.bytes().all(|b| b.is_ascii_alphanumeric() || b"_-".contains(&b));
+    if !name.is_empty() && name.len() <= 64 && is_plain {
+        return Ok(name);
+    }
+    Err(LinkError::Name { name: name.to_owned(), what: "name of a device" })
+}
+
 /// A number of a subscription.
 pub(crate) fn group(name: &str) -> Result<&str, LinkError> {
     if !name.is_empty() && name.bytes().all(|b| b.is_ascii_alphanumeric()) {
@@ -74,6 +83,10 @@ mod tests {
         for name in ["", ".mod", "../Cube45.mod", "a/b.mod", "syspar.cfg", "Cube45", "a..mod", "x.mod/.."] {
             assert!(file(name).is_err(), "{name}");
         }
+        for name in ["", "..", "a/b", "RAPID?action=x", "a b", "%2e%2e"] {
+            assert!(device(name).is_err(), "{name}");
+        }
+        assert!(device("RAPID_MEMORY").is_ok());
     }
 
     #[test]

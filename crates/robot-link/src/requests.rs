@@ -135,6 +135,11 @@ requests! {
         "POST /rw/rapid/symbol/RAPID/{task}/{module}/{name}/data value={value}",
     );
 
+    DISKS "disks" Reads all("GET /fileservice");
+    RESOURCES "software resources" Reads all("GET /rw/devices/SW_RESOURCES");
+    RESOURCE "a software resource" Reads all("GET /rw/devices/SW_RESOURCES/{device}");
+    RESOURCE_PART "part of a software resource" Reads all("GET /rw/devices/SW_RESOURCES/{device}/{part}");
+
     LIST "list of HOME" Reads all("GET /fileservice/{home}");
     FILE "file" Reads all("GET /fileservice/{home}/{file}");
     WRITE_FILE "write of a file" WritesFile all("PUT /fileservice/{home}/{file}");

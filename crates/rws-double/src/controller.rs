@@ -66,6 +66,8 @@ pub struct Controller {
     pub has_absolute_accuracy: bool,
     /// It calculates kinematics for others.
     pub offers_kinematics: bool,
+    /// The tree of devices tells what is left of RAPID's memory.
+    pub tells_memory: bool,
     /// The controller offers subscriptions.
     pub offers_subscriptions: bool,
     /// RAPID finds errors in every module that is loaded.
@@ -118,6 +120,7 @@ impl Controller {
             has_grants: true,
             has_absolute_accuracy: false,
             offers_kinematics: true,
+            tells_memory: true,
             offers_subscriptions: true,
             finds_errors: false,
             write_clears_right: false,

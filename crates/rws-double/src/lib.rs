@@ -21,6 +21,8 @@
 //!   the request to the operator on 8.2 and later; rules of pin codes; the status while nobody holds write access.
 //! - Sessions: 70 of them, 300 s, 25 minutes; their number on OmniCore; logout on 6; how strict `nc` is; mastership for each
 //!   connection on every RobotWare 6.
+//! - Memory: what the tree of devices calls RAPID and its memory, and whether it shows it at all; whether RobotWare 7 and 8 tell
+//!   the space of their disks anywhere.
 //! - Text: `$HOME` against `HOME`; escapes in JSON; exponents of numbers; `;` in subscriptions encoded or not.
 
 mod arm;

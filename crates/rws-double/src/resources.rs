@@ -123,10 +123,45 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
                 names.into_iter().zip(texts.iter().map(String::as_str)).collect();
             one("ms-robtargets", &fields)
         }
+        ["fileservice"] => Ok(volumes(c)),
+        ["rw", "devices", "SW_RESOURCES", path @ ..] => devices(c, path),
         ["rw", "retcode"] => one(
             "rw-retcode",
             &[("name", "CODE"), ("severity", "Error"), ("description", "a code of the double")],
         ),
+        _ => Err(NOT_KNOWN),
+    }
+}
+
+/// RobotWare 6 lists disks with their sizes, 7 and 8 volumes without.
+fn volumes(c: &Controller) -> Vec<Entry> {
+    if c.personality != Personality::Rw6 {
+        return ["HOME", "BACKUP", "TEMP"].iter().map(|name| entry("fs-dir", name, &[])).collect();
+    }
+    let fields = [
+        ("fs-device-type", "fixed"),
+        ("fs-free-space", "873164800"),
+        ("fs-total-space", "2068717568"),
+        ("fs-enabled", "true"),
+        ("fs-readonly", "false"),
+    ];
+    vec![entry("fs-device", "hd0a", &fields)]
+}
+
+/// The software resources; names below the first level are the double's own.
+fn devices(c: &Controller, path: &[&str]) -> Result<Vec<Entry>, Rejection> {
+    let branch = |title: &str, name: &str| entry("dev-id-li", title, &[("name", name)]);
+    let number = |title: &str, name: &str, value: &str| {
+        entry("dev-propint-li", title, &[("name", name), ("value", value), ("unit", "bytes")])
+    };
+    match path {
+        [] => Ok(vec![branch("ROBAPI", "RobAPI"), branch("SYSTEM", "System"), branch("RAPID", "RAPID")]),
+        ["RAPID"] if c.tells_memory => Ok(vec![branch("RAPID_MEMORY", "Memory")]),
+        ["RAPID"] => Ok(Vec::new()),
+        ["RAPID", "RAPID_MEMORY"] if c.tells_memory => Ok(vec![
+            number("PROPERTY_TOTAL", "Total memory", "33554432"),
+            number("PROPERTY_FREE", "Free memory", "30408704"),
+        ]),
         _ => Err(NOT_KNOWN),
     }
 }

@@ -24,7 +24,7 @@ impl RequestParts<'_> {
 }
 
 /// Paths that are read; `*` is one part, a last `**` one or more.
-const READ: [&str; 27] = [
+const READ: [&str; 30] = [
     "/rw/system",
     "/rw/system/options",
     "/rw/system/robottype",
@@ -51,7 +51,10 @@ const READ: [&str; 27] = [
     "/users/rmmp/poll",
     "/poll/*",
     "/logout",
+    "/fileservice",
     "/fileservice/**",
+    "/rw/devices/SW_RESOURCES",
+    "/rw/devices/SW_RESOURCES/**",
 ];
 
 /// What is posted: the dialect (6, or 7 for 7 and 8, 8 for 8 alone), path, and the action in the query of 6.

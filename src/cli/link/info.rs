@@ -4,7 +4,7 @@ use super::connection::Connection;
 use crate::cli::files::Output;
 use crate::cli::{Console, Outcome};
 use driftpost::application::OwnData;
-use robot_link::{Identity, LoadedModule};
+use robot_link::{FreeMemory, Identity, LoadedModule};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -26,6 +26,7 @@ struct Shown {
     /// The loaded modules, by task.
     modules: Vec<(String, Vec<LoadedModule>)>,
     own: Vec<OwnData>,
+    left: FreeMemory,
 }
 
 /// Runs `link info`.
@@ -43,8 +44,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         own.extend(OwnData::of_task(&mut session, &task.name, &loaded)?);
         modules.push((task.name.clone(), loaded));
     }
+    let left = session.free_memory()?;
     session.end()?;
-    let shown = Shown { identity, modules, own };
+    let shown = Shown { identity, modules, own, left };
     if !json.is_standard() {
         shown.write(console.out())?;
     }
@@ -67,10 +69,13 @@ impl Shown {
         };
         writeln!(out, "Absolute Accuracy {accuracy}")?;
         writeln!(out, "right to write    {}", i.writer.as_deref().unwrap_or("nobody holds it"))?;
-        writeln!(
-            out,
-            "free memory       not offered: no request of Robot Web Services is known that tells it"
-        )?;
+        let rapid = self.left.rapid.iter().map(|p| format!("{} {} {}", p.name, p.value, p.unit));
+        writeln!(out, "memory of RAPID   {}", or_not_offered(rapid))?;
+        let disks = self.left.disks.iter().map(|disk| {
+            let of = disk.total_bytes.map_or_else(String::new, |total| format!(" of {}", megabytes(total)));
+            format!("{}: {}{of}", disk.name, megabytes(disk.free_bytes))
+        });
+        writeln!(out, "free on disk      {}", or_not_offered(disks))?;
         writeln!(out, "options     {}", i.options.join(", "))?;
         for (task, (_, modules)) in i.tasks.iter().zip(&self.modules) {
             let moves = if task.moves { ", moves an arm" } else { "" };
@@ -107,9 +112,26 @@ impl Shown {
             "execution": i.execution.to_string(),
             "absolute_accuracy": i.absolute_accuracy,
             "writer": i.writer,
-            "free_memory": serde_json::Value::Null,
+            "free_memory": {
+                "rapid": self.left.rapid.iter()
+                    .map(|p| serde_json::json!({"name": p.name, "value": p.value, "unit": p.unit})).collect::<Vec<_>>(),
+                "disks": self.left.disks.iter()
+                    .map(|d| serde_json::json!({"name": d.name, "free_bytes": d.free_bytes, "total_bytes": d.total_bytes}))
+                    .collect::<Vec<_>>(),
+            },
             "tasks": tasks.collect::<Vec<_>>(),
             "corrected": self.own.iter().map(OwnData::json).collect::<Vec<_>>(),
         })
     }
+}
+
+/// The parts in a row.
+fn or_not_offered(parts: impl Iterator<Item = String>) -> String {
+    let parts: Vec<String> = parts.map(|part| part.trim_end().to_owned()).collect();
+    if parts.is_empty() { "not offered by this controller".to_owned() } else { parts.join(", ") }
+}
+
+/// Bytes for people.
+fn megabytes(bytes: u64) -> String {
+    format!("{:.1} MB", bytes as f64 / 1e6)
 }

@@ -29,6 +29,27 @@ fn a_controller_says_what_it_is_in_each_dialect() {
 }
 
 #[test]
+fn what_is_left_of_memory_is_told_where_it_is_offered() {
+    for personality in Personality::ALL {
+        let double = double(personality);
+        let mut session = open(&double);
+        let left = session.free_memory().unwrap();
+        let told: Vec<_> =
+            left.rapid.iter().map(|p| (p.name.as_str(), p.value.as_str(), p.unit.as_str())).collect();
+        assert_eq!(told, [("Total memory", "33554432", "bytes"), ("Free memory", "30408704", "bytes")]);
+        let disks: Vec<_> =
+            left.disks.iter().map(|d| (d.name.as_str(), d.free_bytes, d.total_bytes)).collect();
+        // As ABB's manual of RobotWare 6 shows it; 7 and 8 list volumes without sizes.
+        let of_six = [("hd0a", 873_164_800, Some(2_068_717_568))];
+        assert_eq!(disks, if personality == Personality::Rw6 { &of_six[..] } else { &[] });
+        double.with(|controller| controller.tells_memory = false);
+        assert_eq!(session.free_memory().unwrap().rapid, []);
+        session.end().unwrap();
+        is_left_clean(&double);
+    }
+}
+
+#[test]
 fn a_session_that_is_dropped_logs_out_too() {
     for personality in Personality::ALL {
         let double = double(personality);
