@@ -31,6 +31,16 @@ pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
     let refused = state.touches.iter().filter(|t| matches!(t.outcome, None | Some(TouchOutcome::Refused)));
     // writing to a String cannot fail
     let _ = writeln!(out, "{}, {} refused\n", counted(state.touches.len(), "touch"), refused.count());
+    for one in &state.false_first {
+        let _ = writeln!(
+            out,
+            "line {}: the first touch of {} stands {:.3} mm from where its later ones have the cold arm (+- {:.3} mm along the drift): it is left out, and theirs is taken\n",
+            one.line,
+            points.get(one.point).map_or("", String::as_str),
+            mm_from_m(one.off_m.norm()),
+            mm_from_m(one.sigma_m)
+        );
+    }
     let _ = writeln!(out, "   minute point         seen   off   share           smoothed");
     for t in &state.touches {
         let _ = writeln!(
@@ -93,6 +103,9 @@ pub fn json(state: &RobotState, points: &[String]) -> Value {
         "amount": amount[0], "amount_sigma": amount[1],
         "tau_min": tau[0], "tau_sigma_min": tau[1],
         "tau_cool_min": state.stood.then_some(cool[0]), "tau_cool_sigma_min": state.stood.then_some(cool[1]),
+        "false_first": state.false_first.iter().map(|one| json!({
+            "line": one.line, "point": points.get(one.point), "off_mm": mm_from_m(one.off_m.norm()), "sigma_mm": mm_from_m(one.sigma_m),
+        })).collect::<Vec<_>>(),
         "touches": state.touches.iter().map(|t| json!({
             "line": t.line, "point": points.get(t.point), "t_min": t.t_min, "seen": t.seen, "off_sigmas": t.off_sigmas,
             "taken": matches!(t.outcome, Some(TouchOutcome::Taken | TouchOutcome::TakenAnew)), "outcome": word(t.outcome),

@@ -114,7 +114,7 @@ fn a_few_shifts_are_as_good_as_the_filter_promises() {
 }
 
 #[test]
-#[ignore = "ten minutes without optimisation: the figures of docs/TOUCH.md"]
+#[ignore = "a quarter of a minute: the figures of docs/TOUCH.md"]
 fn a_hundred_shifts_with_a_touch_every_half_hour_and_without() {
     let [with, without] = [Some(30), None].map(|every_min| medians(0.02, every_min, 100));
     assert!(with.rms <= 0.018 && with.worst <= 0.055, "{with:?}");
@@ -123,7 +123,7 @@ fn a_hundred_shifts_with_a_touch_every_half_hour_and_without() {
 }
 
 #[test]
-#[ignore = "ten minutes without optimisation: the figures of docs/TOUCH.md"]
+#[ignore = "a quarter of a minute: the figures of docs/TOUCH.md"]
 fn a_hundred_shifts_with_a_finer_touch_every_quarter_of_an_hour() {
     let with = medians(0.01, Some(15), 100);
     assert!(with.rms <= 0.009 && (0.85..=0.95).contains(&with.covered), "{with:?}");

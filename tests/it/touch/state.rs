@@ -3,6 +3,8 @@
 use assert_cmd::Command;
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
+use robot_model::deform::{Conditions, DeformedArm};
+use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets};
 use robot_model::robot::Robot;
 use serde_json::Value;
 
@@ -19,11 +21,10 @@ fn state(file: &str, stop: &str) -> (Value, String) {
     (serde_json::from_slice(&output.stdout).unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-#[test]
-fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
-    let robot = Robot::built_in("irb140").unwrap();
-    let recipe = TouchRecipe {
-        points: 2,
+/// A robot of 1.25 times the table that stands from minute 240 to 300, touched every ten minutes by 0.01 mm.
+fn recipe(points: usize) -> TouchRecipe {
+    TouchRecipe {
+        points,
         times: 49,
         every_min: 10.0,
         stop_min: [240.0, 300.0],
@@ -33,8 +34,13 @@ fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
         table: table(1.25),
         within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
         tool_m: [0.0, 0.0, 0.1],
-    };
-    let text = touches(&robot, &recipe, &mut Rng::new(7, 1)).unwrap();
+    }
+}
+
+#[test]
+fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let text = touches(&robot, &recipe(2), &mut Rng::new(7, 1)).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("touches.csv");
     std::fs::write(&file, text).unwrap();
@@ -58,4 +64,68 @@ fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
     let left: Vec<f64> =
         plan[0]["intervals"].as_array().unwrap().iter().map(|i| i["rms_mm"].as_f64().unwrap()).collect();
     assert!(left.is_sorted(), "touching less often leaves more: {left:?}");
+}
+
+/// The touches of a seed, the one in line 2 (the first of point P1) moved by `off_mm` times the drift's direction there and, in a
+/// right angle to it, in the base; what `state` makes of them.
+fn of_false_first(points: usize, seed: u64, off_mm: [f64; 2], stop: &str) -> Value {
+    let robot = Robot::built_in("irb140").unwrap();
+    let text = touches(&robot, &recipe(points), &mut Rng::new(seed, 1)).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let cells: Vec<f64> = lines[1].split(',').skip(2).map(|cell| cell.parse().unwrap()).collect();
+    let q_rad: [f64; 6] = std::array::from_fn(|j| cells[j].to_radians());
+    let tool = nalgebra::Vector3::new(0.0, 0.0, 0.1);
+    let arm = |offsets: &FrameOffsets| DeformedArm::of_table(&robot, offsets);
+    let conditions = Conditions::default();
+    let [cold, settled] = [arm(&FrameOffsets::default()), arm(&driftpost::Deformation::paper().settled())]
+        .map(|arm| arm.under(&conditions).point_m(&q_rad, &tool));
+    let along = (cold - settled).normalize();
+    let across = along.cross(&nalgebra::Vector3::z()).normalize();
+    let goal = Chain::nominal(&robot).forward(&q_rad) * nalgebra::Point3::from(tool)
+        + (along * off_mm[0] + across * off_mm[1]) / 1e3;
+    let moved = nalgebra::Isometry3::from_parts(
+        (goal.coords - Chain::nominal(&robot).forward(&q_rad).rotation * tool).into(),
+        Chain::nominal(&robot).forward(&q_rad).rotation,
+    );
+    let joints = ClosedForm::new(&robot).unwrap().solutions(&moved);
+    let far = |q: &[f64; 6]| q.iter().zip(&q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let near = joints.iter().map(|s| s.q_rad).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
+    let cells = near.map(|q| format!("{:.6}", q.to_degrees())).join(",");
+    lines[1] = format!("P1,0,{cells}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("touches.csv");
+    std::fs::write(&file, lines.join("\n")).unwrap();
+    state(&file.display().to_string(), stop).0
+}
+
+#[test]
+fn a_false_first_touch_is_told_and_the_cold_place_is_that_of_the_later_ones() {
+    for (points, off_mm) in [(1, [0.4, 0.0]), (1, [-0.25, 0.1]), (2, [0.0, 0.3]), (2, [0.5, -0.5])] {
+        let json = of_false_first(points, 7, off_mm, "240:300");
+        let told = json["false_first"].as_array().unwrap();
+        assert!(told.len() == 1 && told[0]["line"] == 2 && told[0]["point"] == "P1", "{off_mm:?} {told:?}");
+        let (off, sigma) = (told[0]["off_mm"].as_f64().unwrap(), told[0]["sigma_mm"].as_f64().unwrap());
+        assert!((off - off_mm[0].hypot(off_mm[1])).abs() < 3.0 * sigma + 0.03, "{off_mm:?} {off} +- {sigma}");
+        for (key, sigma, truth) in [
+            ("amount", "amount_sigma", 1.25),
+            ("tau_min", "tau_sigma_min", 60.0),
+            ("tau_cool_min", "tau_cool_sigma_min", 80.0),
+        ] {
+            let [value, sigma] = [key, sigma].map(|key| json[key].as_f64().unwrap());
+            assert!((value - truth).abs() < 3.0 * sigma, "{off_mm:?} {key} {value} +- {sigma}");
+        }
+        let rows = json["touches"].as_array().unwrap();
+        let refused = rows.iter().filter(|row| row["taken"] == false).count();
+        assert!(refused <= 3, "{off_mm:?} {refused} refused");
+    }
+}
+
+#[test]
+fn a_first_touch_that_is_good_is_told_false_by_no_stop_that_was_left_out() {
+    for (points, seed) in [(1, 1), (1, 2), (1, 3), (2, 4), (2, 5)] {
+        for stop in ["240:300", "none"] {
+            let json = of_false_first(points, seed, [0.0; 2], stop);
+            assert_eq!(json["false_first"], serde_json::json!([]), "{points} {seed} {stop}");
+        }
+    }
 }

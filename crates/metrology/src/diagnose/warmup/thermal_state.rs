@@ -1,35 +1,18 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
-use super::history::Standstill;
+use super::cold_place::{self, FalseFirst};
+use super::thermal_run::{LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
-use nalgebra::Vector3;
-use robot_model::deform::thermal_filter::{
-    Covariance, GATE_ACROSS, State, ThermalFilter, TouchOutcome, Transition,
-};
+use robot_model::deform::thermal_filter::{Covariance, State, ThermalFilter};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use thiserror::Error;
 
-/// A point that moves by less tells nothing of the warmth, metres.
-const LEAST_M: f64 = 0.02e-3;
 /// A shift, for which a plan is made, minutes.
 const SHIFT_MIN: f64 = 480.0;
 /// Between touches, minutes: what a plan compares.
 const INTERVALS_MIN: [f64; 5] = [10.0, 15.0, 30.0, 60.0, 120.0];
-
-/// What is known besides the touches.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StateOptions {
-    /// The tip in the flange's frame, metres.
-    pub tool_m: Vector3<f64>,
-    /// When the robot stood; else it worked.
-    pub stops: Vec<Standstill>,
-    /// One standard deviation of a coordinate of a touch, metres.
-    pub sigma_m: f64,
-    /// Time constant of cooling to begin with, minutes.
-    pub tau_cool_min: f64,
-}
 
 /// Why touches tell nothing.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -45,27 +28,6 @@ pub enum StateError {
     /// No point moves as the arm warms, so touches tell nothing.
     #[error("no point moves by more than 0.02 mm as the arm warms: they tell nothing of it")]
     NoDrift,
-}
-
-/// The state at one touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TouchState {
-    /// Line in the file.
-    pub line: u64,
-    /// The touched point, as an index into the points of the file.
-    pub point: usize,
-    /// Minutes, as the file's `t_min` counts them.
-    pub t_min: f64,
-    /// What it saw: the share of the table's settled drift.
-    pub seen: f64,
-    /// How far that was from what was expected, in standard deviations.
-    pub off_sigmas: f64,
-    /// Whether it was taken; `None` where it lies off the drift's line.
-    pub outcome: Option<TouchOutcome>,
-    /// The share after it, and its standard deviation.
-    pub share: [f64; 2],
-    /// The same with what came later.
-    pub smoothed: [f64; 2],
 }
 
 /// How well a plan of touches keeps the state.
@@ -93,6 +55,8 @@ pub struct PlannedPoint {
 pub struct RobotState {
     /// Every touch after the first of each point.
     pub touches: Vec<TouchState>,
+    /// First touches that the later ones contradict: the cold arm's place is theirs.
+    pub false_first: Vec<FalseFirst>,
     /// Lags, amount, logarithms of both time constants (minutes) at the end.
     pub state: State,
     /// Covariance of the state, rows and columns in its order.
@@ -105,17 +69,9 @@ pub struct RobotState {
     pub plan: Vec<PlannedPoint>,
 }
 
-/// A step between two touches, as it was and as the filter left it.
-struct FilterInterval {
-    transition: Transition,
-    expected: (State, Covariance),
-    left: (State, Covariance),
-    begins_anew: bool,
-}
-
 /// The state of a robot that goes from a cold arm to a settled one by a law, but for amount and time constants.
 ///
-/// The first touch of each point says where the cold arm has it.
+/// The first touch of each point says where the cold arm has it, but where it is false.
 ///
 /// # Errors
 /// [`StateError`]
@@ -125,115 +81,48 @@ pub fn thermal_state(
     (law, [cold_arm, settled_arm]): (GrowthLaw, [&DeformedArm; 2]),
     options: &StateOptions,
 ) -> Result<RobotState, StateError> {
-    let mut filter = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
+    let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
     let nominal = Chain::nominal(robot);
     let conditions = Conditions::default();
-    let place = |q_rad: &[f64; 6]| {
+    let tip_m = |q_rad: &[f64; 6]| {
         let flange = nominal.forward(q_rad);
         flange.translation.vector + flange.rotation * options.tool_m
     };
     // Where the controller takes the tip to be goes the other way than the tip drifts.
-    let moves = |q_rad: &[f64; 6]| {
+    let along_m = |q_rad: &[f64; 6]| {
         let [cold, settled] =
             [cold_arm, settled_arm].map(|arm| arm.under(&conditions).point_m(q_rad, &options.tool_m));
         cold - settled
     };
-    let mut cold: Vec<Option<(Vector3<f64>, Vector3<f64>)>> = vec![None; touches.points.len()];
-    let mut now_min = touches.touches.first().map_or(0.0, |touch| touch.t_min);
-    let (mut seen, mut steps, mut pending) = (Vec::new(), Vec::new(), Transition::identity());
-    for touch in &touches.touches {
-        pending = advance(&mut filter, now_min, touch.t_min, &options.stops) * pending;
-        now_min = touch.t_min;
-        let at = place(&touch.q_rad);
-        let Some((origin, along)) = cold[touch.point] else {
-            cold[touch.point] = Some((at, moves(&touch.q_rad)));
-            continue;
-        };
-        let square = along.norm_squared();
-        if square < LEAST_M * LEAST_M {
-            continue;
-        }
-        let off = at - origin;
-        let share = off.dot(&along) / square;
-        // The place of the cold arm was touched as well as this one.
-        let variance = 2.0 * options.sigma_m * options.sigma_m / square;
-        let expected = (filter.state, filter.covariance);
-        let spread = (filter.sigma().powi(2) + variance).sqrt();
-        let off_sigmas = (share - filter.share()) / spread;
-        let across = (off - along * share).norm_squared() / (2.0 * options.sigma_m * options.sigma_m);
-        let outcome = (across <= GATE_ACROSS).then(|| filter.touch(share, variance));
-        steps.push(FilterInterval {
-            transition: std::mem::replace(&mut pending, Transition::identity()),
-            expected,
-            left: (filter.state, filter.covariance),
-            begins_anew: outcome == Some(TouchOutcome::TakenAnew),
-        });
-        let after = [filter.share(), filter.sigma()];
-        let (line, point, t_min) = (touch.line, touch.point, touch.t_min);
-        seen.push(TouchState {
-            line,
-            point,
-            t_min,
-            seen: share,
-            off_sigmas,
-            outcome,
-            share: after,
-            smoothed: after,
-        });
-    }
-    if seen.is_empty() {
-        let moved = cold.iter().flatten().any(|(_, along)| along.norm() >= LEAST_M);
+    let (placed, mut places) = cold_place::placed(touches, tip_m, along_m);
+    let false_first = cold_place::set_right(&mut places, &placed, &first, options);
+    let first = if false_first.is_empty() { first } else { cold_place::cold(&first) };
+    let mut run = ThermalRun::new(first.clone(), &placed, &places, options);
+    if run.touches.is_empty() {
+        let moved = places.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
         return Err(if moved || touches.touches.len() < 2 {
             StateError::TooFew
         } else {
             StateError::NoDrift
         });
     }
-    smooth(&steps, &mut seen, filter.seen());
-    let largest_m = cold.iter().flatten().map(|(_, along)| along.norm()).fold(0.0, f64::max);
-    let mut plan: Vec<PlannedPoint> = cold
+    run.smooth();
+    for one in &false_first {
+        run.widen((one.point, one.sigma_m), &first, (&placed, &places), options);
+    }
+    let largest_m = places.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
+    let mut plan: Vec<PlannedPoint> = places
         .iter()
         .zip(&touches.points)
-        .filter_map(|(cold, name)| Some((cold.as_ref()?.1.norm(), name)))
+        .filter_map(|(place, name)| Some((place.as_ref()?.along_m.norm(), name)))
         .filter(|(settled_m, _)| *settled_m >= LEAST_M)
         .map(|(settled_m, name)| planned(name, [settled_m, largest_m], (law, options)))
         .collect();
     plan.sort_by(|a, b| b.settled_m.total_cmp(&a.settled_m));
-    let (first, last) = (touches.touches[0].t_min, now_min);
-    let stood = options.stops.iter().any(|stop| stop.to_min > first && stop.from_min < last);
-    Ok(RobotState { touches: seen, state: filter.state, covariance: filter.covariance, law, stood, plan })
-}
-
-/// Working but for the stops.
-fn advance(filter: &mut ThermalFilter, from_min: f64, to_min: f64, stops: &[Standstill]) -> Transition {
-    let mut all = Transition::identity();
-    let mut now_min = from_min;
-    for stop in stops {
-        let (begin, end) = (stop.from_min.clamp(now_min, to_min), stop.to_min.clamp(now_min, to_min));
-        all = filter.advance(begin - now_min, true) * all;
-        all = filter.advance(end - begin, false) * all;
-        now_min = end;
-    }
-    filter.advance(to_min - now_min, true) * all
-}
-
-/// Rauch, Tung and Striebel 1965: from the last touch back; not beyond one at which the state begins anew.
-fn smooth(steps: &[FilterInterval], touches: &mut [TouchState], seen: usize) {
-    let Some(last) = steps.last() else { return };
-    let mut later = last.left;
-    for k in (0..steps.len().saturating_sub(1)).rev() {
-        let (step, next) = (&steps[k], &steps[k + 1]);
-        let inverse = next.expected.1.try_inverse().filter(|_| !next.begins_anew);
-        later = match inverse {
-            Some(inverse) => {
-                let gain = step.left.1 * next.transition.transpose() * inverse;
-                let state = step.left.0 + gain * (later.0 - next.expected.0);
-                (state, step.left.1 + gain * (later.1 - next.expected.1) * gain.transpose())
-            }
-            None => step.left,
-        };
-        touches[k].smoothed = [later.0[seen], later.1[(seen, seen)].max(0.0).sqrt()];
-    }
+    let [begin_min, end_min] = [placed.first(), placed.last()].map(|touch| touch.map_or(0.0, |t| t.t_min));
+    let stood = options.stops.iter().any(|stop| stop.to_min > begin_min && stop.from_min < end_min);
+    let (state, covariance) = (run.filter.state, run.filter.covariance);
+    Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan })
 }
 
 /// How well touches of a point keep the state over a shift.

@@ -1,0 +1,172 @@
+//! Where the cold arm has each touched point: as its first touch says, unless the later ones say that this one was false.
+
+use super::thermal_run::{ColdPlace, LEAST_M, PlacedTouch, StateOptions, ThermalRun};
+use crate::measure::Touches;
+use nalgebra::Vector3;
+use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
+use std::f64::consts::FRAC_PI_2;
+
+/// What is left of warmth in an arm that is said to be cold, one standard deviation of a lag.
+const COLD_SIGMA: f64 = 0.03;
+/// A first touch is false where taking it for that makes all touches likelier by so much, nats: one in twenty is, by up to a
+/// millimetre either way, which a touch tells to a hundredth of that.
+const LEAST_GAIN: f64 = 8.0;
+/// Places along the drift that are tried: so far either way, metres, in so many steps.
+const MOST_M: f64 = 1.5e-3;
+const STEPS: i32 = 60;
+/// Halvings of the step round the likeliest place.
+const HALVINGS: usize = 10;
+/// Later touches of a point without which nothing is said of its first.
+const LEAST_LATER: usize = 3;
+
+/// A first touch that does not stand where the cold arm has its point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FalseFirst {
+    /// Its line in the file.
+    pub line: u64,
+    /// The touched point, as an index into the points of the file.
+    pub point: usize,
+    /// From where the later touches have the cold arm to where it stands, metres.
+    pub off_m: Vector3<f64>,
+    /// One standard deviation along the drift of that place, metres.
+    pub sigma_m: f64,
+}
+
+/// Touches with their places, and what `along_m` says of the joints of each point's first.
+pub(super) fn placed(
+    touches: &Touches,
+    tip_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
+    along_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
+) -> (Vec<PlacedTouch>, Vec<Option<ColdPlace>>) {
+    let mut places: Vec<Option<ColdPlace>> = vec![None; touches.points.len()];
+    let all = touches.touches.iter().map(|touch| {
+        let (line, point, at_m) = (touch.line, touch.point, tip_m(&touch.q_rad));
+        let is_first = places[point].is_none();
+        if is_first {
+            places[point] = Some(ColdPlace { line, at_m, along_m: along_m(&touch.q_rad) });
+        }
+        PlacedTouch { line, point, t_min: touch.t_min, at_m, is_first }
+    });
+    let all = all.collect();
+    (all, places)
+}
+
+/// Puts the places of points whose first touch is false where their later touches have them.
+///
+/// Across the drift that is where these lie; along it, where all touches are likeliest on an arm that was cold. `filter` is one
+/// of which only the table is known.
+pub(super) fn set_right(
+    places: &mut [Option<ColdPlace>],
+    touches: &[PlacedTouch],
+    filter: &ThermalFilter,
+    options: &StateOptions,
+) -> Vec<FalseFirst> {
+    let filter = cold(filter);
+    let mut found = Vec::new();
+    let mut left: Vec<usize> = (0..places.len()).collect();
+    loop {
+        let now = ThermalRun::new(filter.clone(), touches, places, options).log_likelihood;
+        let mut best: Option<(usize, Candidate)> = None;
+        for &point in &left {
+            let Some(candidate) = candidate(point, places, touches, &filter, options) else { continue };
+            if best.as_ref().is_none_or(|(_, b)| candidate.log_likelihood > b.log_likelihood) {
+                best = Some((point, candidate));
+            }
+        }
+        let Some((point, candidate)) = best.filter(|(_, c)| c.log_likelihood > now + LEAST_GAIN) else {
+            return found;
+        };
+        left.retain(|other| *other != point);
+        if let Some(place) = &mut places[point] {
+            let off_m = place.at_m - candidate.at_m;
+            found.push(FalseFirst { line: place.line, point, off_m, sigma_m: candidate.sigma_m });
+            place.at_m = candidate.at_m;
+        }
+    }
+}
+
+/// The filter on an arm that is cold.
+pub(super) fn cold(filter: &ThermalFilter) -> ThermalFilter {
+    let mut cold = filter.clone();
+    let variance = COLD_SIGMA * COLD_SIGMA;
+    for (i, j, share) in [(0, 0, 1.0), (1, 1, 1.0), (0, 1, FIRST_CORRELATION), (1, 0, FIRST_CORRELATION)] {
+        cold.covariance[(i, j)] = share * variance;
+    }
+    cold
+}
+
+/// Another place of the cold arm.
+struct Candidate {
+    at_m: Vector3<f64>,
+    sigma_m: f64,
+    log_likelihood: f64,
+}
+
+fn candidate(
+    point: usize,
+    places: &[Option<ColdPlace>],
+    touches: &[PlacedTouch],
+    filter: &ThermalFilter,
+    options: &StateOptions,
+) -> Option<Candidate> {
+    let place = places[point].as_ref()?;
+    let length_m = place.along_m.norm();
+    if length_m < LEAST_M {
+        return None;
+    }
+    let unit = place.along_m / length_m;
+    let later: Vec<Vector3<f64>> = touches
+        .iter()
+        .filter(|touch| touch.point == point && !touch.is_first)
+        .map(|touch| touch.at_m - place.at_m)
+        .map(|off_m| off_m - unit * off_m.dot(&unit))
+        .collect();
+    if later.len() < LEAST_LATER {
+        return None;
+    }
+    let across_m = stands_apart(&later, options.sigma_m);
+    let mut moved = places.to_vec();
+    let mut log_likelihood = |along_m: f64| {
+        if let Some(one) = &mut moved[point] {
+            one.at_m = place.at_m + across_m + unit * along_m;
+        }
+        ThermalRun::new(filter.clone(), touches, &moved, options).log_likelihood
+    };
+    let mut step_m = MOST_M / f64::from(STEPS);
+    let grid = (-STEPS..=STEPS).map(|k| f64::from(k) * step_m);
+    let (mut along_m, mut most) = grid
+        .map(|at| (at, log_likelihood(at)))
+        .fold((0.0, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });
+    for _ in 0..HALVINGS {
+        step_m /= 2.0;
+        for at in [along_m - step_m, along_m + step_m] {
+            let here = log_likelihood(at);
+            if here > most {
+                (along_m, most) = (at, here);
+            }
+        }
+    }
+    let h_m = options.sigma_m / 2.0;
+    let bend = (2.0 * most - log_likelihood(along_m - h_m) - log_likelihood(along_m + h_m)) / (h_m * h_m);
+    let sigma_m = if bend > 0.0 { bend.sqrt().recip().min(MOST_M) } else { MOST_M };
+    // One that is off by no more than noise takes a touch is no false one.
+    let is_off = across_m != Vector3::zeros() || along_m.abs() > GATE * options.sigma_m.hypot(sigma_m);
+    is_off.then(|| Candidate { at_m: place.at_m + across_m + unit * along_m, sigma_m, log_likelihood: most })
+}
+
+/// Where later touches lie across the drift, seen from the first, where they lie together and it does not; else there.
+fn stands_apart(later: &[Vector3<f64>], sigma_m: f64) -> Vector3<f64> {
+    let middle = Vector3::from_fn(|i, _| median(later.iter().map(|off_m| off_m[i]).collect()));
+    // The lengths of two coordinates with noise have their median at the root of 2 ln 2 standard deviations.
+    let scatter_m =
+        median(later.iter().map(|off_m| (off_m - middle).norm()).collect()) / (2.0 * 2.0_f64.ln()).sqrt();
+    let sigma_m = sigma_m.max(scatter_m);
+    let variance = sigma_m * sigma_m * (1.0 + FRAC_PI_2 / later.len() as f64);
+    if middle.norm_squared() > GATE_ACROSS * variance { middle } else { Vector3::zeros() }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let n = values.len();
+    values.get(n / 2).map_or(0.0, |high| (values[(n - 1) / 2] + high) / 2.0)
+}
