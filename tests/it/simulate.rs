@@ -56,6 +56,56 @@ fn a_compensated_cube_is_within_and_its_original_is_not() {
     driftpost(&["simulate", CUBE, "--minutes", "180"]).assert().code(1);
 }
 
+/// Joint 1 of an IRB 140 ends at 180 deg: a line behind the robot cannot cross there, whatever joints reach its other end.
+#[test]
+fn a_line_that_takes_joint_1_over_its_end_is_not_gone() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("behind.mod");
+    let source = "MODULE Behind
+  CONST jointtarget jBehind:=[[170,0,0,0,90,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget p;
+  PROC main()
+    ConfL\\Off;
+    ConfJ\\Off;
+    MoveAbsJ jBehind,v100,fine,tool0;
+    p:=CRobT(\\Tool:=tool0\\WObj:=wobj0);
+    MoveL Offs(p,0,SIDE,0),v100,fine,tool0;
+  ENDPROC
+ENDMODULE
+";
+    // Seen from above the wrist is 0.4 to 0.6 m behind axis 1 at 170 deg, 0.07 to 0.1 m to the side of 180.
+    for (side, crosses) in [("-30", false), ("-220", true)] {
+        std::fs::write(&file, source.replace("SIDE", side)).unwrap();
+        let run = driftpost(&["simulate", &file.display().to_string(), "--minutes", "0"]).output().unwrap();
+        let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+        assert_eq!(text.contains("end of its range on the way"), crosses, "{side}: {text}");
+    }
+}
+
+/// A target whose orientation is the same and whose axis 6 is a whole turn on is no correction.
+#[test]
+fn a_whole_turn_of_an_axis_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let [before, after] = ["before.mod", "after.mod"].map(|name| folder.path().join(name));
+    let source = "MODULE Turn
+  PROC main()
+    MoveAbsJ [[10,0,0,0,30,-170],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;
+  ENDPROC
+ENDMODULE
+";
+    std::fs::write(&before, source).unwrap();
+    for (axis_6, told) in [("-169.999", false), ("190", true)] {
+        std::fs::write(&after, source.replace("-170", axis_6)).unwrap();
+        let [a, b] = [&after, &before].map(|path| path.display().to_string());
+        let args = ["simulate", &a, "--original", &b, "--minutes", "0"];
+        let run = driftpost(&args).output().unwrap();
+        let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+        let says =
+            text.contains("joint 6 of") && text.contains("ends 360.0 deg from where the original has it");
+        assert_eq!((says, run.status.code() == Some(1)), (told, told), "{axis_6}: {text}");
+    }
+}
+
 #[test]
 fn a_scenario_is_played() {
     let folder = tempfile::tempdir().unwrap();

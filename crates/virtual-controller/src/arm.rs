@@ -12,6 +12,7 @@ use robot_model::kinematics::{Chain, ClosedForm, Configuration, outside_quadrant
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 
 /// Numbers from here on mean "not used" in RAPID (9E9).
 const NOT_USED: f64 = 8.9e9;
@@ -20,6 +21,8 @@ const MIN_MOTION_RAD: f64 = 1e-7;
 /// Samples on a linear path: one for so many metres, or so many radians.
 const SAMPLE_M: f64 = 0.02;
 const SAMPLE_RAD: f64 = 0.1;
+/// A joint that turns by more from one sample to the next is looked at: does it go on, or does it jump?
+const JUMP_RAD: f64 = 1.0;
 
 /// A search looks so often whether it touches, metres, and finds where to this share of its way.
 const SEARCH_STEP_M: f64 = 0.0005;
@@ -221,6 +224,20 @@ impl Arm {
         self.closed.branches(base_from_flange).iter().any(Option::is_some)
     }
 
+    /// Whether the way from `from` to a pose goes on beyond the end of a joint's range, where `within` is the nearest within
+    /// the ranges: that one is then far, and another, or a whole turn of it, much nearer.
+    fn leaves_range(&self, base_from_flange: &Isometry3<f64>, from: &[f64; 6], within: &[f64; 6]) -> bool {
+        let turn = |to: &[f64; 6]| to.iter().zip(from).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let far = turn(within);
+        if far < JUMP_RAD {
+            return false;
+        }
+        self.closed.branches(base_from_flange).iter().flatten().any(|q_rad| {
+            let near = std::array::from_fn(|i| q_rad[i] + TAU * ((from[i] - q_rad[i]) / TAU).round());
+            turn(&near) < far / 2.0
+        })
+    }
+
     /// Joints in radians of a jointtarget's numbers; an axis written 9E9 stays where it is.
     fn joints_rad(&self, numbers: &[f64]) -> [f64; 6] {
         let here = self.q_rad.unwrap_or_default();
@@ -303,11 +320,11 @@ impl Arm {
             }
             let base_from_flange = setup.base_from_flange(&tcp_path.at(share));
             match self.closed.nearest(&base_from_flange, &q_rad) {
-                Some(s) => q_rad = s.q_rad,
-                None if self.is_reachable(&base_from_flange) => {
+                Some(s) if !self.leaves_range(&base_from_flange, &q_rad, &s.q_rad) => q_rad = s.q_rad,
+                nearest if nearest.is_some() || self.is_reachable(&base_from_flange) => {
                     return Ok(Err("a joint comes to the end of its range on the way".into()));
                 }
-                None => return Ok(Err("the way leaves what the arm can reach".into())),
+                _ => return Ok(Err("the way leaves what the arm can reach".into())),
             }
         }
         let complaint = if self.conf_l { self.complaint(&conf, &q_rad) } else { None };

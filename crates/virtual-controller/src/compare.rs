@@ -6,12 +6,15 @@ use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::counted;
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm};
+use robot_model::units::deg_from_rad;
 
 /// Samples between start and end of a path.
 const SAMPLES: u32 = 5;
+/// No correction turns a joint by so much, degrees: what does is another way to stand.
+const OTHER_DEG: f64 = 90.0;
 
 /// Two runs that are not the same moves in the same order.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Mismatch {
     /// One run has more moves.
     #[error("the original makes {}, the program {program}", counted(*original, "move"))]
@@ -30,6 +33,20 @@ pub enum Mismatch {
         original: String,
         /// Instruction and routine of the program.
         program: String,
+    },
+    /// The same pose with other joints: the arm turns, or bends another way.
+    #[error("{file}:{line}: joint {joint} of {target} ends {deg:.1} deg from where the original has it")]
+    OtherJoints {
+        /// File of the program's move.
+        file: String,
+        /// Its line.
+        line: u32,
+        /// The target as it is written.
+        target: String,
+        /// Number of the joint, from 1.
+        joint: usize,
+        /// How far apart they are, degrees.
+        deg: f64,
     },
 }
 
@@ -86,6 +103,21 @@ impl Evaluator<'_> {
             return Err(Mismatch::Length { original: original.len(), program: program.len() });
         }
         Ok(())
+    }
+
+    /// The joint that a move takes elsewhere than is meant, whatever pose that makes: a whole turn, another branch.
+    #[must_use]
+    pub fn other_joints(intended: &Move, executed: &Move) -> Option<Mismatch> {
+        let (a, b) = (intended.q_rad?, executed.q_rad?);
+        let apart = a.iter().zip(&b).map(|(a, b)| deg_from_rad((a - b).abs()));
+        let (joint, deg) = apart.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        (deg > OTHER_DEG).then(|| Mismatch::OtherJoints {
+            file: executed.at.file.clone(),
+            line: executed.at.line,
+            target: executed.target.clone(),
+            joint: joint + 1,
+            deg,
+        })
     }
 
     /// How far `executed` ends (and passes its circle point) from what `intended` says on a perfect robot, when

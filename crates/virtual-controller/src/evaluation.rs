@@ -47,6 +47,7 @@ impl Session {
                 unchanged.push((b, after.position_m));
             } else {
                 pass.corrected.add(&after);
+                pass.mismatch = pass.mismatch.or_else(|| Evaluator::other_joints(a, b));
                 self.changed.insert((b.at.file.clone(), b.at.line));
             }
             if pass.worst.as_ref().is_none_or(|w| after.position_m > w.error_m) {
