@@ -317,7 +317,9 @@ fn diagnostic_of(error: &SimulateError) -> Diagnostic {
         SimulateError::Scenario(_) | SimulateError::Value { .. } | SimulateError::NoData(_) => {
             "correct the scenario, or give all files of the program"
         }
-        SimulateError::Endless { .. } => "say with --set NAME=VALUE what comes from outside",
+        SimulateError::Endless { .. } | SimulateError::Idle(_) => {
+            "say with --set NAME=VALUE what comes from outside"
+        }
         SimulateError::Arm(_) => "use another robot",
     };
     Diagnostic::error(error.code(), error.to_string()).help(help)

@@ -320,7 +320,7 @@ fn hostile_programs_come_to_an_end() {
     c.step_limit = 100_000;
     assert_eq!(c.call("forever", 7).unwrap(), Outcome::Passes);
     assert_eq!(c.number("n").unwrap(), 7.0);
-    assert_eq!(c.call("spin", 1).unwrap(), Outcome::OutOfSteps);
+    assert!(matches!(c.call("spin", 1).unwrap(), Outcome::OutOfSteps { moving: true, .. }));
     for name in ["deeper", "calls", "circle", "outside", "typed"] {
         assert!(matches!(c.call(name, 1).unwrap(), Outcome::Failed { .. }), "{name}");
     }
@@ -336,7 +336,7 @@ fn a_loop_of_moves_that_never_ends_is_cut_off_early() {
                 MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDWHILE\nENDPROC\nENDMODULE";
     c.load("m.mod", text.as_bytes()).unwrap();
     c.step_limit = 100_000;
-    assert_eq!(c.call("main", 1).unwrap(), Outcome::OutOfSteps);
+    assert!(matches!(c.call("main", 1).unwrap(), Outcome::OutOfSteps { moving: true, .. }));
     let moves = c.arm_mut().unwrap().take_moves().len();
     assert!((1_000..3_000).contains(&moves), "{moves}");
 }
@@ -374,6 +374,19 @@ fn a_loop_that_waits_in_vain_is_named_and_one_that_works_is_not() {
         "WHILE TRUE DO\nn:=n+1;\nIF n>400 RETURN;\nENDWHILE",
     ] {
         assert!(matches!(end_of(body), Outcome::Finished | Outcome::Passes), "{body}");
+    }
+}
+
+/// What a condition asks for changes in every pass, and no motion comes: the line is named before anybody grows impatient.
+#[test]
+fn a_program_that_only_counts_is_ended_where_it_is() {
+    for (body, lines) in [
+        ("WHILE n<2 DO\nm:=m+1;\nn:=1/m;\nENDWHILE", 11..=13),
+        ("again:\nn:=n+1;\nIF n>0 GOTO again;", 12..=13),
+    ] {
+        let outcome = end_of(body);
+        let Outcome::OutOfSteps { at, moving: false } = &outcome else { panic!("{body}: {outcome:?}") };
+        assert!(lines.contains(&at.line), "{body}: {at:?}");
     }
 }
 
@@ -453,6 +466,28 @@ fn a_loop_that_a_called_routine_leaves_goes_on_until_it_does() {
         c.call("main", 1).unwrap();
         assert_eq!(c.number("n").unwrap(), n, "{body} {step}");
     }
+}
+
+/// A module that comes and goes belongs to the program: no more motions are executed than it has.
+#[test]
+fn motions_of_modules_that_come_and_go_are_counted_once() {
+    let mut c = controller(
+        r#"MODULE M
+  PROC main()
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;
+    FOR i FROM 1 TO 3 DO
+      Load \Dynamic,"HOME:/PART.MOD";
+      %"part"%;
+      UnLoad "HOME:/PART.MOD";
+    ENDFOR
+  ENDPROC
+ENDMODULE"#,
+    );
+    let to = "MoveAbsJ [[0,0,0,0,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n";
+    c.put_file("PART.MOD", format!("MODULE PART\nPROC part()\n{to}{to}ENDPROC\nENDMODULE").as_bytes());
+    assert_eq!(c.motions(), 1);
+    assert!(c.call("main", 1).unwrap().is_good());
+    assert_eq!(c.motions(), 3);
 }
 
 #[test]

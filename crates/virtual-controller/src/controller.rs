@@ -9,14 +9,14 @@ use super::effort::EffortRange;
 use super::entry;
 use super::interpreter::Interpreter;
 use super::loaded::LoadedProgram;
-use super::machine::{DataRef, DataState, Disk, Machine, StepLimit};
+use super::machine::{DataRef, DataState, Disk, Machine};
 use super::outcome::{Fault, Message, Outcome, SimulateError};
 use super::sphere::Sphere;
 use super::value::{Type, Value};
 use rapid_syntax::tree::DataKind;
 use robot_model::deform::{DeformedArm, Payload};
 use robot_model::robot::Robot;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Steps that one call may take before it counts as endless, where nothing else is said.
 const STEP_LIMIT: u64 = 50_000_000;
@@ -111,8 +111,11 @@ impl Controller {
     /// How many motion instructions the loaded modules hold.
     #[must_use]
     pub fn motions(&self) -> usize {
-        let loaded = |module: usize| self.program.modules.get(module).is_some_and(|m| m.loaded);
-        let routines = self.program.routines.iter().enumerate().filter(|(_, r)| loaded(r.module));
+        // A module that comes and goes is one of the program, however often it came.
+        let modules = self.program.modules.iter().enumerate();
+        let last: BTreeMap<_, usize> = modules.map(|(id, m)| ((&*m.file.path, &*m.name), id)).collect();
+        let last: BTreeSet<usize> = last.into_values().collect();
+        let routines = self.program.routines.iter().enumerate().filter(|(_, r)| last.contains(&r.module));
         let motions = routines.filter_map(|(id, routine)| {
             let code = self.program.code(id)?;
             let is_motion = |op: &Op| match op {
@@ -138,7 +141,7 @@ impl Controller {
             .program
             .routine_anywhere(&name.to_lowercase())
             .ok_or_else(|| SimulateError::NoRoutine(name.to_owned()))?;
-        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.machine.limits.begin(self.step_limit);
         self.machine.limits.passes = passes.max(1);
         Ok(self.interpreter().run_routine(routine))
     }
@@ -157,7 +160,7 @@ impl Controller {
 
     /// Go on from where the program was stopped, to its end or for so many moves more.
     pub fn go_on(&mut self, moves: Option<u64>) -> Outcome {
-        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.machine.limits.begin(self.step_limit);
         self.machine.limits.moves_left = moves;
         let outcome = self.interpreter().go_on();
         self.machine.limits.moves_left = None;
@@ -166,7 +169,7 @@ impl Controller {
 
     /// Go through the statement before the one at which the program is stopped, backwards.
     pub fn step_back(&mut self) -> BackStep {
-        self.machine.limits.steps = StepLimit::new(self.step_limit);
+        self.machine.limits.begin(self.step_limit);
         self.interpreter().step_back()
     }
 

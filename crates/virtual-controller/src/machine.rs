@@ -11,7 +11,7 @@ mod stack;
 
 pub(super) use data::{Access, DataRef, DataRoot, DataState, DataValues, Selector};
 pub(super) use interrupts::Interrupts;
-pub(super) use limits::{RunLimits, StepLimit};
+pub(super) use limits::{LimitReached, RunLimits};
 pub(super) use log::Log;
 pub(super) use outside::{Disk, Signals};
 pub(super) use stack::{Binding, CallStack, Deciding, Frame, Slot, StackMark};

@@ -36,6 +36,9 @@ pub enum SimulateError {
         /// What its conditions ask for.
         names: Vec<String>,
     },
+    /// A program goes on without a motion, and no loop of it is seen to wait.
+    #[error("{}:{}: here the program was after ten million statements without a motion: it does not come to an end", .0.file, .0.line)]
+    Idle(SourceLine),
     /// The arm has no closed-form inverse kinematics.
     #[error("the controller's kinematics of this arm is not known: {0}")]
     Arm(String),
@@ -54,7 +57,7 @@ impl SimulateError {
             Self::NoEntry(_) => "simulate::no-entry",
             Self::NoData(_) => "simulate::no-data",
             Self::Value { .. } => "simulate::value",
-            Self::Endless { .. } => "simulate::endless",
+            Self::Endless { .. } | Self::Idle(_) => "simulate::endless",
             Self::Arm(_) => "robot::structure",
             Self::Scenario(_) => "simulate::scenario",
         }
@@ -94,7 +97,12 @@ pub enum Outcome {
     /// Stopped in the middle, where it can go on.
     Stopped,
     /// More steps than allowed: the program does not end.
-    OutOfSteps,
+    OutOfSteps {
+        /// Where it was.
+        at: SourceLine,
+        /// It moved meanwhile.
+        moving: bool,
+    },
     /// A loop that waits for what nothing in the program brings about.
     Endless {
         /// Where the loop stands.

@@ -332,6 +332,7 @@ fn set_text(c: &mut Controller, name: &str, text: &str) -> Result<(), SimulateEr
 fn ended(outcome: Outcome) -> Result<Outcome, SimulateError> {
     match outcome {
         Outcome::Endless { at, names } => Err(SimulateError::Endless { at, names }),
+        Outcome::OutOfSteps { at, moving: false } => Err(SimulateError::Idle(at)),
         other => Ok(other),
     }
 }
@@ -340,7 +341,9 @@ fn ended(outcome: Outcome) -> Result<Outcome, SimulateError> {
 fn failure(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Finished | Outcome::Passes | Outcome::Exited | Outcome::Stopped => None,
-        Outcome::OutOfSteps => Some("the program does not come to an end".into()),
+        Outcome::OutOfSteps { at, .. } => {
+            Some(format!("{}:{}: the program does not come to an end", at.file, at.line))
+        }
         Outcome::Endless { at, names } => Some(endless(at, names)),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
     }

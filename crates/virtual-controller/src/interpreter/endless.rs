@@ -3,7 +3,7 @@
 use super::Interpreter;
 use crate::code::{Arg, Exits, Expr, ExprKind, Instruction, NameRef, Op};
 use crate::machine::{Access, DataRef, Deciding};
-use crate::outcome::{Fault, Outcome};
+use crate::outcome::{Fault, Outcome, SourceLine};
 use crate::predefined;
 use crate::value::Value;
 use rapid_syntax::diagnostic::TextRange;
@@ -137,7 +137,7 @@ impl Interpreter<'_> {
     /// The end of a run in a loop that waits in vain: the loop from `to` to the operation in work.
     pub(super) fn endless(&self, to: usize) -> Fault {
         let Some(frame) = self.machine.stack.frames.last() else {
-            return Fault::Ended(Outcome::OutOfSteps);
+            return Fault::Ended(Outcome::OutOfSteps { at: SourceLine::default(), moving: false });
         };
         let body = frame.code.instructions.get(to..=frame.current).unwrap_or_default();
         let mut asked = Vec::new();

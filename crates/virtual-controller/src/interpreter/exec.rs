@@ -4,7 +4,7 @@ use super::Interpreter;
 use super::endless::Waiting;
 use crate::code::{Callee, Code, Expr, Op};
 use crate::loaded::RoutineKind;
-use crate::machine::{Binding, Frame, Slot};
+use crate::machine::{Binding, Frame, LimitReached, Slot};
 use crate::outcome::{Fault, Outcome, fatal, raise};
 use crate::predefined;
 use crate::value::{Type, Value};
@@ -23,7 +23,12 @@ impl Interpreter<'_> {
     /// Execute until only `base` routines are left in execution.
     pub fn run(&mut self, base: usize) -> Result<(), Fault> {
         while self.machine.stack.frames.len() > base {
-            self.machine.limits.next_step(base == 0)?;
+            self.machine.limits.next_step(base == 0).map_err(|limit| match limit {
+                LimitReached::Moves => Fault::Ended(Outcome::Stopped),
+                LimitReached::Steps { moving } => {
+                    Fault::Ended(Outcome::OutOfSteps { at: self.here(), moving })
+                }
+            })?;
             let step_s = self.machine.calendar.step_s;
             self.machine.calendar.advance_s(step_s);
             self.interrupt()?;

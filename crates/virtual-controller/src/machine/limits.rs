@@ -1,17 +1,25 @@
 //! When a run is over although its program goes on: steps, passes of endless loops, moves.
 
-use crate::outcome::{Fault, Outcome};
+/// Steps without a motion, behind one another, that no work takes.
+const IDLE_STEPS: u64 = 10_000_000;
+
+/// Why a run is over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LimitReached {
+    /// No step is left.
+    Steps {
+        /// It has moved meanwhile.
+        moving: bool,
+    },
+    /// No move is left before the stop.
+    Moves,
+}
 
 /// How many steps a call may still take before it counts as endless.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct StepLimit(u64);
 
 impl StepLimit {
-    /// Allows so many steps from here on.
-    pub fn new(steps: u64) -> Self {
-        Self(steps)
-    }
-
     /// Takes steps that are no statements of their own; as many as there are left.
     pub fn spend(&mut self, steps: u64) {
         self.0 = self.0.saturating_sub(steps);
@@ -28,34 +36,43 @@ pub(crate) struct RunLimits {
     pub moves_left: Option<u64>,
     /// Moves that were made so far.
     pub moves_made: u64,
+    /// Steps since the last move.
+    idle: u64,
 }
 
 impl Default for RunLimits {
     fn default() -> Self {
-        Self { steps: StepLimit::default(), passes: 1, moves_left: None, moves_made: 0 }
+        Self { steps: StepLimit::default(), passes: 1, moves_left: None, moves_made: 0, idle: 0 }
     }
 }
 
 impl RunLimits {
+    /// A run begins that may take so many steps.
+    pub fn begin(&mut self, steps: u64) {
+        (self.steps, self.idle) = (StepLimit(steps), 0);
+    }
+
     /// One step more; `outermost` where the program itself goes on, not a function inside of an expression.
     ///
     /// # Errors
-    /// [`Fault::Ended`] where no step is left, or no move before the stop.
-    pub fn next_step(&mut self, outermost: bool) -> Result<(), Fault> {
-        if self.steps.0 == 0 {
-            return Err(Fault::Ended(Outcome::OutOfSteps));
+    /// No step is left, or no move before the stop.
+    pub fn next_step(&mut self, outermost: bool) -> Result<(), LimitReached> {
+        if self.steps.0 == 0 || self.idle >= IDLE_STEPS {
+            return Err(LimitReached::Steps { moving: self.idle < IDLE_STEPS });
         }
         if outermost && self.moves_left == Some(0) {
             self.moves_left = None;
-            return Err(Fault::Ended(Outcome::Stopped));
+            return Err(LimitReached::Moves);
         }
         self.steps.0 -= 1;
+        self.idle += 1;
         Ok(())
     }
 
     /// A move was made.
     pub fn count_move(&mut self) {
         self.moves_made += 1;
+        self.idle = 0;
         if let Some(moves) = &mut self.moves_left {
             *moves = moves.saturating_sub(1);
         }
