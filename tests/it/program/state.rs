@@ -28,6 +28,24 @@ fn assignments_count_from_their_line_on() {
     assert_eq!(warnings(&read), ["state::pers-kept"; 2]);
 }
 
+/// Nothing changes the tool: each call hands over its own.
+#[test]
+fn a_parameter_that_is_handed_different_tools_is_called_that() {
+    let text = format!(
+        "{}PERS tooldata u:={};\nPROC main()\ngo t;\ngo u;\nENDPROC\nPROC go(PERS tooldata h)\nMoveL p,v100,fine,h;\nENDPROC",
+        data(),
+        tool(2)
+    );
+    let read = module(&text);
+    let why = read.motions[0].skip_reason.as_ref().unwrap();
+    assert_eq!(why.code, "keep::tool-unknown");
+    assert!(
+        why.reason.contains("it is a parameter, and the calls hand over different ones"),
+        "{}",
+        why.reason
+    );
+}
+
 /// x in mm of the tools that a motion may have in later passes.
 fn later_mm(program: &Program, motion: usize) -> Vec<i32> {
     let later = program.motions[motion].setup.later_frames.iter();

@@ -5,7 +5,7 @@ use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
 use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
-use crate::program::index::{Ctx, RoutineIndex};
+use crate::program::index::{Ctx, DatumKind, RoutineIndex};
 use crate::program::motion::SkipReason;
 use crate::program::names::Sym;
 use crate::program::value::Value;
@@ -18,11 +18,18 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
     fn join(&mut self, into: &mut State, other: &State) -> bool {
         let before = into.clone();
         let index = self.evaluator.index;
-        for (a, b) in into.slots.iter_mut().zip(&other.slots) {
+        for ((a, b), &datum) in into.slots.iter_mut().zip(&other.slots).zip(&self.tracked.data) {
             let at = b.set_at.max(a.set_at);
             let why = || {
-                let place = at.map_or(String::new(), |at| format!(": {}", index.place(at)));
-                let reason = format!("it is changed on one of the ways that lead here{place}");
+                let reason = match at {
+                    Some(at) => {
+                        format!("it is changed on one of the ways that lead here: {}", index.place(at))
+                    }
+                    None if matches!(index.data[datum].kind, DatumKind::Param { .. }) => {
+                        "it is a parameter, and the calls hand over different ones".to_owned()
+                    }
+                    None => "it is changed on one of the ways that lead here".to_owned(),
+                };
                 Rc::new(SkipReason { code: "keep::runtime-target", reason, because: at })
             };
             a.value = a.value.join(&b.value, &why);
