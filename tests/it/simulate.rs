@@ -82,6 +82,29 @@ ENDMODULE
     }
 }
 
+#[test]
+fn what_a_touch_moves_is_no_motion_of_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let [source, out] =
+        ["Cell.mod", "Cell_tc.mod"].map(|name| folder.path().join(name).display().to_string());
+    let at = |y: i32, z: i32| {
+        format!("[[400,{y},{z}],[0.70710678,0,0.70710678,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]")
+    };
+    let text = format!(
+        "MODULE Cell\n  CONST robtarget pSphere:={};\n  PROC main()\n    MoveJ {},v500,fine,tool0;\n  ENDPROC\nENDMODULE\n",
+        at(330, 200),
+        at(300, 250)
+    );
+    std::fs::write(&source, text).unwrap();
+    let touch = ["--touch", "S1=pSphere,tool0,wobj0", "--touch-signal", "diTouch", "--form", "ramp"];
+    driftpost(&[&["compensate", &source, "-o", &out, "--diff", "none"], &touch[..]].concat())
+        .assert()
+        .success();
+    let run = driftpost(&["simulate", &out, "--minutes", "0,60"]).assert().success();
+    let text = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    assert!(text.starts_with("2 passes, 2 moves executed: 1 of the program's 1 motion (100 %)"), "{text}");
+}
+
 /// A target whose orientation is the same and whose axis 6 is a whole turn on is no correction.
 #[test]
 fn a_whole_turn_of_an_axis_is_told() {

@@ -108,14 +108,20 @@ impl Controller {
         entry::entry(&self.program)
     }
 
-    /// How many motion instructions the loaded modules hold.
+    /// How many motion instructions the program's modules hold, but for routines of these names.
     #[must_use]
-    pub fn motions(&self) -> usize {
+    pub fn motions_but(&self, names: &[&str]) -> usize {
+        let counts = |name: &str| !names.iter().any(|other| other.eq_ignore_ascii_case(name));
         // A module that comes and goes is one of the program, however often it came.
         let modules = self.program.modules.iter().enumerate();
         let last: BTreeMap<_, usize> = modules.map(|(id, m)| ((&*m.file.path, &*m.name), id)).collect();
         let last: BTreeSet<usize> = last.into_values().collect();
-        let routines = self.program.routines.iter().enumerate().filter(|(_, r)| last.contains(&r.module));
+        let routines = self
+            .program
+            .routines
+            .iter()
+            .enumerate()
+            .filter(|(_, r)| last.contains(&r.module) && counts(&r.name));
         let motions = routines.filter_map(|(id, routine)| {
             let code = self.program.code(id)?;
             let is_motion = |op: &Op| match op {

@@ -212,7 +212,12 @@ impl Session {
         self.report.unknown_instructions = self.program.unknown_instructions();
         self.report.messages.extend(self.program.take_messages());
         self.report.efforts = self.program.take_efforts();
-        self.report.executed = [self.executed.len(), self.program.motions()];
+        // What a touch moves is no motion of the program's.
+        let own = |name| self.options.own_name(name);
+        let touches = self.program.has_data(own("tcTouchSaid"));
+        let of_touch = ["tcProbe", "tcSearch"].map(own);
+        let motions = self.program.motions_but(if touches { &of_touch } else { &[] });
+        self.report.executed = [self.executed.len(), motions];
         self.report
     }
 
