@@ -16,8 +16,8 @@ const MOMENTS: usize = 121;
 const MOST_TARGETS: usize = 2_000;
 
 impl Compensated<'_> {
-    /// What a recording holds: the arm at its worst target, as drawn and as table and model deform it, and all targets as they are meant, missed and
-    /// corrected.
+    /// What a recording holds: the arm at one target after the other, as drawn and as table and model deform it, and all targets as they are meant,
+    /// missed and corrected.
     ///
     /// # Errors
     /// A plan that goes by temperature has no time to be recorded over.
@@ -30,18 +30,17 @@ impl Compensated<'_> {
         let nominal = Chain::nominal(self.robot);
         let meant: Vec<Isometry3<f64>> = points.iter().map(|point| meant(point, &nominal)).collect();
         let last = drift.t_min.len().saturating_sub(1);
-        let settled = shares(&drift, last);
-        let size = |point: &&&DriftPoint| displaced_m(point, &settled).norm();
-        let shown = points.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
-        let q_rad = shown.map_or([0.0; 6], |point| point.q_rad);
-        let deviations = shown.map_or_else(Vec::new, |point| drift.deviations(point));
         let moments = (0..MOMENTS).map(|i| {
             let at = i * last / (MOMENTS - 1);
             let t_min = drift.t_min.get(at).copied().unwrap_or_default();
             let now = shares(&drift, at);
             let left = self.left(&drift, t_min, &now);
+            let shown = points.get(target_shown(i, points.len()));
+            let q_rad = shown.map_or([0.0; 6], |point| point.q_rad);
+            let deviations = shown.map_or_else(Vec::new, |point| drift.deviations(point));
             RecordingMoment {
                 t_min,
+                nominal: nominal.frames(&q_rad),
                 warm: deformed(self.robot, &q_rad, &deviations, &now),
                 missed_m: points.iter().map(|point| displaced_m(point, &now)).collect(),
                 corrected_m: left.map(|left| points.iter().map(|point| displaced_m(point, &left)).collect()),
@@ -49,7 +48,6 @@ impl Compensated<'_> {
         });
         Ok(Recording {
             robot: self.robot,
-            nominal: nominal.frames(&q_rad),
             moments: moments.collect(),
             meant,
             corrections: self.corrections(),
@@ -83,6 +81,11 @@ impl Compensated<'_> {
     }
 }
 
+/// The target that the arm stands at in a moment: one after the other, again from the first where they are few, with gaps where they are many.
+fn target_shown(moment: usize, targets: usize) -> usize {
+    if targets > MOMENTS { moment * targets / MOMENTS } else { moment % targets.max(1) }
+}
+
 fn meant(point: &DriftPoint, nominal: &Chain) -> Isometry3<f64> {
     let rotation = nominal.forward(&point.q_rad).rotation;
     Isometry3::from_parts(Translation3::from(Vector3::from(point.target_point_m)), rotation)
@@ -111,4 +114,19 @@ fn deformed(
     }));
     let really_rad = std::array::from_fn(|i| q_rad[i] + sum(&|deviation| deviation.turns_rad[i]));
     Chain::with_offsets(robot, &offsets).frames(&really_rad)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arm_goes_through_the_whole_program() {
+        let all = |targets| Vec::from_iter((0..MOMENTS).map(|moment| target_shown(moment, targets)));
+        assert_eq!(all(0), [0; MOMENTS]);
+        assert_eq!(all(3)[..5], [0, 1, 2, 0, 1]);
+        assert_eq!(all(MOMENTS), Vec::from_iter(0..MOMENTS));
+        // 1,210 targets: every tenth
+        assert_eq!(all(10 * MOMENTS), Vec::from_iter((0..10 * MOMENTS).step_by(10)));
+    }
 }

@@ -2,6 +2,7 @@
 //!
 //! One minute of warm-up is one minute of the recording.
 
+mod description;
 mod messages;
 mod schemas;
 mod urdf;
@@ -27,14 +28,14 @@ const BASE: &str = "base_link";
 const INFO: i32 = 2;
 const WARNING: i32 = 3;
 const NANOSECONDS: f64 = 1e9;
+/// When the first moment is recorded, nanoseconds: after the arm's description, whose joints stand at zero in Foxglove until a later transform.
+const FIRST_NS: u64 = 1_000_000;
 
 /// What goes into a recording.
 #[derive(Debug)]
 pub struct Recording<'a> {
     /// The arm as its model says.
     pub robot: &'a Robot,
-    /// Frames of the joints and of the flange in the base, as drawn.
-    pub nominal: [Isometry3<f64>; 7],
     /// The recorded moments of the warm-up.
     pub moments: Vec<RecordingMoment>,
     /// Where the TCP is meant to be at each target, in the base.
@@ -48,7 +49,9 @@ pub struct Recording<'a> {
 pub struct RecordingMoment {
     /// Minute of the warm-up.
     pub t_min: f64,
-    /// The frames as table and model deform the arm, in the base.
+    /// Frames of the joints and of the flange in the base, as drawn.
+    pub nominal: [Isometry3<f64>; 7],
+    /// The same as table and model deform the arm.
     pub warm: [Isometry3<f64>; 7],
     /// For each target how far the TCP is from it without correction, metres.
     pub missed_m: Vec<Vector3<f64>>,
@@ -79,27 +82,28 @@ impl Recording<'_> {
         let library = concat!("driftpost ", env!("CARGO_PKG_VERSION"));
         let options = WriteOptions::new().compression(None).profile("").library(library);
         let mut writer = Topics { to: options.create(&mut bytes).map_err(io::Error::other)?, count: 0 };
-        let [transforms, log] = ["FrameTransforms", "Log"].map(|name| (name, schemas::of(name)));
-        let poses = ("PosesInFrame", schemas::of("PosesInFrame"));
+        let [transforms, log, poses] = ["FrameTransforms", "Log", "PosesInFrame"].map(SchemaOf::foxglove);
+        let arm = writer.topic(description::TOPIC, &description::schema())?;
         let tf = writer.topic("/tf", &transforms)?;
         let all: Vec<u16> = ["/targets/meant", "/targets/uncorrected", "/targets/corrected"]
             .iter()
             .map(|topic| writer.topic(topic, &poses))
             .collect::<io::Result<_>>()?;
         let told = writer.topic("/corrections", &log)?;
+        writer.write(arm, 0, &description::message(&urdf(self.robot)))?;
         for row in &self.corrections {
-            writer.write(told, 0.0, &logged(row))?;
+            writer.write(told, FIRST_NS, &logged(row).encode_to_vec())?;
         }
         for moment in &self.moments {
-            let t_min = moment.t_min;
-            let mut list = chain(t_min, "", &self.nominal);
+            let (t_min, at_ns) = (moment.t_min, nanoseconds(moment.t_min));
+            let mut list = chain(t_min, "", &moment.nominal);
             list.extend(chain(t_min, "warm/", &moment.warm));
-            writer.write(tf, t_min, &FrameTransforms { transforms: list })?;
+            writer.write(tf, at_ns, &FrameTransforms { transforms: list }.encode_to_vec())?;
             let missed = Some(&moment.missed_m);
             let off = [None, missed, moment.corrected_m.as_ref()];
             for (k, (channel, off_m)) in all.iter().zip(off).enumerate() {
                 if k == 0 || off_m.is_some() {
-                    writer.write(*channel, t_min, &self.poses(t_min, off_m))?;
+                    writer.write(*channel, at_ns, &self.poses(t_min, off_m).encode_to_vec())?;
                 }
             }
         }
@@ -155,7 +159,7 @@ fn logged(row: &LoggedCorrection<'_>) -> Log {
 }
 
 fn nanoseconds(t_min: f64) -> u64 {
-    (seconds_from_min(t_min) * NANOSECONDS).round() as u64
+    ((seconds_from_min(t_min) * NANOSECONDS).round() as u64).max(FIRST_NS)
 }
 
 fn time(t_min: f64) -> Timestamp {
@@ -170,18 +174,32 @@ struct Topics<'b> {
     count: u32,
 }
 
+/// How the messages of a topic are to be read.
+struct SchemaOf {
+    name: String,
+    encoding: &'static str,
+    message_encoding: &'static str,
+    data: Vec<u8>,
+}
+
+impl SchemaOf {
+    fn foxglove(name: &str) -> Self {
+        let (encoding, message_encoding) = ("protobuf", "protobuf");
+        Self { name: format!("foxglove.{name}"), encoding, message_encoding, data: schemas::of(name) }
+    }
+}
+
 impl Topics<'_> {
-    fn topic(&mut self, topic: &str, (name, schema): &(&str, Vec<u8>)) -> io::Result<u16> {
-        let name = format!("foxglove.{name}");
-        let schema = self.to.add_schema(&name, "protobuf", schema).map_err(io::Error::other)?;
-        self.to.add_channel(schema, topic, "protobuf", &BTreeMap::new()).map_err(io::Error::other)
+    fn topic(&mut self, topic: &str, schema: &SchemaOf) -> io::Result<u16> {
+        let SchemaOf { name, encoding, message_encoding, data } = schema;
+        let schema = self.to.add_schema(name, encoding, data).map_err(io::Error::other)?;
+        self.to.add_channel(schema, topic, message_encoding, &BTreeMap::new()).map_err(io::Error::other)
     }
 
-    fn write(&mut self, channel_id: u16, t_min: f64, message: &impl Message) -> io::Result<()> {
+    fn write(&mut self, channel_id: u16, at_ns: u64, message: &[u8]) -> io::Result<()> {
         self.count += 1;
-        let at = nanoseconds(t_min);
-        let header = MessageHeader { channel_id, sequence: self.count, log_time: at, publish_time: at };
-        self.to.write_to_known_channel(&header, &message.encode_to_vec()).map_err(io::Error::other)
+        let header = MessageHeader { channel_id, sequence: self.count, log_time: at_ns, publish_time: at_ns };
+        self.to.write_to_known_channel(&header, message).map_err(io::Error::other)
     }
 }
 
@@ -200,13 +218,13 @@ mod tests {
         let robot = Robot::built_in("irb140").unwrap();
         let moment = |t_min: f64, by_m: f64| RecordingMoment {
             t_min,
+            nominal: std::array::from_fn(|i| at((i + 1) as f64)),
             warm: std::array::from_fn(|i| at((i + 1) as f64 + by_m)),
             missed_m: vec![Vector3::new(by_m, 0.0, 0.0)],
             corrected_m: None,
         };
         let recording = Recording {
             robot: &robot,
-            nominal: std::array::from_fn(|i| at((i + 1) as f64)),
             moments: vec![moment(0.0, 0.0), moment(1.5, 0.001)],
             meant: vec![at(7.0)],
             corrections: vec![LoggedCorrection {
@@ -219,10 +237,16 @@ mod tests {
         let bytes = recording.mcap().unwrap();
         let messages: Vec<_> = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap).collect();
         let topics: BTreeSet<&str> = messages.iter().map(|m| m.channel.topic.as_str()).collect();
-        assert_eq!(Vec::from_iter(topics), ["/corrections", "/targets/meant", "/targets/uncorrected", "/tf"]);
-        assert_eq!(messages.len(), 1 + 2 * 3);
+        assert_eq!(
+            Vec::from_iter(topics),
+            ["/corrections", "/robot_description", "/targets/meant", "/targets/uncorrected", "/tf"]
+        );
+        assert_eq!(messages.len(), 1 + 1 + 2 * 3);
         let last = |topic: &str| messages.iter().rfind(|m| m.channel.topic == topic).unwrap();
         assert_eq!(last("/tf").log_time, 90_000_000_000);
+        // the description first: whatever comes later is after it
+        assert_eq!((&*messages[0].channel.topic, messages[0].log_time), ("/robot_description", 0));
+        assert!(messages[1..].iter().all(|message| message.log_time > 0));
         assert_eq!(last("/tf").channel.schema.as_ref().unwrap().name, "foxglove.FrameTransforms");
         assert_eq!(last("/tf").channel.message_encoding, "protobuf");
         let tf = FrameTransforms::decode(&*last("/tf").data).unwrap();
