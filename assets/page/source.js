@@ -4,13 +4,14 @@ import { beforehand, count, h, mm, plural } from './dom.js';
 import { length } from './course.js';
 import { button, search, select } from './controls.js';
 import { later, section } from './layout.js';
+import { PRINTED, printedRows } from './paper.js';
 
 const PAGE = 40;
 
-/** Every line that is shown of a program's files: `{ file, line, before, old, now, after }`. */
+/** Every line that is shown of a program's files: `{ file, line, start, old, now, end }`; where the old piece stays in the new one, only what is around it is written. */
 function linesOf(view) {
   const { shared, files } = view.source;
-  return files.flatMap((file) => file.rows.map(([line, start, old, now, end]) => ({ file: file.path, line, start: shared[start], old, now, end: shared[end] })));
+  return files.flatMap((file) => file.rows.map(([line, start, old, now, end]) => ({ file: file.path, line, start: shared[start], old, now: Array.isArray(now) ? now.join(old) : now, end: shared[end] })));
 }
 
 /** The line of a motion; `null` where the page does not hold it. */
@@ -117,7 +118,10 @@ export function sourceSection(scene) {
     }),
     search({ label: 'At least, mm', name: 'source-least', type: 'number', on: (text) => set({ least: Number(text) || 0 }) }),
     status, pager);
-  addEventListener('beforeprint', () => fill(shown.slice(0, 400)));
+  addEventListener('beforeprint', () => {
+    fill(shown.slice(0, PRINTED));
+    status.textContent = printedRows(shown.length, scene.lines.length, 'line');
+  });
   addEventListener('afterprint', draw);
   arrange();
   beforehand(scene.lines.length, (i) => textOf(scene.lines[i], motionOf(scene.lines[i])));

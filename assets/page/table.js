@@ -1,10 +1,10 @@
-// A table that is sorted by its headings, searched, and shown a page at a time; whole in print as far as it is short.
+// A table that is sorted by its headings, searched, and shown a page at a time; whole in print as far as it is short, and it says where it is not.
 
 import { NONE, beforehand, count, h, plural } from './dom.js';
 import { button, search } from './controls.js';
+import { PRINTED, printedRows } from './paper.js';
 
 const PAGE = 40;
-const PRINTED = 400;
 
 /**
  * Columns are `{ key, label, value(row), text(row), number }`; `onRow(row)` makes rows that can be chosen.
@@ -114,7 +114,10 @@ export function table({ caption, columns, rows, onRow, name, sort, empty = 'noth
     : null;
   // what is searched is spelled out before anybody searches
   if (find) beforehand(rows.length, (i) => textOf(rows[i]));
-  addEventListener('beforeprint', () => fill(0, PRINTED));
+  addEventListener('beforeprint', () => {
+    fill(0, PRINTED);
+    status.textContent = printedRows(shown.length, rows.length, 'row');
+  });
   addEventListener('afterprint', draw);
   arrange();
   return {

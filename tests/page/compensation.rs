@@ -7,7 +7,7 @@ use std::fs;
 const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
 
 /// What the canvas shows, as a short text that differs where the picture does; fails where it is of one colour.
-fn picture(browser: &mut Browser) -> String {
+pub fn picture(browser: &mut Browser) -> String {
     let (text, colours) = {
         let found = browser.eval(
             "(() => { const canvas = document.querySelector('#arm canvas'); const copy = document.createElement('canvas');

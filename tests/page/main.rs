@@ -7,7 +7,9 @@ mod browser;
 mod bundle;
 mod compensation;
 mod hostile;
+mod keyboard;
 mod nasty;
+mod printed;
 mod results;
 mod screenshots;
 #[cfg(all(feature = "link", unix))]

@@ -12,6 +12,8 @@ const MOST_LINES: usize = 25_000;
 const ADDED: usize = 24;
 /// Longer pieces of a line are cut, letters.
 const LONGEST: usize = 1_000;
+/// A piece of so many bytes that stands in what it becomes is not written again.
+const WORTH_SHARING: usize = 16;
 
 /// The changes of a program's files, gathered file by file.
 #[derive(Debug, Default)]
@@ -35,7 +37,27 @@ struct FileReview {
 
 /// Line, number of its beginning, what it was, what it becomes (`None` = it stays), number of its end.
 #[derive(Debug)]
-struct Row(usize, usize, String, Option<String>, usize);
+struct Row(usize, usize, String, Option<Becomes>, usize);
+
+/// What a piece of a line becomes.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Becomes {
+    Text(String),
+    /// It stays, and these stand before and after it.
+    Within([String; 2]),
+}
+
+impl Becomes {
+    fn of(old: &str, new: String) -> Self {
+        match new.split_once(old) {
+            Some((before, after)) if old.len() >= WORTH_SHARING => {
+                Self::Within([before.to_owned(), after.to_owned()])
+            }
+            _ => Self::Text(new),
+        }
+    }
+}
 
 impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -117,7 +139,9 @@ impl SourceReview {
         let end: usize = reversed.take_while(equal).map(|(c, _)| c.len_utf8()).sum();
         let (before, after) = (self.share(&old[..start]), self.share(&old_rest[old_rest.len() - end..]));
         let middle = |rest: &str| cut(&rest[..rest.len() - end]);
-        Row(line, before, middle(old_rest), Some(middle(new_rest)), after)
+        let was = middle(old_rest);
+        let becomes = Becomes::of(&was, middle(new_rest));
+        Row(line, before, was, Some(becomes), after)
     }
 
     fn share(&mut self, text: &str) -> usize {
@@ -185,6 +209,17 @@ mod tests {
                     "added": [{"after": 1, "lines": 1, "text": ["! made"]}],
                 }],
             })
+        );
+    }
+
+    #[test]
+    fn a_target_within_its_correction_stands_once() {
+        let target = "[[1,2,3],[1,0,0,0]]";
+        let pair = Becomes::of(target, format!("tcAt({target},tc7)"));
+        assert_eq!(serde_json::to_value(pair).unwrap(), json!(["tcAt(", ",tc7)"]));
+        assert_eq!(
+            serde_json::to_value(Becomes::of("p1", "tcAt(p1,c)".to_owned())).unwrap(),
+            json!("tcAt(p1,c)")
         );
     }
 
