@@ -17,9 +17,9 @@ from . import _driftpost
 from ._driftpost import Table, __version__
 from ._errors import DriftpostError, Message
 from ._inputs import Folder, as_bytes, is_text, paths_of, words
-from ._robot import Robot
+from ._robot import Calibration, Robot
 
-__all__ = ["Diagnosis", "DriftpostError", "Fit", "Message", "Plan", "Result", "Robot", "Simulation", "Table", "compensate",
+__all__ = ["Calibration", "Diagnosis", "DriftpostError", "Fit", "Message", "Plan", "Result", "Robot", "Simulation", "Table", "compensate",
            "diagnose", "fit", "plan", "simulate", "validate", "__version__"]
 
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -27,8 +30,34 @@ def _array(name: str, values, shape: tuple[int, ...]) -> tuple[np.ndarray, bool]
     return array, False
 
 
+def _number(name: str, value) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
+        raise DriftpostError(f"{name} is {type(value).__name__}, not a number", "option::usage")
+    return float(value)
+
+
 def _flat(array: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(array).reshape(-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """The offsets of a robot's joint frames that explain measured flange poses best."""
+
+    offsets: np.ndarray
+    """(6, 6), a row for each joint: shifts x, y, z in mm, turns about x, y, z in degrees, as in a deformation table."""
+    rms_mm: float
+    """What is left between measured and calibrated positions, root of the mean square."""
+    rms_deg: float | None
+    """The same of orientations; None where positions alone were measured."""
+    steps: int
+    """Steps of the fit."""
+
+    @property
+    def table(self) -> str:
+        """The offsets as a static deformation table (CSV): ``deformation=`` with ``growth="none"`` takes it."""
+        rows = [",".join(map(repr, map(float, row))) for row in self.offsets]
+        return "\n".join(["Dx [mm],Dy[mm],Dz[mm],DOx[deg],DOy[deg],DOz[deg]", *rows]) + "\n"
 
 
 class Robot:
@@ -68,13 +97,33 @@ class Robot:
     def fk_deformed(self, q, t_min, *, deformation=None, growth: str | None = None) -> np.ndarray:
         """As fk, of the arm as it has deformed at warm-up minutes ``t_min`` (one number, or N).
 
-        ``deformation`` is the path of a table (CSV), ``growth`` its law (``"two-stage:46"``); without both the reference paper's.
+        ``deformation`` is the path of a table (CSV) or its text, ``growth`` its law (``"two-stage:46"``); without both the reference paper's.
         """
         q, alone = _array("q", q, (6,))
         t_min, _ = _array("t_min", np.atleast_1d(t_min) if np.isscalar(t_min) else t_min, ())
-        path = None if deformation is None else os.fspath(deformation)
-        poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
+        with tempfile.TemporaryDirectory() as folder:
+            path = None if deformation is None else os.fspath(deformation)
+            if isinstance(path, str) and "\n" in path:
+                text, path = path, os.path.join(folder, "deformation.csv")
+                Path(path).write_text(text, encoding="utf-8")
+            poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
         return poses[0] if alone else poses
+
+    def calibrate(self, q, pose, *, sigma_mm: float = 0.02, sigma_deg: float | None = 0.0057, prior_shift_mm: float = 1.0,
+                  prior_turn_deg: float = 0.115) -> Calibration:
+        """The offsets of the joint frames that explain flange poses (N, 4, 4), shifts in mm, measured at joints (N, 6) best.
+
+        Poses are in the robot's base frame. ``sigma_mm`` and ``sigma_deg`` are the noise of one coordinate of a measured position and
+        orientation (``sigma_deg=None``: orientations were not measured), ``prior_shift_mm`` and ``prior_turn_deg`` the usual size of
+        an offset: no measurement tells all 36 apart, and of those that it does not the smallest are taken. Use them all together.
+
+        Raises DriftpostError (``array::*`` with the row, ``option::usage``, ``calibrate::not-settled``).
+        """
+        q, pose = _array("q", q, (6,))[0], _array("pose", pose, (4, 4))[0]
+        sizes = [_number(name, value) for name, value in [("sigma_mm", sigma_mm), ("prior_shift_mm", prior_shift_mm), ("prior_turn_deg", prior_turn_deg)]]
+        turn = None if sigma_deg is None else _number("sigma_deg", sigma_deg)
+        offsets, rms_mm, rms_deg, steps = self._core.calibrate(_flat(q), _flat(pose), (sizes[0], turn), (sizes[1], sizes[2]))
+        return Calibration(offsets.reshape(6, 6), rms_mm, rms_deg, steps)
 
     def jacobian(self, q) -> np.ndarray:
         """Geometric Jacobians (N, 6, 6) at the flange's origin in the base's axes, of joints (N, 6) in degrees.

@@ -1,7 +1,7 @@
 //! Kinematics on numpy arrays.
 
 use crate::errors::one;
-use driftpost::application::{BRANCHES, JACOBIAN, JOINTS, POSE};
+use driftpost::application::{BRANCHES, CalibrationSizes, JACOBIAN, JOINTS, POSE};
 use driftpost::{Arm, Diagnostic, command_line};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -75,6 +75,28 @@ impl Robot {
     fn jacobian<'py>(&self, py: Python<'py>, q: Flat<'py>) -> PyResult<Bound<'py, PyAny>> {
         let q = q.as_slice()?;
         rows(py, JACOBIAN, || self.arm.jacobian(q))
+    }
+
+    /// Offsets of the joints' frames, flat; rms of positions, mm, and of orientations, degrees, where there are any; steps.
+    fn calibrate<'py>(
+        &self,
+        py: Python<'py>,
+        q: Flat<'py>,
+        pose: Flat<'py>,
+        noise: (f64, Option<f64>),
+        prior: (f64, f64),
+    ) -> PyResult<(Bound<'py, PyAny>, f64, Option<f64>, usize)> {
+        let (q, pose) = (q.as_slice()?, pose.as_slice()?);
+        let sizes = CalibrationSizes {
+            sigma_mm: noise.0,
+            sigma_deg: noise.1,
+            prior_shift_mm: prior.0,
+            prior_turn_deg: prior.1,
+        };
+        let found =
+            py.detach(|| self.arm.calibrate(q, pose, &sizes)).map_err(|diagnostic| one(py, diagnostic))?;
+        let offsets = PyArray1::from_vec(py, found.offsets.concat()).into_any();
+        Ok((offsets, found.rms_mm, found.rms_deg, found.steps))
     }
 
     fn branches<'py>(&self, py: Python<'py>, pose: Flat<'py>) -> PyResult<Bound<'py, PyAny>> {

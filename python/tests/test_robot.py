@@ -108,6 +108,31 @@ def test_the_deformed_arm(robot, q, tmp_path):
     np.testing.assert_allclose(robot.fk_deformed(q, 0), robot.fk(q), atol=1e-9)
 
 
+def test_calibration(robot, q):
+    """Frames that are off, put into the data sheet's own chain; held-out poses; noise."""
+    def shaken(row):
+        parts = [shift(0.2, -0.4, 0.3), rotation("z", row[0] + 0.02), shift(70, 0, 352), rotation("x", 0.03), rotation("y", row[1] - 0.05), shift(0, 0, 360.4),
+                 rotation("y", row[2] + 0.04), rotation("x", row[3]), shift(380, 0.25, 0), rotation("y", row[4] + 0.03), rotation("x", row[5]), shift(65, 0, 0), rotation("y", 90)]
+        return np.linalg.multi_dot(parts)
+
+    truth = np.array([shaken(row) for row in q])
+    noisy = truth.copy()
+    noisy[:, :3, 3] += RNG.normal(0, 0.02, (len(q), 3))
+    off = lambda poses, rows: np.sqrt(((poses - truth[rows])[:, :3, 3] ** 2).sum(axis=1).mean())
+    half, rest = slice(0, 250), slice(250, 500)
+    assert off(robot.fk(q[rest]), rest) > 0.4
+    for sigma_deg in (0.0057, None):
+        found = robot.calibrate(q[half], noisy[half], sigma_deg=sigma_deg)
+        assert found.offsets.shape == (6, 6) and (found.rms_deg is None) == (sigma_deg is None)
+        # Three coordinates of noise, less what 26 parameters of 750 or 1,500 numbers take
+        assert found.rms_mm == pytest.approx(0.02 * np.sqrt(3), rel=0.06)
+        left = off(robot.fk_deformed(q[rest], 0, deformation=found.table, growth="none"), rest)
+        assert left < 0.02, left
+    with pytest.raises(driftpost.DriftpostError) as caught:
+        robot.calibrate(q, truth * np.nan)
+    assert caught.value.code == "array::not-finite" and "row 0" in str(caught.value)
+
+
 @pytest.mark.parametrize("call, code, place", [
     (lambda r: r.fk([[0, 0, np.nan, 0, 0, 0]]), "array::not-finite", "row 0, number 2"),
     (lambda r: r.fk(np.full((3, 6), np.inf)), "array::not-finite", "row 0, number 0"),
@@ -122,6 +147,11 @@ def test_the_deformed_arm(robot, q, tmp_path):
     (lambda r: r.ik(np.zeros((4, 4))), "array::pose", "row 0"),
     (lambda r: r.ik(np.full((4, 4), np.nan)), "array::not-finite", "row 0"),
     (lambda r: r.ik(np.stack([np.eye(4)] * 2), near=np.zeros((3, 6))), "array::shape", "3 rows"),
+    (lambda r: r.calibrate(np.zeros((3, 6)), [np.eye(4)] * 2), "array::shape", "3 rows"),
+    (lambda r: r.calibrate(np.empty((0, 6)), np.empty((0, 4, 4))), "array::shape", "no row"),
+    (lambda r: r.calibrate(np.zeros(6), np.zeros((4, 4))), "array::pose", "row 0"),
+    (lambda r: r.calibrate(np.zeros(6), np.eye(4), sigma_mm=-1), "option::usage", "sigma_mm"),
+    (lambda r: r.calibrate(np.zeros(6), np.eye(4), sigma_deg="fine"), "option::usage", "sigma_deg is str"),
     (lambda r: r.fk_deformed(np.zeros((3, 6)), [0, 1]), "array::shape", "2 values"),
     (lambda r: r.fk_deformed(np.zeros(6), np.nan), "array::not-finite", "t_min"),
     (lambda r: r.fk_deformed(np.zeros(6), 1, growth="exp:-1"), "deform::", ""),

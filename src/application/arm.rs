@@ -166,16 +166,16 @@ fn each(rows: &[f64], width: usize, to: usize, work: impl Fn(&[f64], &mut [f64])
     out
 }
 
-fn radians(row: &[f64]) -> [f64; 6] {
+pub(super) fn radians(row: &[f64]) -> [f64; 6] {
     std::array::from_fn(|i| rad_from_deg(row[i]))
 }
 
-fn shape(text: String) -> Diagnostic {
+pub(super) fn shape(text: String) -> Diagnostic {
     Diagnostic::error("array::shape", text)
 }
 
 /// Whether an array is of whole rows of finite numbers.
-fn check(name: &str, values: &[f64], width: usize) -> Result<(), Diagnostic> {
+pub(super) fn check(name: &str, values: &[f64], width: usize) -> Result<(), Diagnostic> {
     if !values.len().is_multiple_of(width) {
         return Err(shape(format!("{name} has {} numbers, which are no rows of {width}", values.len())));
     }
@@ -200,7 +200,7 @@ fn write_pose(base_from_flange: &Isometry3<f64>, out: &mut [f64]) {
     out[12..].copy_from_slice(&[0.0, 0.0, 0.0, 1.0]);
 }
 
-fn read_poses(poses: &[f64]) -> Result<Vec<Isometry3<f64>>, Diagnostic> {
+pub(super) fn read_poses(poses: &[f64]) -> Result<Vec<Isometry3<f64>>, Diagnostic> {
     check("pose", poses, POSE)?;
     let pose = |(n, m): (usize, &[f64])| {
         let rotation = Matrix3::from_fn(|i, j| m[4 * i + j]);

@@ -3,6 +3,7 @@
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
 mod arm;
+mod calibration;
 mod compensated;
 mod compensation;
 mod diagnosis;
@@ -22,6 +23,7 @@ mod simulation;
 mod touch;
 
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
+pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
