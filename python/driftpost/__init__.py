@@ -16,7 +16,8 @@ from dataclasses import dataclass, field
 from . import _driftpost
 from ._driftpost import Table, __version__
 from ._errors import DriftpostError, Message
-from ._inputs import Folder, as_bytes, is_text, paths_of, words
+from ._files import Folder, is_text, paths_of, texts_of
+from ._inputs import numbers, words
 from ._robot import Calibration, Robot
 
 __all__ = ["Calibration", "Diagnosis", "DriftpostError", "Fit", "Message", "Plan", "Result", "Robot", "Simulation", "Table", "compensate",
@@ -136,12 +137,9 @@ def compensate(program, *, robot="irb140", deformation=None, model=None,
         options = _models(folder, robot, deformation, model, options)
         if is_text(program):
             program = {"program.mod": program}
-        if isinstance(program, dict):
-            given = [(place, as_bytes(text)) for place, text in program.items()]
-            if not given:
-                raise DriftpostError("the program has no modules", "input::no-modules")
-        else:
-            given = paths_of(program)
+        given = texts_of(program) if isinstance(program, dict) else paths_of(program)
+        if progress is not None and not callable(progress):
+            raise DriftpostError(f"progress is {type(progress).__name__}, which cannot be called", "option::usage")
         files, diff, data, review, messages = _driftpost.compensate(given, words(options), progress)
     data = json.loads(data)
     motions, buckets = data.pop("motions"), data.pop("buckets")
@@ -158,7 +156,7 @@ def simulate(program, original=None, *, robot=None, deformation=None, model=None
     with Folder() as folder:
         options = _models(folder, robot, deformation, model, options)
         if minutes is not None and not isinstance(minutes, str):
-            minutes = ",".join(repr(float(t)) for t in (minutes if hasattr(minutes, "__iter__") else [minutes]))
+            minutes = ",".join(map(repr, numbers("minutes", minutes if hasattr(minutes, "__iter__") else [minutes])))
         given = ["simulate", *folder.program(program, "program.mod")]
         if original is not None:
             given += ["--original", *folder.program(original, "original.mod")]
@@ -177,7 +175,7 @@ def diagnose(measurements, *, robot="irb140", tool=None, sigma_mm: float | None 
         options = _models(folder, robot, None, None, options)
         model, rows = folder.path("model.toml"), folder.path("rows.csv")
         given = [folder.table(measurements, "measurements.csv"), f"--model-out={model}", f"--csv={rows}"]
-        _, data, text = _command(folder, ["diagnose", *given, *words({**options, "tool": _tuple(tool), "sigma_mm": sigma_mm})])
+        _, data, text = _command(folder, ["diagnose", *given, *words({**options, "tool": tool if tool is None else numbers("tool", tool), "sigma_mm": sigma_mm})])
         found = model.read_text() if model.exists() else None
         return Diagnosis(data["verdict"], _table(data["causes"]), data, _csv_table(rows.read_text()), found, text)
 
@@ -191,7 +189,7 @@ def fit(touches, *, robot="irb140", tool=None, **options) -> Fit:
         options = _models(folder, robot, None, None, options)
         table, model = folder.path("table.csv"), folder.path("model.toml")
         given = [folder.table(touches, "touches.csv"), f"--table-out={table}", f"--model-out={model}"]
-        _, data, text = _command(folder, ["fit", *given, *words({**options, "tool": _tuple(tool)})])
+        _, data, text = _command(folder, ["fit", *given, *words({**options, "tool": tool if tool is None else numbers("tool", tool)})])
         return Fit(_csv_table(table.read_text()), model.read_text(), data, text)
 
 
@@ -229,7 +227,10 @@ def _models(folder: Folder, robot, deformation, model, options: dict) -> dict:
 def _command(folder: Folder, given: list[str]) -> tuple[int, dict, str]:
     """Exit code, JSON and text of a command."""
     data = folder.path("result.json")
-    code, output, said = _driftpost.command([*given, f"--json={data}"])
+    try:
+        code, output, said = _driftpost.command([*given, f"--json={data}"])
+    except DriftpostError as error:
+        raise folder.error(error) from None
     if code == 2:
         raise DriftpostError(said.strip() or output.strip() or "the command was refused")
     return code, json.loads(data.read_text()), output
@@ -253,10 +254,6 @@ def _cell(text: str):
         except ValueError:
             pass
     return text
-
-
-def _tuple(values):
-    return None if values is None else tuple(float(value) for value in values)
 
 
 def _decoded(text: bytes) -> str:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from . import _driftpost
 from ._errors import DriftpostError
+from ._files import Folder, path_of
 
 
 def _array(name: str, values, shape: tuple[int, ...]) -> tuple[np.ndarray, bool]:
@@ -76,7 +75,7 @@ class Robot:
 
         Raises DriftpostError (``robot::*``, ``input::*``).
         """
-        return cls(_driftpost.Robot.load(os.fspath(name)))
+        return cls(_driftpost.Robot.load(path_of("robot", name)))
 
     @property
     def name(self) -> str:
@@ -97,15 +96,14 @@ class Robot:
     def fk_deformed(self, q, t_min, *, deformation=None, growth: str | None = None) -> np.ndarray:
         """As fk, of the arm as it has deformed at warm-up minutes ``t_min`` (one number, or N).
 
-        ``deformation`` is the path of a table (CSV) or its text, ``growth`` its law (``"two-stage:46"``); without both the reference paper's.
+        ``deformation`` is a table (a path, CSV text, anything with ``__arrow_c_stream__``), ``growth`` its law (``"two-stage:46"``); without both the reference paper's.
         """
         q, alone = _array("q", q, (6,))
         t_min, _ = _array("t_min", np.atleast_1d(t_min) if np.isscalar(t_min) else t_min, ())
-        with tempfile.TemporaryDirectory() as folder:
-            path = None if deformation is None else os.fspath(deformation)
-            if isinstance(path, str) and "\n" in path:
-                text, path = path, os.path.join(folder, "deformation.csv")
-                Path(path).write_text(text, encoding="utf-8")
+        if growth is not None and not isinstance(growth, str):
+            raise DriftpostError(f"growth is {type(growth).__name__}, not a law like \"two-stage:46\"", "option::usage")
+        with Folder() as folder:
+            path = None if deformation is None else folder.table(deformation, "deformation.csv")
             poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
         return poses[0] if alone else poses
 

@@ -13,7 +13,7 @@ import pyarrow as pa
 
 from .. import _driftpost, compensate
 from .._errors import DriftpostError
-from .._inputs import Folder
+from .._files import Folder
 from ._layout import BUCKETS, CAUSES, LENGTHS, MOTIONS, NUMBERS, WORDS
 
 # Options whose value is a number, a word or a truth: a path would name a file of whichever worker the row is on.
