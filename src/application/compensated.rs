@@ -166,7 +166,7 @@ impl Compensated<'_> {
             let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();
             let auto = source_bytes + targets * CORRECTION_BYTES;
             format!(
-                "{:.1} MB of arrays: --form auto holds the same in about {:.1} MB, one correction for each of {targets} targets",
+                "{:.1} MB of arrays: --form auto holds the same in at most about {:.1} MB, one correction for each of {targets} targets",
                 self.text_bytes as f64 / 1e6,
                 auto as f64 / 1e6
             )

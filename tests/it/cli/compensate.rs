@@ -252,6 +252,12 @@ fn slow_work_is_not_taken_for_a_pause() {
     }
     // One corrected move among many that are kept.
     let kept = "      MoveL p1,v10,fine,tGrip;\n      FOR i FROM 1 TO 10 DO\n        d:=i;\n        MoveL Offs(p2,0,0,d),v10,fine,tGrip;\n        MoveL Offs(p1,0,0,d),v10,fine,tGrip;\n      ENDFOR\n";
+    // A time that a motion is given counts in place of its speed: 6 min here, as long as a pause.
+    let bench = Bench::default();
+    let timed = there_and_back.replace("v10,", "v10\\T:=360,");
+    let original = bench.file("p.mod", SLOW.replace('@', &timed));
+    let output = driftpost(&["compensate", &original, "--diff", "none"]);
+    assert!(err(&output).contains("clock::long-motion"), "{}", err(&output));
     // Kept motion does not ask: that is said, and the program may ask itself.
     let worst_mm = after_five_hours(&kept.replace("d:=i;", "d:=i;tcUpdate;"), "v10,", &[]);
     assert!(worst_mm < 0.0075, "{worst_mm} mm");

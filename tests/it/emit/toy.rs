@@ -123,6 +123,7 @@ impl Reader<'_> {
             frame_arguments: [None, None],
             speed: None,
             zone: None,
+            time_s: None,
             conf_monitored: None,
             grip: None,
         };

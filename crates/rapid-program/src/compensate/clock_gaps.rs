@@ -101,7 +101,8 @@ fn time_s(from: Option<&Point<'_>>, resolved: &Resolved, motion: &Motion, model:
     let stops = motion.setup.zone.is_none_or(|zone| zone.finep)
         || matches!(motion.setup.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };
-    SLOWER * f64::max(way_m / v, turn_rad / w) + ends_s
+    let on_way_s = motion.setup.time_s.unwrap_or_else(|| SLOWER * f64::max(way_m / v, turn_rad / w));
+    on_way_s + ends_s
 }
 
 /// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.

@@ -17,6 +17,9 @@ use robot_model::kinematics::{ArmsJoints, Configuration};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::sync::Arc;
 
+/// Closer than this two orientations are one but for rounding, radians.
+const SAME_RAD: f64 = 1e-9;
+
 /// A motion's plan and what the summary needs of it.
 pub(super) struct MotionCorrection {
     pub(super) planned: PlannedMotion,
@@ -78,7 +81,7 @@ pub(super) fn correct(
                 made.add_errors(point, &joints, warm);
                 Corrections::InBuckets(match by_joints {
                     true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
-                    false => commanded.iter().map(|commanded| as_written(commanded, &meant)).collect(),
+                    false => commanded.iter().map(|there| as_written(there, &meant, &value)).collect(),
                 })
             }
             Moments::Nodes(_) => {
@@ -143,10 +146,19 @@ fn planned_target(
 }
 
 /// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
-/// targets do not flip.
-fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>) -> Corrected {
-    let q = object_from_tcp.rotation.quaternion();
-    let sign = if q.dot(meant.rotation.quaternion()) < 0.0 { -1.0 } else { 1.0 };
+/// targets do not flip. A circle point keeps the orientation that is written, which the arm does not take there, turned by the
+/// correction.
+fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>, value: &TargetValue) -> Corrected {
+    let written = match value {
+        TargetValue::Rob(target) => target.object_from_tcp.rotation,
+        TargetValue::Joint(_) | TargetValue::FromJoints(_) => meant.rotation,
+    };
+    let rotation = match written.angle_to(&meant.rotation) < SAME_RAD {
+        true => object_from_tcp.rotation,
+        false => object_from_tcp.rotation * meant.rotation.inverse() * written,
+    };
+    let q = rotation.quaternion();
+    let sign = if q.dot(written.quaternion()) < 0.0 { -1.0 } else { 1.0 };
     let t = &object_from_tcp.translation.vector;
     Corrected::Pose {
         position_m: [t.x, t.y, t.z],

@@ -74,12 +74,13 @@ impl Messages {
         }
     }
 
-    /// Linear moves that leave their line.
+    /// Linear and circular moves that leave their way.
     fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
         let mut worst: BTreeMap<RoutineId, (f64, &Motion, usize)> = BTreeMap::new();
         for (motion, planned) in program.motions.iter().zip(planned) {
             let Some(far_m) = planned.mid_path_m else { continue };
-            if motion.setup.path == Path::Linear && far_m > options.path_tolerance_m {
+            if matches!(motion.setup.path, Path::Linear | Path::Circular) && far_m > options.path_tolerance_m
+            {
                 let entry = worst.entry(motion.setup.routine).or_insert((far_m, motion, 0));
                 entry.2 += 1;
                 if far_m > entry.0 {
@@ -89,14 +90,14 @@ impl Messages {
         }
         for (routine, (far_m, motion, moves)) in worst {
             let message = format!(
-                "line {}: {} leaves its straight line by {:.4} mm between its targets ({moves} such in this routine, this is \
+                "line {}: {} leaves its {} by {:.4} mm between its targets ({moves} such in this routine, this is \
                  the worst)",
                 motion.line,
                 described(motion),
+                if motion.setup.path == Path::Linear { "straight line" } else { "arc" },
                 mm_from_m(far_m)
             );
-            let help =
-                "more points on the line bring it down; after a kept motion the line starts uncorrected";
+            let help = "more points on the way bring it down; after a kept motion the way starts uncorrected";
             self.add(Some(routine), Diagnostic::warning("path::mid", message).at(span_of(motion)).help(help));
         }
     }

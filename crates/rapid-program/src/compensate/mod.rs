@@ -4,6 +4,7 @@
 
 mod ahead;
 mod branch;
+mod circle_points;
 mod clock_gaps;
 pub mod commanded;
 pub mod compare;

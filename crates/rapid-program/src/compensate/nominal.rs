@@ -51,7 +51,16 @@ impl<'r> Point<'r> {
                 (placement.object_from_tcp(&base_from_flange), base_from_flange)
             }
         };
-        let (flange_point_m, target_point_m) = placement.points(&object_from_tcp);
+        Self::placed(placement, &object_from_tcp, base_from_flange, (q_rad, conditions))
+    }
+
+    fn placed(
+        placement: &'r Placement,
+        object_from_tcp: &Isometry3<f64>,
+        base_from_flange: Isometry3<f64>,
+        (q_rad, conditions): ([f64; 6], Conditions),
+    ) -> Self {
+        let (flange_point_m, target_point_m) = placement.points(object_from_tcp);
         Self { placement, base_from_flange, flange_point_m, target_point_m, q_rad, conditions }
     }
 
@@ -78,6 +87,17 @@ pub(super) struct Resolved {
     ends_at_target: bool,
     /// Where the text does not tell the branch: for each value the joints of all branches that the arm may take.
     may_be: Option<Box<[Branches]>>,
+    /// How the arm passes its circle point, where that is not as written.
+    circle_point: Option<Box<CirclePoint>>,
+}
+
+/// How the arm passes the circle point of an arc.
+#[derive(Clone, Debug)]
+pub(super) struct CirclePoint {
+    /// Its place as written, turned as the tool is there.
+    pub(super) object_from_tcp: Isometry3<f64>,
+    /// The nominal joints there, radians.
+    pub(super) q_rad: [f64; 6],
 }
 
 /// The joints of all branches that the arm may take to a value, radians.
@@ -104,8 +124,14 @@ impl Resolved {
         placement.into_iter().flat_map(move |placement| {
             let values = motion.targets.iter().flat_map(Target::values);
             let all = values.zip(&self.joints).enumerate();
-            all.map(move |(k, (value, q_rad))| {
-                Point::new(placement, &value, *q_rad, self.conditions_at(k), model)
+            all.map(move |(k, (value, q_rad))| match self.circle_point.as_deref().filter(|_| k == 0) {
+                Some(circle_point) => {
+                    let object_from_tcp = &circle_point.object_from_tcp;
+                    let base_from_flange = placement.base_from_flange(object_from_tcp);
+                    let stands = (circle_point.q_rad, self.conditions_at(k));
+                    Point::placed(placement, object_from_tcp, base_from_flange, stands)
+                }
+                None => Point::new(placement, &value, *q_rad, self.conditions_at(k), model),
             })
         })
     }
@@ -136,6 +162,16 @@ impl Resolved {
         let q_rad = *self.joints.last()?;
         let value = motion.targets.iter().flat_map(Target::values).last()?;
         Some(Point::new(placement, &value, q_rad, self.conditions_at(usize::MAX), model))
+    }
+
+    /// Has it pass its circle point in that way.
+    pub(super) fn pass(&mut self, circle_point: CirclePoint) {
+        self.circle_point = Some(Box::new(circle_point));
+    }
+
+    /// Whether its tool is turned at the circle point as the text does not say.
+    pub(super) fn turns_on_an_arc(&self) -> bool {
+        self.circle_point.is_some()
     }
 
     /// Leaves the motion as it is; where it ends stays known.
@@ -324,6 +360,7 @@ fn resolve_motion(
         indexed,
         ends_at_target,
         may_be,
+        circle_point: None,
     }
 }
 

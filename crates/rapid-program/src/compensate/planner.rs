@@ -1,6 +1,7 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
+use super::circle_points::turn_with_arcs;
 use super::correct::{Moments, MotionCorrection, correct, kept};
 use super::drift::ProgramPoints;
 use super::error::CompensateError;
@@ -70,6 +71,7 @@ pub fn plan(
             resolved.keep(Arc::new(why));
         }
     }
+    turn_with_arcs(program, &model, &mut resolved);
     keep_what_cannot_be_followed(program, &model, &mut resolved);
     conditions::check(program, &model, &resolved, &mut messages);
     let points = ProgramPoints::of(program, &resolved, &model, |_| true);
@@ -247,6 +249,8 @@ impl Corrector<'_> {
     /// In the form `live` known targets that cannot take it take `ramp`.
     fn settled_form(&self, motion: &Motion, resolved: &Resolved, form: Form) -> Form {
         match self.live.filter(|_| self.options.form == FormChoice::Live) {
+            // What is asked at run time knows the point as it is written.
+            Some(_) if resolved.turns_on_an_arc() => Form::Ramp,
             Some(live) => live::form_of_known(self.program, (motion, resolved.q_rad()), live, self.model),
             None => form,
         }

@@ -46,7 +46,8 @@ pub(super) struct Ramp {
     pub(super) nodes: DeformedArms,
     /// From here on what is still to come is under the tolerance, minutes.
     pub(super) until_min: f64,
-    /// Moments at which every target is looked at: what the functions are worth, and the arms.
+    /// Moments at which every target is looked at; what the functions are worth then, and the arms.
+    checks: Vec<Moment>,
     pub(super) check_values: Vec<Vec<f64>>,
     pub(super) check_arms: DeformedArms,
 }
@@ -100,7 +101,28 @@ impl Ramp {
             }
             None => of_courses(model, samples, &found, tolerance_m),
         };
-        Ok(Self::new(model, functions, &found, until_min))
+        let ramp = Self::new(model, functions, &found, until_min);
+        let worst =
+            model.growth_alone().is_none().then(|| ramp.worst_moment(&found, samples, model)).flatten();
+        Ok(match worst {
+            Some(worst) => ramp.also_checked_at(worst, model),
+            None => ramp,
+        })
+    }
+
+    /// Of the moments of a timeline and those between them the one at which most is left at some targets.
+    fn worst_moment(&self, found: &Timeline, samples: &[Sample<'_>], model: &Model) -> Option<Moment> {
+        let every = samples.len().div_ceil(FOUND_FROM).max(1);
+        let some: Vec<Sample<'_>> = samples.iter().step_by(every).cloned().collect();
+        let left_m = moments_of(found).map(|moment| (self.worst_at_m(moment, &some, model), moment));
+        left_m.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, moment)| moment)
+    }
+
+    fn also_checked_at(mut self, moment: Moment, model: &Model) -> Self {
+        self.check_values.push(values(model, &self.functions, moment));
+        self.checks.push(moment);
+        self.check_arms = model.arms(self.checks.iter().copied());
+        self
     }
 
     fn new(model: &Model, functions: TimeFunctions, found: &Timeline, until_min: f64) -> Self {
@@ -112,16 +134,13 @@ impl Ramp {
                 .chain([Moment::Settled])
                 .collect(),
             None => {
-                let between = found.at_min.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-                let mut all: Vec<f64> = found.at_min.iter().copied().chain(between).collect();
-                all.sort_by(f64::total_cmp);
-                let every = all.len().div_ceil(CHECKS).max(1);
-                all.into_iter().step_by(every).map(Moment::Minute).chain([Moment::Settled]).collect()
+                let every = moments_of(found).count().div_ceil(CHECKS).max(1);
+                moments_of(found).step_by(every).chain([Moment::Settled]).collect()
             }
         };
         let check_values = moments.iter().map(|&moment| values(model, &functions, moment)).collect();
-        let check_arms = model.arms(moments.into_iter());
-        Self { functions, nodes, until_min, check_values, check_arms }
+        let check_arms = model.arms(moments.iter().copied());
+        Self { functions, nodes, until_min, checks: moments, check_values, check_arms }
     }
 
     /// The corrections of a point that is corrected by joints, those at the nodes being these.
@@ -144,6 +163,14 @@ impl Ramp {
             })
             .collect()
     }
+}
+
+/// The moments of a timeline and those between them, in their order.
+fn moments_of(found: &Timeline) -> impl Iterator<Item = Moment> {
+    let between = found.at_min.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let mut all: Vec<f64> = found.at_min.iter().copied().chain(between).collect();
+    all.sort_by(f64::total_cmp);
+    all.into_iter().map(Moment::Minute)
 }
 
 /// Points with a tool of 100 mm in poses all over the workspace: for targets that are known at run time alone.

@@ -47,6 +47,22 @@ impl Track {
         Some(Isometry3::from_parts(Translation3::from(position), rotation))
     }
 
+    /// How far along the curve a point of it lies, from 0 to 1.
+    pub(super) fn share_of(&self, point: &Vector3<f64>) -> f64 {
+        let share = match &self.arc {
+            Some(arc) => {
+                let from_center = point - arc.center;
+                let angle = from_center.dot(&arc.v).atan2(from_center.dot(&arc.u));
+                angle.rem_euclid(std::f64::consts::TAU) / arc.angle
+            }
+            None => {
+                let along = self.end.translation.vector - self.start.translation.vector;
+                (point - self.start.translation.vector).dot(&along) / along.norm_squared()
+            }
+        };
+        if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }
+    }
+
     /// Distance of a point from the curve, metres; an arc counts as its whole circle.
     pub(super) fn distance_m(&self, point: &Vector3<f64>) -> f64 {
         match &self.arc {

@@ -65,7 +65,7 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
         let mut prefix = first.as_str();
         let more = format!("{MARK}more: ");
         loop {
-            let at = rest.len().min(WIDTH - prefix.len());
+            let at = cut(rest, WIDTH - prefix.len());
             lines.push(format!("{prefix}{}", &rest[..at]));
             rest = &rest[at..];
             prefix = &more;
@@ -167,6 +167,15 @@ pub fn unescape(text: &[u8]) -> Option<Vec<u8>> {
 }
 
 /// A printable ASCII form of a file's name.
+/// Where a text is cut to at most `most` letters: a line that ended with a blank would lose it, here or in a controller's editor.
+fn cut(text: &str, most: usize) -> usize {
+    if text.len() <= most {
+        return text.len();
+    }
+    let letter = |at: &usize| text.as_bytes().get(at - 1).is_some_and(|letter| *letter != b' ');
+    (1..=most).rev().find(letter).unwrap_or(most)
+}
+
 #[must_use]
 pub fn plain(name: &str) -> String {
     name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
@@ -288,6 +297,21 @@ fn record_of(bytes: &[u8]) -> Option<Record> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 127 numbers of eight letters and a blank fill a line to a blank.
+    #[test]
+    fn no_line_ends_with_a_blank_that_a_reader_would_lose() {
+        for count in 1..300_u32 {
+            let shares = (1..=count).map(|k| f64::from(k) / f64::from(count)).collect();
+            let settings = vec![("tool".to_owned(), format!("{} b c", "a".repeat(count as usize)))];
+            let source =
+                Record { source_sha256: "ab".into(), source_name: "a b.mod".into(), ..Record::default() };
+            let lines = lines(&[], &Record { shares, settings, ..source });
+            assert!(lines.iter().all(|line| !line.ends_with(' ')), "{lines:#?}");
+            let (read, _) = read(lines.iter().map(String::as_bytes)).unwrap();
+            assert!(read.is_whole && read.shares.len() == count as usize, "{count}");
+        }
+    }
 
     #[test]
     fn what_is_written_is_read() {

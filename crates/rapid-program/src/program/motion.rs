@@ -95,6 +95,8 @@ pub struct MotionSetup {
     pub frame_arguments: [Option<Box<[u8]>>; 2],
     /// Speed, where it is known.
     pub speed: Option<SpeedData>,
+    /// The time that `\T` gives it in place of a speed, seconds, where that is known.
+    pub time_s: Option<f64>,
     /// Zone, where it is known.
     pub zone: Option<ZoneData>,
     /// `ConfL` (for linear and circular moves) or `ConfJ` (for joint moves) in force: `Some(true)` = the

@@ -213,6 +213,7 @@ impl<'a> MotionReader<'_, 'a> {
             None => &Constant,
         };
         let (speed, zone) = (self.speed(&args, ctx, known), self.zone(&args, ctx, known));
+        let time_s = self.time_s(&args, ctx, known);
         let Frames { tool, wobj, later } = self.frames(&args, (ctx, form.path), seen, &mut reasons);
         let (tool, later_frames, grip) =
             self.total_load(&args, ctx, known, (tool, later, seen.any.and_then(|state| state.grip)));
@@ -234,6 +235,7 @@ impl<'a> MotionReader<'_, 'a> {
             later_frames,
             frame_arguments: frame_arguments.map(|text| text.map(Into::into)),
             speed,
+            time_s,
             zone,
             conf_monitored: seen.any.and_then(|state| match form.path {
                 Path::Linear | Path::Circular => state.conf_l,

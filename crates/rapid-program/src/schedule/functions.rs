@@ -186,7 +186,7 @@ impl TimeFunctions {
 }
 
 /// More functions than this are not worth their corrections.
-const MOST_FUNCTIONS: usize = 6;
+const MOST_FUNCTIONS: usize = 12;
 
 #[cfg(test)]
 mod tests {

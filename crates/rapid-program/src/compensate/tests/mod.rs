@@ -65,6 +65,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         frame_arguments: [None, None],
         speed: Some(SpeedData { v_tcp_m_s: 0.25, v_ori_rad_s: rad_from_deg(500.0) }),
         zone: Some(ZoneData { finep: false, pzone_tcp_m: 0.001 }),
+        time_s: None,
         conf_monitored: Some(false),
         grip: None,
     };

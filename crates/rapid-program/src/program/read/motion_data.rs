@@ -56,6 +56,15 @@ impl<'a> MotionReader<'_, 'a> {
         Some(speed)
     }
 
+    /// The time that `\T` gives the motion, seconds.
+    pub(super) fn time_s(&mut self, args: &MoveArgs<'a>, ctx: Ctx, known: &dyn TrackedValues) -> Option<f64> {
+        let (_, expr) = args.options.iter().find(|(name, _)| name == "t")?;
+        match self.evaluator.fold((*expr)?, ctx, known).ok()?.value {
+            Value::Num(time_s) => Some(time_s),
+            _ => None,
+        }
+    }
+
     pub(super) fn zone(
         &mut self,
         args: &MoveArgs<'a>,

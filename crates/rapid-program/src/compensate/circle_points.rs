@@ -1,0 +1,77 @@
+//! How the tool is turned at the circle points of arcs.
+//!
+//! On an arc a controller turns the tool evenly from where it starts to where it ends. The orientation that is written at the circle
+//! point only tells which way it turns, and is not reached (ABB, Technical reference manual RAPID Instructions, MoveC): the
+//! correction there is that of the orientation which the arm has.
+
+use super::model::Model;
+use super::nominal::{CirclePoint, Point, Resolved};
+use super::track::Track;
+use super::ways_back::before;
+use crate::program::Program;
+use crate::program::motion::{MotionId, Path, Target};
+use nalgebra::UnitQuaternion;
+
+/// Closer than this an orientation is the one that is written, radians: by so much corrections differ by some nanometres.
+const SAME_RAD: f64 = 1e-4;
+
+/// Has each arc pass its circle point as it is turned there. Where an arc starts from cannot always be told: then it is corrected as
+/// the point is written.
+pub(super) fn turn_with_arcs(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
+    let arcs = program.motions.iter().enumerate().filter(|(_, motion)| motion.setup.path == Path::Circular);
+    let turned: Vec<(usize, CirclePoint)> =
+        arcs.filter_map(|(i, _)| Some((i, circle_point(i, program, model, resolved)?))).collect();
+    for (i, circle_point) in turned {
+        resolved[i].pass(circle_point);
+    }
+}
+
+/// How the arm stands at the circle point of an arc; `None` where that is as written, or cannot be told.
+fn circle_point(
+    i: usize,
+    program: &Program,
+    model: &Model<'_>,
+    resolved: &[Resolved],
+) -> Option<CirclePoint> {
+    let motion = program.motions.get(i)?;
+    let points: Vec<Point<'_>> = resolved.get(i)?.points(motion, model).collect();
+    let [via, end] = points.as_slice() else { return None };
+    if motion.targets.len() != 2 || !motion.targets.iter().all(is_one_pose) {
+        return None;
+    }
+    let anywhere = motion.from_start || program.also_anywhere.contains(&MotionId::new(i));
+    let starts: Option<Vec<Point<'_>>> = before(program, i)
+        .map(|before| resolved.get(before)?.end(program.motions.get(before)?, model))
+        .collect();
+    let starts = starts.filter(|starts| !anywhere && !starts.is_empty())?;
+    let placement = via.placement;
+    let on_way = |start: &Point<'_>| {
+        let track = Track::new(
+            placement.object_from_tcp(&start.base_from_flange),
+            Some(via.object_from_tcp()),
+            end.object_from_tcp(),
+        );
+        let share = track.share_of(&via.object_from_tcp().translation.vector);
+        Some((track.pose(share)?.rotation, share))
+    };
+    let (rotation, share) = on_way(starts.first()?)?;
+    let same = |other: &UnitQuaternion<f64>| rotation.angle_to(other) < SAME_RAD;
+    for start in starts.get(1..)? {
+        on_way(start).filter(|(other, _)| same(other))?;
+    }
+    let mut object_from_tcp = via.object_from_tcp();
+    if same(&object_from_tcp.rotation) {
+        return None;
+    }
+    object_from_tcp.rotation = rotation;
+    let start = starts.first()?;
+    let near: [f64; 6] = std::array::from_fn(|k| start.q_rad[k] + share * (end.q_rad[k] - start.q_rad[k]));
+    let found = model.closed.nearest(&placement.base_from_flange(&object_from_tcp), &near)?;
+    let same_branch =
+        model.closed.configuration(&found.q_rad).cfx == model.closed.configuration(&end.q_rad).cfx;
+    same_branch.then_some(CirclePoint { object_from_tcp, q_rad: found.q_rad })
+}
+
+fn is_one_pose(target: &Target) -> bool {
+    target.value().is_some_and(|value| matches!(value, crate::program::motion::TargetValue::Rob(_)))
+}
