@@ -90,8 +90,8 @@ function causeSection(data) {
     { key: 'name', label: 'effect', value: causeName, text: causeName, class: 'name' },
     { key: 'posterior', label: 'probability', number: true, value: (c) => c.posterior, text: (c) => percent(c.posterior) },
     { key: 'size', label: 'size', number: true, value: (c) => c.size, text: size },
-    { key: 'rms', label: 'moves the tool by, mm', number: true, value: (c) => c.rms_mm, text: (c) => mm(c.rms_mm, 3) },
-    { key: 'seen', label: 'beside base and target, mm', number: true, value: (c) => c.rms_seen_mm, text: (c) => mm(c.rms_seen_mm, 3) },
+    { key: 'rms', label: 'tool moves, mm', number: true, value: (c) => c.rms_mm, text: (c) => mm(c.rms_mm, 3) },
+    { key: 'seen', label: 'of it seen, mm', number: true, value: (c) => c.rms_seen_mm, text: (c) => mm(c.rms_seen_mm, 3) },
     { key: 'evidence', label: 'evidence, nats', number: true, value: (c) => c.evidence_nats, text: (c) => number(c.evidence_nats) },
     { key: 'usual', label: 'usual', value: (c) => c.usual, text: (c) => c.usual ?? '', class: 'name' },
     { key: 'source', label: 'source', value: (c) => c.source, text: (c) => c.source ?? '', class: 'reason' },
@@ -106,6 +106,7 @@ function causeSection(data) {
         bars({ label: 'Probability', most: 1, rows: rows.slice(0, 12).map((cause) => ({ label: short(cause), value: cause.posterior, text: percent(cause.posterior), colour: 'after' })) })];
     }),
     table({ caption: 'Causes', name: 'causes', columns, rows: data.causes, searchable: false }).element,
+    h('p', { class: 'notice', text: 'Seen: what is left of it where base and target, which are fitted, stand as well as they can beside it.' }),
     data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns, rows: data.rivals }).element]);
 }
 

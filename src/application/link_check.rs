@@ -10,7 +10,7 @@ use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How far the controller may stand from its own display before anything is concluded, mm.
 const DISPLAY_MM: f64 = 0.1;
@@ -43,8 +43,19 @@ pub struct TargetCheck {
     pub joints_deg: Option<f64>,
     /// Configurations, ours and the controller's, where they differ.
     pub configurations: Option<([i32; 4], [i32; 4])>,
+    /// All joints that the controller finds for the pose; `None` where it does not look for all.
+    pub all_solutions: Option<AllSolutions>,
     /// It is as it should be.
     pub agrees: bool,
+}
+
+/// All joints that a controller finds for a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AllSolutions {
+    /// How many.
+    pub count: usize,
+    /// Ours are among them, whole turns of an axis apart.
+    pub has_ours: bool,
 }
 
 /// How the check ended.
@@ -155,13 +166,46 @@ impl LinkCheck {
             Err(LinkError::Refused { refusal, .. }) if refusal.code() == "link::reach" => None,
             Err(error) => return Err(error),
         };
+        let all_solutions = self.all_solutions(session, target, &tool)?;
         let is_same = same_configuration(ours, pose.configuration.0, &target.q_rad);
         let agrees = apart.0 <= self.tolerance_mm
             && apart.1 <= self.tolerance_deg
             && is_same
-            && joints_deg.is_some_and(|deg| deg <= self.tolerance_deg);
+            && joints_deg.is_some_and(|deg| deg <= self.tolerance_deg)
+            && all_solutions.is_none_or(|all| all.has_ours);
         let configurations = (!is_same).then_some((ours, pose.configuration.0));
-        Ok(TargetCheck { at: String::new(), element: 0, apart, joints_deg, configurations, agrees })
+        Ok(TargetCheck {
+            at: String::new(),
+            element: 0,
+            apart,
+            joints_deg,
+            configurations,
+            all_solutions,
+            agrees,
+        })
+    }
+
+    /// Every branch that the controller finds for a pose, and whether the joints that are meant are one of them.
+    fn all_solutions(
+        &self,
+        session: &mut Session,
+        target: &Commanded,
+        tool: &Frame,
+    ) -> Result<Option<AllSolutions>, LinkError> {
+        let configuration = Configuration(configuration(&target.configuration));
+        let all = match session.solutions(&self.unit, &frame(&target.base_from_tcp), configuration, tool) {
+            Ok(all) => all,
+            Err(LinkError::NotOffered { .. }) => return Ok(None),
+            Err(LinkError::Refused { refusal, .. }) if refusal.code() == "link::reach" => Vec::new(),
+            Err(error) => return Err(error),
+        };
+        let turned = |a: f64, b: f64| ((a - b) - TAU * ((a - b) / TAU).round()).abs();
+        let is_ours = |q_rad: &[f64; 6]| {
+            let apart = q_rad.iter().zip(target.q_rad).map(|(a, b)| turned(*a, b));
+            deg_from_rad(apart.fold(0.0, f64::max)) <= self.tolerance_deg
+        };
+        let has_ours = all.iter().any(|solution| is_ours(&solution.q_rad));
+        Ok(Some(AllSolutions { count: all.len(), has_ours }))
     }
 }
 
@@ -270,10 +314,14 @@ impl TargetCheck {
         let configurations = self.configurations.map_or_else(String::new, |(ours, theirs)| {
             format!(", confdata {ours:?} here and {theirs:?} there")
         });
+        let all = self.all_solutions.map_or_else(String::new, |all| {
+            let among = if all.has_ours { "ours among them" } else { "ours NOT among them" };
+            format!(", {}, {among}", counted(all.count, "solution"))
+        });
         let verdict = if self.agrees { "" } else { "  <-" };
         let (mm, deg) = self.apart;
         format!(
-            "{} element {}: {mm:.4} mm, {deg:.4} deg, {joints}{configurations}{verdict}\n",
+            "{} element {}: {mm:.4} mm, {deg:.4} deg, {joints}{configurations}{all}{verdict}\n",
             self.at, self.element
         )
     }
@@ -286,6 +334,7 @@ impl TargetCheck {
             "apart_deg": self.apart.1,
             "joints_deg": self.joints_deg,
             "configurations": self.configurations.map(|(ours, theirs)| serde_json::json!({"ours": ours, "controller": theirs})),
+            "solutions": self.all_solutions.map(|all| serde_json::json!({"count": all.count, "ours": all.has_ours})),
             "agrees": self.agrees,
         })
     }

@@ -57,6 +57,9 @@ fn every_target_of_cube45_is_confirmed_by_other_kinematics() {
             assert_eq!((found.len(), unknown), (count, 0));
             // What is left is the single precision of the answers.
             assert!(found.iter().all(|f| f.apart.0 < 0.0005 && f.joints_deg.unwrap() < 0.0002));
+            // The wrist turned over reaches a pose, too.
+            let all = found.iter().map(|f| f.all_solutions.unwrap());
+            assert!(all.clone().all(|all| all.has_ours && (2..=8).contains(&all.count)), "{found:?}");
         }
     }
 }
@@ -84,6 +87,9 @@ fn a_planted_wrong_branch_is_found() {
             "{found:?}"
         );
         assert!(found.iter().any(|f| !f.agrees) && checked.text(false).contains("DO NOT AGREE"));
+        // Where it goes to is another branch; that there is ours the controller knows.
+        assert!(found.iter().all(|f| f.all_solutions.is_some_and(|all| all.has_ours)), "{found:?}");
+        assert!(checked.text(false).contains("ours among them"), "{}", checked.text(false));
     }
 }
 
