@@ -30,16 +30,19 @@ def simulated(texts, motions, *options, entry="main", minute=0):
     return done.returncode, json.loads(done.stdout)["minutes"][0] if done.stdout else None, done.stderr
 
 
-def verdict(texts, motions, *options, **more):
+def verdict(texts, motions, *options, entry="main", minute=0):
     """What driftpost says of a program that should make the motions; None where it makes all and none differs."""
-    code, found, complaints = simulated(texts, motions, *options, **more)
+    code, found, complaints = simulated(texts, motions, *options, entry=entry, minute=minute)
     if found is None:
         return complaints
     for what in (found["failure"], found["mismatch"]):
         if what:
             return what
     if found["n"] != len(motions):
-        return f"{found['n']} motions where {len(motions)} should be"
+        # On some random arcs a joint comes to the end of its range: neither program makes those, and all others.
+        made = simulated([unrolled(motions, entry)], motions, *options, entry=entry, minute=minute)[1]["n"]
+        if found["n"] != made or "the move is not made" not in complaints:
+            return f"{found['n']} motions where {made} of {len(motions)} should be"
     off = found["corrected"]
     if code or off["max_mm"] > TOLERANCE_MM or off["max_deg"] > TOLERANCE_MM:
         return f"off by {off['max_mm']} mm, {off['max_deg']} deg"

@@ -234,7 +234,7 @@ impl Arm {
         }
         self.closed.branches(base_from_flange).iter().flatten().any(|q_rad| {
             let near = std::array::from_fn(|i| q_rad[i] + TAU * ((from[i] - q_rad[i]) / TAU).round());
-            turn(&near) < far / 2.0
+            turn(&near) < far / 2.0 && self.robot.within_range(&near).is_err()
         })
     }
 
