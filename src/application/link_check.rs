@@ -52,7 +52,7 @@ pub struct TargetCheck {
 /// All joints that a controller finds for a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AllSolutions {
-    /// How many.
+    /// How many branches and turns of them it lists.
     pub count: usize,
     /// Ours are among them, whole turns of an axis apart.
     pub has_ours: bool,

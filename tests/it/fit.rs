@@ -233,24 +233,30 @@ fn spoilt(clean: &Touches, every: usize) -> (Touches, Vec<u64>) {
     (read, lines)
 }
 
+/// Five points touched 37 times, every 5 min of a warm-up of two stages with a stop of 45 min.
+fn recipe(sigma_mm: f64, table: [[f64; 6]; 7]) -> TouchRecipe {
+    TouchRecipe {
+        points: 5,
+        times: 37,
+        every_min: 5.0,
+        stop_min: [120.0, 165.0],
+        sigma_mm,
+        tau_min: [46.0, 60.0],
+        two_stage: true,
+        table,
+        within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
+        tool_m: [0.0, 0.0, 0.1],
+    }
+}
+
 /// One touch in twenty is false: these are set aside, and what is left is what is found without them, bit for bit. Where every fourth is, beside a
 /// drift that shows all the same, all count; where it does not show, none is told.
 #[test]
 fn false_touches_are_set_aside_and_many_are_not() {
     let robot = Robot::built_in("irb140").unwrap();
     let made = |seed: u64, times: f64| {
-        let recipe = TouchRecipe {
-            points: 5,
-            times: 37,
-            every_min: 5.0,
-            stop_min: [120.0, 165.0],
-            sigma_mm: 0.02,
-            tau_min: [46.0, 60.0],
-            two_stage: true,
-            table: Deformation::paper().settled().0.map(|row| row.map(|value| value * times)),
-            within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
-            tool_m: [0.0, 0.0, 0.1],
-        };
+        let table = Deformation::paper().settled().0.map(|row| row.map(|value| value * times));
+        let recipe = recipe(0.02, table);
         Touches::from_csv(touches(&robot, &recipe, &mut Rng::new(seed, 0)).unwrap().as_bytes()).unwrap()
     };
     let options = FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: None };
@@ -280,18 +286,7 @@ fn false_touches_are_set_aside_and_many_are_not() {
 #[test]
 fn touches_whose_times_are_shuffled_tell_no_drift() {
     let robot = Robot::built_in("irb140").unwrap();
-    let recipe = TouchRecipe {
-        points: 5,
-        times: 37,
-        every_min: 5.0,
-        stop_min: [120.0, 165.0],
-        sigma_mm: 0.01,
-        tau_min: [46.0, 60.0],
-        two_stage: true,
-        table: Deformation::paper().settled().0,
-        within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
-        tool_m: [0.0, 0.0, 0.1],
-    };
+    let recipe = recipe(0.01, Deformation::paper().settled().0);
     let csv = touches(&robot, &recipe, &mut Rng::new(11, 0)).unwrap();
     let mut read = Touches::from_csv(csv.as_bytes()).unwrap();
     let options = FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: None };

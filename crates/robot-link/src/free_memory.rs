@@ -34,7 +34,7 @@ pub struct DeviceProperty {
 pub struct FreeMemory {
     /// Of the program memory, as the controller shows it.
     pub rapid: Vec<DeviceProperty>,
-    /// Of each disk.
+    /// Of each disk that the file service lists.
     pub disks: Vec<DiskSpace>,
 }
 

@@ -39,7 +39,7 @@ pub enum Mismatch {
     OtherJoints {
         /// File of the program's move.
         file: String,
-        /// Its line.
+        /// Line of the move in that file, from 1.
         line: u32,
         /// The target as it is written.
         target: String,

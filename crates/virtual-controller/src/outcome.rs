@@ -98,9 +98,9 @@ pub enum Outcome {
     Stopped,
     /// More steps than allowed: the program does not end.
     OutOfSteps {
-        /// Where it was.
+        /// The statement at which it was stopped.
         at: SourceLine,
-        /// It moved meanwhile.
+        /// Whether the arm was moved in those steps.
         moving: bool,
     },
     /// A loop that waits for what nothing in the program brings about.

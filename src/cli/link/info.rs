@@ -131,7 +131,7 @@ fn or_not_offered(parts: impl Iterator<Item = String>) -> String {
     if parts.is_empty() { "not offered by this controller".to_owned() } else { parts.join(", ") }
 }
 
-/// Bytes for people.
+/// Bytes as a disk is sold: millions of them, with one decimal.
 fn megabytes(bytes: u64) -> String {
     format!("{:.1} MB", bytes as f64 / 1e6)
 }

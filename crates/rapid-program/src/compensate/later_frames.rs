@@ -5,16 +5,14 @@ use super::conditions;
 use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::placement::{Placement, keep};
+use super::settled_check::keep_where;
 use super::warm_joints::warm_joints;
 use crate::program::Program;
 use crate::program::motion::{LaterFrames, Motion, SkipReason, Target, TargetValue};
-use crate::schedule::Moment;
 use nalgebra::Isometry3;
-use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArm};
 use robot_model::kinematics::Solution;
 use robot_model::units::mm_from_m;
-use std::sync::Arc;
 
 /// Leaves as they are the motions whose settled corrections with a later tool or work object are further than `tolerance_m`
 /// from those with the first.
@@ -24,19 +22,14 @@ pub(super) fn keep_other_later_frames(
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    let settled = model.arm(Moment::Settled);
-    program.motions.par_iter().zip(resolved).for_each(|(motion, resolved)| {
-        if motion.setup.later_frames.is_empty() || resolved.kept().is_some() {
-            return;
-        }
-        let worst = motion.setup.later_frames.iter().map(|later| {
-            let apart_m = apart_m(motion, resolved, later, &settled, model);
+    keep_where(program, model, resolved, |motion, resolved, settled| {
+        let apart = motion.setup.later_frames.iter().map(|later| {
+            let apart_m = apart_m(motion, resolved, later, settled, model);
             (apart_m.unwrap_or(f64::INFINITY), later)
         });
-        let worst = worst.max_by(|(a, _), (b, _)| a.total_cmp(b));
-        if let Some((apart_m, later)) = worst.filter(|(apart_m, _)| *apart_m > tolerance_m) {
-            resolved.keep(Arc::new(why(motion, later, apart_m)));
-        }
+        let worst = apart.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        let (apart_m, later) = worst.filter(|(apart_m, _)| *apart_m > tolerance_m)?;
+        Some(why(motion, later, apart_m))
     });
 }
 

@@ -33,6 +33,7 @@ mod quadrant_border;
 mod ramp;
 mod ramp_errors;
 mod selection;
+mod settled_check;
 mod shared_corrections;
 pub mod tabulate;
 pub mod targets;

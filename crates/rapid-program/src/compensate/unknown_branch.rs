@@ -3,14 +3,12 @@
 use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::placement::keep;
+use super::settled_check::keep_where;
 use super::warm_joints::warm_joints;
 use crate::program::Program;
 use crate::program::motion::{Motion, SkipReason, Target};
-use crate::schedule::Moment;
-use rayon::prelude::*;
 use robot_model::deform::DeformedArm;
 use robot_model::units::mm_from_m;
-use std::sync::Arc;
 
 /// Leaves as they are the motions whose settled corrections on their branches are further apart than `tolerance_m`.
 pub(super) fn keep_unknown_branches(
@@ -19,13 +17,8 @@ pub(super) fn keep_unknown_branches(
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    let settled = model.arm(Moment::Settled);
-    program.motions.par_iter().zip(resolved).for_each(|(motion, resolved)| {
-        if resolved.kept().is_none()
-            && let Some(why) = differing(motion, resolved, &settled, model, tolerance_m)
-        {
-            resolved.keep(Arc::new(why));
-        }
+    keep_where(program, model, resolved, |motion, resolved, settled| {
+        differing(motion, resolved, settled, model, tolerance_m)
     });
 }
 
