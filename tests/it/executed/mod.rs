@@ -3,6 +3,7 @@
 mod arcs;
 mod cell;
 mod counting;
+mod elements;
 mod every_program;
 mod forms;
 mod live;

@@ -86,7 +86,7 @@ fn each_function_of_time_has_a_correction_for_each_target() {
 }
 
 #[test]
-fn auto_asks_the_model_and_schedule_says_which_form_corrects_it() {
+fn auto_asks_the_model_where_its_configuration_is_reached_and_schedule_says_which_form_corrects_it() {
     let (paper, original) = (Deformation::paper(), fixture("simulate/one_of.mod"));
     let (auto, kept) = made_as(FormChoice::Auto, &original, &paper, &warmth()).unwrap();
     assert!(
@@ -94,7 +94,14 @@ fn auto_asks_the_model_and_schedule_says_which_form_corrects_it() {
         "{}",
         text(&auto)
     );
-    assert!(!text(&auto).contains("tcAtOne"));
+    // Their confdata is not the one that is reached: CalcJointT would find no joints.
+    for asked in ["MoveL tcAtOne(pPick,tcPPick),v100,", "MoveL tcAtOne(Offs(pFirst,i*12,j*10,0),tc"] {
+        assert!(text(&auto).contains(asked), "{asked}: {}", text(&auto));
+    }
+    let mut s = session(&auto, &original, &paper, false);
+    s.at_minutes(&MINUTES).unwrap();
+    let (mm, deg) = worst(&s.into_report());
+    assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
     let (schedule, kept) = made_as(FormChoice::Schedule, &original, &paper, &warmth()).unwrap();
     assert_eq!(kept, 6, "all but jHome");
     assert!(text(&schedule).contains("    MoveL pTo,v100,fine"), "{}", text(&schedule));

@@ -219,8 +219,11 @@ impl Corrector<'_> {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);
         }
-        // The model asked at run time takes values that the text does not hold, too: a point touched up, another module's.
+        // The model asked at run time takes values that the text does not hold, too: a point touched up, another module's. What is
+        // written must then be the configuration that is reached.
+        let can_ask = |live| live::form_of_known(self.program, (motion, resolved.q_rad()), live, self.model);
         if is_one_of_several(motion)
+            && self.live.is_some_and(|live| can_ask(live) == Form::Live)
             && let Some(Ok(planned)) = self.asked_at_run_time(motion)
         {
             return MotionCorrection::without_figures(planned);
@@ -305,18 +308,31 @@ fn is_one_of_several(motion: &Motion) -> bool {
     motion.targets.iter().any(Target::is_one_of)
 }
 
-/// Motions to one of a few targets: a bucket's array has an index for the bucket, and the source none for the target.
+/// Motions whose targets a bucket's array cannot hold: it has an index for the bucket, and takes those of an array's element
+/// beside it, two at most.
 fn keep_one_of_several(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     if options.form != FormChoice::Schedule {
         return;
     }
     for (motion, resolved) in program.motions.iter().zip(resolved) {
-        if is_one_of_several(motion) && resolved.kept().is_none() {
-            let count = motion.targets.iter().map(|target| target.elements().len()).max().unwrap_or(0);
-            let which = match count {
+        if resolved.kept().is_some() {
+            continue;
+        }
+        let one_of = |target: &Target| match target.indices() {
+            Some(indices) if !indices.is_element => {
+                Some("its target is an expression with an array's element".to_owned())
+            }
+            Some(indices) if indices.dims.len() > 2 => {
+                Some("its target is an element of an array of three dimensions".to_owned())
+            }
+            Some(_) => None,
+            None if !target.is_one_of() => None,
+            None => Some(match target.elements().len() {
                 1 => "its target is worked out on the way".to_owned(),
                 count => format!("its target is one of {count}, and only run time tells which"),
-            };
+            }),
+        };
+        if let Some(which) = motion.targets.iter().find_map(one_of) {
             let why = format!("{which}: --form ramp and --form auto correct it");
             resolved.keep(Arc::new(placement::keep("keep::one-of", why)));
         }

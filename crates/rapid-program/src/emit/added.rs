@@ -10,9 +10,9 @@ use super::insertion::{self, LayoutStyle};
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
 use super::point;
-use super::target::{MAX_LINE, TargetArray, first_element};
+use super::target::{MAX_LINE, Row, TargetArray, as_it_is, first_element};
 use crate::compensate::plan::{Corrected, Correction, Corrections, Form, PlannedMotion, PlannedTarget};
-use crate::program::motion::{Motion, Origin, Path, Target, TargetValue};
+use crate::program::motion::{Motion, Origin, Path, Target, TargetValue, WobjArgument};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
@@ -128,19 +128,21 @@ impl<'p> Added<'p> {
                 let literal = target.literal(file.id).filter(|_| target.value().is_some());
                 let literal = literal.map(|span| context.program.file(span.file).text(span.range));
                 let first_element = first_element(literal, Some(&original))?;
-                rows.push((original, first_element, corrected));
+                rows.push((original, first_element, Cow::Borrowed(corrected)));
             }
-            let (base, index) = match target.value() {
-                Some(_) => (argument, None),
-                None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
-            };
-            let key = match (target.origin(), index) {
-                (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
-                (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
-                (Origin::Inline | Origin::Expression, None) => None,
-            };
+            if let Some(indices) = target.indices().filter(|indices| indices.occurring.is_some()) {
+                let never = |value: &TargetValue| -> Result<Row<'p>, EmitError> {
+                    let corrected =
+                        as_it_is(value).ok_or_else(|| mismatch(file, "an element is no target"))?;
+                    Ok((*value, first_element(None, Some(value))?, Cow::Owned(vec![corrected; buckets])))
+                };
+                let all = indices.spread(rows).into_iter().zip(target.elements());
+                rows =
+                    all.map(|(row, value)| row.map_or_else(|| never(value), Ok)).collect::<Result<_, _>>()?;
+            }
+            let Argument { base, index, dims, key } = Argument::of(file, target)?;
             let is_same = |declaration: &Declaration| match declaration {
-                Declaration::Array(array) => array.is_of(&rows),
+                Declaration::Array(array) => array.is_of(&dims, &rows),
                 Declaration::Correction(_) | Declaration::Choice(_) => false,
             };
             let array = match self.find(key.as_ref(), is_same) {
@@ -157,8 +159,7 @@ impl<'p> Added<'p> {
                     if !tells_itself {
                         self.was.insert(name.clone(), base.to_vec());
                     }
-                    let indexed = index.is_some();
-                    self.declare(key, Declaration::Array(TargetArray { name, indexed, rows }))
+                    self.declare(key, Declaration::Array(TargetArray { name, dims, rows }))
                 }
             };
             let Some(Declaration::Array(array)) = self.declarations.get(array) else { continue };
@@ -199,11 +200,15 @@ impl<'p> Added<'p> {
         style: &LayoutStyle,
     ) -> Result<(), EmitError> {
         let joint = motion.setup.path == Path::AbsJoint;
+        // Of elements that never occur.
+        let none = match joint {
+            true => Correction::Joints { turn_rad: [0.0; 6] },
+            false => Correction::Pose { shift_m: [0.0; 3], turn: [0.0; 3] },
+        };
         let count = context.plan.functions.as_ref().map_or(0, |functions| functions.count());
         self.last_unnamed.resize(count, None);
         let mut of_values = planned.targets.iter();
         for (k, target) in motion.targets.iter().enumerate() {
-            let argument = file.text(target.range);
             let at_nodes = |planned: &'p PlannedTarget| match &planned.corrections {
                 Corrections::AtNodes(corrections) => &**corrections,
                 Corrections::InBuckets(_) => &[],
@@ -218,20 +223,17 @@ impl<'p> Added<'p> {
                 self.wrap(context, file, ("tcAtOne", target.range, format!(",{name}").as_bytes()), style);
                 continue;
             }
-            let (base, index) = match target.value() {
-                Some(_) => (argument, None),
-                None => split_index(argument).ok_or_else(|| mismatch(file, "an index is missing"))?,
-            };
+            let Argument { base, index, dims, key } = Argument::of(file, target)?;
             let mut arguments = String::new();
             for r in 0..count {
-                let values: Vec<Correction> = rows.iter().filter_map(|row| row.get(r)).copied().collect();
-                let data = |name: String| CorrectionData { name, indexed: index.is_some(), values };
-                let key = match (target.origin(), index) {
-                    (Origin::Named { declaration, .. }, _) => Some((Some(*declaration), argument.to_vec())),
-                    (_, Some(_)) => Some((None, base.to_ascii_lowercase())),
-                    (Origin::Inline | Origin::Expression, None) => None,
+                let values = rows.iter().filter_map(|row| row.get(r)).copied();
+                let values: Vec<Correction> = match target.indices() {
+                    Some(indices) => {
+                        indices.spread(values).into_iter().map(|one| one.unwrap_or(none)).collect()
+                    }
+                    None => values.collect(),
                 };
-                let wanted = data(String::new());
+                let wanted = CorrectionData { name: String::new(), dims: dims.clone(), values };
                 let is_same = |declaration: &Declaration| match declaration {
                     Declaration::Correction(known) => known.is_same(&wanted),
                     Declaration::Array(_) | Declaration::Choice(_) => false,
@@ -245,7 +247,7 @@ impl<'p> Added<'p> {
                     Some(at) => at,
                     None => {
                         let name = self.name(file, motion, (target, base), capitalised)?;
-                        self.declare(key, Declaration::Correction(CorrectionData { name, ..wanted }))
+                        self.declare(key.clone(), Declaration::Correction(CorrectionData { name, ..wanted }))
                     }
                 };
                 if is_unnamed {
@@ -311,14 +313,14 @@ impl<'p> Added<'p> {
         motion: &'p Motion,
         style: &LayoutStyle,
     ) -> Result<(), EmitError> {
-        let [tool, wobj] = &motion.setup.frame_arguments;
-        let tool = tool.as_ref().ok_or_else(|| mismatch(file, "a motion without tool"))?;
-        let mut arguments = b",".to_vec();
-        arguments.extend_from_slice(tool);
-        if let Some(wobj) = wobj {
-            arguments.extend_from_slice(b"\\WObj:=");
-            arguments.extend_from_slice(wobj);
-        }
+        let tool = motion.setup.tool_argument.as_deref();
+        let tool = tool.ok_or_else(|| mismatch(file, "a motion without tool"))?;
+        let wobj: [&[u8]; 2] = match &motion.setup.wobj_argument {
+            Some(WobjArgument::Given(wobj)) => [b"\\WObj:=", wobj],
+            Some(WobjArgument::IfPresent(parameter)) => [b"\\WObj?", parameter],
+            None => [b"", b""],
+        };
+        let arguments = [b",", tool, wobj[0], wobj[1]].concat();
         for (k, target) in motion.targets.iter().enumerate() {
             let function = match (motion.setup.path, k) {
                 (Path::AbsJoint, _) => "tcLiveJ",
@@ -402,10 +404,36 @@ fn capitalised(name: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Name and index of `name{index}`.
-fn split_index(argument: &[u8]) -> Option<(&[u8], Option<&[u8]>)> {
-    let open = memchr::memchr(b'{', argument)?;
-    let close = memchr::memrchr(b'}', argument)?;
-    let base = argument.get(..open)?.trim_ascii();
-    Some((base, Some(argument.get(open + 1..close)?)))
+/// What a target's argument is made of.
+struct Argument<'t> {
+    /// The name of the array that it is an element of, or all of it; empty of another expression.
+    base: &'t [u8],
+    /// The text of the indices that choose, without braces.
+    index: Option<&'t [u8]>,
+    /// Of the array that they choose of; else empty.
+    dims: Vec<usize>,
+    /// What other motions to the same are found by.
+    key: Option<(Option<Span>, Vec<u8>)>,
+}
+
+impl<'t> Argument<'t> {
+    fn of(file: &'t SourceFile, target: &Target) -> Result<Self, EmitError> {
+        let argument = file.text(target.range);
+        if target.value().is_some() {
+            let key = match target.origin() {
+                Origin::Named { declaration, .. } => Some((Some(*declaration), argument.to_vec())),
+                Origin::Inline | Origin::Expression => None,
+            };
+            return Ok(Self { base: argument, index: None, dims: Vec::new(), key });
+        }
+        let indices = target.indices().ok_or_else(|| mismatch(file, "an index is missing"))?;
+        let name = TextRange::new(target.range.start, indices.range.start);
+        let base = match indices.is_element {
+            true => file.text(name).trim_ascii().strip_suffix(b"{").unwrap_or_default().trim_ascii(),
+            false => b"",
+        };
+        let known_by = if indices.is_element { base } else { argument };
+        let key = Some((None, known_by.to_ascii_lowercase()));
+        Ok(Self { base, index: Some(file.text(indices.range)), dims: indices.dims.to_vec(), key })
+    }
 }

@@ -23,6 +23,24 @@ pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
     b"]"
 }
 
+/// How many brackets of an array of these dimensions open before and close behind its element at `at`, counted from nought with
+/// the last dimension fastest; those round the whole array are left out.
+pub fn brackets(dims: &[usize], at: usize) -> (usize, usize) {
+    let mut size = 1;
+    let (mut open, mut close) = (0, 0);
+    for dim in dims.iter().skip(1).rev() {
+        size *= dim;
+        open += usize::from(at.is_multiple_of(size));
+        close += usize::from((at + 1).is_multiple_of(size));
+    }
+    (open, close)
+}
+
+/// Dimensions as a declaration has them: `8,8`.
+pub fn dims_text(dims: &[usize]) -> String {
+    dims.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+}
+
 /// Whether an aggregate has so many components.
 pub fn has_components(text: &[u8], count: usize) -> bool {
     tail_of(text, count - 1) != b"]" && tail_of(text, count) == b"]"
@@ -94,6 +112,21 @@ fn single(part: &[u8]) -> Option<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn brackets_of_an_array_of_three_dimensions() {
+        let of = |dims: &[usize]| {
+            let elements = (0..dims.iter().product()).map(|at| {
+                let (open, close) = brackets(dims, at);
+                format!("{}{at}{}", "[".repeat(open), "]".repeat(close))
+            });
+            elements.collect::<Vec<_>>().join(",")
+        };
+        assert_eq!(of(&[3]), "0,1,2");
+        assert_eq!(of(&[2, 3]), "[0,1,2],[3,4,5]");
+        assert_eq!(of(&[2, 2, 2]), "[[0,1],[2,3]],[[4,5],[6,7]]");
+        assert_eq!(dims_text(&[2, 3]), "2,3");
+    }
 
     #[test]
     fn numbers_are_read_in_single_precision() {

@@ -1,5 +1,6 @@
 //! Corrections of the form `ramp` as constants: a shift and a small turn, or six joint angles.
 
+use super::aggregate::{brackets, dims_text};
 use super::check;
 use super::insertion::LayoutStyle;
 use super::number::write_num;
@@ -18,9 +19,9 @@ const TURN_DECIMALS: i32 = 8;
 pub struct CorrectionData {
     /// The name of the data.
     pub name: String,
-    /// It is an array, for a target that is one of an array's elements.
-    pub indexed: bool,
-    /// One value, or one for each element.
+    /// Of an array, for a target that differs with an array's element; else empty.
+    pub dims: Vec<usize>,
+    /// One value, or one for each element, the last dimension fastest.
     pub values: Vec<Correction>,
 }
 
@@ -28,7 +29,7 @@ impl CorrectionData {
     /// Whether it is the same under another name.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        self.indexed == other.indexed && self.values == other.values
+        self.dims == other.dims && self.values == other.values
     }
 
     /// Appends the declaration; gives what it is recognised by.
@@ -40,18 +41,20 @@ impl CorrectionData {
         out.extend_from_slice(if joint { b"robjoint " } else { b"pose " });
         out.extend_from_slice(self.name.as_bytes());
         let mut value = Vec::new();
-        if !self.indexed {
+        if self.dims.is_empty() {
             out.extend_from_slice(b":=");
             self.values.iter().for_each(|one| write_correction(&mut value, one));
             out.extend_from_slice(&value);
             out.extend_from_slice(b";");
         } else {
-            out.extend_from_slice(format!("{{{}}}:=[", self.values.len()).as_bytes());
+            out.extend_from_slice(format!("{{{}}}:=[", dims_text(&self.dims)).as_bytes());
             value.push(b'[');
             let mut column = MAX_LINE;
             for (k, one) in self.values.iter().enumerate() {
-                let mut text = Vec::new();
+                let (open, close) = brackets(&self.dims, k);
+                let mut text = b"[".repeat(open);
                 write_correction(&mut text, one);
+                text.extend(b"]".repeat(close));
                 text.extend_from_slice(if k + 1 < self.values.len() { b"," } else { b"];" });
                 if column + text.len() > MAX_LINE / 2 {
                     out.extend_from_slice(style.eol);
@@ -129,7 +132,7 @@ mod tests {
     #[test]
     fn a_shift_in_mm_and_a_small_turn() {
         let correction = Correction::Pose { shift_m: [1e-4, -2.5e-5, 0.0], turn: [1.25e-5, 0.0, -0.001] };
-        let data = CorrectionData { name: "tcP10".into(), indexed: false, values: vec![correction] };
+        let data = CorrectionData { name: "tcP10".into(), dims: Vec::new(), values: vec![correction] };
         let mut out = Vec::new();
         let letters = data.write(&mut out, &style());
         assert_eq!(
@@ -159,7 +162,7 @@ mod tests {
     #[test]
     fn arrays_stay_within_lines() {
         let correction = Correction::Joints { turn_rad: [0.01; 6] };
-        let data = CorrectionData { name: "tcHome".into(), indexed: true, values: vec![correction; 9] };
+        let data = CorrectionData { name: "tcHome".into(), dims: vec![9], values: vec![correction; 9] };
         let mut out = Vec::new();
         let letters = data.write(&mut out, &style());
         let text = String::from_utf8(out).unwrap();

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::aggregate::{has_components, is_plain, tail_of};
+use super::aggregate::{brackets, dims_text, has_components, is_plain, tail_of};
 use super::check::Elements;
 use super::insertion::{LayoutStyle, white};
 use super::number::{write_optional, write_orient, write_pos, write_robjoint};
@@ -73,21 +73,21 @@ fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
 pub struct TargetArray<'p> {
     /// The name of the array.
     pub name: String,
-    /// Which row is in force is an index of its own: the source names an array's element.
-    pub indexed: bool,
+    /// Where the source names an array's element, those of its array; else empty.
+    pub dims: Vec<usize>,
     /// For each row the target as programmed, the text of its element 1, and what it becomes in each bucket.
     pub rows: Vec<Row<'p>>,
 }
 
 /// A target as programmed, the text of its element 1, and what it becomes in each bucket.
-pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, &'p [Corrected]);
+pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, Cow<'p, [Corrected]>);
 
 impl TargetArray<'_> {
-    /// Whether it is the array of these rows.
+    /// Whether it is the array of these dimensions and rows.
     #[must_use]
-    pub fn is_of(&self, rows: &[Row<'_>]) -> bool {
+    pub fn is_of(&self, dims: &[usize], rows: &[Row<'_>]) -> bool {
         let same = |(a, b): (&Row<'_>, &Row<'_>)| a.0 == b.0 && a.2 == b.2;
-        self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
+        self.dims == dims && self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
     }
 
     /// Appends the declaration, one element a line; gives what its elements are recognised by.
@@ -102,21 +102,22 @@ impl TargetArray<'_> {
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
         out.extend_from_slice(self.name.as_bytes());
-        let rows = if self.indexed { format!("{},", self.rows.len()) } else { String::new() };
-        out.extend_from_slice(format!("{{{rows}{}}}:=[", buckets + 1).as_bytes());
+        let dims = [&self.dims[..], &[buckets + 1]].concat();
+        out.extend_from_slice(format!("{{{}}}:=[", dims_text(&dims)).as_bytes());
         out.extend_from_slice(style.eol);
         for (r, (_, first_element, corrected)) in self.rows.iter().enumerate() {
             let last_row = r + 1 == self.rows.len();
             let mut line = out.len();
             out.extend_from_slice(&style.indent);
             out.extend_from_slice(&style.unit);
-            if self.indexed {
-                out.push(b'[');
-            }
+            // Of the row itself, and of what it is the first of.
+            let is_nested = usize::from(!self.dims.is_empty());
+            let (open, close) = brackets(&self.dims, r);
+            out.extend(b"[".repeat(open + is_nested));
             let from = out.len();
             out.extend_from_slice(first_element);
             elements.add(out.get(from..).unwrap_or_default());
-            for corrected in *corrected {
+            for corrected in corrected.iter() {
                 end_element(out, line, b",", style);
                 line = out.len();
                 out.extend_from_slice(&style.indent);
@@ -126,14 +127,28 @@ impl TargetArray<'_> {
                     .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
                 elements.add(out.get(from..).unwrap_or_default());
             }
-            let end: &[u8] = match (self.indexed, last_row) {
-                (false, _) => b"];",
-                (true, false) => b"],",
-                (true, true) => b"]];",
-            };
-            end_element(out, line, end, style);
+            let end = if last_row { "];" } else { "," };
+            end_element(out, line, format!("{}{end}", "]".repeat(close + is_nested)).as_bytes(), style);
         }
         Ok(elements.letters())
+    }
+}
+
+/// A target that no bucket changes; `None` where it is no pose and no joints of all axes.
+#[must_use]
+pub fn as_it_is(original: &TargetValue) -> Option<Corrected> {
+    match original {
+        TargetValue::Rob(target) => {
+            let frame = &target.object_from_tcp;
+            let q = frame.rotation.quaternion();
+            let orientation_wxyz = [q.w, q.i, q.j, q.k];
+            Some(Corrected::Pose { position_m: frame.translation.vector.into(), orientation_wxyz })
+        }
+        TargetValue::Joint(target) => {
+            let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f)] = target.q_rad else { return None };
+            Some(Corrected::Joints { q_rad: [a, b, c, d, e, f] })
+        }
+        TargetValue::FromJoints(_) => None,
     }
 }
 
@@ -225,7 +240,11 @@ mod tests {
         original: TargetValue,
         corrected: &'t [Corrected],
     ) -> TargetArray<'t> {
-        TargetArray { name: name.into(), indexed: false, rows: vec![(original, first_element, corrected)] }
+        TargetArray {
+            name: name.into(),
+            dims: Vec::new(),
+            rows: vec![(original, first_element, Cow::Borrowed(corrected))],
+        }
     }
 
     fn pose(x_mm: f64) -> Corrected {

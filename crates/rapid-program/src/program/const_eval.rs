@@ -13,7 +13,7 @@ use super::other_tasks;
 use super::predefined::{is_predefined, predefined};
 use super::value::{self, DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
 use super::writes::{How, Writes};
-use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Span, TextRange};
 use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, UnaryOp};
 use std::collections::{BTreeMap, HashMap};
@@ -56,6 +56,14 @@ pub(super) struct ConstEvaluator<'a> {
     pub(super) elsewhere: BTreeMap<DatumId, Span>,
     known: HashMap<DatumId, Result<Value, Why>>,
     busy: Vec<DatumId>,
+    at_element: Option<AtElement>,
+}
+
+/// What the indices of some array elements in one expression are taken to be.
+struct AtElement {
+    file: FileId,
+    elements: Vec<TextRange>,
+    indices: Vec<f64>,
 }
 
 impl<'a> ConstEvaluator<'a> {
@@ -68,6 +76,7 @@ impl<'a> ConstEvaluator<'a> {
             elsewhere: BTreeMap::new(),
             known: HashMap::new(),
             busy: Vec::new(),
+            at_element: None,
         }
     }
 
@@ -93,6 +102,21 @@ impl<'a> ConstEvaluator<'a> {
             Some(_) => why,
             None => Rc::new(SkipReason { because: Some(span(ctx, expr.range)), ..(*why).clone() }),
         })
+    }
+
+    /// What an expression of constants is worth where the array elements that stand in it at `elements` are those with these
+    /// indices.
+    pub(super) fn fold_at(
+        &mut self,
+        expr: &Expr,
+        ctx: Ctx,
+        (elements, indices): (&[TextRange], &[f64]),
+    ) -> Result<Value, Why> {
+        let (elements, indices) = (elements.to_vec(), indices.to_vec());
+        self.at_element = Some(AtElement { file: ctx.file, elements, indices });
+        let folded = self.fold(expr, ctx, &Constant);
+        self.at_element = None;
+        folded.map(|typed| typed.value)
     }
 
     fn fold_typed(&mut self, expr: &Expr, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
@@ -127,13 +151,18 @@ impl<'a> ConstEvaluator<'a> {
             }
             ExprKind::Index(element_of) => {
                 let base = self.fold_typed(&element_of.base, ctx, state)?;
-                let mut value = base.value;
-                for index in &element_of.indices {
-                    let Value::Num(n) = self.fold_typed(index, ctx, state)?.value else {
-                        return Err(wrong_type());
-                    };
-                    value = element(&value, n)?;
-                }
+                let is_meant = |at: &&AtElement| at.file == ctx.file && at.elements.contains(&expr.range);
+                let indices = match self.at_element.as_ref().filter(is_meant) {
+                    Some(at) => at.indices.clone(),
+                    None => {
+                        let number = |index| match self.fold_typed(index, ctx, state)?.value {
+                            Value::Num(n) => Ok(n),
+                            _ => Err(wrong_type()),
+                        };
+                        element_of.indices.iter().map(number).collect::<Result<_, _>>()?
+                    }
+                };
+                let value = indices.into_iter().try_fold(base.value, |value, n| element(&value, n))?;
                 Ok(Typed { value, type_name: base.type_name })
             }
             ExprKind::Call(call) => self.call(call.name, &call.args, ctx, state).map(untyped),

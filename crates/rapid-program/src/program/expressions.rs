@@ -1,7 +1,7 @@
 //! Looking through the text of statements: the words in it, the expressions and the calls of functions.
 
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, Stmt, StmtKind};
+use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, IndexExpr, Stmt, StmtKind};
 
 /// The name at the root of `a.b{1}.c`, and whether an index lies on the way.
 pub(super) fn root_of(expr: &Expr) -> Option<(TextRange, bool)> {
@@ -81,23 +81,20 @@ pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
     }
 }
 
-/// Calls `visit` with the name and arguments of every function call in an expression, inner ones first.
-pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a [Arg])) {
+/// Calls `visit` with every expression in an expression and with itself, inner ones first.
+fn every_expr<'a>(expr: &'a Expr, visit: &mut impl FnMut(&'a Expr)) {
     match &expr.kind {
-        ExprKind::Call(call) => {
-            call.args.iter().filter_map(value_of).for_each(|e| every_call(e, visit));
-            visit(call.name, &call.args);
-        }
-        ExprKind::Field(field) => every_call(&field.base, visit),
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_call(inner, visit),
+        ExprKind::Call(call) => call.args.iter().filter_map(value_of).for_each(|e| every_expr(e, visit)),
+        ExprKind::Field(field) => every_expr(&field.base, visit),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_expr(inner, visit),
         ExprKind::Index(element) => {
-            every_call(&element.base, visit);
-            element.indices.iter().for_each(|i| every_call(i, visit));
+            every_expr(&element.base, visit);
+            element.indices.iter().for_each(|i| every_expr(i, visit));
         }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_call(p, visit)),
+        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_expr(p, visit)),
         ExprKind::Binary(binary) => {
-            every_call(&binary.lhs, visit);
-            every_call(&binary.rhs, visit);
+            every_expr(&binary.lhs, visit);
+            every_expr(&binary.rhs, visit);
         }
         ExprKind::Number
         | ExprKind::Numbers
@@ -107,6 +104,25 @@ pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &
         | ExprKind::Placeholder
         | ExprKind::Opaque => {}
     }
+    visit(expr);
+}
+
+/// Calls `visit` with the name and arguments of every function call in an expression, inner ones first.
+pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a [Arg])) {
+    every_expr(expr, &mut |inner| {
+        if let ExprKind::Call(call) = &inner.kind {
+            visit(call.name, &call.args);
+        }
+    });
+}
+
+/// Calls `visit` with the place of every array element in an expression, inner ones first.
+pub(super) fn every_index<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a IndexExpr)) {
+    every_expr(expr, &mut |inner| {
+        if let ExprKind::Index(element_of) = &inner.kind {
+            visit(inner.range, element_of);
+        }
+    });
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
 use super::few::Few;
-pub use super::target::{Origin, Target, TargetValue};
+pub use super::target::{Indices, Origin, Target, TargetValue};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use std::num::NonZeroU32;
 use std::sync::Arc;
@@ -69,6 +69,15 @@ pub struct Motion {
     pub from_search: bool,
 }
 
+/// The work object argument of a motion, as bytes of the source.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WobjArgument {
+    /// What is given, of `\WObj:=wobj1`: `wobj1`.
+    Given(Box<[u8]>),
+    /// The parameter that is handed on if present, of `\WObj?w`: `w`.
+    IfPresent(Box<[u8]>),
+}
+
 /// What a motion has in common with its neighbours, as a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSetup {
@@ -91,8 +100,10 @@ pub struct MotionSetup {
     pub wobj: Option<WobjData>,
     /// The same in later passes, where the program uses one before it sets it.
     pub later_frames: Vec<LaterFrames>,
-    /// The bytes of the tool argument and of the value of `\WObj`, as the source has them.
-    pub frame_arguments: [Option<Box<[u8]>>; 2],
+    /// The bytes of the tool argument, as the source has it.
+    pub tool_argument: Option<Box<[u8]>>,
+    /// `\WObj`, as the source has it.
+    pub wobj_argument: Option<WobjArgument>,
     /// Speed, where it is known.
     pub speed: Option<SpeedData>,
     /// The time that `\T` gives it in place of a speed, seconds, where that is known.

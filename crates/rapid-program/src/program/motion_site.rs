@@ -52,14 +52,19 @@ pub(super) struct MoveArgs<'a> {
     pub(super) wobj: Option<&'a Expr>,
     /// Options, by name in lower case, with their values.
     pub(super) options: Vec<(String, Option<&'a Expr>)>,
-    /// `\Name?parameter`, by name in lower case.
-    pub(super) conditional: Vec<String>,
+    /// `\Name?parameter`: name in lower case, and the parameter.
+    pub(super) conditional: Vec<(String, TextRange)>,
 }
 
 impl MoveArgs<'_> {
+    /// The parameter that is handed on as an option, if present.
+    pub(super) fn conditional(&self, option: &str) -> Option<TextRange> {
+        self.conditional.iter().find(|(name, _)| name == option).map(|(_, parameter)| *parameter)
+    }
+
     /// Whether an option is there.
     pub(super) fn has(&self, option: &str) -> bool {
-        self.options.iter().any(|(name, _)| name == option) || self.conditional.iter().any(|n| n == option)
+        self.options.iter().any(|(name, _)| name == option) || self.conditional(option).is_some()
     }
 }
 
@@ -286,8 +291,8 @@ fn move_args<'a>(index: &Index<'_>, ctx: Ctx, form: &MoveForm, args: &'a [Arg]) 
                 }
                 out.options.push((name, value.as_ref()));
             }
-            ArgKind::Conditional { name, .. } => {
-                out.conditional.push(lower_case(index.text(ctx.file, *name)));
+            ArgKind::Conditional { name, param } => {
+                out.conditional.push((lower_case(index.text(ctx.file, *name)), *param));
             }
         }
     }

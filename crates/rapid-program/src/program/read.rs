@@ -11,7 +11,7 @@ use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::finite_set::{FiniteSet, FiniteSets};
 use super::index::Index;
 use super::module_facts::facts;
-use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason, Target};
+use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites};
 use super::names::as_text;
 use super::order::{Before, order};
@@ -221,19 +221,21 @@ impl<'a> MotionReader<'_, 'a> {
             reasons.add_other_frames();
         }
         let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
-        let frame_arguments = [text(args.tool), text(args.wobj)];
-        let [tool_name, wobj_name] = frame_arguments.map(|text| text.map(as_text));
+        let handed_on = args.conditional("wobj").map(|parameter| index.text(ctx.file, parameter));
+        let given = text(args.wobj).map(|wobj| WobjArgument::Given(wobj.into()));
+        let wobj_argument = given.or_else(|| handed_on.map(|wobj| WobjArgument::IfPresent(wobj.into())));
         let setup = MotionSetup {
             routine: site.info,
             loops: self.nests.get(site.nest as usize).cloned().unwrap_or_default(),
             kind: form.name,
             path: form.path,
-            tool_name,
+            tool_name: text(args.tool).map(as_text),
             tool,
-            wobj_name,
+            wobj_name: text(args.wobj).map(as_text),
             wobj,
             later_frames,
-            frame_arguments: frame_arguments.map(|text| text.map(Into::into)),
+            tool_argument: text(args.tool).map(Into::into),
+            wobj_argument,
             speed,
             time_s,
             zone,
@@ -266,7 +268,6 @@ impl<'a> MotionReader<'_, 'a> {
             from_start: false,
             run_time: (known_at_run_time || one_of || has_later)
                 && args.tool.is_some()
-                && args.conditional.is_empty()
                 // Tool and work object are named twice then: in the question and in the motion.
                 && ![args.tool, args.wobj].into_iter().flatten().any(|expr| is_asked_once(index, ctx, expr)),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),

@@ -49,7 +49,46 @@ struct Details {
     origin: Origin,
     literal: Option<Span>,
     elements: Box<[TargetValue]>,
-    one_of: bool,
+    chosen_by: ChosenBy,
+}
+
+/// What tells at run time which of its elements a target is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum ChosenBy {
+    /// Nothing in the motion: its pose must.
+    #[default]
+    Pose,
+    /// How warm the arm is: the target of a corrected program.
+    Warmth,
+    /// Indices of a constant array.
+    Indices(Indices),
+}
+
+/// Indices of a constant array in the text of a target.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Indices {
+    /// Where they stand, without braces: `i,j` of `Offs(pRaster{i,j},0,0,10)`.
+    pub range: TextRange,
+    /// How many elements the array has in each dimension.
+    pub dims: Box<[usize]>,
+    /// The target is the array's element itself, and no expression with it.
+    pub is_element: bool,
+    /// Positions of the elements that the ways through the program lead to, in order; `None`: all of them.
+    pub occurring: Option<Box<[usize]>>,
+}
+
+impl Indices {
+    /// For each of the array's elements what `of_occurring` holds for it; `None` for those that never occur.
+    pub fn spread<T>(&self, of_occurring: impl IntoIterator<Item = T>) -> Vec<Option<T>> {
+        let mut all = of_occurring.into_iter();
+        let count = self.dims.iter().product();
+        match &self.occurring {
+            None => all.map(Some).collect(),
+            Some(occurring) => {
+                (0..count).map(|at| occurring.contains(&at).then(|| all.next()).flatten()).collect()
+            }
+        }
+    }
 }
 
 impl Target {
@@ -59,9 +98,12 @@ impl Target {
         let inline = origin == Origin::Inline;
         let details = match origin {
             Origin::Inline | Origin::Expression => None,
-            Origin::Named { .. } => {
-                Some(Box::new(Details { origin, literal: None, elements: Box::default(), one_of: false }))
-            }
+            Origin::Named { .. } => Some(Box::new(Details {
+                origin,
+                literal: None,
+                elements: Box::default(),
+                chosen_by: ChosenBy::Pose,
+            })),
         };
         Self { range, value: None, literal_inline: false, inline, details }
     }
@@ -83,32 +125,49 @@ impl Target {
         self
     }
 
-    /// One of the elements of a constant array of one dimension; only run time tells which.
+    /// Something that differs with an element of a constant array, and that only run time tells: its values in the order of the
+    /// elements, the last dimension fastest.
     #[must_use]
-    pub fn with_elements(mut self, elements: Vec<TargetValue>) -> Self {
-        if !elements.is_empty() {
-            let origin = self.origin().clone();
-            let literal = self.details.as_ref().and_then(|details| details.literal);
-            self.details =
-                Some(Box::new(Details { origin, literal, elements: elements.into(), one_of: false }));
-        }
-        self
+    pub fn with_elements(self, values: Vec<TargetValue>, indices: Indices) -> Self {
+        self.with_values(values, ChosenBy::Indices(indices))
     }
 
     /// One of a few values, none of which an index names; only run time tells which.
     #[must_use]
     pub fn with_one_of(self, values: Vec<TargetValue>) -> Self {
-        let mut target = self.with_elements(values);
-        if let Some(details) = &mut target.details {
-            details.one_of = true;
+        self.with_values(values, ChosenBy::Pose)
+    }
+
+    /// The target of a corrected program: as it was written and, where that is told, when all has settled.
+    #[must_use]
+    pub fn with_drift(self, values: Vec<TargetValue>) -> Self {
+        self.with_values(values, ChosenBy::Warmth)
+    }
+
+    fn with_values(mut self, values: Vec<TargetValue>, chosen_by: ChosenBy) -> Self {
+        if !values.is_empty() {
+            let origin = self.origin().clone();
+            let literal = self.details.as_ref().and_then(|details| details.literal);
+            self.details = Some(Box::new(Details { origin, literal, elements: values.into(), chosen_by }));
         }
-        target
+        self
     }
 
     /// Whether its [`elements`](Self::elements) are values among which no index chooses.
     #[must_use]
     pub fn is_one_of(&self) -> bool {
-        self.details.as_ref().is_some_and(|details| details.one_of)
+        let is_by_pose =
+            |details: &Details| details.chosen_by == ChosenBy::Pose && !details.elements.is_empty();
+        self.details.as_deref().is_some_and(is_by_pose)
+    }
+
+    /// What chooses among its [`elements`](Self::elements), where indices do.
+    #[must_use]
+    pub fn indices(&self) -> Option<&Indices> {
+        match self.details.as_deref().map(|details| &details.chosen_by)? {
+            ChosenBy::Indices(indices) => Some(indices),
+            ChosenBy::Pose | ChosenBy::Warmth => None,
+        }
     }
 
     /// How it is written.
@@ -128,17 +187,20 @@ impl Target {
         self.value.as_ref().map(Compact::value)
     }
 
-    /// Where it is an element of a constant array of one dimension, or one of a few known values, and only run time tells
-    /// which: all of them, in order.
+    /// Where it differs with an element of a constant array, or is one of a few known values, and only run time tells which:
+    /// all of them, in order.
     #[must_use]
     pub fn elements(&self) -> &[TargetValue] {
         self.details.as_ref().map_or(&[], |details| &details.elements)
     }
 
-    /// Everything that it may be worth: its value, or all elements of the array that it is one of.
+    /// Everything that it may be worth: its value, or those of the elements that it is one of which occur.
     pub fn values(&self) -> impl Iterator<Item = TargetValue> + '_ {
         let elements = if self.value.is_some() { &[] } else { self.elements() };
-        self.value().into_iter().chain(elements.iter().copied())
+        let occurring = self.indices().and_then(|indices| indices.occurring.as_deref());
+        let occurs = move |at: &usize| occurring.is_none_or(|occurring| occurring.contains(at));
+        let elements = elements.iter().copied().enumerate().filter(move |(at, _)| occurs(at));
+        self.value().into_iter().chain(elements.map(|(_, value)| value))
     }
 
     /// The text of the value as the source spells it: the aggregate of an inline target, or the initial value of a named
@@ -255,11 +317,21 @@ mod tests {
     #[test]
     fn elements_stand_in_for_a_value_that_only_run_time_tells() {
         let joints = TargetValue::Joint(JointTarget { q_rad: [Some(0.5); 6], ext: [None; 6] });
-        let one_of = Target::new(TextRange::new(0, 5), Origin::Expression).with_elements(vec![joints; 3]);
+        let written = || Target::new(TextRange::new(0, 5), Origin::Expression);
+        let indices =
+            Indices { range: TextRange::new(2, 4), dims: [3].into(), is_element: true, occurring: None };
+        let some = Indices { occurring: Some([0, 2].into()), ..indices.clone() };
+        assert_eq!(some.spread(["a", "c"]), [Some("a"), None, Some("c")]);
+        assert_eq!(indices.spread([1, 2, 3]), [1, 2, 3].map(Some));
+        assert_eq!(written().with_elements(vec![joints; 3], some).values().count(), 2);
+        let element = written().with_elements(vec![joints; 3], indices.clone());
         assert_eq!(
-            (one_of.value(), one_of.values().count(), one_of.origin()),
+            (element.value(), element.values().count(), element.origin()),
             (None, 3, &Origin::Expression)
         );
+        assert_eq!((element.indices(), element.is_one_of()), (Some(&indices), false));
+        let one_of = written().with_one_of(vec![joints; 3]);
+        assert_eq!((one_of.indices(), one_of.is_one_of(), written().is_one_of()), (None, true, false));
         let known = target().with_value(&joints);
         assert_eq!((known.values().count(), known.elements().len()), (1, 0));
         assert_eq!((target().values().count(), target().literal(FileId(2))), (0, None));

@@ -6,7 +6,7 @@ use crate::emit::aggregate::is_plain;
 use crate::emit::number::{pose, write_robjoint};
 use crate::program::Program;
 use crate::program::data::WobjData;
-use crate::program::motion::TargetValue;
+use crate::program::motion::{TargetValue, WobjArgument};
 use nalgebra::Isometry3;
 use robot_model::units::mm_from_m;
 
@@ -35,8 +35,12 @@ pub fn test_targets<'p>(program: &'p Program, plan: &'p Plan) -> impl Iterator<I
         let literal = target.literal(motion.file)?;
         let text = program.file(literal.file).text(literal.range);
         let name = |text: &[u8]| String::from_utf8(text.to_vec()).ok();
-        let [tool, wobj] = motion.setup.frame_arguments.each_ref().map(Option::as_deref);
-        let (tool, wobj) = (name(tool?)?, wobj.and_then(name));
+        let tool = name(motion.setup.tool_argument.as_deref()?)?;
+        let wobj = match &motion.setup.wobj_argument {
+            Some(WobjArgument::Given(wobj)) => name(wobj),
+            Some(WobjArgument::IfPresent(_)) => return None,
+            None => None,
+        };
         let on = motion.setup.wobj.as_ref().map_or_else(Isometry3::identity, WobjData::frame_from_object);
         let frames = [motion.setup.tool.as_ref()?.frame_from_tcp, on];
         let robtarget =

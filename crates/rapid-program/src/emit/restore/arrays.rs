@@ -5,7 +5,7 @@ use crate::emit::check::Elements;
 use crate::emit::number::{write_num, write_orient};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::DataDecl;
+use rapid_syntax::tree::{DataDecl, Expr};
 use robot_model::units::deg_from_rad;
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
@@ -19,8 +19,8 @@ const ROBTARGET: usize = 17;
 pub(super) struct Array<'b> {
     bytes: &'b [u8],
     pub(super) range: TextRange,
-    /// A row is one of an array's targets.
-    pub(super) indexed: bool,
+    /// Of the source's array whose elements its rows are; empty of a single target.
+    pub(super) dims: Vec<usize>,
     rows: Vec<Vec<TextRange>>,
     /// What stood in the motion, without its index.
     pub(super) was: Vec<u8>,
@@ -115,7 +115,7 @@ impl Place {
 }
 
 impl<'b> Array<'b> {
-    /// `None` where a row has no element 1 of numbers.
+    /// `None` where a row has no element 1 of numbers, or a dimension is none.
     pub(super) fn new(
         (bytes, data): (&'b [u8], &DataDecl),
         rows: Vec<Vec<TextRange>>,
@@ -125,12 +125,14 @@ impl<'b> Array<'b> {
         let firsts: Option<Vec<&TextRange>> = rows.iter().map(|row| row.first()).collect();
         let plain = firsts?.iter().all(|range| is_plain(range.of(bytes)));
         let first_element = rows.first()?.first()?.of(bytes);
-        let indexed = data.dims.len() > 1;
+        let (_, own) = data.dims.split_last()?;
+        let size = |dim: &Expr| std::str::from_utf8(dim.range.of(bytes)).ok()?.trim().parse().ok();
+        let dims: Vec<usize> = own.iter().map(size).collect::<Option<_>>()?;
         let was = was.unwrap_or_else(|| match data.name.of(bytes).get(2..) {
-            Some(rest) if indexed || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
+            Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
             _ => first_element.to_vec(),
         });
-        plain.then_some(Self { bytes, range: data.range, indexed, rows, was, letters })
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, letters })
     }
 
     /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.

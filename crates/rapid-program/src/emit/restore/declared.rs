@@ -20,7 +20,7 @@ impl<'w> Remover<'w> {
         for (name, array) in arrays.iter().filter(|_| self.record.is_whole) {
             let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
             let values = match routine {
-                Some(routine) if array.indexed => self.declared_elements(array, Some(routine)),
+                Some(routine) if !array.dims.is_empty() => self.declared_elements(array, Some(routine)),
                 Some(routine) => declarations.initial_value(&array.was, routine).into_iter().collect(),
                 None => Vec::new(),
             };
@@ -29,7 +29,10 @@ impl<'w> Remover<'w> {
                 let text = value.of(self.bytes);
                 let target = || {
                     let was = String::from_utf8_lossy(&array.was);
-                    if array.indexed { format!("{was}{{{}}}", row + 1) } else { was.into_owned() }
+                    match indices_of(&array.dims, row) {
+                        Some(indices) => format!("{was}{{{indices}}}"),
+                        None => was.into_owned(),
+                    }
                 };
                 let line = self.lines.line(value.start);
                 match new {
@@ -79,6 +82,31 @@ impl<'w> Remover<'w> {
                 _ => None,
             })
         });
-        named.and_then(|data| data.init.as_ref()).map(|init| self.parts(init)).unwrap_or_default()
+        named
+            .and_then(|data| data.init.as_ref())
+            .map(|init| self.elements(init, array.dims.len()))
+            .unwrap_or_default()
+    }
+}
+
+/// The indices of an array's element, counted from one; `None` of no array.
+fn indices_of(dims: &[usize], mut at: usize) -> Option<String> {
+    let mut indices = Vec::new();
+    for size in dims.iter().rev() {
+        indices.insert(0, (at % size + 1).to_string());
+        at /= size;
+    }
+    (!dims.is_empty()).then(|| indices.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::indices_of;
+
+    #[test]
+    fn elements_are_counted_from_one_and_the_last_dimension_fastest() {
+        assert_eq!(indices_of(&[], 0), None);
+        assert_eq!(indices_of(&[7], 6).as_deref(), Some("7"));
+        assert_eq!(indices_of(&[2, 3], 3).as_deref(), Some("2,1"));
     }
 }

@@ -98,24 +98,31 @@ impl<'w> Remover<'w> {
     /// The elements of an array, row by row.
     fn rows(&self, data: &DataDecl) -> Result<Vec<Vec<TextRange>>, RestoreError> {
         let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
-        Ok(match (data.dims.len(), &init.kind) {
-            (1, _) => vec![self.parts(init)],
-            (_, ExprKind::Aggregate(rows)) => rows.iter().map(|row| self.parts(row)).collect(),
-            _ => self.parts(init).into_iter().map(|row| self.parts_of_numbers(row)).collect(),
-        })
+        let dims = data.dims.len();
+        let rows = self.elements(init, dims.saturating_sub(1)).len();
+        let elements = self.elements(init, dims);
+        let columns = elements
+            .len()
+            .checked_div(rows)
+            .filter(|columns| columns * rows == elements.len() && *columns > 0);
+        let columns = columns
+            .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
+        Ok(elements.chunks(columns).map(<[TextRange]>::to_vec).collect())
     }
 
-    /// The parts of an aggregate.
-    pub(super) fn parts(&self, expr: &Expr) -> Vec<TextRange> {
-        match &expr.kind {
-            ExprKind::Aggregate(parts) => parts.iter().map(|part| part.range).collect(),
-            ExprKind::Numbers => self.parts_of_numbers(expr.range),
+    /// The elements of an array of so many dimensions, the last one fastest.
+    pub(super) fn elements(&self, init: &Expr, dims: usize) -> Vec<TextRange> {
+        let parts = |all: Vec<TextRange>| -> Vec<TextRange> {
+            all.into_iter().flat_map(|part| ranges_of_numbers(self.bytes, part)).collect()
+        };
+        match (&init.kind, dims.checked_sub(1)) {
+            (_, None) => vec![init.range],
+            (ExprKind::Aggregate(all), Some(rest)) => {
+                all.iter().flat_map(|part| self.elements(part, rest)).collect()
+            }
+            (ExprKind::Numbers, Some(_)) => (0..dims).fold(vec![init.range], |all, _| parts(all)),
             _ => Vec::new(),
         }
-    }
-
-    fn parts_of_numbers(&self, range: TextRange) -> Vec<TextRange> {
-        ranges_of_numbers(self.bytes, range).collect()
     }
 
     /// Takes out the routines; gives the module's own ones.
@@ -252,7 +259,7 @@ impl<'w> Remover<'w> {
         for (name, array) in arrays {
             let Some(rows) = meant.get(name.as_str()) else { continue };
             let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
-            if array.indexed {
+            if !array.dims.is_empty() {
                 if rows.iter().any(Option::is_some) {
                     self.declare_elements((array, routine), rows)?;
                     done.push(name.as_str());
@@ -305,10 +312,9 @@ impl<'w> Remover<'w> {
             ExprKind::Call(call) => call.args.is_empty() && self.is_core(call.name, "tcK"),
             _ => false,
         };
-        let own = match own {
-            [] => None,
-            [one] => Some(one.range),
-            _ => return None,
+        let own = match (own.first(), own.last()) {
+            (Some(first), Some(last)) => Some(first.range.cover(last.range)),
+            _ => None,
         };
         asks.then_some((base.range, own))
     }

@@ -73,7 +73,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         ctx: Ctx,
         seen: &Seen<'_>,
     ) -> Result<Passes<WobjData>, SkipReason> {
-        if args.conditional.iter().any(|name| name == "wobj") {
+        if args.conditional("wobj").is_some() {
             let text = "its work object is handed to the routine, if present".into();
             return Err(keep("keep::wobj-unknown", text));
         }

@@ -6,16 +6,16 @@ use crate::program::built_in::{self, is_built_in_function};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
 use crate::program::data::RobTarget;
-use crate::program::expressions::every_call;
+use crate::program::expressions::{every_call, every_index};
 use crate::program::finite_set::FiniteSet;
 use crate::program::index::{Ctx, DatumId, DatumKind, Index};
-use crate::program::motion::{Origin, Path, SkipReason, Target, TargetValue};
+use crate::program::motion::{Indices, Origin, Path, SkipReason, Target, TargetValue};
 use crate::program::motion_site::MoveArgs;
 use crate::program::names::{as_text, lower_case};
 use crate::program::tracked::names_in;
 use crate::program::value::{DataName, Reached, Value};
 use rapid_syntax::diagnostic::{Diagnostic, Span, TextRange};
-use rapid_syntax::tree::{Arg, ArgKind, DataKind, Expr, ExprKind, UnaryOp};
+use rapid_syntax::tree::{Arg, ArgKind, DataKind, Expr, ExprKind, IndexExpr, UnaryOp};
 use robot_model::units::mm_from_m;
 use std::rc::Rc;
 
@@ -27,6 +27,9 @@ pub(super) struct MotionTargets {
     /// Warnings of those that are read elsewhere too, should the motion be corrected.
     pub(super) read_elsewhere: Vec<(DatumId, Diagnostic)>,
 }
+
+/// An array of more elements is not corrected element by element.
+const MOST_ELEMENTS: usize = 100_000;
 
 impl<'a> MotionReader<'_, 'a> {
     /// The targets of a motion.
@@ -144,11 +147,7 @@ impl<'a> MotionReader<'_, 'a> {
         let value = match folded {
             Ok(value) => value,
             Err(why) => {
-                let elements = self.elements(expr, ctx, joints_wanted);
-                let target = match elements.is_empty() && !joints_wanted && is_known_at_run_time(&why) {
-                    true => target.with_one_of(self.one_of(expr, ctx, on_ways)),
-                    false => target.with_elements(elements),
-                };
+                let target = self.chosen_at_run_time(target, (expr, ctx), joints_wanted, (&why, on_ways));
                 return (target, Some((*why).clone()), calc);
             }
         };
@@ -187,28 +186,85 @@ impl<'a> MotionReader<'_, 'a> {
         targets.into_iter().map(TargetValue::Rob).collect()
     }
 
-    /// All elements of the constant array that `NAME{index}` names; of a target that is handed to a function that scales its
-    /// correction (`tcAt`, as this program emits it) the original and what it is when all has settled; none where it is
-    /// something else.
-    fn elements(&mut self, expr: &'a Expr, ctx: Ctx, joints_wanted: bool) -> Vec<TargetValue> {
-        if let ExprKind::Call(call) = &expr.kind {
-            return self.scaled(call.name, &call.args, ctx, joints_wanted).unwrap_or_default();
+    /// The target with all that it can be, where `why` says that only run time tells which.
+    fn chosen_at_run_time(
+        &mut self,
+        target: Target,
+        (expr, ctx): (&'a Expr, Ctx),
+        joints_wanted: bool,
+        (why, on_ways): (&SkipReason, Option<&FiniteSet>),
+    ) -> Target {
+        if let ExprKind::Call(call) = &expr.kind
+            && let Some(values) = self.scaled(call.name, &call.args, ctx, joints_wanted)
+        {
+            return target.with_drift(values);
         }
-        let ExprKind::Index(element_of) = &expr.kind else { return Vec::new() };
-        let base = &element_of.base;
-        let ([index], ExprKind::Name) = (&*element_of.indices, &base.kind) else { return Vec::new() };
-        if is_asked_once(self.evaluator.index, ctx, index) && !self.is_bucket(index, ctx) {
-            return Vec::new(); // asked twice, for the element and for its correction, it may answer differently
+        let by_index = self.elements(expr, ctx, joints_wanted);
+        let is_all_of_one =
+            |(_, indices): &(Vec<TargetValue>, Indices)| indices.is_element && indices.dims.len() == 1;
+        let one_of =
+            match joints_wanted || !is_known_at_run_time(why) || by_index.as_ref().is_some_and(is_all_of_one)
+            {
+                true => Vec::new(),
+                false => self.one_of(expr, ctx, on_ways),
+            };
+        match by_index {
+            Some((values, indices)) => {
+                let occurring = occurring(&values, &one_of);
+                target.with_elements(values, Indices { occurring, ..indices })
+            }
+            None => target.with_one_of(one_of),
         }
-        let Ok(Value::Parts(parts)) = self.evaluator.fold(base, ctx, &Constant).map(|typed| typed.value)
-        else {
-            return Vec::new();
+    }
+
+    /// What an expression is for every element of a constant array that it names, where nothing else of it hangs on run time:
+    /// `pRaster{i,j}`, `Offs(pRaster{i,j},0,0,10)`, `Offs(p10,rStep{i},0,rDepth{i})`.
+    fn elements(
+        &mut self,
+        expr: &'a Expr,
+        ctx: Ctx,
+        joints_wanted: bool,
+    ) -> Option<(Vec<TargetValue>, Indices)> {
+        let mut named = Vec::new();
+        every_index(expr, &mut |at, element_of| named.push((at, element_of)));
+        let is_const = |this: &mut Self, index: &Expr| this.evaluator.fold(index, ctx, &Constant).is_ok();
+        named.retain(|(_, element_of)| !element_of.indices.iter().all(|index| is_const(self, index)));
+        let range_of = |element_of: &IndexExpr| {
+            let (first, last) = (element_of.indices.first()?, element_of.indices.last()?);
+            Some(first.range.cover(last.range))
         };
-        let element = |part: &Value| match joints_wanted {
-            true => convert::jointtarget(part).map(TargetValue::Joint).ok(),
-            false => convert::robtarget(part).map(TargetValue::Rob).ok(),
-        };
-        parts.iter().map(element).collect::<Option<_>>().unwrap_or_default()
+        let (_, first) = named.first()?;
+        let range = range_of(first)?;
+        let index = self.evaluator.index;
+        let written = index.text(ctx.file, range);
+        let mut dims: Option<Vec<usize>> = None;
+        for (_, element_of) in &named {
+            if index.text(ctx.file, range_of(element_of)?) != written {
+                return None;
+            }
+            let base = self.evaluator.fold(&element_of.base, ctx, &Constant).ok()?.value;
+            let own = dims_of(&base, element_of.indices.len())?;
+            // Of two arrays the shorter one ends what can be asked.
+            let dims = dims.get_or_insert_with(|| own.clone());
+            dims.iter_mut().zip(own).for_each(|(all, own)| *all = own.min(*all));
+        }
+        let dims = dims.filter(|dims| dims.iter().product::<usize>() <= MOST_ELEMENTS)?;
+        // Asked twice, for the element and for its correction, it may answer differently.
+        let is_asked_once = |at: &Expr| is_asked_once(index, ctx, at) && !self.is_bucket(at, ctx);
+        if first.indices.iter().any(is_asked_once) {
+            return None;
+        }
+        let is_element = matches!((&expr.kind, &first.base.kind), (ExprKind::Index(_), ExprKind::Name));
+        let places: Vec<TextRange> = named.iter().map(|(at, _)| *at).collect();
+        let mut values = Vec::with_capacity(dims.iter().product());
+        for indices in all_indices(&dims) {
+            let folded = self.evaluator.fold_at(expr, ctx, (&places, &indices)).ok()?;
+            values.push(match joints_wanted {
+                true => convert::jointtarget(&folded).map(TargetValue::Joint).ok()?,
+                false => convert::robtarget(&folded).map(TargetValue::Rob).ok()?,
+            });
+        }
+        Some((values, Indices { range, dims: dims.into(), is_element, occurring: None }))
     }
 
     /// Whether an index asks for the bucket in force, as this program emits it: `tcK()`.
@@ -273,6 +329,36 @@ impl<'a> MotionReader<'_, 'a> {
             _ => (Origin::Expression, None),
         }
     }
+}
+
+/// How many elements an array has in each of so many dimensions; `None` where not all its rows are as long.
+fn dims_of(array: &Value, count: usize) -> Option<Vec<usize>> {
+    let (Some(rest), Value::Parts(parts)) = (count.checked_sub(1), array) else { return None };
+    if rest == 0 {
+        return Some(vec![parts.len()]);
+    }
+    let mut dims = parts.iter().map(|part| dims_of(part, rest));
+    let first = dims.next()??;
+    dims.all(|other| other.as_ref() == Some(&first)).then(|| [vec![parts.len()], first].concat())
+}
+
+/// Positions of the elements that are among a target's values, where those are known and are not all.
+fn occurring(elements: &[TargetValue], values: &[TargetValue]) -> Option<Box<[usize]>> {
+    let occurs = |at: &usize| values.contains(&elements[*at]);
+    let occurring: Box<[usize]> = (0..elements.len()).filter(occurs).collect();
+    (!occurring.is_empty() && occurring.len() < elements.len()).then_some(occurring)
+}
+
+/// All elements' indices, counted from one, the last dimension fastest.
+fn all_indices(dims: &[usize]) -> impl Iterator<Item = Vec<f64>> + '_ {
+    (0..dims.iter().product()).map(move |mut at: usize| {
+        let mut indices = vec![0.0; dims.len()];
+        for (index, size) in indices.iter_mut().zip(dims).rev() {
+            *index = (at % size + 1) as f64;
+            at /= size;
+        }
+        indices
+    })
 }
 
 /// Whether an expression may be worth something else when it is asked a second time, or does more than answer: it calls a

@@ -1,0 +1,118 @@
+//! Targets that differ with the element of an array of several dimensions, alone or in an expression, executed: the correction has
+//! the source's own indices.
+
+use super::MINUTES;
+use super::made::{Files, fixture, made_as, session, warmth};
+use rapid_program::compensate::FormChoice;
+use rapid_program::emit::restore;
+use robot_model::deform::Deformation;
+use robot_model::units::{deg_from_rad, mm_from_m};
+
+fn text(files: &Files) -> String {
+    String::from_utf8_lossy(&files[0].1).into_owned()
+}
+
+#[test]
+fn the_correction_of_an_element_has_the_indices_of_the_source() {
+    let (paper, original) = (Deformation::paper(), fixture("simulate/elements.mod"));
+    let by_index = [
+        "      MoveL tcAt(pGrid{r,2},tcPGrid{r,2}),v100",
+        "        MoveL tcAt(pLayer{2,r,c},tcPLayer{2,r,c}),v100",
+        "        MoveL tcAt(Offs(pGrid{r,c},0,0,12),tc43{r,c}),v100",
+        "      MoveL tcAt(Offs(pFirst,nStep{i},0,nDepth{i}),tc47{i}),v100",
+        "        MoveL tcAt(pGrid{nRow,nColumn},tcPGrid_2{nRow,nColumn}),v100",
+    ];
+    for form in [FormChoice::Ramp, FormChoice::Auto, FormChoice::Live] {
+        let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
+        assert_eq!(kept, 0, "{form:?}");
+        let made = text(&program);
+        // What nothing but its indices says asks the model in the form `live`, where the written configuration is reached.
+        let asked = by_index.iter().filter(|line| made.contains(**line)).count();
+        assert!(asked == if form == FormChoice::Live { 4 } else { 5 }, "{form:?}: {made}");
+        assert!(made.lines().all(|line| line.len() <= 255));
+        let mut s = session(&program, &original, &paper, false);
+        s.at_minutes(&MINUTES).unwrap();
+        let report = s.into_report();
+        for pass in &report.passes {
+            // Home, 3 x 4 in WHILE, three of a column, 3 x 2 of a layer and above the grid, forty steps.
+            let all = 1 + 12 + 3 + 6 + 6 + 40;
+            assert_eq!((&pass.failure, &pass.mismatch, pass.n), (&None, &None, all), "{form:?}");
+            let (off_mm, off_deg) = (mm_from_m(pass.corrected.max_m), deg_from_rad(pass.corrected.max_rad));
+            assert!(off_mm <= 5e-4 && off_deg <= 1e-4, "{form:?}: {off_mm} mm, {off_deg} deg");
+        }
+        assert_eq!(report.unchanged.len(), 0, "{form:?}: {:?}", report.unchanged);
+        let last = report.passes.last().unwrap();
+        assert!(mm_from_m(last.before.max_m) > 0.1);
+        let restored = restore(&program[0].1).unwrap();
+        assert!(restored.exact && restored.bytes == original[0].1, "{form:?}");
+    }
+}
+
+/// An array has three dimensions at most, and one is the bucket's.
+#[test]
+fn a_schedule_takes_two_indices_beside_its_own() {
+    let (paper, original) = (Deformation::paper(), fixture("simulate/elements.mod"));
+    let (program, kept) = made_as(FormChoice::Schedule, &original, &paper, &warmth()).unwrap();
+    assert_eq!(kept, 3, "three dimensions, and two expressions");
+    let made = text(&program);
+    for asked in ["MoveL tcpGrid{r,2,tcK()},", "MoveL tcpGrid_2{nRow,nColumn,tcK()},", "tcpGrid_2{3,4,"] {
+        assert!(made.contains(asked), "{asked}: {made}");
+    }
+    let mut s = session(&program, &original, &paper, false);
+    s.at_minutes(&MINUTES).unwrap();
+    for pass in s.into_report().passes {
+        let off_mm = mm_from_m(pass.corrected.max_m);
+        assert!(pass.failure.is_none() && off_mm <= 0.0055, "{off_mm} mm at {}", pass.t_min);
+    }
+    assert!(restore(&program[0].1).unwrap().exact);
+}
+
+/// The element in force is touched up: its own correction is taken off, and what is left goes into the source's element.
+#[test]
+fn a_touched_up_element_of_two_dimensions_goes_back_into_its_own_element() {
+    let (paper, original) = (Deformation::paper(), fixture("simulate/elements.mod"));
+    let (program, _) = made_as(FormChoice::Schedule, &original, &paper, &warmth()).unwrap();
+    let made = text(&program);
+    let (before, array) = made.split_once("robtarget tcpGrid_2{").unwrap();
+    // Element 1 of row 2, column 3, is the original.
+    let touched =
+        format!("{before}robtarget tcpGrid_2{{{}", array.replacen("[[40,50,20]", "[[40,50.75,20]", 1));
+    assert_ne!(touched, made);
+    let restored = restore(touched.as_bytes()).unwrap();
+    let [one] = &restored.touched[..] else { panic!("{:?}", restored.touched) };
+    // What it was is told from the other elements, which are written with five decimals.
+    assert!((one.moved - 0.75).abs() < 5e-5, "{}", one.moved);
+    let expected = text(&original).replacen("[[40,50,20]", "[[40,50.75,20]", 1);
+    let numbers = |text: &str| text.replace(char::is_whitespace, "").replace("9E+09", "9E9");
+    assert_eq!(numbers(&String::from_utf8_lossy(&restored.bytes)), numbers(&expected));
+}
+
+/// `\WObj?w`, as routines that stand round a motion have it.
+#[test]
+fn a_work_object_that_is_handed_on_if_present_is_asked_for_at_run_time() {
+    let source = "MODULE Round\n  \
+         PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];\n  \
+         PERS wobjdata wTable:=[FALSE,TRUE,\"\",[[430,0,180],[0.99619470,0,0,0.08715574]],[[10,20,5],[1,0,0,0]]];\n  \
+         CONST robtarget pIn:=[[0,40,60],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  \
+         CONST robtarget pOut:=[[450,40,250],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  \
+         VAR num n:=0;\n  \
+         PROC main()\n    MoveAbsJ [[10,10,20,5,50,10],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;\n    n:=n+1;\n    \
+         rTo Offs(pOut,n,0,0),v100;\n    rTo Offs(pIn,n,0,0),v200\\w:=wTable;\n  ENDPROC\n  \
+         PROC rTo(robtarget p,speeddata v\\PERS wobjdata w)\n    MoveJ p,v,fine,tGun\\WObj?w;\n  ENDPROC\nENDMODULE\n";
+    let (paper, original) =
+        (Deformation::paper(), vec![("Round.mod".to_owned(), source.as_bytes().to_vec())]);
+    for form in [FormChoice::Live, FormChoice::Auto] {
+        let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
+        assert_eq!(kept, 0, "{form:?}");
+        let made = text(&program);
+        assert!(made.contains("    MoveJ tcLive(p,tGun\\WObj?w),v,fine,tGun\\WObj?w;"), "{form:?}: {made}");
+        let mut s = session(&program, &original, &paper, false);
+        s.at_minutes(&MINUTES).unwrap();
+        for pass in s.into_report().passes {
+            assert_eq!((&pass.failure, &pass.mismatch, pass.n), (&None, &None, 3), "{form:?}");
+            let off_mm = mm_from_m(pass.corrected.max_m);
+            assert!(off_mm <= 5e-4, "{form:?}: {off_mm} mm at {}", pass.t_min);
+        }
+        assert!(restore(&program[0].1).unwrap().exact);
+    }
+}
