@@ -274,7 +274,8 @@ impl Compensation {
         program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
     }
 
-    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed.
+    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And a
+    /// built-in robot that one description alone knows.
     fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let mut messages = self.of_another_robot(program);
         if !self.allow_other_robot {
@@ -283,6 +284,15 @@ impl Compensation {
                 let help = message.help.take().unwrap_or_default();
                 message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
             }
+        }
+        let robot = &self.robot.model;
+        if robot.is_of_one_description() {
+            let text = format!(
+                "no second public description confirms the dimensions of {}: {}",
+                robot.name, robot.source
+            );
+            let help = "compare them with the data sheet: `driftpost robot --robot NAME` prints them, and writes a file that can be corrected";
+            messages.push(Diagnostic::warning("robot::one-description", text).help(help));
         }
         messages
     }

@@ -3,9 +3,6 @@
 
 use super::{Robot, RobotError};
 
-/// Reaches that differ by less are of one arm, metres: a backup says 0.81 where the data sheet says 0.8.
-const SAME_REACH_M: f64 = 0.011;
-
 /// What a backup says of a robot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BackedUp {
@@ -109,20 +106,12 @@ fn built_in(kind: &str) -> Result<Robot, RobotError> {
             Robot::built_in_names().join(", ")
         ))
     };
-    let [_, number, reach, _payload] = parts[..] else { return Err(unknown()) };
-    let reach: f64 = reach.parse().map_err(|_| unknown())?;
-    // A coupled arm is refused with its own reason.
-    if let Err(refused @ RobotError::Refused { .. }) = Robot::by_name(&format!("irb{number}")) {
-        return Err(refused);
-    }
-    let is_it = |robot: &Robot| {
-        let rest = robot.name.split("IRB ").nth(1)?;
-        let (own, rest) = rest.split_once('-')?;
-        let own_reach: f64 = rest.split_once('/')?.1.parse().ok()?;
-        Some(own.eq_ignore_ascii_case(number) && (own_reach - reach).abs() < SAME_REACH_M)
-    };
-    let all = Robot::built_in_names().iter().filter_map(|name| Robot::built_in(name));
-    all.into_iter().find(|robot| is_it(robot) == Some(true)).ok_or_else(unknown)
+    let [_, number, reach, payload] = parts[..] else { return Err(unknown()) };
+    // One of coupled axes, or of other than six, is refused with its own reason.
+    Robot::by_name(&format!("IRB {number}-{payload}/{reach}")).map_err(|error| match error {
+        RobotError::Unknown { .. } => unknown(),
+        refused => refused,
+    })
 }
 
 fn wrong(problem: String) -> RobotError {
@@ -220,7 +209,8 @@ mod tests {
             said(&MOC.replace("140_0.81_6", "6700_LeanID_2.65_220"), None)
                 .contains("ROB1_6700_LeanID_2.65_220 are not built in")
         );
-        assert!(said(&MOC.replace("140_0.81_6", "910SC_0.55_3"), None).contains("are not built in"));
+        assert!(said(&MOC.replace("140_0.81_6", "140_0.95_6"), None).contains("are not built in"));
+        assert!(said(&MOC.replace("140_0.81_6", "910SC_0.55_3"), None).contains("four joints of a SCARA"));
         assert!(
             said(&MOC.replace("140_0.81_6", "2400_1.55_16"), None).contains("coupled by a parallelogram")
         );

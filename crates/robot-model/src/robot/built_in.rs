@@ -1,26 +1,72 @@
-//! The robots that are built in, and those that are refused by name.
+//! The robots that are built in.
 
-use super::{Robot, RobotError};
+use super::kind::TypeName;
+use super::{Robot, RobotError, refused};
 
-/// Name and file, in the order they are listed to a user.
-const FILES: [(&str, &str); 17] = [
+/// Name and file, in the order they are listed to a user: what a command takes without `--robot` first.
+const FILES: &[(&str, &str)] = &[
     ("irb140", include_str!("built_in/irb140.toml")),
+    ("irb52-1.2", include_str!("built_in/irb52-1.2.toml")),
+    ("irb52-1.45", include_str!("built_in/irb52-1.45.toml")),
     ("irb120", include_str!("built_in/irb120.toml")),
+    ("irb1010", include_str!("built_in/irb1010.toml")),
+    ("irb1100-0.475", include_str!("built_in/irb1100-0.475.toml")),
+    ("irb1100-0.58", include_str!("built_in/irb1100-0.58.toml")),
     ("irb1200", include_str!("built_in/irb1200.toml")),
     ("irb1200-0.7", include_str!("built_in/irb1200-0.7.toml")),
+    ("irb1300-0.9", include_str!("built_in/irb1300-0.9.toml")),
+    ("irb1300-1.15", include_str!("built_in/irb1300-1.15.toml")),
+    ("irb1300-1.4", include_str!("built_in/irb1300-1.4.toml")),
+    ("irb1520id", include_str!("built_in/irb1520id.toml")),
     ("irb1600-1.2", include_str!("built_in/irb1600-1.2.toml")),
     ("irb1600-1.45", include_str!("built_in/irb1600-1.45.toml")),
+    ("irb1600id", include_str!("built_in/irb1600id.toml")),
+    ("irb1660id", include_str!("built_in/irb1660id.toml")),
     ("irb2600", include_str!("built_in/irb2600.toml")),
     ("irb2600-1.85", include_str!("built_in/irb2600-1.85.toml")),
+    ("irb2600id-1.85", include_str!("built_in/irb2600id-1.85.toml")),
+    ("irb2600id-2.0", include_str!("built_in/irb2600id-2.0.toml")),
     ("irb4600", include_str!("built_in/irb4600.toml")),
     ("irb4600-2.5", include_str!("built_in/irb4600-2.5.toml")),
     ("irb4600-2.55", include_str!("built_in/irb4600-2.55.toml")),
+    ("irb5710-2.3", include_str!("built_in/irb5710-2.3.toml")),
+    ("irb5710-2.3-lid", include_str!("built_in/irb5710-2.3-lid.toml")),
+    ("irb5710-2.7", include_str!("built_in/irb5710-2.7.toml")),
+    ("irb5710-2.7-lid", include_str!("built_in/irb5710-2.7-lid.toml")),
+    ("irb5720-2.6", include_str!("built_in/irb5720-2.6.toml")),
+    ("irb5720-2.6-lid", include_str!("built_in/irb5720-2.6-lid.toml")),
+    ("irb5720-3.0", include_str!("built_in/irb5720-3.0.toml")),
+    ("irb5720-3.0-lid", include_str!("built_in/irb5720-3.0-lid.toml")),
+    ("irb6600-2.55", include_str!("built_in/irb6600-2.55.toml")),
+    ("irb6600-2.8", include_str!("built_in/irb6600-2.8.toml")),
+    ("irb6620", include_str!("built_in/irb6620.toml")),
+    ("irb6640-2.55", include_str!("built_in/irb6640-2.55.toml")),
+    ("irb6640-2.75", include_str!("built_in/irb6640-2.75.toml")),
+    ("irb6640-2.8", include_str!("built_in/irb6640-2.8.toml")),
+    ("irb6640-3.2", include_str!("built_in/irb6640-3.2.toml")),
+    ("irb6650-2.75", include_str!("built_in/irb6650-2.75.toml")),
+    ("irb6650-3.2", include_str!("built_in/irb6650-3.2.toml")),
+    ("irb6650s-3.0", include_str!("built_in/irb6650s-3.0.toml")),
     ("irb6650s-3.5", include_str!("built_in/irb6650s-3.5.toml")),
     ("irb6650s-3.9", include_str!("built_in/irb6650s-3.9.toml")),
     ("irb6700", include_str!("built_in/irb6700.toml")),
     ("irb6700-2.65", include_str!("built_in/irb6700-2.65.toml")),
+    ("irb6700-2.7", include_str!("built_in/irb6700-2.7.toml")),
+    ("irb6700-2.8", include_str!("built_in/irb6700-2.8.toml")),
+    ("irb6700-2.85", include_str!("built_in/irb6700-2.85.toml")),
+    ("irb6700-3.0", include_str!("built_in/irb6700-3.0.toml")),
+    ("irb6700-3.05", include_str!("built_in/irb6700-3.05.toml")),
     ("irb6700-3.2", include_str!("built_in/irb6700-3.2.toml")),
+    ("irb6790-2.65", include_str!("built_in/irb6790-2.65.toml")),
+    ("irb6790-2.8", include_str!("built_in/irb6790-2.8.toml")),
+    ("irb7600-2.3", include_str!("built_in/irb7600-2.3.toml")),
+    ("irb7600-2.55", include_str!("built_in/irb7600-2.55.toml")),
+    ("irb7600-2.8", include_str!("built_in/irb7600-2.8.toml")),
+    ("irb7600-3.1", include_str!("built_in/irb7600-3.1.toml")),
     ("irb7600-3.5", include_str!("built_in/irb7600-3.5.toml")),
+    ("crb1300-0.9", include_str!("built_in/crb1300-0.9.toml")),
+    ("crb1300-1.15", include_str!("built_in/crb1300-1.15.toml")),
+    ("crb1300-1.4", include_str!("built_in/crb1300-1.4.toml")),
 ];
 
 /// GoFa: axes 4, 5 and 6 do not meet in one point, so that joints of a robtarget are not found in closed form.
@@ -28,6 +74,28 @@ const OFFSET_WRIST: [(&str, &str); 3] = [
     ("crb15000-5", include_str!("built_in/crb15000-5.toml")),
     ("crb15000-10", include_str!("built_in/crb15000-10.toml")),
     ("crb15000-12", include_str!("built_in/crb15000-12.toml")),
+];
+
+/// Those whose dimensions only one public description gives, or whose descriptions give different ones (docs/ROBOTS.md).
+const OF_ONE_DESCRIPTION: [&str; 18] = [
+    "irb5710-2.3-lid",
+    "irb5710-2.7",
+    "irb5710-2.7-lid",
+    "irb5720-2.6-lid",
+    "irb5720-3.0",
+    "irb5720-3.0-lid",
+    "irb6600-2.8",
+    "irb6640-2.75",
+    "irb6640-3.2",
+    "irb6650-2.75",
+    "irb6650-3.2",
+    "irb6700-2.7",
+    "irb6700-3.0",
+    "irb6790-2.65",
+    "irb6790-2.8",
+    "crb1300-0.9",
+    "crb1300-1.15",
+    "crb1300-1.4",
 ];
 
 /// Names of all, those of [`FILES`] first.
@@ -41,25 +109,6 @@ const NAMES: [&str; FILES.len() + OFFSET_WRIST.len()] = {
     names
 };
 
-/// Robots whose joints 2 and 3 are coupled by a parallelogram or a linkage, which a chain of six independent
-/// joints does not describe. Prefixes of the squeezed name.
-const COUPLED: [&str; 11] = [
-    "irb1400",
-    "irb1410",
-    "irb2400",
-    "irb4400",
-    "irb6400",
-    "irb6640id",
-    "irb640",
-    "irb660",
-    "irb460",
-    "irb760",
-    "irb260",
-];
-
-/// What GoFa is called beside its type, and its type without a size.
-const GOFA: [&str; 2] = ["gofa", "crb15000"];
-
 impl Robot {
     /// The built-in robot of that name; case, blanks and hyphens do not matter.
     #[must_use]
@@ -67,11 +116,12 @@ impl Robot {
         Self::from_toml(Self::built_in_file(name)?).ok()
     }
 
-    /// The robot file (TOML) of the built-in robot of that name.
+    /// The robot file (TOML) of the built-in robot of that name, or of that type as ABB writes it: `IRB 6700-300/2.70`.
     #[must_use]
     pub fn built_in_file(name: &str) -> Option<&'static str> {
         let wanted = squeezed(name);
-        all().find(|(known, _)| squeezed(known) == wanted).map(|(_, text)| *text)
+        let by_name = all().find(|(known, _)| squeezed(known) == wanted);
+        by_name.or_else(|| by_type(name)).map(|(_, text)| *text)
     }
 
     /// The names of the built-in robots whose joints are found in closed form, as programs need it.
@@ -86,30 +136,36 @@ impl Robot {
         &NAMES[FILES.len()..]
     }
 
+    /// Whether this is a built-in robot whose dimensions no second public description confirms.
+    #[must_use]
+    pub fn is_of_one_description(&self) -> bool {
+        let alike =
+            |name: &&str| Self::built_in(name).is_some_and(|own| own.name == self.name && own.same_arm(self));
+        OF_ONE_DESCRIPTION.iter().any(alike)
+    }
+
     /// The built-in robot of that name.
     ///
     /// # Errors
-    /// [`RobotError::Refused`] for robots whose joints are coupled, [`RobotError::Unknown`] with the names that exist and the nearest of
-    /// them for any other.
+    /// [`RobotError::Refused`] for robots whose joints are coupled, [`RobotError::NotSixAxis`] for ABB's of other than six turning joints,
+    /// [`RobotError::Unknown`] with the names that exist and the nearest of them for any other.
     pub fn by_name(name: &str) -> Result<Self, RobotError> {
         if let Some(robot) = Self::built_in(name) {
             return Ok(robot);
         }
-        let wanted = squeezed(name);
-        if COUPLED.iter().any(|prefix| wanted.starts_with(prefix)) {
-            return Err(RobotError::Refused {
-                name: name.to_owned(),
-                reason: "joints 2 and 3 of this robot are coupled by a parallelogram or a linkage, which a chain \
-                         of six independent joints does not describe; compensating it by such a chain would move \
-                         it wrongly"
-                    .to_owned(),
-            });
+        if let Some(refused) = refused::by_name(name) {
+            return Err(refused);
         }
-        let gofa = GOFA.iter().any(|prefix| wanted.starts_with(prefix)).then(|| {
-            let sized = |known: &&&str| wanted.starts_with(&squeezed(known));
-            Self::built_in_with_offset_wrist().iter().find(sized).copied().unwrap_or(OFFSET_WRIST[0].0)
-        });
-        let nearest = gofa.or_else(|| {
+        let wanted = squeezed(name);
+        let gofa = wanted.starts_with("gofa").then_some(OFFSET_WRIST[0].0);
+        let kin = || {
+            let own = TypeName::of(name)?;
+            NAMES
+                .iter()
+                .copied()
+                .find(|known| TypeName::of(known).is_some_and(|known| known.same_family(&own)))
+        };
+        let nearest = gofa.or_else(kin).or_else(|| {
             NAMES
                 .iter()
                 .map(|known| (strsim::levenshtein(&squeezed(known), &wanted), *known))
@@ -124,6 +180,15 @@ impl Robot {
 /// Name and file of every built-in robot.
 fn all() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
     FILES.iter().chain(&OFFSET_WRIST)
+}
+
+/// The one of that family and reach; the payload does not matter, as arms of one reach have one geometry.
+fn by_type(name: &str) -> Option<&'static (&'static str, &'static str)> {
+    let wanted = TypeName::of(name).filter(|wanted| wanted.reach_m.is_some())?;
+    all().find(|(_, text)| {
+        let own = text.lines().next().and_then(TypeName::of);
+        own.is_some_and(|own| own.reach_m.is_some() && own.same_arm(&wanted))
+    })
 }
 
 /// Lower case, letters, digits and points only, without the maker's name.
@@ -154,27 +219,48 @@ mod tests {
     }
 
     #[test]
-    fn a_coupled_robot_is_refused_with_the_reason() {
-        for name in ["IRB 2400", "irb4400", "irb6640ID"] {
-            assert!(matches!(Robot::by_name(name), Err(RobotError::Refused { .. })), "{name}");
+    fn a_type_as_its_maker_writes_it_is_a_name() {
+        for (written, name) in [
+            ("IRB 6700-300/2.70", "irb6700-2.7"),
+            ("ABB IRB 4600-45/2.05", "irb4600"),
+            ("irb4600-2.05", "irb4600"),
+            ("IRB 140-6/0.81", "irb140"),
+            ("IRB1300-12/1.4", "irb1300-1.4"),
+            ("IRB 2600ID-8/2.00", "irb2600id-2.0"),
+            ("IRB 5710-90/2.30 LID", "irb5710-2.3-lid"),
+            ("ABB CRB 15000-5/0.95", "crb15000-5"),
+        ] {
+            assert_eq!(Robot::by_name(written), Ok(Robot::built_in(name).unwrap()), "{written}");
         }
+        for (written, nearest) in [
+            ("IRB 6700-150/3.2 LeanID", "irb6700"),
+            ("IRB 4600-20/2.3", "irb4600"),
+            ("IRB 140T-6/0.81", "irb140"),
+            ("IRB 6600-200/2.75", "irb6600-2.55"),
+            ("GoFa", "crb15000-5"),
+            ("CRB 15000", "crb15000-5"),
+        ] {
+            let error = Robot::by_name(written).unwrap_err();
+            assert_eq!(error.code(), "robot::unknown", "{written}");
+            assert!(error.to_string().contains(&format!("did you mean `{nearest}`?")), "{error}");
+        }
+    }
+
+    #[test]
+    fn what_no_second_description_confirms_is_known() {
+        let arm = |name| Robot::built_in(name).unwrap();
+        assert!(OF_ONE_DESCRIPTION.iter().all(|name| arm(name).is_of_one_description()));
+        assert!(!arm("irb140").is_of_one_description());
+        let mut measured = arm("irb6600-2.8");
+        measured.joints[2].previous_from_joint.translation.z += 1e-3;
+        assert!(!measured.is_of_one_description(), "the user's own lengths are");
     }
 
     #[test]
     fn gofa_is_built_in_by_its_types() {
         assert_eq!(Robot::by_name("ABB CRB 15000-5").unwrap().name, "ABB CRB 15000-5/0.95");
         assert_eq!(Robot::by_name("crb15000-12").unwrap().name, "ABB CRB 15000-12/1.27");
-        for (name, meant) in [
-            ("GoFa", "crb15000-5"),
-            ("CRB 15000", "crb15000-5"),
-            ("abb crb15000-5/0.95", "crb15000-5"),
-            ("crb15000-12/1.27", "crb15000-12"),
-        ] {
-            let error = Robot::by_name(name).unwrap_err();
-            assert_eq!(error.code(), "robot::unknown", "{name}");
-            assert!(error.to_string().contains(&format!("did you mean `{meant}`?")), "{error}");
-        }
-        assert!(!Robot::built_in_names().iter().any(|name| name.starts_with("crb")));
+        assert!(!Robot::built_in_names().iter().any(|name| name.starts_with("crb15000")));
     }
 
     #[test]

@@ -14,29 +14,76 @@ impl Robot {
     }
 }
 
-/// Whether two names, such as `ABB IRB 140-6/0.8` and `IRB140`, may be of one arm: the number behind `IRB` counts, and the
-/// reach behind the slash where both have one. `None` where one of them has no such number.
+/// Whether two names, such as `ABB IRB 140-6/0.8` and `IRB140`, may be of one arm: the type counts, and the reach behind the
+/// slash where both have one. `None` where one of them names no type of ABB's.
 #[must_use]
 pub fn same_type(a: &str, b: &str) -> Option<bool> {
-    let ((type_a, reach_a), (type_b, reach_b)) = (number_and_reach(a)?, number_and_reach(b)?);
-    let same_reach = match (reach_a, reach_b) {
-        (Some(a), Some(b)) => a == b,
-        _ => true,
-    };
-    Some(type_a == type_b && same_reach)
+    Some(TypeName::of(a)?.same_arm(&TypeName::of(b)?))
 }
 
-/// Type number and reach: `("140", Some(0.8))` of `IRB 140-6/0.8`.
-fn number_and_reach(name: &str) -> Option<(&str, Option<f64>)> {
-    let at = name.to_ascii_uppercase().find("IRB")?;
-    let rest = name.get(at + 3..)?.trim_start_matches([' ', '-', '_']);
-    let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-    let number = rest.get(..end).filter(|number| !number.is_empty())?;
-    let reach = rest.split_once('/').map(|(_, reach)| {
-        let end = reach.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(reach.len());
-        reach.get(..end).and_then(|reach| reach.parse().ok())
-    });
-    Some((number, reach.flatten()))
+/// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8.
+pub(super) const SAME_REACH_M: f64 = 0.011;
+
+/// What the name of an ABB robot says: of `IRB 2600ID-15/1.85` the family `IRB 2600ID` and the reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TypeName<'n> {
+    /// CRB, not IRB.
+    is_cobot: bool,
+    /// Digits behind the letters.
+    pub(super) number: &'n str,
+    /// Up to three letters behind the digits: `ID`, `S`, `SC`.
+    pub(super) variant: &'n str,
+    /// Behind the slash, or behind the hyphen where it has a decimal point: `irb4600-2.55`.
+    pub(super) reach_m: Option<f64>,
+    /// With the dress pack inside its wrist, whose flange stands further out: LID, LeanID.
+    is_lean: bool,
+}
+
+impl<'n> TypeName<'n> {
+    pub(super) fn of(name: &'n str) -> Option<Self> {
+        let upper = name.to_ascii_uppercase();
+        let (at, is_cobot) =
+            upper.find("IRB").map(|at| (at, false)).or(upper.find("CRB").map(|at| (at, true)))?;
+        let rest = name.get(at + 3..)?.trim_start_matches([' ', '-', '_']);
+        let (number, rest) = rest.split_at(rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()));
+        if number.is_empty() {
+            return None;
+        }
+        let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+        let variant = rest.get(..letters).filter(|letters| letters.len() <= 3).unwrap_or_default();
+        let leading = |text: &str| {
+            let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(text.len());
+            text.get(..end).and_then(|number| number.trim_end_matches('.').parse().ok())
+        };
+        let reach_m = match rest.split_once('/') {
+            Some((_, reach)) => leading(reach),
+            None => rest
+                .split_once('-')
+                .map(|(_, reach)| reach)
+                .filter(|reach| reach.contains('.'))
+                .and_then(leading),
+        };
+        let is_lean =
+            rest.to_ascii_uppercase().contains("LID") || rest.to_ascii_uppercase().contains("LEANID");
+        Some(Self { is_cobot, number, variant, reach_m, is_lean })
+    }
+
+    /// Whether both are IRB 6700s, of whatever reach; a variant's letters do not matter.
+    pub(super) fn same_family(&self, other: &Self) -> bool {
+        self.is_cobot == other.is_cobot && self.number == other.number
+    }
+
+    /// Whether both may be one arm: reaches count where both have one.
+    pub(super) fn same_arm(&self, other: &Self) -> bool {
+        let same_reach = match (self.reach_m, other.reach_m) {
+            (Some(a), Some(b)) => (a - b).abs() < SAME_REACH_M,
+            _ => true,
+        };
+        self.same_family(other)
+            && self.variant.eq_ignore_ascii_case(other.variant)
+            && self.is_lean == other.is_lean
+            && same_reach
+    }
 }
 
 #[cfg(test)]
@@ -50,6 +97,12 @@ mod tests {
         assert_eq!(same_type("IRB140", "IRB 1400"), Some(false));
         assert_eq!(same_type("IRB 1600-6/1.2", "ABB IRB 1600-8/1.45"), Some(false));
         assert_eq!(same_type("IRB-120", "IRB_120 3/0.58"), Some(true));
+        assert_eq!(same_type("IRB 140-6/0.81", "ABB IRB 140-6/0.8"), Some(true));
+        assert_eq!(same_type("irb4600-2.55", "ABB IRB 4600-60/2.05"), Some(false));
+        assert_eq!(same_type("IRB 2600-12/1.85", "ABB IRB 2600ID-15/1.85"), Some(false));
+        assert_eq!(same_type("IRB 6650-125/3.2", "irb6650s"), Some(false));
+        assert_eq!(same_type("IRB 5710-110/2.30", "IRB 5710-90/2.30 LID"), Some(false));
+        assert_eq!(same_type("IRB 1300-7/1.4", "CRB 1300-7/1.4"), Some(false));
         assert_eq!(same_type("mine", "IRB 140"), None);
     }
 

@@ -1,7 +1,7 @@
 //! The constructive model of a serial arm: every joint's frame at its real place, axes, ranges, masses.
 //!
-//! Knows nothing of RAPID. Arms come from TOML (see [`SerialArm::from_toml`]) or URDF ([`SerialArm::from_urdf`]); several of
-//! six axes are built in. A [`Robot`] has six joints that turn, a [`SerialArm`] four to seven that turn or slide.
+//! Knows nothing of RAPID. Arms come from TOML (see [`SerialArm::from_toml`]) or URDF ([`SerialArm::from_urdf`]); ABB's of
+//! six independent axes are built in. A [`Robot`] has six joints that turn, a [`SerialArm`] four to seven that turn or slide.
 
 mod backup;
 mod built_in;
@@ -11,6 +11,7 @@ mod file;
 mod joints;
 mod kind;
 mod range;
+mod refused;
 mod serial_arm;
 mod urdf;
 mod write;
