@@ -5,19 +5,15 @@ found beside this file, on the PATH, or where the environment variable DRIFTPOST
 TOML file. Where driftpost refuses, the originals stay on disk, nothing is left to be sent to the robot, and the log says why.
 """
 
-import csv
 import os
-import re
 import shutil
 import subprocess
-import tempfile
 
 from ABB_RAPID_IRC5 import *  # what RoboDK's programs use of a post: Pose, Mat, ...
 from ABB_RAPID_IRC5 import RobotPost as InstalledPost
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SETTINGS = os.path.join(HERE, "ABB_RAPID_IRC5_driftpost.toml")
-MOTION = re.compile(r"\s*(?:Move|Arc|Clad)(AbsJ|C|J|L)\b", re.IGNORECASE)
 
 
 def driftpost():
@@ -27,23 +23,22 @@ def driftpost():
 
 
 class RobotPost(InstalledPost):
-    """The installed post; the joints of all moves are kept, as the text of linear moves has none."""
+    """The installed post; the joints of all targets are kept, as the text of linear moves has none."""
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
-        self.PROG_FILES = []
-        self._joints = []  # for each move the joints of its targets, degrees
+        self.PROG_FILES, self._joints = [], []
 
     def MoveJ(self, pose, joints, *args, **kwargs):
-        self._joints.append([joints and list(joints)])
+        self._joints.append(joints)
         super().MoveJ(pose, joints, *args, **kwargs)
 
     def MoveL(self, pose, joints, *args, **kwargs):
-        self._joints.append([joints and list(joints)])
+        self._joints.append(joints)
         super().MoveL(pose, joints, *args, **kwargs)
 
     def MoveC(self, pose1, joints1, pose2, joints2, *args, **kwargs):
-        self._joints.append([joints1 and list(joints1), joints2 and list(joints2)])
+        self._joints += [joints1, joints2]
         super().MoveC(pose1, joints1, pose2, joints2, *args, **kwargs)
 
     def ProgSave(self, folder, progname, ask_user=False, show_result=False, *args, **kwargs):
@@ -66,52 +61,26 @@ class RobotPost(InstalledPost):
 
     def _compensated(self, files, progname):
         """The corrected files in place of the originals; none where driftpost refuses."""
-        program = driftpost()
-        if program is None:
+        if driftpost() is None:
             self._say("driftpost: the program is neither beside this post nor on the PATH; nothing will be sent")
             return []
         output = os.path.join(os.path.dirname(os.path.abspath(files[0])), progname + "_tc")
         made = [os.path.join(output, os.path.basename(path)) for path in files]
-        os.makedirs(output, exist_ok=True)
-        with tempfile.TemporaryDirectory() as folder:
-            where = made[0] if len(made) == 1 else os.path.join(output, "")
-            command = [program, "compensate", *files, "-o", where, "--diff", "none"]
-            if os.path.isfile(SETTINGS):
-                command += ["--settings", SETTINGS]
-            hint = os.path.join(folder, "joints.csv")
-            if self._write_hint(hint, files):
-                command += ["--joints-hint", hint]
-            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                  creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
+        where = made[0] if len(made) == 1 else os.path.join(output, "")
+        command = [driftpost(), "compensate", *files, "-o", where, "--diff", "none", "--joints-hint", "-"]
+        command += ["--settings", SETTINGS] if os.path.isfile(SETTINGS) else []
+        targets = [list(joints)[:6] if joints else [""] * 6 for joints in self._joints]
+        rows = [["q%i_deg" % axis for axis in range(1, 7)], *targets]
+        hint = "".join(",".join(map(str, row)) + "\n" for row in rows)
+        done = subprocess.run(command, input=hint.encode(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
         self._say(done.stdout.decode("utf-8", "replace"))
         if done.returncode != 0:
             self._say("driftpost: refused; the originals stay, and nothing will be sent")
-            if not os.listdir(output):
-                os.rmdir(output)
             return []
         # Programs of several pages share one clock; what else lies there is of another day.
         core = os.path.join(output, "tcCore" + os.path.splitext(made[0])[1])
         return made + [core] if len(made) > 1 and os.path.isfile(core) else made
-
-    def _write_hint(self, path, files):
-        """The joints of the moves by file and line; none where the text does not hold the moves that were posted."""
-        places = []
-        for file in files:
-            with open(file, encoding="latin-1") as text:
-                for number, line in enumerate(text, 1):
-                    kind = MOTION.match(line)
-                    if kind:
-                        places.append((os.path.basename(file), number, 2 if kind[1].upper() == "C" else 1))
-        if [targets for *_, targets in places] != [len(targets) for targets in self._joints]:
-            self._say("driftpost: the text does not hold the moves that were posted; their joints are not used")
-            return False
-        rows = [[file, line, *joints[:6]] for (file, line, _), move in zip(places, self._joints)
-                if all(joints is not None and len(joints) >= 6 for joints in move) for joints in move]
-        with open(path, "w", newline="") as out:
-            table = csv.writer(out)
-            table.writerow(["file", "line"] + ["q%i_deg" % i for i in range(1, 7)])
-            table.writerows(rows)
-        return bool(rows)
 
     def _say(self, text):
         print(text)

@@ -39,7 +39,7 @@ pub struct Args {
     #[command(flatten)]
     pub settings: ProgramSettings,
 
-    /// Joints that the motions of A end with (CSV: file,line,q1_deg..q6_deg), as it was compensated with.
+    /// Joints that the motions of A end with (CSV: file,line,q1_deg..q6_deg, or a row q1_deg..q6_deg for each target in order), as it was compensated with.
     #[arg(long, value_name = "FILE", help_heading = "Robot and program")]
     pub joints_hint: Option<PathBuf>,
 

@@ -129,6 +129,23 @@ class Replay(unittest.TestCase):
         self.assertEqual(len(robot.PROG_FILES), 1, robot.LOG)
         self.assertIn("3 motions: 3 compensated", robot.LOG)
 
+    def test_joints_that_are_not_known_leave_a_row_empty_and_too_few_are_not_used(self):
+        lines = CUBE.splitlines()
+        some = next(i for i, line in enumerate(lines) if "MoveL" in line) + 3
+        lines[some] = re.sub(r"\), \[.*?\], \[0", "), [], [0", lines[some])
+        robot = self.replay("posts_2017", "\n".join(lines))
+        self.assertIn("46 motions: 46 compensated", robot.LOG)
+        self.assertNotIn("hint::", robot.LOG)
+
+        module = self.post("posts_2017")
+        robot = module.RobotPost("ABB_RAPID_IRC5_driftpost", "ABB IRB 140-6/0.8", 6)
+        exec(CUBE, {**vars(module), "robot": robot})
+        robot._joints.pop()  # as after a post that writes a move that it was not told
+        robot.ProgSave(self.folder, "Cube45")
+        self.assertIn("warning[hint::order]", robot.LOG)
+        self.assertIn("46 motions: 46 compensated", robot.LOG)
+        self.assertEqual(len(robot.PROG_FILES), 1)
+
     def test_a_refusal_leaves_nothing_to_send(self):
         self.settings('max-correction-mm = 0.01\n')
         robot = self.replay("posts_2017")

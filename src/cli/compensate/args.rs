@@ -157,7 +157,7 @@ pub struct Args {
     #[arg(long, value_name = "[TASK=]NAME", value_parser = name_of_task, help_heading = "What is accepted")]
     pub home: Vec<OfTask<String>>,
 
-    /// Joints that motions end with (CSV: file,line,q1_deg,..,q6_deg), as a post-processor knows them: makes branches certain.
+    /// Joints that motions end with (CSV: file,line,q1_deg,..,q6_deg, or a row q1_deg,..,q6_deg for each target in order), as a post-processor knows them: makes branches certain.
     #[arg(long, value_name = "FILE", help_heading = "What is accepted")]
     pub joints_hint: Option<PathBuf>,
 

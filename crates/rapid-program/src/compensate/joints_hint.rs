@@ -1,4 +1,4 @@
-//! Joints of a program's motions from outside, as a post-processor knows them: a CSV by file and line.
+//! Joints of a program's motions from outside, as a post-processor knows them: a CSV by file and line, or in the order of the targets.
 //!
 //! Knows nothing of arms: what a row says is checked where the motion it belongs to is placed.
 
@@ -12,9 +12,23 @@ use thiserror::Error;
 /// The joints that somebody who planned the program says its motions end with.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointsHint {
-    rows: Vec<HintRow>,
+    rows: HintRows,
     /// Tasks whose motions are another robot's: rows that name their files are left to its hint.
     elsewhere: Vec<String>,
+}
+
+/// How the rows say which targets they are of.
+#[derive(Clone, Debug, PartialEq)]
+enum HintRows {
+    ByLine(Vec<HintRow>),
+    /// One for each target, as they stand in the text; `None` where the joints are not known.
+    InOrder(Vec<Option<Hinted>>),
+}
+
+impl Default for HintRows {
+    fn default() -> Self {
+        Self::ByLine(Vec::new())
+    }
 }
 
 /// One row: the joints at one target of one motion.
@@ -51,7 +65,9 @@ pub enum JointsHintError {
         message: String,
     },
     /// A column is missing.
-    #[error("joints hint: the header `{header}` has no column `{column}`; write file,line,q1_deg,...,q6_deg")]
+    #[error(
+        "joints hint: the header `{header}` has no column `{column}`; write file,line,q1_deg,...,q6_deg, or q1_deg,...,q6_deg with a row for each target in order"
+    )]
     Header {
         /// As the file has it.
         header: String,
@@ -66,6 +82,14 @@ pub enum JointsHintError {
         /// Why it belongs to none.
         what: String,
     },
+    /// Rows in the order of the targets, of which the program has more or fewer.
+    #[error("the joints hint has {}, and the program moves to {}", counted(*rows, "row"), counted(*targets, "target"))]
+    Order {
+        /// Of the hint.
+        rows: usize,
+        /// Of the program.
+        targets: usize,
+    },
 }
 
 impl JointsHintError {
@@ -75,6 +99,7 @@ impl JointsHintError {
         match self {
             Self::Csv { .. } | Self::Header { .. } => "hint::csv",
             Self::Place { .. } => "hint::line",
+            Self::Order { .. } => "hint::order",
         }
     }
 }
@@ -90,7 +115,8 @@ const JOINTS: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6
 impl JointsHint {
     /// Reads `file,line,q1_deg,...,q6_deg`, columns by name in any order, others ignored: the line of a motion in a file of the
     /// program, and the joints that it ends with, degrees. An arc has two rows, its circle point's first. Without `file` all rows
-    /// are of the program's only file.
+    /// are of the program's only file. Without `line` there is a row for each target of the program, in the order of its text; it is empty where
+    /// the joints are not known.
     ///
     /// # Errors
     /// `hint::csv`, with the line.
@@ -108,28 +134,40 @@ impl JointsHint {
             let header = || names.iter().collect::<Vec<_>>().join(",");
             find(wanted).ok_or_else(|| JointsHintError::Header { header: header(), column: wanted })
         };
-        let (file, at) = (find("file"), column("line")?);
+        let file = find("file");
+        let at = if file.is_some() { Some(column("line")?) } else { find("line") };
         let joints: Vec<usize> = JOINTS.into_iter().map(column).collect::<Result<_, _>>()?;
-        let mut rows = Vec::new();
+        let (mut by_line, mut in_order) = (Vec::new(), Vec::new());
         for row in reader.into_records() {
             let row = row.map_err(csv_error)?;
             let line = robot_model::csv_lines::line_of_record(&lines, bytes, row.position(), false);
+            let is_empty = joints.iter().all(|&column| row.get(column).is_none_or(str::is_empty));
+            if at.is_none() && is_empty {
+                in_order.push(None);
+                continue;
+            }
             let mut q_rad = [0.0; 6];
             for (q_rad, &column) in q_rad.iter_mut().zip(&joints) {
                 *q_rad = rad_from_deg(angle(&names, &row, line, column)?);
             }
+            let joints = Hinted { row: line, q_rad };
+            let Some(at) = at else {
+                in_order.push(Some(joints));
+                continue;
+            };
             let name = file.and_then(|column| row.get(column)).filter(|name| !name.is_empty());
             let number = row.get(at).unwrap_or_default();
             let wrong = || JointsHintError::Csv { line, message: format!("`{number}` is no line of a file") };
-            rows.push(HintRow {
+            by_line.push(HintRow {
                 file: name.map(|name| name.replace('\\', "/")),
                 line: number.parse().ok().filter(|line| *line > 0).ok_or_else(wrong)?,
-                joints: Hinted { row: line, q_rad },
+                joints,
             });
         }
-        if rows.is_empty() {
+        if by_line.is_empty() && in_order.is_empty() {
             return Err(JointsHintError::Csv { line: 1, message: "there are no rows".to_owned() });
         }
+        let rows = if at.is_some() { HintRows::ByLine(by_line) } else { HintRows::InOrder(in_order) };
         Ok(Self { rows, elsewhere: Vec::new() })
     }
 
@@ -142,22 +180,51 @@ impl JointsHint {
     /// The rows by the motions that they belong to.
     ///
     /// # Errors
-    /// `hint::line`: a file or a line that has no motion, or not as many rows as the motions of that line have targets.
+    /// `hint::line`: a file or a line that has no motion, or not as many rows as the motions of that line have targets; `hint::order`: not as
+    /// many rows in order as the program has targets.
     pub(super) fn by_motion(&self, program: &Program) -> Result<Hints, JointsHintError> {
+        match &self.rows {
+            HintRows::ByLine(rows) => self.by_line(rows, program),
+            HintRows::InOrder(rows) => self.in_order(rows, program),
+        }
+    }
+
+    fn is_elsewhere(&self, program: &Program, file: usize) -> bool {
+        self.elsewhere.iter().any(|task| is_of_task(&program.files[file].path, Some(task)))
+    }
+
+    fn in_order(&self, rows: &[Option<Hinted>], program: &Program) -> Result<Hints, JointsHintError> {
+        let file_of = |i: &usize| program.motions[*i].file.0 as usize;
+        let mut own: Vec<usize> =
+            (0..program.motions.len()).filter(|i| !self.is_elsewhere(program, file_of(i))).collect();
+        own.sort_by_key(|i| (file_of(i), program.motions[*i].line, *i));
+        let targets: usize = own.iter().map(|&i| program.motions[i].targets.len()).sum();
+        if targets != rows.len() {
+            return Err(JointsHintError::Order { rows: rows.len(), targets });
+        }
+        let mut rows = rows.iter().copied();
+        let of_motion = |i: usize| {
+            let joints: Vec<_> = rows.by_ref().take(program.motions[i].targets.len()).collect();
+            Some((i, joints.into_iter().collect::<Option<Vec<_>>>()?))
+        };
+        Ok(own.into_iter().filter_map(of_motion).collect())
+    }
+
+    fn by_line(&self, rows: &[HintRow], program: &Program) -> Result<Hints, JointsHintError> {
         let mut motions: BTreeMap<(usize, u32), Vec<usize>> = BTreeMap::new();
         for (i, motion) in program.motions.iter().enumerate() {
             motions.entry((motion.file.0 as usize, motion.line)).or_default().push(i);
         }
-        let mut rows: BTreeMap<(usize, u32), Vec<Hinted>> = BTreeMap::new();
-        for row in &self.rows {
+        let mut joints_at: BTreeMap<(usize, u32), Vec<Hinted>> = BTreeMap::new();
+        for row in rows {
             let file = file_of(program, row)?;
-            if self.elsewhere.iter().any(|task| is_of_task(&program.files[file].path, Some(task))) {
+            if self.is_elsewhere(program, file) {
                 continue;
             }
-            rows.entry((file, row.line)).or_default().push(row.joints);
+            joints_at.entry((file, row.line)).or_default().push(row.joints);
         }
         let mut hints = Hints::new();
-        for ((file, line), joints) in rows {
+        for ((file, line), joints) in joints_at {
             let here = motions.get(&(file, line)).map_or(&[][..], Vec::as_slice);
             let targets: usize = here.iter().map(|&i| program.motions[i].targets.len()).sum();
             if targets != joints.len() {
@@ -221,7 +288,8 @@ mod tests {
     fn columns_are_found_by_name_and_faults_by_line() {
         let text = b"LINE,q6_deg,q5_deg,q4_deg,q3_deg,q2_deg,q1_deg,note\r\n7,180,0,0,0,0,-90,x\r\n";
         let hint = JointsHint::read(text).unwrap();
-        let [row] = &hint.rows[..] else { panic!("{hint:?}") };
+        let HintRows::ByLine(rows) = &hint.rows else { panic!("{hint:?}") };
+        let [row] = &rows[..] else { panic!("{hint:?}") };
         assert_eq!((row.line, row.joints.row, &row.file), (7, 2, &None));
         let [quarter, half] = [std::f64::consts::FRAC_PI_2, std::f64::consts::PI];
         assert_eq!(row.joints.q_rad, [-quarter, 0.0, 0.0, 0.0, 0.0, half]);
@@ -235,5 +303,9 @@ mod tests {
         assert!(said(&format!("{head}\na,0,0,0,0,0,0,0\n")).contains("line 2: `0` is no line"));
         assert!(said(&format!("{head}\na,1,0,0\n")).contains("line 2: 4 cells"));
         assert!(said("file,line,q1_deg\n").contains("no column `q2_deg`"));
+        assert!(said("file,q1_deg\n").contains("no column `line`"));
+        assert!(
+            said("q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,,5,6\n").contains("line 2: q4_deg: ``")
+        );
     }
 }

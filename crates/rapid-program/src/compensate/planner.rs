@@ -7,6 +7,7 @@ use super::drift::ProgramPoints;
 use super::error::CompensateError;
 use super::figures::Tally;
 use super::follow_paths::follow_paths;
+use super::joints_hint::{Hints, JointsHintError};
 use super::later_frames::keep_other_later_frames;
 use super::live;
 use super::live_basis::LiveBasis;
@@ -25,6 +26,7 @@ use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
 use crate::schedule::{Chosen, Moment, choose};
+use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
@@ -59,8 +61,19 @@ pub fn plan(
     plausible::check_deformation(&model, &mut of_plan)?;
     let left_alone = options.selection.of(program)?;
     let start_rad = options.start_rad.or(program.home_rad);
-    let hints = options.joints_hint.as_deref().map(|hint| hint.by_motion(program)).transpose()?;
-    let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints.unwrap_or_default());
+    let (hints, out_of_step) = match options.joints_hint.as_deref().map(|hint| hint.by_motion(program)) {
+        None => (Hints::new(), None),
+        Some(Ok(hints)) => (hints, None),
+        // Who wrote the text made other moves of what it was told: which joints are of which is not known.
+        Some(Err(error @ JointsHintError::Order { .. })) => (Hints::new(), Some(error)),
+        Some(Err(error)) => return Err(error.into()),
+    };
+    let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints);
+    if let Some(error) = out_of_step {
+        let text = format!("{error}; its joints are not used");
+        let help = "write the hint of the program as it is, or `file,line,q1_deg,...,q6_deg`";
+        messages.add(None, Diagnostic::warning(error.code(), text).help(help));
+    }
     conditions::fill(program, &model, &mut resolved);
     keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
     keep_other_later_frames(program, &model, options.tolerance_m, &mut resolved);

@@ -160,10 +160,12 @@ impl Robot {
         let gofa = wanted.starts_with("gofa").then_some(OFFSET_WRIST[0].0);
         let kin = || {
             let own = TypeName::of(name)?;
-            NAMES
-                .iter()
-                .copied()
-                .find(|known| TypeName::of(known).is_some_and(|known| known.same_family(&own)))
+            let of_family = |known: &&&str| TypeName::of(known).is_some_and(|known| known.same_family(&own));
+            let of_variant = |known: &&&str| {
+                TypeName::of(known).is_some_and(|known| known.variant.eq_ignore_ascii_case(own.variant))
+            };
+            let mut kin = NAMES.iter().filter(of_family);
+            kin.clone().find(of_variant).or_else(|| kin.next()).copied()
         };
         let nearest = gofa.or_else(kin).or_else(|| {
             NAMES
@@ -237,6 +239,7 @@ mod tests {
             ("IRB 4600-20/2.3", "irb4600"),
             ("IRB 140T-6/0.81", "irb140"),
             ("IRB 6600-200/2.75", "irb6600-2.55"),
+            ("IRB 6650S", "irb6650s-3.0"),
             ("GoFa", "crb15000-5"),
             ("CRB 15000", "crb15000-5"),
         ] {

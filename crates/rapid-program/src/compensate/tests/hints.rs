@@ -127,3 +127,32 @@ fn rows_that_belong_to_no_motion_are_refused() {
     let error = plan(&program, &irb140(), &Deformation::paper(), &options).unwrap_err();
     assert_eq!(error.to_string(), "joints hint, line 2: Other.mod is none of the program's files");
 }
+
+#[test]
+fn rows_without_lines_are_of_the_targets_in_their_order() {
+    let motions = || in_file(vec![there(Path::Linear, Some(false)), there(Path::Linear, Some(false))]);
+    let row = |q_deg: [f64; 6]| q_deg.map(|q| q.to_string()).join(",");
+    let planned = |rows: &[String]| {
+        let text = format!("q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n{}\n", rows.join("\n"));
+        let hint = Some(Arc::new(JointsHint::read(text.as_bytes()).unwrap()));
+        plan(
+            &motions(),
+            &irb140(),
+            &Deformation::paper(),
+            &Options { joints_hint: hint, ..Options::default() },
+        )
+    };
+    let both = planned(&[row(APPROACH_DEG), row(OTHER_DEG)]).unwrap();
+    assert!((wrist_deg(&both, 0) + 75.605869).abs() < 1e-6 && (wrist_deg(&both, 1) - 75.605869).abs() < 1e-6);
+    // Of the second nothing is known: it goes on as the first ends.
+    let first = planned(&[row(OTHER_DEG), ",,,,,".to_owned()]).unwrap();
+    assert!((wrist_deg(&first, 1) - 75.605869).abs() < 1e-6);
+    // The text has other moves than were told: none of the joints are used, and it says so.
+    let diagnostics = match planned(&[row(APPROACH_DEG)]) {
+        Err(CompensateError::NothingToCompensate { diagnostics, .. }) => diagnostics,
+        other => panic!("{other:?}"),
+    };
+    let order = diagnostics.iter().find(|d| d.code == "hint::order").unwrap();
+    assert_eq!(order.severity, Severity::Warning);
+    assert!(order.message.contains("has 1 row, and the program moves to 2 targets; its joints are not used"));
+}
