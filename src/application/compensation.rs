@@ -274,8 +274,8 @@ impl Compensation {
         program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
     }
 
-    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And a
-    /// built-in robot that one description alone knows.
+    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be
+    /// known of the robot itself: that nothing shows it to be ABB's, that one description alone has its dimensions.
     fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let mut messages = self.of_another_robot(program);
         if !self.allow_other_robot {
@@ -286,6 +286,15 @@ impl Compensation {
             }
         }
         let robot = &self.robot.model;
+        let is_told = messages.iter().any(|message| message.code == "robot::not-abb");
+        if !is_told && !robot.is_known_as_abbs() {
+            let text = format!(
+                "nothing says that {} is an ABB robot: neither its name nor dimensions of one that is built in",
+                robot.name
+            );
+            let help = "RAPID runs on ABB's controllers alone; where it is ABB's, name it so in the robot file: name = \"ABB IRB ...\"";
+            messages.push(Diagnostic::warning("robot::maker-unknown", text).help(help));
+        }
         if robot.is_of_one_description() {
             let text = format!(
                 "no second public description confirms the dimensions of {}: {}",

@@ -68,12 +68,7 @@ impl Named<Deformation> {
 impl From<Robot> for Named<Robot> {
     /// By the robot's own name; the hash is that of a built-in robot's file where it is one, else of the model as it is printed.
     fn from(robot: Robot) -> Self {
-        let built_in = Robot::built_in_names()
-            .iter()
-            .chain(Robot::built_in_with_offset_wrist())
-            .copied()
-            .find(|name| Robot::built_in(name).as_ref() == Some(&robot));
-        built_in.and_then(Self::built_in).unwrap_or_else(|| {
+        robot.built_in_name().and_then(Self::built_in).unwrap_or_else(|| {
             let printed = format!("{robot:?}");
             Self::new(robot.clone(), robot.name, printed.as_bytes())
         })

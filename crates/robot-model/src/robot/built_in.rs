@@ -1,6 +1,6 @@
 //! The robots that are built in.
 
-use super::kind::TypeName;
+use super::kind::{TypeName, names_abb};
 use super::{Robot, RobotError, refused};
 
 /// Name and file, in the order they are listed to a user: what a command takes without `--robot` first.
@@ -136,12 +136,30 @@ impl Robot {
         &NAMES[FILES.len()..]
     }
 
+    /// The name of the built-in robot that this is, down to its ranges and masses.
+    #[must_use]
+    pub fn built_in_name(&self) -> Option<&'static str> {
+        let (name, own) = self.namesake()?;
+        (own == *self).then_some(name)
+    }
+
     /// Whether this is a built-in robot whose dimensions no second public description confirms.
     #[must_use]
     pub fn is_of_one_description(&self) -> bool {
-        let alike =
-            |name: &&str| Self::built_in(name).is_some_and(|own| own.name == self.name && own.same_arm(self));
-        OF_ONE_DESCRIPTION.iter().any(alike)
+        self.namesake().is_some_and(|(name, own)| OF_ONE_DESCRIPTION.contains(&name) && own.same_arm(self))
+    }
+
+    /// Whether it is one of ABB's as far as can be seen: by its name, or by dimensions that are a built-in robot's.
+    #[must_use]
+    pub fn is_known_as_abbs(&self) -> bool {
+        names_abb(&self.name)
+            || NAMES.iter().any(|name| Self::built_in(name).is_some_and(|own| own.same_arm(self)))
+    }
+
+    /// The built-in robot with this one's full name.
+    fn namesake(&self) -> Option<(&'static str, Self)> {
+        let (name, text) = all().find(|(_, text)| full_name(text) == Some(self.name.as_str()))?;
+        Some((name, Self::from_toml(text).ok()?))
     }
 
     /// The built-in robot of that name.
@@ -188,9 +206,14 @@ fn all() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
 fn by_type(name: &str) -> Option<&'static (&'static str, &'static str)> {
     let wanted = TypeName::of(name).filter(|wanted| wanted.reach_m.is_some())?;
     all().find(|(_, text)| {
-        let own = text.lines().next().and_then(TypeName::of);
+        let own = full_name(text).and_then(TypeName::of);
         own.is_some_and(|own| own.reach_m.is_some() && own.same_arm(&wanted))
     })
+}
+
+/// What the first line of a built-in robot's file calls it.
+fn full_name(text: &str) -> Option<&str> {
+    text.strip_prefix("name = \"")?.split('"').next()
 }
 
 /// Lower case, letters, digits and points only, without the maker's name.
@@ -257,6 +280,14 @@ mod tests {
         let mut measured = arm("irb6600-2.8");
         measured.joints[2].previous_from_joint.translation.z += 1e-3;
         assert!(!measured.is_of_one_description(), "the user's own lengths are");
+        for (name, text) in all() {
+            assert_eq!(full_name(text), Some(arm(name).name.as_str()));
+            assert_eq!(arm(name).built_in_name(), Some(*name));
+        }
+        assert!(measured.built_in_name().is_none() && measured.is_known_as_abbs());
+        measured.name = "R-30".to_owned();
+        assert!(!measured.is_known_as_abbs());
+        assert!(Robot { name: "cell 7".to_owned(), ..arm("irb140") }.is_known_as_abbs(), "by its dimensions");
     }
 
     #[test]

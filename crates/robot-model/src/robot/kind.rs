@@ -21,6 +21,12 @@ pub fn same_type(a: &str, b: &str) -> Option<bool> {
     Some(TypeName::of(a)?.same_arm(&TypeName::of(b)?))
 }
 
+/// Whether a name is one of ABB's.
+pub(super) fn names_abb(name: &str) -> bool {
+    let upper = name.to_ascii_uppercase();
+    TypeName::of(name).is_some() || ["ABB", "GOFA", "YUMI"].iter().any(|own| upper.contains(own))
+}
+
 /// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8.
 pub(super) const SAME_REACH_M: f64 = 0.011;
 
