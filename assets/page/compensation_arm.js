@@ -1,6 +1,6 @@
 // The arm in 3-D: nominal and deformed, targets with their errors, minute and enlargement by sliders, joints to jog.
 
-import { deg, h, mm, number, oncePerFrame } from './dom.js';
+import { deg, h, mm, number } from './dom.js';
 import { arm as armOf } from './kinematics.js';
 import { ArmModel } from './arm3d.js';
 import { TargetCloud } from './targets3d.js';
@@ -40,7 +40,7 @@ export function armSection(scene) {
   const most = Math.max(scene.data.worst_before_mm || worstDrawn(course), 1e-6);
   const error = new Float64Array(3);
   let areErrorsStale = true;
-  const refresh = oncePerFrame(() => {
+  const refresh = view3.beforePicture(() => {
     const { t, times, corrected, point } = state;
     if (areErrorsStale) {
       const shares = corrected ? scene.correction.leftShares(t) : course.at(t);
@@ -51,7 +51,6 @@ export function armSection(scene) {
     cloud.path.visible = state.path !== false;
     cloud.mark(point);
     pose();
-    view3.redraw();
   });
   const hud = h('p', { class: 'hud', role: 'status' });
   function pose() {

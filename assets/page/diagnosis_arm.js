@@ -1,6 +1,6 @@
 // Residuals in the workspace, before and after, and the poses to measure next on the arm.
 
-import { h, mm, number, oncePerFrame } from './dom.js';
+import { h, mm, number } from './dom.js';
 import { ArmModel } from './arm3d.js';
 import { arm as armOf } from './kinematics.js';
 import { TargetCloud } from './targets3d.js';
@@ -36,7 +36,7 @@ export function poseSection(scene) {
   const sizes = scene.rows.filter((row) => !row.outlier).map((row) => row.before).sort((a, b) => a - b);
   const most = Math.max(sizes[Math.floor(sizes.length * 0.95)] ?? 0, 1e-6);
   state.times = Math.min(Math.max(Math.round((reach(view.robot) * 0.08) / most), 10), MOST_TIMES);
-  const refresh = oncePerFrame(() => {
+  const refresh = view3.beforePicture(() => {
     const flat = state.after ? residuals.after_mm : residuals.before_mm;
     cloud.show((i, e) => {
       // a false row would dwarf all others
@@ -49,7 +49,6 @@ export function poseSection(scene) {
     const tcp = model.pose(q, tool).map((value) => value.toFixed(1)).join(', ');
     note.textContent = pose ? `to measure next: pose ${state.pose + 1}, point at ${tcp} mm` : row ? `line ${row.line}: ${mm(row.before, 3)} mm before, ${mm(row.after, 3)} mm after, drawn at ${tcp} mm` : '';
     note.hidden = note.textContent === '';
-    view3.redraw();
   });
   state.on('row after times pose', refresh);
   onTheme(refresh);

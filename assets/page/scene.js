@@ -28,6 +28,7 @@ export class View3D {
     this.controls.listenToKeyEvents(this.canvas);
     this.controls.addEventListener('change', () => this.redraw());
     this.canvas.addEventListener('keydown', (event) => this.zoomByKey(event));
+    this.pending = new Set();
     this.redraw = oncePerFrame(() => this.draw());
     this.themed = [];
     onTheme(() => this.dress());
@@ -90,7 +91,17 @@ export class View3D {
     this.draw();
   }
 
+  /** A function that has `work` done once before the next picture, however often it is called. */
+  beforePicture(work) {
+    return () => {
+      this.pending.add(work);
+      this.redraw();
+    };
+  }
+
   draw() {
+    this.pending.forEach((work) => work());
+    this.pending.clear();
     this.renderer.render(this.scene, this.camera);
   }
 

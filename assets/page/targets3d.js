@@ -9,6 +9,7 @@ import { scale } from './theme.js';
 const HEAD = 0.28;
 /** Of more targets than this every second, third ... has an arrow: all of them would be a fog. */
 const MOST_ARROWS = 1500;
+const MOST_ROUND = 4000;
 
 function dot() {
   const canvas = h('canvas', { width: 64, height: 64 });
@@ -29,13 +30,12 @@ export class TargetCloud {
     this.count = places.length / 3;
     this.group = new Group();
     const texture = dot();
-    const material = (size) => new PointsMaterial({
-      size, map: texture, vertexColors: true, alphaTest: 0.5, sizeAttenuation: false,
-    });
+    // Thousands of round dots take a browser without a graphics card half of its time: there they are small squares.
+    const round = this.count > MOST_ROUND ? { size: 3 } : { size: this.count > 2000 ? 5 : 9, map: texture, alphaTest: 0.5 };
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute('position', new Float32BufferAttribute(places, 3));
     this.geometry.setAttribute('color', floats(3 * this.count));
-    this.dots = new Points(this.geometry, material(this.count > 2000 ? 5 : 9));
+    this.dots = new Points(this.geometry, new PointsMaterial({ vertexColors: true, sizeAttenuation: false, ...round }));
     this.path = new Line(this.geometry, new LineBasicMaterial({ transparent: this.count <= 2000, opacity: 0.55 }));
     // stem and two strokes of a head each
     this.step = Math.max(Math.ceil(this.count / MOST_ARROWS), 1);
