@@ -1,12 +1,15 @@
 //! `driftpost compensate`: the main job.
 
 mod args;
+mod jobs;
+mod option_values;
 mod touch;
 mod watch;
 
-pub(in crate::cli) use args::temperatures;
-pub use args::{Args, Temperatures};
+pub use args::Args;
 use driftpost::application::{Compensated, Compensation, Refusal, write_file_diff};
+pub use option_values::Temperatures;
+pub(in crate::cli) use option_values::temperatures;
 
 use super::destination::{Destination, Writing, Written, is_pgf};
 use super::files::{Output, Pending, check_size, place_all};
