@@ -405,6 +405,33 @@ fn what_belongs_to_another_robot_is_refused_unless_allowed() {
     );
 }
 
+/// A line at a module's head names the robot of the program; one that the program hands its part to is none of its own.
+#[test]
+fn a_head_that_names_another_robot_is_refused_unless_allowed() {
+    let text = String::from_utf8(bytes("other_robot.mod")).unwrap();
+    let with =
+        |line: &str| ProgramFiles::one("a.mod", text.replace("Robot: IRB 1600-6/1.2", line).into_bytes());
+    let refused = refusal(&compensation(), &program(&["other_robot.mod"]));
+    assert_eq!(error_codes(&refused), ["robot::other"]);
+    let said = &refused.messages[0].diagnostic.message;
+    assert_eq!(said, "made for IRB 1600-6/1.2, and taken as one for ABB IRB 140-6/0.8");
+    let mut allowed = compensation();
+    allowed.allow_other_robot = true;
+    assert_eq!(messages(&allowed.run(&program(&["other_robot.mod"])).unwrap(), "robot::other").len(), 1);
+    let others = ["Program for the ABB IRB 6700-235/2.65", "IRB2600-12/1.65", "Manipulator = IRB120"];
+    for line in others {
+        assert_eq!(error_codes(&refusal(&compensation(), &with(line))), ["robot::other"], "{line}");
+    }
+    for line in [
+        "Robot: IRB140",
+        "Robot: r1",
+        "hands over to the IRB 1600 of station 4",
+        "Robot: IRB 140 or IRB 1600",
+    ] {
+        assert!(compensation().run(&with(line)).is_ok(), "{line}");
+    }
+}
+
 /// Cube45 with its configurations checked: at its nine targets with y = 0 the correction takes axis 1 below 0 deg while cf1 says 0.
 /// `compensate` says so beforehand and the virtual controller at the move, once the arm is warm.
 /// The source itself stands on the border.

@@ -7,6 +7,7 @@ mod names;
 mod order;
 mod pages;
 mod robodk;
+mod searches;
 mod state;
 mod targets;
 

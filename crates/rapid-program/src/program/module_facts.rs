@@ -1,5 +1,5 @@
-//! Facts about files beside their motion: which modules there are, what RoboDK says of the kinematics it used, and whether
-//! a module is already compensated.
+//! Facts about files beside their motion: which modules there are, what RoboDK says of the kinematics it used, which robot a
+//! program was made for, and whether a module is already compensated.
 
 use super::index::Index;
 use super::made_for::{self, RobotRemark};
@@ -18,7 +18,7 @@ pub struct Facts {
     pub modules: Vec<ModuleFacts>,
     /// `! Using X kinematics.`, in file order.
     pub kinematics: Vec<KinematicsRemark>,
-    /// The robots that programs say they were made for, in file order.
+    /// The robots that programs say they were made for, file by file.
     pub made_for: Vec<RobotRemark>,
     /// Routines that nothing in the given files calls: a program can begin there. In file order.
     pub entries: Vec<Entry>,
@@ -79,6 +79,7 @@ pub struct Entry {
 pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
     let mut facts = Facts::default();
     for file in index.files {
+        facts.made_for.extend(made_for::in_heads(file));
         for item in &file.tree.items {
             match item {
                 FileItem::Module(module) => {

@@ -65,7 +65,7 @@ pub struct Motion {
     /// A function that is asked at run time can correct it: that a target, the tool or the work object is known at run time
     /// alone is the only reason in `skip_reason`, or there is none and run time tells which of a few values its target is.
     pub run_time: bool,
-    /// Its target comes from what a search has found.
+    /// On some way that leads to it, its target comes from what a search has found.
     pub from_search: bool,
 }
 

@@ -1,4 +1,7 @@
 //! Targets that are read from where the robot stands, or that a search has found: they hold the drift already.
+//!
+//! Whatever such a value can go into at some time counts. Where it matters which value it is at one place, the walk along the ways
+//! narrows that down (`state`).
 
 use super::expressions::{every_call, expressions_of, root_of};
 use super::handed::Handed;
@@ -6,8 +9,9 @@ use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodie
 use super::names::lower_case;
 use super::tracked::{names_in, sources};
 use super::writes::match_arguments;
+use super::written_by::written_by_instruction;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ParamMode, Stmt, StmtKind};
+use rapid_syntax::tree::{Arg, Callee, Expr, ParamMode, Stmt, StmtKind};
 use std::collections::BTreeSet;
 
 /// Functions of the controller that read where the robot stands.
@@ -18,6 +22,8 @@ const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
 pub(super) struct OwnPositions {
     data: BTreeSet<DatumId>,
     routines: BTreeSet<usize>,
+    /// Those of the functions that make such a value of their own arguments alone: what they are given tells whether they do.
+    of_arguments: BTreeSet<usize>,
     /// Functions of the controller that give such values.
     readings: &'static [&'static str],
 }
@@ -37,13 +43,13 @@ impl OwnPositions {
             in_all(routine, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
                 let Callee::Name(name) = call.callee else { return };
-                let is_search = lower_case(index.text(routine.ctx.file, name)).starts_with("search");
-                let mut positional = call.args.iter().filter_map(|arg| match &arg.kind {
-                    ArgKind::Positional(expr) => Some(expr),
-                    _ => None,
-                });
-                if let Some(point) = positional.nth(1).filter(|_| is_search) {
-                    names_in(index, routine.ctx, point, &mut |datum| {
+                let ctx = routine.ctx;
+                let written = lower_case(index.text(ctx.file, name));
+                if !is_search(&written) || index.declares_routine(name, ctx) {
+                    return;
+                }
+                for point in written_by_instruction(index, ctx, &written, &call.args) {
+                    names_in(index, ctx, point, &mut |datum| {
                         found.data.insert(datum);
                     });
                 }
@@ -87,23 +93,79 @@ impl OwnPositions {
                 sources.iter().filter(|(_, from)| found.data.contains(from)).map(|(to, _)| *to).collect();
             found.data.extend(more);
             if before == (found.data.len(), found.routines.len(), set.len()) {
+                let of_arguments = found.routines.iter().filter(|&&id| found.is_of_arguments(index, id));
+                found.of_arguments = of_arguments.copied().collect();
                 return found;
             }
         }
     }
 
+    /// Whether a function works with its own data alone and asks no other routine.
+    fn is_of_arguments(&self, index: &Index<'_>, id: usize) -> bool {
+        let routine = &index.routines[id];
+        let ctx = routine.ctx;
+        // What is handed on if it is present (`\P?q`) no argument shows.
+        let optional = |&&p: &&DatumId| matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
+        let mut calls = routine.params.iter().any(|p| optional(&p));
+        let mut foreign = false;
+        in_all(routine, &mut |stmt| {
+            if let StmtKind::Call(call) = &stmt.kind {
+                // Of the controller's own a search alone gives such a value.
+                calls |= match call.callee {
+                    Callee::Name(name) => {
+                        index.declares_routine(name, ctx)
+                            || is_search(&lower_case(index.text(ctx.file, name)))
+                    }
+                    Callee::Late(_) => true,
+                };
+            }
+            for expr in expressions_of(stmt) {
+                every_call(expr, &mut |name, _| {
+                    calls |= index.declares_routine(name, ctx) || self.is_reading(index, ctx, name);
+                });
+                names_in(index, ctx, expr, &mut |datum| {
+                    foreign |= self.holds(datum) && index.data[datum].ctx.routine != Some(id);
+                });
+            }
+        });
+        !calls && !foreign
+    }
+
     /// Whether an expression holds a reading.
     pub(super) fn is_read(&self, index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+        self.is_read_where(index, ctx, expr, &|_| true)
+    }
+
+    /// The same at a place where of the data that can hold a reading those alone do of which `holds` says so.
+    pub(super) fn is_read_where(
+        &self,
+        index: &Index<'_>,
+        ctx: Ctx,
+        expr: &Expr,
+        holds: &impl Fn(DatumId) -> bool,
+    ) -> bool {
         let mut read = false;
         every_call(expr, &mut |name, _| read |= self.is_reading(index, ctx, name));
-        names_in(index, ctx, expr, &mut |datum| read |= self.data.contains(&datum));
+        names_in(index, ctx, expr, &mut |datum| read |= self.holds(datum) && holds(datum));
         read
+    }
+
+    /// Whether a datum can hold a reading at some time.
+    pub(super) fn holds(&self, datum: DatumId) -> bool {
+        self.data.contains(&datum)
+    }
+
+    /// Whether there is any.
+    pub(super) fn is_empty(&self) -> bool {
+        self.data.is_empty() && self.routines.is_empty()
     }
 
     fn is_reading(&self, index: &Index<'_>, ctx: Ctx, name: TextRange) -> bool {
         let own = index.name_at(ctx.file, name).map(|name| index.routine(name, ctx));
         match own {
-            Some(Resolved::Here(routine) | Resolved::Elsewhere(routine)) => self.routines.contains(&routine),
+            Some(Resolved::Here(routine) | Resolved::Elsewhere(routine)) => {
+                self.routines.contains(&routine) && !self.of_arguments.contains(&routine)
+            }
             _ => self.readings.contains(&&*lower_case(index.text(ctx.file, name))),
         }
     }
@@ -117,6 +179,11 @@ impl OwnPositions {
         });
         read
     }
+}
+
+/// Whether an instruction of the controller's searches, by its name in lower case.
+fn is_search(name: &str) -> bool {
+    name.starts_with("search")
 }
 
 /// Calls `visit` with every statement of a routine, its handlers' included.

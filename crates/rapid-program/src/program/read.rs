@@ -18,7 +18,7 @@ use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
-use super::state::{LeftBehind, StatesAtMotions, View, states_at_motions, targets_on_ways};
+use super::state::{LeftBehind, StatesAtMotions, TargetsOnWays, View, states_at_motions, targets_on_ways};
 use super::tracked::TrackedData;
 use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
@@ -54,12 +54,13 @@ impl Program {
         let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
         let StatesAtMotions { first, any, left } =
             states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
-        let of_targets = TrackedData::of_targets(&index, &writes, &sites);
-        let on_ways = if of_targets.data.is_empty() {
-            BTreeMap::new()
+        let found = OwnPositions::of_searches(&index);
+        let of_targets = TrackedData::of_targets(&index, &writes, &sites, |datum| found.holds(datum));
+        let on_ways = if of_targets.data.is_empty() && found.is_empty() {
+            TargetsOnWays::default()
         } else {
             let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
-            targets_on_ways(&mut evaluator, &sites, &ways, &of_targets)
+            targets_on_ways(&mut evaluator, &sites, &ways, &of_targets, &found)
         };
         let order = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());
@@ -72,10 +73,10 @@ impl Program {
             tracked: &tracked,
             left: &left,
             own_positions: OwnPositions::new(&index),
-            found_positions: OwnPositions::of_searches(&index),
             read_as_data: ReadAsData::new(&index),
             finite_sets: FiniteSets::new(&index),
-            on_ways,
+            on_ways: on_ways.values,
+            from_search: on_ways.found,
             base_fixed: overrides.base_fixed,
             nests,
             last: None,
@@ -163,7 +164,6 @@ struct MotionReader<'f, 'a> {
     /// What the program leaves in them.
     left: &'f [LeftBehind],
     own_positions: OwnPositions,
-    found_positions: OwnPositions,
     /// The combinations of loops that stand round motions.
     nests: Vec<Vec<usize>>,
     /// The last motion, where the next one may be like it.
@@ -181,6 +181,8 @@ struct MotionReader<'f, 'a> {
     finite_sets: FiniteSets<'a>,
     /// The values that targets can have by the ways that lead to them, by the motion's position.
     on_ways: BTreeMap<usize, FiniteSet>,
+    /// The motions with a target that can be what a search has found, by position.
+    from_search: BTreeSet<usize>,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
     /// Targets that are read as data elsewhere, once each.
@@ -271,7 +273,7 @@ impl<'a> MotionReader<'_, 'a> {
                 // Tool and work object are named twice then: in the question and in the motion.
                 && ![args.tool, args.wobj].into_iter().flatten().any(|expr| is_asked_once(index, ctx, expr)),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
-            from_search: args.targets.iter().any(|expr| self.found_positions.is_read(index, ctx, expr)),
+            from_search: self.from_search.contains(&at),
         };
         self.keep_as_last(site, &args, seen, &motion);
         motion

@@ -12,7 +12,7 @@ mod steps;
 mod targets;
 
 pub(super) use entry::LeftBehind;
-pub(super) use targets::targets_on_ways;
+pub(super) use targets::{TargetsOnWays, targets_on_ways};
 
 use super::data::LoadData;
 
@@ -22,11 +22,12 @@ use super::flow::{BLOCKERS, ForwardAnalysis, RoutineCfg, every_step, walk};
 use super::index::{Ctx, DatumId, RoutineIndex};
 use super::mod_ref::{RoutineEffects, routine_effects};
 use super::motion::SkipReason;
+use super::own_position::OwnPositions;
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::{Expr, RoutineKind};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// States a routine is walked with one by one; behind it only what they have in common counts.
@@ -42,6 +43,8 @@ pub(super) struct SlotState {
     pub(super) value: Value,
     /// On some way that leads here it is still what the program was entered with; of data that outlive a cycle.
     pub(super) at_entry: bool,
+    /// It can be what a search has found; looked at for data alone that can hold such a point at some time.
+    found: bool,
     set_at: Option<Span>,
 }
 
@@ -115,6 +118,8 @@ struct Walker<'w, 'a> {
     in_handlers: Vec<RoutineEffects>,
     /// Motions whose target is looked at on every visit.
     watched: BTreeMap<usize, Watched<'a>>,
+    /// Points that searches have found, and the motions to which they come.
+    found: Option<FoundPoints<'w, 'a>>,
     /// What the program is entered with; nothing: declared values, and everything off.
     entry: Option<State>,
     /// What motion settings are in force where a cycle ends, on any way of this pass.
@@ -130,6 +135,15 @@ struct Watched<'a> {
     target: &'a Expr,
     ctx: Ctx,
     values: Option<Vec<Value>>,
+}
+
+/// The points that searches have found, followed to the motions.
+struct FoundPoints<'w, 'a> {
+    points: &'w OwnPositions,
+    /// The targets of each motion that can be one at some time.
+    targets: BTreeMap<usize, (Vec<&'a Expr>, Ctx)>,
+    /// The motions to which one comes.
+    motions: BTreeSet<usize>,
 }
 
 /// What a routine leaves.
@@ -171,6 +185,7 @@ impl<'w, 'a> Walker<'w, 'a> {
             in_handlers: Vec::new(),
             effects: routine_effects(control_flow),
             watched: BTreeMap::new(),
+            found: None,
             entry: None,
             cycle_end: None,
             left: vec![LeftBehind::default(); tracked.data.len()],
@@ -259,6 +274,7 @@ impl Walker<'_, '_> {
     /// What a motion sees on one more visit.
     fn record(&mut self, motion: usize, state: &State) {
         self.watch(motion, state);
+        self.watch_found(motion, state);
         let seen = self.at_motions.get_mut(motion).and_then(Option::take);
         let seen = match seen {
             None => match self.last_seen.take() {
@@ -394,7 +410,10 @@ fn same(a: &State, b: &State) -> bool {
         && a.conf_j == b.conf_j
         && a.grip == b.grip
         && a.blockers.iter().zip(&b.blockers).all(|(a, b)| a.is_some() == b.is_some())
-        && a.slots.iter().zip(&b.slots).all(|(a, b)| a.at_entry == b.at_entry && a.value.same(&b.value))
+        && a.slots
+            .iter()
+            .zip(&b.slots)
+            .all(|(a, b)| a.at_entry == b.at_entry && a.found == b.found && a.value.same(&b.value))
 }
 
 fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
@@ -409,6 +428,7 @@ fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
     for &slot in &effects.slots {
         if let Some(slot) = state.slots.get_mut(slot) {
             slot.value = Value::Unknown(why.clone());
+            slot.found = true;
         }
     }
     state.conf_l = state.conf_l.filter(|_| !effects.conf_l);

@@ -34,13 +34,22 @@ impl TrackedData {
         Self::of(index, writes, wanted)
     }
 
-    /// What must be tracked for the targets of motions that have one.
-    pub(super) fn of_targets(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
+    /// What must be tracked for the targets of motions that have one, and for those of any that `found` names: they can
+    /// hold what a search has found.
+    pub(super) fn of_targets(
+        index: &Index<'_>,
+        writes: &Writes,
+        sites: &MotionSites<'_>,
+        found: impl Fn(DatumId) -> bool,
+    ) -> Self {
         let mut wanted = BTreeSet::new();
         for site in &sites.motions {
-            if let [target] = &site.args(index).targets[..] {
+            let targets = site.args(index).targets;
+            for target in &targets {
                 names_in(index, site.ctx(index), target, &mut |datum| {
-                    wanted.insert(datum);
+                    if targets.len() == 1 || found(datum) {
+                        wanted.insert(datum);
+                    }
                 });
             }
         }

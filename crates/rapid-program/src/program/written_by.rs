@@ -153,6 +153,7 @@ fn is_written_option(name: &str) -> bool {
             | "result"
             | "retthickness"
             | "rms"
+            | "searchpoint"
             | "str"
             | "timeflag"
             | "valueattimeout"

@@ -27,8 +27,12 @@ pub(super) fn names_abb(name: &str) -> bool {
     TypeName::of(name).is_some() || ["ABB", "GOFA", "YUMI"].iter().any(|own| upper.contains(own))
 }
 
-/// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8.
-pub(super) const SAME_REACH_M: f64 = 0.011;
+/// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8, or 0.6 for 0.58; arms of
+/// one type differ by 0.05 and more.
+pub(super) const SAME_REACH_M: f64 = 0.045;
+
+/// Letters behind the digits that say how an arm is painted, sealed or driven, not how long it is.
+const SAME_ARM: [&str; 7] = ["CR", "CW", "F", "FP", "M", "T", "WE"];
 
 /// What the name of an ABB robot says: of `IRB 2600ID-15/1.85` the family `IRB 2600ID` and the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +83,12 @@ impl<'n> TypeName<'n> {
         self.is_cobot == other.is_cobot && self.number == other.number
     }
 
+    /// The letters that say how the arm is built.
+    fn build(&self) -> &'n str {
+        let same = SAME_ARM.iter().any(|letters| self.variant.eq_ignore_ascii_case(letters));
+        if same { "" } else { self.variant }
+    }
+
     /// Whether both may be one arm: reaches count where both have one.
     pub(super) fn same_arm(&self, other: &Self) -> bool {
         let same_reach = match (self.reach_m, other.reach_m) {
@@ -86,7 +96,7 @@ impl<'n> TypeName<'n> {
             _ => true,
         };
         self.same_family(other)
-            && self.variant.eq_ignore_ascii_case(other.variant)
+            && self.build().eq_ignore_ascii_case(other.build())
             && self.is_lean == other.is_lean
             && same_reach
     }
@@ -110,6 +120,10 @@ mod tests {
         assert_eq!(same_type("IRB 5710-110/2.30", "IRB 5710-90/2.30 LID"), Some(false));
         assert_eq!(same_type("IRB 1300-7/1.4", "CRB 1300-7/1.4"), Some(false));
         assert_eq!(same_type("mine", "IRB 140"), None);
+        // RoboDK's name of an IRB 120, and two of one type that differ by 5 cm.
+        assert_eq!(same_type("ABB IRB 120-3/0.6", "ABB IRB 120-3/0.58"), Some(true));
+        assert_eq!(same_type("ABB IRB 6700-200/2.60", "ABB IRB 6700-235/2.65"), Some(false));
+        assert_eq!(same_type("IRB 140T", "irb140"), Some(true));
     }
 
     #[test]

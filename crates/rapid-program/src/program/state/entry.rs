@@ -153,7 +153,9 @@ impl Walker<'_, '_> {
                 // What a cycle of the program has left in it the next one begins with.
                 value = Value::Unknown(unknown("it may be as the cycle before has left it"));
             }
-            slots.push(SlotState { value, at_entry: self.outlives(datum), set_at: None });
+            let outlives = self.outlives(datum);
+            // What a search has found the next cycle begins with, too.
+            slots.push(SlotState { value, at_entry: outlives, found: outlives, set_at: None });
         }
         // From its beginning a program grips nothing.
         let grip = Some(LoadData::default());

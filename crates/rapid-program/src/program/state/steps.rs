@@ -34,6 +34,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             };
             a.value = a.value.join(&b.value, &why);
             a.at_entry |= b.at_entry;
+            a.found |= b.found;
             a.set_at = at;
         }
         into.join_settings(other);
@@ -55,18 +56,21 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             }
             FlowStep::Assign { slot, path, value, ctx, at } => {
                 let new = self.value(value, *ctx, &state);
+                let found = self.reads_found(value, *ctx, &state);
                 let type_name =
                     self.tracked.data.get(*slot).map(|&datum| self.evaluator.index.data[datum].type_name);
                 if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
                     let value = self.with_component(&old.value, type_name, path, new);
-                    *old = SlotState { value: value.clone(), at_entry: false, set_at: Some(*at) };
+                    let found = found || !path.is_empty() && old.found;
+                    *old = SlotState { value: value.clone(), at_entry: false, found, set_at: Some(*at) };
                     self.leave_behind(*slot, value, *at);
                 }
             }
             FlowStep::Invalidate { slot, why, at } => {
                 if let Some(old) = state.slots.get_mut(*slot) {
                     let value = Value::Unknown(why.clone());
-                    *old = SlotState { value: value.clone(), at_entry: false, set_at: Some(*at) };
+                    *old =
+                        SlotState { value: value.clone(), at_entry: false, found: true, set_at: Some(*at) };
                     self.leave_behind(*slot, value, *at);
                 }
             }
@@ -134,8 +138,9 @@ impl Walker<'_, '_> {
                 Some(expr) => self.value(expr, ctx, state),
                 None => self.evaluator.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
             };
+            let found = binding.value.is_some_and(|value| self.reads_found(value, ctx, state));
             if let Some(slot) = entry.slots.get_mut(binding.slot) {
-                *slot = SlotState { value, at_entry: false, set_at: None };
+                *slot = SlotState { value, at_entry: false, found, set_at: None };
             }
         }
         let mut out = maybe.then(|| state.clone());

@@ -4,27 +4,43 @@
 //! A superset is enough, and one that lacks what nobody can know (a pointer that was set by hand) does no harm: what the target
 //! is, run time tells, and what is none of these stays as it is.
 
-use super::{ControlFlow, MOST_STEPS, State, TrackedData, View, Walker, Watched};
+use super::{ControlFlow, FoundPoints, MOST_STEPS, State, TrackedData, View, Walker, Watched};
 use crate::program::const_eval::ConstEvaluator;
 use crate::program::finite_set::{FiniteSet, MOST_VALUES};
-use crate::program::index::DatumId;
+use crate::program::index::{Ctx, DatumId};
 use crate::program::motion_site::MotionSites;
+use crate::program::own_position::OwnPositions;
 use crate::program::tracked::{names_in, sources};
 use crate::program::value::Value;
-use std::collections::BTreeMap;
+use rapid_syntax::tree::Expr;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// For each motion with one target, by its position, the values that this can have; those whose values are not all known, or too
-/// many, are left out.
+/// What is known of targets by the ways that lead to them; motions by their positions.
+#[derive(Debug, Default)]
+pub(in crate::program) struct TargetsOnWays {
+    /// For each motion with one target the values that this can have; those whose values are not all known, or too many, are left
+    /// out.
+    pub(in crate::program) values: BTreeMap<usize, FiniteSet>,
+    /// The motions with a target that can be what a search has found.
+    pub(in crate::program) found: BTreeSet<usize>,
+}
+
+/// What is known of the targets of all motions, `found` being what searches have found at some time.
 pub(in crate::program) fn targets_on_ways<'a>(
     evaluator: &mut ConstEvaluator<'a>,
     sites: &MotionSites<'a>,
     control_flow: &ControlFlow<'a>,
     tracked: &TrackedData,
-) -> BTreeMap<usize, FiniteSet> {
+    found: &OwnPositions,
+) -> TargetsOnWays {
     let index = evaluator.index;
     let mut walker = Walker::new(evaluator, sites.motions.len(), control_flow, tracked);
+    let mut to_found = BTreeMap::new();
     for (motion, site) in sites.motions.iter().enumerate() {
         let (args, ctx) = (site.args(index), site.ctx(index));
+        if args.targets.iter().any(|target| found.is_read(index, ctx, target)) {
+            to_found.insert(motion, (args.targets.clone(), ctx));
+        }
         let [target] = args.targets[..] else { continue };
         let mut changes = false;
         names_in(index, ctx, target, &mut |datum| changes |= tracked.slot(datum).is_some());
@@ -32,18 +48,22 @@ pub(in crate::program) fn targets_on_ways<'a>(
             walker.watched.insert(motion, Watched { target, ctx, values: Some(Vec::new()) });
         }
     }
-    if walker.watched.is_empty() {
-        return BTreeMap::new();
+    let any_found: BTreeSet<usize> = to_found.keys().copied().collect();
+    if !any_found.is_empty() {
+        walker.found = Some(FoundPoints { points: found, targets: to_found, motions: BTreeSet::new() });
+    }
+    if walker.watched.is_empty() && walker.found.is_none() {
+        return TargetsOnWays::default();
     }
     walker.run();
     if walker.steps > MOST_STEPS {
-        return BTreeMap::new();
+        return TargetsOnWays { values: BTreeMap::new(), found: any_found };
     }
     let sources = sources(index);
     let with_sources = |watched: &Watched<'a>| {
         let mut new: Vec<DatumId> = Vec::new();
         names_in(index, watched.ctx, watched.target, &mut |datum| new.push(datum));
-        let mut made_of = std::collections::BTreeSet::new();
+        let mut made_of = BTreeSet::new();
         while let Some(datum) = new.pop() {
             if made_of.insert(datum) {
                 new.extend(sources.iter().filter(|(to, _)| *to == datum).map(|(_, from)| *from));
@@ -55,10 +75,33 @@ pub(in crate::program) fn targets_on_ways<'a>(
         let values = watched.values.clone().filter(|values| !values.is_empty())?;
         Some((motion, FiniteSet { values, made_of: with_sources(watched) }))
     });
-    known.collect()
+    let values = known.collect();
+    let found = walker.found.map(|found| found.motions).unwrap_or_default();
+    TargetsOnWays { values, found }
 }
 
 impl Walker<'_, '_> {
+    /// Notes whether a target of a motion can be what a search has found on one more visit.
+    pub(super) fn watch_found(&mut self, motion: usize, state: &State) {
+        let Some((targets, ctx)) = self.found.as_ref().and_then(|found| found.targets.get(&motion)) else {
+            return;
+        };
+        let comes = targets.iter().any(|target| self.reads_found(target, *ctx, state));
+        if let Some(found) = self.found.as_mut().filter(|_| comes) {
+            found.motions.insert(motion);
+        }
+    }
+
+    /// Whether an expression can read what a search has found; data that are not tracked can be it anywhere.
+    pub(super) fn reads_found(&self, expr: &Expr, ctx: Ctx, state: &State) -> bool {
+        let holds = |datum: DatumId| {
+            let slot = self.tracked.slot(datum).and_then(|slot| state.slots.get(slot));
+            slot.is_none_or(|slot| slot.found)
+        };
+        let found = self.found.as_ref();
+        found.is_some_and(|found| found.points.is_read_where(self.evaluator.index, ctx, expr, &holds))
+    }
+
     /// Notes what the target of a motion that is watched is on one more visit.
     pub(super) fn watch(&mut self, motion: usize, state: &State) {
         let Some(Watched { target, ctx, values: Some(_) }) = self.watched.get(&motion) else { return };
