@@ -4,7 +4,7 @@ use rapid_program::program::task_of;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::{FileItem, ModuleItem};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The modules of one task.
@@ -70,9 +70,18 @@ impl ProgramFiles {
     /// Whether a word stands anywhere in the modules, in whatever case.
     #[must_use]
     pub fn mentions(&self, word: &str) -> bool {
+        self.every_word().any(|found| found.eq_ignore_ascii_case(word.as_bytes()))
+    }
+
+    /// All words of the modules, each once, as first spelt.
+    #[must_use]
+    pub fn words(&self) -> BTreeSet<String> {
+        self.every_word().map(|word| String::from_utf8_lossy(word).into_owned()).collect()
+    }
+
+    fn every_word(&self) -> impl Iterator<Item = &[u8]> {
         let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_' || !byte.is_ascii();
-        let mut words = self.iter().flat_map(|(_, bytes)| bytes.split(move |byte| !is_word(byte)));
-        words.any(|found| found.eq_ignore_ascii_case(word.as_bytes()))
+        self.iter().flat_map(move |(_, bytes)| bytes.split(move |byte| !is_word(byte)))
     }
 
     /// The files, parsed; by one thread, as what trees have held is then there for what is made of them.

@@ -22,6 +22,7 @@ mod pending;
 pub mod program_input;
 mod settings;
 pub mod shared;
+mod simulate_hints;
 pub mod state;
 mod suggest;
 
@@ -200,13 +201,19 @@ fn keep_apart(matches: &ArgMatches) -> Result<(), Diagnostic> {
 }
 
 /// The command that is nearest to one that is not there, where clap itself (`help compensat`) says nothing of it.
-fn near_command(error: &clap::Error) -> Option<String> {
+fn near_command(error: &clap::Error, words: &[OsString]) -> Option<String> {
     if error.kind() != ErrorKind::InvalidSubcommand || error.get(ContextKind::SuggestedSubcommand).is_some() {
         return None;
     }
     let Some(ContextValue::String(wanted)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    let names = |command: &clap::Command| -> Vec<String> {
+        command.get_subcommands().map(|command| command.get_name().to_owned()).collect()
+    };
     let command = Cli::command();
-    suggest::nearest(wanted, command.get_subcommands().map(clap::Command::get_name)).map(str::to_owned)
+    let group =
+        |group: &&clap::Command| group.has_subcommands() && words.iter().any(|word| word == group.get_name());
+    let known = names(command.get_subcommands().find(group).unwrap_or(&command));
+    suggest::nearest(wanted, known.iter().map(String::as_str)).map(str::to_owned)
 }
 
 /// Runs the program on the process's own arguments.
@@ -296,7 +303,7 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
         Err(ParseFailure::Settings(message)) => return console.fail(&message.into()),
         Err(ParseFailure::Usage(error)) => {
             let ended = console.usage(&error);
-            if let Some(near) = near_command(&error) {
+            if let Some(near) = near_command(&error, words) {
                 console.say(format_args!("did you mean '{near}'?"));
             }
             return ended;

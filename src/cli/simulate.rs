@@ -8,8 +8,8 @@ use super::number::{at_least_one, positive};
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
-use super::{Console, Outcome, model, suggest};
-use driftpost::application::{Course, DeclaredNames, ProgramFiles, Simulation, check_names};
+use super::{Console, Outcome, model, simulate_hints as hints};
+use driftpost::application::{Course, Simulation, check_names};
 use driftpost::report::simulation;
 use rapid_program::compensate::CompensateError;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -18,9 +18,8 @@ use robot_model::units::m_from_mm;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-use virtual_controller::scenario::STEPS;
 use virtual_controller::session::SessionOptions;
-use virtual_controller::{Scenario, SimulateError, TrueRobot, Warming};
+use virtual_controller::{Scenario, TrueRobot, Warming};
 
 /// Command line of `driftpost simulate`.
 #[derive(Debug, clap::Args)]
@@ -160,11 +159,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         console
             .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
     }
-    if let (Some(task), false) = (&args.task, tasks.is_empty())
+    if let Some(task) = &args.task
         && !tasks.iter().any(|known| known.eq_ignore_ascii_case(task))
     {
         let text = format!("--task {task}: no module stands in a folder {task}");
-        let help = format!("the tasks are {}", tasks.join(", "));
+        let help = match tasks.as_slice() {
+            [] => "no file stands in a task's folder: leave it out".to_owned(),
+            tasks => format!("the tasks are {}", tasks.join(", ")),
+        };
         return Err(Diagnostic::error("task::no-motion", text).help(help).into());
     }
     let robot = made_with.robot(args.settings.robot.as_deref())?;
@@ -177,8 +179,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             let bytes = files::read(path, "scenario")?;
             let text = String::from_utf8_lossy(&bytes);
             let scenario = Scenario::from_toml(&text).map_err(|e| {
-                let mut said = model::in_file(&path.display().to_string(), diagnostic_of(&e));
-                said.help = near_step(&said.message).or(said.help);
+                let mut said = model::in_file(&path.display().to_string(), hints::diagnostic_of(&e));
+                said.help = hints::of_step(&said.message).or(said.help);
                 said
             })?;
             Some(scenario)
@@ -223,10 +225,15 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     for files in original.iter().chain([&program]) {
         check_names(&files.sources())?;
     }
-    check_set(&args.set, &program)?;
+    let set = args.set.iter().map(|(name, _)| ("--set", name.as_str()));
+    let thermometer = args.thermometer.iter().map(|name| ("--thermometer", name.as_str()));
+    hints::check_mentioned(set.chain(thermometer), &program)?;
+    if let Course::Scenario(scenario) = &course {
+        hints::check_mentioned(scenario.signals().map(|name| ("scenario: signal", name)), &program)?;
+    }
     let report = simulation.run(&program, original.as_ref(), &course).map_err(|error| {
-        let mut said = diagnostic_of(&error);
-        said.help = near_name(&error, &program.names()).or(said.help);
+        let mut said = hints::diagnostic_of(&error);
+        said.help = hints::of_name(&error, &program.names()).or(said.help);
         said
     })?;
 
@@ -274,53 +281,4 @@ fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRob
             .help("say how warm the joints are, --temperature-c T or six values"));
     }
     Ok(truth.with_model(&identified.model, temperature_c))
-}
-
-/// Refuses to set what no module mentions.
-fn check_set(set: &[(String, String)], program: &ProgramFiles) -> Result<(), Diagnostic> {
-    match set.iter().find(|(name, _)| !program.mentions(name)) {
-        None => Ok(()),
-        Some((name, _)) => {
-            let error = SimulateError::NoData(name.clone());
-            let near = near_name(&error, &program.names());
-            Err(Diagnostic::error(error.code(), format!("--set {name}: no module mentions this name")).help(
-                near.unwrap_or_else(|| {
-                    "give the name of data or of a signal as the program has it".to_owned()
-                }),
-            ))
-        }
-    }
-}
-
-/// The name that is nearest to one that is not there.
-fn near_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
-    let (wanted, known) = match error {
-        SimulateError::NoRoutine(name) => (name, &names.routines),
-        SimulateError::NoData(name) => (name, &names.data),
-        _ => return None,
-    };
-    let near = suggest::nearest(wanted, known.iter().map(String::as_str))?;
-    Some(format!("did you mean {near}?"))
-}
-
-/// The step that is nearest to one that no scenario has.
-fn near_step(message: &str) -> Option<String> {
-    let word = message.split('`').nth(1)?.split_whitespace().next()?;
-    let near = suggest::nearest(word, STEPS).filter(|near| *near != word)?;
-    Some(format!("did you mean {near}?"))
-}
-
-fn diagnostic_of(error: &SimulateError) -> Diagnostic {
-    let help = match error {
-        SimulateError::NoEntry(_) | SimulateError::NoRoutine(_) => "name the routine with --entry",
-        SimulateError::Load { .. } => "give each module once; a controller would not load this either",
-        SimulateError::Scenario(_) | SimulateError::Value { .. } | SimulateError::NoData(_) => {
-            "correct the scenario, or give all files of the program"
-        }
-        SimulateError::Endless { .. } | SimulateError::Idle(_) => {
-            "say with --set NAME=VALUE what comes from outside"
-        }
-        SimulateError::Arm(_) => "use another robot",
-    };
-    Diagnostic::error(error.code(), error.to_string()).help(help)
 }

@@ -5,10 +5,17 @@ pub fn nearest<'a>(wanted: &str, candidates: impl IntoIterator<Item = &'a str>) 
     let wanted = wanted.to_lowercase();
     candidates
         .into_iter()
-        .map(|c| (strsim::jaro_winkler(&wanted, &c.to_lowercase()), c))
+        .map(|c| (likeness(&wanted, &c.to_lowercase()), c))
         .filter(|(score, _)| *score >= 0.8)
         .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(a.1)))
         .map(|(_, c)| c)
+}
+
+/// How alike two words are, 1 where they are the same. In short ones two letters that changed places leave nothing alike by
+/// themselves: one slip counts as near in any.
+fn likeness(a: &str, b: &str) -> f64 {
+    let one_slip = a.chars().count() > 2 && strsim::osa_distance(a, b) == 1;
+    strsim::jaro_winkler(a, b).max(if one_slip { 0.9 } else { 0.0 })
 }
 
 #[cfg(test)]
@@ -21,5 +28,6 @@ mod tests {
         assert_eq!(nearest("IRB_140", robots), Some("irb140"));
         assert_eq!(nearest("irb14", robots), Some("irb140"));
         assert_eq!(nearest("kr6", robots), None);
+        assert_eq!(nearest("rnu", ["stand", "run", "set"]), Some("run"));
     }
 }

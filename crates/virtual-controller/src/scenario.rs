@@ -132,6 +132,16 @@ impl Scenario {
         Ok(scenario)
     }
 
+    /// The signals that steps set or whose unit fails, and those that spheres set.
+    pub fn signals(&self) -> impl Iterator<Item = &str> {
+        let of_steps = self.steps.iter().filter_map(|step| {
+            let mut words = step.split_whitespace();
+            let is_signals = matches!(words.next()?, "signal" | "unit_down" | "unit_up");
+            words.next().filter(|_| is_signals)
+        });
+        of_steps.chain(self.spheres.iter().map(|sphere| sphere.signal.as_str()))
+    }
+
     pub(super) fn parsed(&self) -> Result<Vec<ScenarioStep>, SimulateError> {
         self.steps.iter().map(|s| parse_step(s)).collect()
     }

@@ -1,6 +1,6 @@
 //! A misspelt word is answered with the right one.
 
-use super::{CUBE, driftpost, err};
+use super::{Bench, CUBE, driftpost, err};
 
 /// Every long option, with one letter dropped, is answered with itself.
 #[test]
@@ -32,6 +32,56 @@ fn a_misspelt_command_or_value_is_answered_with_the_right_one() {
     assert!(output.status.code() == Some(2) && err(&output).contains("'compensate'"), "{}", err(&output));
     let output = driftpost(&["compensate", CUBE, "--clock", "elapse"]);
     assert!(output.status.code() == Some(2) && err(&output).contains("elapsed, "), "{}", err(&output));
+}
+
+#[test]
+fn a_misspelt_name_of_the_program_is_answered_with_the_right_one() {
+    let bench = Bench::default();
+    let cell = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/simulate/cell.mod");
+    let corrected = bench.path("cell_tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", cell, "-o", &corrected]).status.success());
+    let refused = |options: &[&str]| {
+        let output = driftpost(&[&["simulate", corrected.as_str()], options].concat());
+        assert_eq!(output.status.code(), Some(2), "{options:?}");
+        err(&output)
+    };
+    for (options, hint) in [
+        (["--entry", "mian"], "did you mean main?"),
+        (["--entry", "tcColdStrat"], "did you mean tcColdStart?"),
+        (["--set", "tcMod=-2"], "did you mean tcMode?"),
+        (["--thermometer", "tcMinut"], "did you mean tcMinute?"),
+        (["--task", "TASK3"], "leave it out"),
+    ] {
+        assert!(refused(&options).contains(hint), "{options:?}: {}", refused(&options));
+    }
+    for (steps, hint) in [
+        ("steps = [\"call tcColdStrat\"]", "did you mean tcColdStart?"),
+        ("steps = [\"rnu 10\"]", "did you mean run?"),
+        ("steps = [\"ppto_main\"]", "did you mean pp_to_main?"),
+        ("steps = [\"tcColdStart\"]", "called by `call tcColdStart`"),
+        ("steps = [\"signal tcMod 1\", \"run 5\"]", "did you mean tcMode?"),
+        ("steps = [\"set tcMod 1\", \"run 5\"]", "did you mean tcMode?"),
+        ("taucool = 3\nsteps = [\"run 5\"]", "did you mean tau_cool_min?"),
+    ] {
+        let scenario = bench.file("lunch.toml", steps);
+        let said = refused(&["--scenario", &scenario]);
+        assert!(said.contains(hint), "{steps}: {said}");
+    }
+    let said = refused(&["--scenario", &bench.path("lunhc.toml").display().to_string()]);
+    assert!(said.contains("lunch.toml?"), "{said}");
+    let output = driftpost(&["compensate", cell, "--home", "jHmoe", "-o", "-"]);
+    assert!(err(&output).contains("jointtarget of the program (jHome)"), "{}", err(&output));
+    let output = driftpost(&["help", "link", "chek"]);
+    assert!(!cfg!(feature = "link") || err(&output).contains("'check'"), "{}", err(&output));
+}
+
+/// A routine that is nowhere near is answered with those that there are.
+#[test]
+fn an_entry_that_is_not_there_is_answered_with_those_that_are() {
+    let cell = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/simulate/cell.mod");
+    let output = driftpost(&["simulate", cell, "--entry", "xyz"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("the routines are main, "), "{}", err(&output));
 }
 
 /// A form that is no more is refused, not ignored.

@@ -6,7 +6,7 @@ use super::const_eval::{ConstEvaluator, Constant};
 use super::convert;
 use super::index::{Datum, Index};
 use super::is_of_task;
-use super::names::lower_case;
+use super::names::{as_text, lower_case};
 use super::value::Value;
 use super::writes::Writes;
 use rapid_syntax::SourceFile;
@@ -92,7 +92,14 @@ pub(super) fn home(
     joints
         .map_err(|reason| {
             let text = format!("--home {name} {reason}");
-            let help = "name a jointtarget of the program, or give the six angles with --start-joints";
+            let is_jointtarget =
+                |d: &&Datum<'_>| d.ctx.routine.is_none() && index.type_text(d.type_name) == "jointtarget";
+            let there = index.data.iter().filter(is_jointtarget).take(8);
+            let there: Vec<String> = there.map(|d| as_text(index.text(d.ctx.file, d.name_range))).collect();
+            let those = if there.is_empty() { String::new() } else { format!(" ({})", there.join(", ")) };
+            let help = format!(
+                "name a jointtarget of the program{those}, or give the six angles with --start-joints"
+            );
             diagnostics.push(Diagnostic::error("override::home", text).help(help));
         })
         .ok()

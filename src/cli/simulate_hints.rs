@@ -1,0 +1,82 @@
+//! What helps where `simulate` is asked for a name that is not there: a routine, data, a signal, a step of a scenario.
+
+use super::suggest;
+use driftpost::application::{DeclaredNames, ProgramFiles};
+use rapid_syntax::diagnostic::Diagnostic;
+use virtual_controller::SimulateError;
+use virtual_controller::scenario::STEPS;
+
+/// So many names are listed; more are no help.
+const MOST_LISTED: usize = 8;
+
+/// Refuses names from outside, each with what gives it, that no module mentions: they could change nothing.
+pub fn check_mentioned<'n>(
+    names: impl IntoIterator<Item = (&'n str, &'n str)>,
+    program: &ProgramFiles,
+) -> Result<(), Diagnostic> {
+    match names.into_iter().find(|(_, name)| !program.mentions(name)) {
+        None => Ok(()),
+        Some((given_by, name)) => {
+            let words = program.words();
+            let help = match suggest::nearest(name, words.iter().map(String::as_str)) {
+                Some(near) => did_you_mean(near),
+                None => "give the name of data or of a signal as the program has it".to_owned(),
+            };
+            let code = SimulateError::NoData(name.to_owned()).code();
+            Err(Diagnostic::error(code, format!("{given_by} {name}: no module mentions this name"))
+                .help(help))
+        }
+    }
+}
+
+/// The name that is nearest to one that is not there, or the routines that are.
+pub fn of_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
+    let (wanted, known) = match error {
+        SimulateError::NoRoutine(name) => (name, &names.routines),
+        SimulateError::NoData(name) => (name, &names.data),
+        _ => return None,
+    };
+    let near = suggest::nearest(wanted, known.iter().map(String::as_str)).map(did_you_mean);
+    let few = || {
+        let few = matches!(error, SimulateError::NoRoutine(_)) && (1..=MOST_LISTED).contains(&known.len());
+        few.then(|| format!("the routines are {}", known.join(", ")))
+    };
+    near.or_else(few)
+}
+
+/// The step or the key that is nearest to one that no scenario has, by the message that quotes it.
+pub fn of_step(message: &str) -> Option<String> {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    let step = quoted.next()?;
+    let word = step.split_whitespace().next()?;
+    let near = match message.contains("unknown field") {
+        true => suggest::nearest(word, quoted),
+        false => suggest::nearest(word, STEPS),
+    };
+    match near {
+        Some(near) if near == word => None,
+        Some(near) => Some(did_you_mean(near)),
+        None if step == word => Some(format!("a routine is called by `call {word}`")),
+        None => None,
+    }
+}
+
+fn did_you_mean(near: &str) -> String {
+    format!("did you mean {near}?")
+}
+
+/// An error with what is generally to be done about it.
+pub fn diagnostic_of(error: &SimulateError) -> Diagnostic {
+    let help = match error {
+        SimulateError::NoEntry(_) | SimulateError::NoRoutine(_) => "name the routine with --entry",
+        SimulateError::Load { .. } => "give each module once; a controller would not load this either",
+        SimulateError::Scenario(_) | SimulateError::Value { .. } | SimulateError::NoData(_) => {
+            "correct the scenario, or give all files of the program"
+        }
+        SimulateError::Endless { .. } | SimulateError::Idle(_) => {
+            "say with --set NAME=VALUE what comes from outside"
+        }
+        SimulateError::Arm(_) => "use another robot",
+    };
+    Diagnostic::error(error.code(), error.to_string()).help(help)
+}
