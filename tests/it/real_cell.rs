@@ -86,6 +86,14 @@ fn without_known_joints_a_joint_move_that_nobody_checks_has_no_branch() {
         ["compensated", "compensated", "keep::no-value"]
     );
     assert_eq!(statuses(&with_joints)[3].1, "keep::branch-unknown");
+    // What makes it so is named.
+    let why = reason(&with_joints, 13);
+    assert!(
+        why.starts_with("where the arm stands is not known since the MoveAbsJ in line 12 of conf_off.mod,"),
+        "{why}"
+    );
+    let why = reason(&made, 12);
+    assert!(why.starts_with("jr has no initial value: line "), "{why}");
     let mut home = compensation();
     home.overrides.home = Some("jHome".to_owned());
     assert_eq!(statuses(&home.run(&files).unwrap()), statuses(&with_joints));
@@ -241,6 +249,14 @@ fn where_the_arm_stands_is_not_corrected_again() {
             (38, "keep::own-position"), // one of its calls hands over a reading
         ]
     );
+    // The reading is named, however far away it stands.
+    for (line, read_in) in [(15, 34), (22, 21), (23, 21), (38, 34)] {
+        let why = reason(&made, line);
+        assert!(
+            why.contains("(CRobT)") && why.ends_with(&format!(": line {read_in} of where_it_stands.mod")),
+            "{why}"
+        );
+    }
 }
 
 #[test]

@@ -75,7 +75,7 @@ pub fn plan(
         messages.add(None, Diagnostic::warning(error.code(), text).help(help));
     }
     conditions::fill(program, &model, &mut resolved);
-    keep_unknown_branches(program, &model, options.tolerance_m, &mut resolved);
+    keep_unknown_branches((program, start_rad.is_some()), &model, options.tolerance_m, &mut resolved);
     keep_other_later_frames(program, &model, options.tolerance_m, &mut resolved);
     keep_one_of_several(program, options, &mut resolved);
     keep_as_asked(program, options, &mut resolved);

@@ -1,35 +1,42 @@
 //! Motions whose branch the text does not tell: corrected only where every branch needs the same correction.
 
+use super::messages::span_of;
 use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::placement::keep;
 use super::settled_check::keep_where;
 use super::warm_joints::warm_joints;
+use super::ways_back::before;
 use crate::program::Program;
 use crate::program::motion::{Motion, SkipReason, Target};
+use rapid_syntax::diagnostic::Span;
 use robot_model::deform::DeformedArm;
 use robot_model::units::mm_from_m;
+use std::collections::{BTreeSet, VecDeque};
 
-/// Leaves as they are the motions whose settled corrections on their branches are further apart than `tolerance_m`.
+/// Leaves as they are the motions whose settled corrections on their branches are further apart than `tolerance_m`. With the program
+/// goes whether it is known where the arm stands at its entry.
 pub(super) fn keep_unknown_branches(
-    program: &Program,
+    (program, start_is_known): (&Program, bool),
     model: &Model<'_>,
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    keep_where(program, model, resolved, |motion, resolved, settled| {
-        differing(motion, resolved, settled, model, tolerance_m)
+    keep_where(program, model, resolved, |at, motion, resolved, settled| {
+        let apart = differing(motion, resolved, settled, model, tolerance_m)?;
+        let (why, because) = why_unknown(program, start_is_known, at);
+        Some(SkipReason { because, ..keep("keep::branch-unknown", format!("{why}, so that it {apart}")) })
     });
 }
 
-/// Why a motion is left alone, where it is.
+/// On how many branches a motion may arrive, where they need different corrections.
 fn differing(
     motion: &Motion,
     resolved: &Resolved,
     settled: &DeformedArm,
     model: &Model<'_>,
     tolerance_m: f64,
-) -> Option<SkipReason> {
+) -> Option<String> {
     let may_be = resolved.may_be()?;
     let values = motion.targets.iter().flat_map(Target::values);
     let (mut apart_m, mut branches): (f64, usize) = (0.0, 0);
@@ -58,11 +65,26 @@ fn differing(
         true => format!("would need corrections {:.3} mm apart", mm_from_m(apart_m)),
         false => "cannot all be corrected".to_owned(),
     };
-    Some(keep(
-        "keep::branch-unknown",
-        format!(
-            "where the arm comes from is not known, so that it may arrive on any of {branches} branches, which {apart} \
-             (--start-joints or --home says where it stands at the entry)"
-        ),
-    ))
+    Some(format!("may arrive on any of {branches} branches, which {apart}"))
+}
+
+/// What leaves open where the arm stands before a motion: on the shortest way back the program's entry, or a motion whose joints
+/// nobody knows.
+fn why_unknown(program: &Program, start_is_known: bool, at: usize) -> (String, Option<Span>) {
+    let (mut seen, mut ways) = (BTreeSet::from([at]), VecDeque::from([at]));
+    while let Some(at) = ways.pop_front() {
+        let motion = &program.motions[at];
+        if seen.len() > 1 && motion.targets.last().is_none_or(|target| target.values().next().is_none()) {
+            let path = &program.file(motion.file).path;
+            let (kind, line) = (motion.setup.kind, motion.line);
+            let why = format!("where the arm stands is not known since the {kind} in line {line} of {path}");
+            return (why, Some(span_of(motion)));
+        }
+        if motion.from_start && !start_is_known {
+            let why = "where the arm comes from is not known (--start-joints or --home says where it stands at the entry)";
+            return (why.to_owned(), None);
+        }
+        ways.extend(before(program, at).filter(|&earlier| seen.insert(earlier)));
+    }
+    ("where the arm comes from is not known".to_owned(), None)
 }

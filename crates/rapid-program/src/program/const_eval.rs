@@ -285,7 +285,8 @@ impl<'a> ConstEvaluator<'a> {
         }
         let entry = &self.index.data[datum];
         let Some(init) = entry.init else {
-            return Err(self.about(datum, "keep::no-value", "has no initial value"));
+            let place = self.index.place(self.index.declaration(datum));
+            return Err(self.about(datum, "keep::no-value", &format!("has no initial value: {place}")));
         };
         self.busy.push(datum);
         let folded = self.fold(init, entry.ctx, &Constant).map(|t| t.value);

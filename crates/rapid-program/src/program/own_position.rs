@@ -10,9 +10,9 @@ use super::names::lower_case;
 use super::tracked::{names_in, sources};
 use super::writes::match_arguments;
 use super::written_by::written_by_instruction;
-use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, Callee, Expr, ParamMode, Stmt, StmtKind};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions of the controller that read where the robot stands.
 const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
@@ -20,8 +20,10 @@ const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
 /// Data and functions of a program whose values come from where the robot stands.
 #[derive(Debug, Default)]
 pub(super) struct OwnPositions {
-    data: BTreeSet<DatumId>,
-    routines: BTreeSet<usize>,
+    /// Each datum with a reading whose value comes to it.
+    data: BTreeMap<DatumId, Span>,
+    /// Each function with a reading whose value it gives.
+    routines: BTreeMap<usize, Span>,
     /// Those of the functions that make such a value of their own arguments alone: what they are given tells whether they do.
     of_arguments: BTreeSet<usize>,
     /// Functions of the controller that give such values.
@@ -50,7 +52,7 @@ impl OwnPositions {
                 }
                 for point in written_by_instruction(index, ctx, &written, &call.args) {
                     names_in(index, ctx, point, &mut |datum| {
-                        found.data.insert(datum);
+                        found.data.entry(datum).or_insert(Span { file: ctx.file, range: stmt.range });
                     });
                 }
             });
@@ -66,37 +68,51 @@ impl OwnPositions {
         sources.extend(late.over);
         handed_back.extend(late.back);
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
-        let mut set = found.data.clone();
+        let mut set: BTreeSet<DatumId> = found.data.keys().copied().collect();
         loop {
             let before = (found.data.len(), found.routines.len(), set.len());
             for (id, routine) in index.routines.iter().enumerate() {
                 let ctx = routine.ctx;
-                let (mut data, mut returns) = (Vec::new(), false);
+                let (mut data, mut returns) = (Vec::new(), None);
                 in_all(routine, &mut |stmt| match &stmt.kind {
-                    StmtKind::Assign(assign) if found.is_read(index, ctx, &assign.value) => {
-                        // Only what is assigned itself: `p.robconf` of a reading is no reading.
-                        names_in(index, ctx, &assign.target, &mut |datum| data.push(datum));
+                    StmtKind::Assign(assign) => {
+                        if let Some(at) = found.read_at(index, ctx, &assign.value) {
+                            // Only what is assigned itself: `p.robconf` of a reading is no reading.
+                            names_in(index, ctx, &assign.target, &mut |datum| data.push((datum, at)));
+                        }
                     }
-                    StmtKind::Return(Some(value)) if found.is_read(index, ctx, value) => returns = true,
+                    StmtKind::Return(Some(value)) => returns = returns.or(found.read_at(index, ctx, value)),
                     _ => {}
                 });
-                set.extend(data);
-                if returns {
-                    found.routines.insert(id);
+                set.extend(data.iter().map(|(datum, _)| *datum));
+                found.add(data);
+                if let Some(at) = returns {
+                    found.routines.entry(id).or_insert(at);
                 }
             }
-            let back: Vec<DatumId> =
-                handed_back.iter().filter(|(_, from)| set.contains(from)).map(|(to, _)| *to).collect();
-            set.extend(back);
-            found.data.extend(&set);
-            let more: Vec<DatumId> =
-                sources.iter().filter(|(_, from)| found.data.contains(from)).map(|(to, _)| *to).collect();
-            found.data.extend(more);
+            let back: Vec<(DatumId, DatumId)> =
+                handed_back.iter().filter(|(_, from)| set.contains(from)).copied().collect();
+            set.extend(back.iter().map(|(to, _)| *to));
+            found.add_from(&back);
+            found.add_from(&sources);
             if before == (found.data.len(), found.routines.len(), set.len()) {
-                let of_arguments = found.routines.iter().filter(|&&id| found.is_of_arguments(index, id));
+                let of_arguments = found.routines.keys().filter(|&&id| found.is_of_arguments(index, id));
                 found.of_arguments = of_arguments.copied().collect();
                 return found;
             }
+        }
+    }
+
+    fn add(&mut self, data: impl IntoIterator<Item = (DatumId, Span)>) {
+        for (datum, at) in data {
+            self.data.entry(datum).or_insert(at);
+        }
+    }
+
+    /// Adds data to which the value of another comes, `(to, from)`.
+    fn add_from<'p>(&mut self, pairs: impl IntoIterator<Item = &'p (DatumId, DatumId)>) {
+        for (to, from) in pairs {
+            self.add(self.data.get(from).map(|at| (*to, *at)));
         }
     }
 
@@ -121,7 +137,7 @@ impl OwnPositions {
             }
             for expr in expressions_of(stmt) {
                 every_call(expr, &mut |name, _| {
-                    calls |= index.declares_routine(name, ctx) || self.is_reading(index, ctx, name);
+                    calls |= index.declares_routine(name, ctx) || self.reading(index, ctx, name).is_some();
                 });
                 names_in(index, ctx, expr, &mut |datum| {
                     foreign |= self.holds(datum) && index.data[datum].ctx.routine != Some(id);
@@ -133,26 +149,33 @@ impl OwnPositions {
 
     /// Whether an expression holds a reading.
     pub(super) fn is_read(&self, index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
-        self.is_read_where(index, ctx, expr, &|_| true)
+        self.read_at(index, ctx, expr).is_some()
+    }
+
+    /// The reading that an expression holds.
+    pub(super) fn read_at(&self, index: &Index<'_>, ctx: Ctx, expr: &Expr) -> Option<Span> {
+        self.read_where(index, ctx, expr, &|_| true)
     }
 
     /// The same at a place where of the data that can hold a reading those alone do of which `holds` says so.
-    pub(super) fn is_read_where(
+    pub(super) fn read_where(
         &self,
         index: &Index<'_>,
         ctx: Ctx,
         expr: &Expr,
         holds: &impl Fn(DatumId) -> bool,
-    ) -> bool {
-        let mut read = false;
-        every_call(expr, &mut |name, _| read |= self.is_reading(index, ctx, name));
-        names_in(index, ctx, expr, &mut |datum| read |= self.holds(datum) && holds(datum));
+    ) -> Option<Span> {
+        let mut read = None;
+        every_call(expr, &mut |name, _| read = read.or(self.reading(index, ctx, name)));
+        names_in(index, ctx, expr, &mut |datum| {
+            read = read.or(self.data.get(&datum).filter(|_| holds(datum)).copied());
+        });
         read
     }
 
     /// Whether a datum can hold a reading at some time.
     pub(super) fn holds(&self, datum: DatumId) -> bool {
-        self.data.contains(&datum)
+        self.data.contains_key(&datum)
     }
 
     /// Whether there is any.
@@ -160,13 +183,17 @@ impl OwnPositions {
         self.data.is_empty() && self.routines.is_empty()
     }
 
-    fn is_reading(&self, index: &Index<'_>, ctx: Ctx, name: TextRange) -> bool {
+    /// The reading that a function gives.
+    fn reading(&self, index: &Index<'_>, ctx: Ctx, name: TextRange) -> Option<Span> {
         let own = index.name_at(ctx.file, name).map(|name| index.routine(name, ctx));
         match own {
             Some(Resolved::Here(routine) | Resolved::Elsewhere(routine)) => {
-                self.routines.contains(&routine) && !self.of_arguments.contains(&routine)
+                self.routines.get(&routine).filter(|_| !self.of_arguments.contains(&routine)).copied()
             }
-            _ => self.readings.contains(&&*lower_case(index.text(ctx.file, name))),
+            _ => {
+                let read = self.readings.contains(&&*lower_case(index.text(ctx.file, name)));
+                read.then_some(Span { file: ctx.file, range: name })
+            }
         }
     }
 
@@ -174,7 +201,7 @@ impl OwnPositions {
         let mut read = false;
         in_all(routine, &mut |stmt| {
             for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, _| read |= self.is_reading(index, routine.ctx, name));
+                every_call(expr, &mut |name, _| read |= self.reading(index, routine.ctx, name).is_some());
             }
         });
         read

@@ -62,15 +62,16 @@ impl<'a> MotionReader<'_, 'a> {
             let indexed = args.targets.len() == 1 && !target.elements().is_empty();
             targets.push(target);
             reached.extend(calc);
-            match failed {
-                _ if self.own_positions.is_read(index, ctx, expr) => {
-                    let reason =
-                        "its target is read from where the robot stands, so that it holds the drift already";
-                    let because = failed.and_then(|keep| keep.because);
-                    reasons.add(SkipReason { code: "keep::own-position", reason: reason.into(), because });
+            match (self.own_positions.read_at(index, ctx, expr), failed) {
+                (Some(at), _) => {
+                    let (function, place) = (as_text(index.text(at.file, at.range)), index.place(at));
+                    let reason = format!(
+                        "its target is read from where the robot stands ({function}), so that it holds the drift already: {place}"
+                    );
+                    reasons.add(SkipReason { code: "keep::own-position", reason, because: Some(at) });
                 }
-                Some(keep) if indexed && is_known_at_run_time(&keep) => {}
-                failed => reasons.extend(failed),
+                (None, Some(keep)) if indexed && is_known_at_run_time(&keep) => {}
+                (None, failed) => reasons.extend(failed),
             }
         }
         MotionTargets { targets, reached, read_elsewhere }

@@ -99,7 +99,7 @@ impl Walker<'_, '_> {
             slot.is_none_or(|slot| slot.found)
         };
         let found = self.found.as_ref();
-        found.is_some_and(|found| found.points.is_read_where(self.evaluator.index, ctx, expr, &holds))
+        found.is_some_and(|found| found.points.read_where(self.evaluator.index, ctx, expr, &holds).is_some())
     }
 
     /// Notes what the target of a motion that is watched is on one more visit.
