@@ -389,6 +389,19 @@ fn a_table_that_cannot_be_a_robots_is_named_or_refused() {
     let large = refusal(&with("large.csv"), &cube);
     assert!(error_codes(&large).contains(&"refuse::correction"));
     assert!(large.messages.iter().any(|m| m.diagnostic.code == "deform::large"));
+    // Where nothing can be corrected with it, that is said too: 5 deg in joint 3 are no warming.
+    let table = "Dx,Dy,Dz,DOx,DOy,DOz\n0,0,0,0,0,0\n0,0,0,0,0,0\n0,0,0,0,5,0\n0,0,0,0,0,0\n0,0,0,0,0,0\n0,0,0,0,0,0\n";
+    let table = table.replace("Dx,Dy,Dz,DOx,DOy,DOz", "Dx [mm],Dy[mm],Dz[mm],DOx[deg],DOy[deg],DOz[deg]");
+    let table = Deformation::from_csv(table.as_bytes(), Some(GrowthLaw::None)).unwrap();
+    let turned = refusal(&Compensation::new(Robot::built_in("irb140").unwrap(), table), &cube);
+    assert!(
+        turned.messages.iter().any(|m| m.diagnostic.code == "deform::large"),
+        "{:?}",
+        error_codes(&turned)
+    );
+    assert!(
+        turned.kept.iter().any(|why| why.code == "keep::joint-change" && !why.reason.contains("singular"))
+    );
     // The paper's drift is 0.193 mm on this program: more than half of it is left by 0.1 mm.
     let mut loose = compensation();
     loose.options.tolerance_m = 1e-4;

@@ -92,7 +92,7 @@ pub fn plan(
         options.form.corrects_run_time() && program.motions.iter().any(|motion| motion.run_time);
     if points.places().is_empty() && !asks_at_run_time {
         let reason = |i: usize| resolved.get(i)?.kept();
-        return Err(nothing(program, reason, &model, messages));
+        return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let (chosen, at) = choose_moments(program, &points, options)?;
     drop(points);
@@ -105,7 +105,7 @@ pub fn plan(
             Status::Kept(why) => Some(why),
             Status::Compensated | Status::Refused(_) => None,
         };
-        return Err(nothing(program, reason, &model, messages));
+        return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let compensated = |i: usize| motions.get(i).is_some_and(|m| m.status == Status::Compensated);
     let compensated = ProgramPoints::of(program, &resolved, &model, compensated);
@@ -289,7 +289,7 @@ fn nothing<'k>(
     program: &Program,
     reason: impl Fn(usize) -> Option<&'k Arc<SkipReason>>,
     model: &Model<'_>,
-    mut messages: Messages,
+    (of_plan, mut messages): (Messages, Messages),
 ) -> CompensateError {
     conditions::check_model(model, None, &mut messages);
     let mut kept = Vec::new();
@@ -307,7 +307,7 @@ fn nothing<'k>(
             line,
             first,
             kept,
-            diagnostics: messages.finish(),
+            diagnostics: [of_plan.finish(), messages.finish()].concat(),
         },
         None => CompensateError::NoMotion,
     }

@@ -18,7 +18,13 @@ impl Robot {
 /// slash where both have one. `None` where one of them names no type of ABB's.
 #[must_use]
 pub fn same_type(a: &str, b: &str) -> Option<bool> {
-    Some(TypeName::of(a)?.same_arm(&TypeName::of(b)?))
+    let (a, b) = (TypeName::of(a)?, TypeName::of(b)?);
+    Some(
+        a.same_family(&b)
+            && a.build().eq_ignore_ascii_case(b.build())
+            && a.is_lean == b.is_lean
+            && a.same_reach(&b, ROUNDED_REACH_M),
+    )
 }
 
 /// Whether a name is one of ABB's.
@@ -27,9 +33,11 @@ pub(super) fn names_abb(name: &str) -> bool {
     TypeName::of(name).is_some() || ["ABB", "GOFA", "YUMI"].iter().any(|own| upper.contains(own))
 }
 
-/// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8, or 0.6 for 0.58; arms of
-/// one type differ by 0.05 and more.
-pub(super) const SAME_REACH_M: f64 = 0.045;
+/// Reaches that differ by less are of one arm, metres: one text says 0.81 where the data sheet says 0.8.
+const SAME_REACH_M: f64 = 0.011;
+
+/// The same of texts that round (0.6 for 0.58); arms of one type differ by 0.05 and more.
+const ROUNDED_REACH_M: f64 = 0.045;
 
 /// Letters behind the digits that say how an arm is painted, sealed or driven, not how long it is.
 const SAME_ARM: [&str; 7] = ["CR", "CW", "F", "FP", "M", "T", "WE"];
@@ -89,16 +97,19 @@ impl<'n> TypeName<'n> {
         if same { "" } else { self.variant }
     }
 
-    /// Whether both may be one arm: reaches count where both have one.
-    pub(super) fn same_arm(&self, other: &Self) -> bool {
-        let same_reach = match (self.reach_m, other.reach_m) {
-            (Some(a), Some(b)) => (a - b).abs() < SAME_REACH_M,
+    fn same_reach(&self, other: &Self, within_m: f64) -> bool {
+        match (self.reach_m, other.reach_m) {
+            (Some(a), Some(b)) => (a - b).abs() < within_m,
             _ => true,
-        };
+        }
+    }
+
+    /// Whether both are one arm to the letter: reaches count where both have one.
+    pub(super) fn same_arm(&self, other: &Self) -> bool {
         self.same_family(other)
-            && self.build().eq_ignore_ascii_case(other.build())
+            && self.variant.eq_ignore_ascii_case(other.variant)
             && self.is_lean == other.is_lean
-            && same_reach
+            && self.same_reach(other, SAME_REACH_M)
     }
 }
 
