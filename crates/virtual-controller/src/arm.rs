@@ -67,6 +67,29 @@ impl Move {
     }
 }
 
+/// How much slower than written the arm moves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SpeedOverride {
+    /// What VelSet says, and what SpeedRefresh does, each above 0 and up to 1.
+    pub of_program: f64,
+    pub of_operator: f64,
+    /// Fastest speed of the TCP, mm/s.
+    pub max_mm_s: f64,
+}
+
+impl SpeedOverride {
+    /// Share of the written speed.
+    pub(super) fn share(&self) -> f64 {
+        self.of_program * self.of_operator
+    }
+}
+
+impl Default for SpeedOverride {
+    fn default() -> Self {
+        Self { of_program: 1.0, of_operator: 1.0, max_mm_s: f64::INFINITY }
+    }
+}
+
 /// The arm of a controller.
 #[derive(Debug)]
 pub struct Arm {
@@ -76,6 +99,7 @@ pub struct Arm {
     q_rad: Option<[f64; 6]>,
     pub(super) conf_l: bool,
     pub(super) conf_j: bool,
+    pub(super) speed: SpeedOverride,
     pub(super) displacement: Isometry3<f64>,
     /// Offsets of the external axes, mm or degrees: shown, but no axis of this arm.
     pub(super) axis_offsets: [f64; 6],
@@ -109,6 +133,7 @@ impl Arm {
             q_rad: None,
             conf_l: true,
             conf_j: true,
+            speed: SpeedOverride::default(),
             displacement: Isometry3::identity(),
             axis_offsets: [0.0; 6],
             last: None,
@@ -122,6 +147,7 @@ impl Arm {
     pub(super) fn restart(&mut self) {
         self.conf_l = true;
         self.conf_j = true;
+        self.speed = SpeedOverride::default();
         self.displacement = Isometry3::identity();
         self.axis_offsets = [0.0; 6];
     }

@@ -258,6 +258,14 @@ fn slow_work_is_not_taken_for_a_pause() {
     let original = bench.file("p.mod", SLOW.replace('@', &timed));
     let output = driftpost(&["compensate", &original, "--diff", "none"]);
     assert!(err(&output).contains("clock::long-motion"), "{}", err(&output));
+    // So does a speed that VelSet takes down: half a minute for a move at 10 mm/s, 8 min at a sixteenth of it.
+    let slowed = format!("      VelSet 6.25,5000;\n{there_and_back}");
+    let original = bench.file("v.mod", SLOW.replace('@', &slowed));
+    let output = driftpost(&["compensate", &original, "--diff", "none"]);
+    assert!(err(&output).contains("clock::long-motion"), "{}", err(&output));
+    let original = bench.file("u.mod", SLOW.replace('@', &there_and_back));
+    let output = driftpost(&["compensate", &original, "--diff", "none"]);
+    assert!(!err(&output).contains("clock::long-motion"), "{}", err(&output));
     // Kept motion does not ask: that is said, and the program may ask itself.
     let worst_mm = after_five_hours(&kept.replace("d:=i;", "d:=i;tcUpdate;"), "v10,", &[]);
     assert!(worst_mm < 0.0075, "{worst_mm} mm");

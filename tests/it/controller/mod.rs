@@ -4,6 +4,7 @@ mod arguments;
 mod memory;
 mod pure;
 mod searching;
+mod slowing;
 mod stepping;
 mod warming;
 

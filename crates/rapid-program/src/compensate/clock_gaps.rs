@@ -4,8 +4,8 @@
 use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::plan::{PlannedMotion, Status};
-use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path};
+use crate::program::{Program, SpeedOverride};
 use robot_model::units::seconds_from_min;
 use std::f64::consts::FRAC_PI_2;
 
@@ -69,7 +69,10 @@ pub(super) fn long_gaps(
             let passes: f64 =
                 passes.map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64)).product();
             let from = previous(i).and_then(|p| resolved.get(p)?.end(&program.motions[p], model));
-            let own_s = resolved.get(i).map_or(0.0, |own| time_s(from.as_ref(), own, motion, model)) * passes;
+            let slowed = program.speed_override;
+            let own_s =
+                resolved.get(i).map_or(0.0, |own| time_s(from.as_ref(), own, (motion, slowed), model))
+                    * passes;
             if since_s <= gap_s && since_s + own_s > gap_s {
                 found.push(begun);
             }
@@ -85,7 +88,12 @@ pub(super) fn long_gaps(
 const LONGEST_WAY: usize = 10_000;
 
 /// How long a motion takes, seconds.
-fn time_s(from: Option<&Point<'_>>, resolved: &Resolved, motion: &Motion, model: &Model<'_>) -> f64 {
+fn time_s(
+    from: Option<&Point<'_>>,
+    resolved: &Resolved,
+    (motion, slowed): (&Motion, SpeedOverride),
+    model: &Model<'_>,
+) -> f64 {
     let to: Vec<Point<'_>> = match resolved.kept() {
         None => resolved.points(motion, model).collect(),
         Some(_) => resolved.end(motion, model).into_iter().collect(),
@@ -94,14 +102,23 @@ fn time_s(from: Option<&Point<'_>>, resolved: &Resolved, motion: &Motion, model:
     let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
     let (v, w) = match motion.setup.speed {
         Some(speed) => {
-            (speed.v_tcp_m_s.clamp(1e-4, FASTEST_M_S), speed.v_ori_rad_s.clamp(1e-3, FASTEST_RAD_S))
+            let most_m_s = FASTEST_M_S.min(slowed.max_tcp_m_s);
+            (
+                (speed.v_tcp_m_s * slowed.share).min(most_m_s),
+                (speed.v_ori_rad_s * slowed.share).min(FASTEST_RAD_S),
+            )
         }
         None => (UNKNOWN_M_S, UNKNOWN_RAD_S),
+    };
+    let (v, w) = match slowed.is_known {
+        true => (v.max(1e-4), w.max(1e-3)),
+        false => (v.clamp(1e-4, UNKNOWN_M_S), w.clamp(1e-3, UNKNOWN_RAD_S)),
     };
     let stops = motion.setup.zone.is_none_or(|zone| zone.finep)
         || matches!(motion.setup.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };
-    let on_way_s = motion.setup.time_s.unwrap_or_else(|| SLOWER * f64::max(way_m / v, turn_rad / w));
+    let written_s = motion.setup.time_s.map(|time_s| time_s / slowed.share);
+    let on_way_s = written_s.unwrap_or_else(|| SLOWER * f64::max(way_m / v, turn_rad / w));
     on_way_s + ends_s
 }
 

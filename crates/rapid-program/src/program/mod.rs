@@ -38,6 +38,7 @@ mod predefined;
 mod read;
 mod read_as_data;
 mod record;
+mod speed_override;
 mod state;
 mod target;
 mod tracked;
@@ -49,6 +50,7 @@ pub use built_in::is_controllers_own;
 pub use file_pairs::FilePairs;
 pub use fixed_point::{FixedPoint, LocalName};
 pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
+pub use speed_override::SpeedOverride;
 
 use module_facts::Facts;
 use motion::{Loop, Motion, MotionId, RoutineInfo};
@@ -96,6 +98,8 @@ pub struct Program {
     pub made_of_pers: BTreeMap<MotionId, (String, Span)>,
     /// Modules, remarks, routines that a program can begin with.
     pub facts: Facts,
+    /// How much slower than written it may move.
+    pub speed_override: SpeedOverride,
     /// The joints of [`Overrides::home`], radians.
     pub home_rad: Option<[f64; 6]>,
     /// What a reader of the program should know.

@@ -18,6 +18,7 @@ use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
+use super::speed_override::speed_override;
 use super::state::{LeftBehind, StatesAtMotions, TargetsOnWays, View, states_at_motions, targets_on_ways};
 use super::tracked::TrackedData;
 use super::writes::Writes;
@@ -62,6 +63,7 @@ impl Program {
             let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
             targets_on_ways(&mut evaluator, &sites, &ways, &of_targets, &found)
         };
+        let speed_override = speed_override(&mut evaluator);
         let order = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());
         facts.retain(|file| is_of_task(&index.file(file).path, task));
@@ -129,6 +131,7 @@ impl Program {
             also_anywhere,
             made_of_pers,
             facts,
+            speed_override,
             home_rad,
             diagnostics,
         }

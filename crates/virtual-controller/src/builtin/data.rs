@@ -15,7 +15,6 @@ use crate::value::Value;
 pub(super) const NO_EFFECT: &[&str] = &[
     "singarea",
     "accset",
-    "velset",
     "motionsup",
     "tperase",
     "pathresol",
@@ -28,7 +27,6 @@ pub(super) const NO_EFFECT: &[&str] = &[
     "waitrob",
     "resetretrycount",
     "errlog",
-    "speedrefresh",
     "clearpath",
     "storepath",
     "restopath",

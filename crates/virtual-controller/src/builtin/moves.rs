@@ -3,7 +3,7 @@
 use super::data::call_by_name;
 use super::parameter::{ExtJoint, Instruction, Parameter, RobTarget, Unevaluated, instruction, string};
 use super::tools::{setup, setup_of, tool_and_object};
-use crate::arm::{Arm, Move, Solved};
+use crate::arm::{Arm, Move, Solved, SpeedOverride};
 use crate::code::{Arg, Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
 use crate::interpreter::{Args, Interpreter};
@@ -69,6 +69,12 @@ const JOINT_SPEED_DEG_S: f64 = 200.0;
 pub(super) const INSTRUCTIONS: &[Instruction] = &[
     instruction!("confl", (), |vm, args| with_arm(vm, |arm| arm.conf_l = !args.has("off"))),
     instruction!("confj", (), |vm, args| with_arm(vm, |arm| arm.conf_j = !args.has("off"))),
+    instruction!("velset", (percent: f32, max_mm_s: f32), |vm, args| with_arm(vm, |arm| {
+        arm.speed = SpeedOverride { of_program: share(percent), max_mm_s: max_mm_s.into(), ..arm.speed };
+    })),
+    instruction!("speedrefresh", (percent: f32), |vm, args| with_arm(vm, |arm| {
+        arm.speed = SpeedOverride { of_operator: share(percent), ..arm.speed };
+    })),
     instruction!("pdispset", (displacement: Isometry3<f64>), |vm, args| {
         with_arm(vm, |arm| arm.displacement = displacement)
     }),
@@ -82,6 +88,11 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
     }),
     instruction!("eoffsoff", (), |vm, args| with_arm(vm, |arm| arm.axis_offsets = [0.0; 6])),
 ];
+
+/// A share of the written speed; at 0 % an arm would never get there.
+fn share(percent: f32) -> f64 {
+    f64::from(percent).clamp(1.0, 100.0) / 100.0
+}
 
 fn with_arm(vm: &mut Interpreter<'_>, change: impl FnOnce(&mut Arm)) -> Result<(), Fault> {
     if let Some(arm) = vm.arm.as_deref_mut() {
@@ -296,15 +307,17 @@ fn move_time_s(
     solved: &Solved,
     start: Option<[f64; 6]>,
 ) -> Result<f64, Fault> {
+    let slowed = vm.arm.as_deref().map(|arm| arm.speed).unwrap_or_default();
     if let Some(e) = args.named("t") {
-        return vm.eval_num(e).map(|t| f64::from(t).clamp(0.0, 3600.0));
+        return vm.eval_num(e).map(|t| (f64::from(t) / slowed.share()).clamp(0.0, 3600.0));
     }
     let (mut v_mm_s, ori_deg_s) = speed(vm, args.at(form.speed)?)?;
     if let Some(e) = args.named("v") {
         v_mm_s = f64::from(vm.eval_num(e)?);
     }
+    let v_mm_s = (v_mm_s * slowed.share()).min(slowed.max_mm_s);
     let line = solved.length_m / m_from_mm(v_mm_s.max(0.1));
-    let turn = solved.turn_rad / rad_from_deg(ori_deg_s.max(0.1));
+    let turn = solved.turn_rad / rad_from_deg((ori_deg_s * slowed.share()).max(0.1));
     let joints = start.map_or(0.0, |start| {
         let far = start.iter().zip(&solved.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         far / rad_from_deg(JOINT_SPEED_DEG_S)
