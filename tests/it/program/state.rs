@@ -271,6 +271,24 @@ fn of_several_reasons_that_which_holds_in_every_form_is_told() {
     assert_eq!(read.motions.iter().map(|m| m.run_time).collect::<Vec<_>>(), [true, false, false]);
 }
 
+/// `MoveAbsJ jHome\NoEOffs` is not affected by an offset; where a parameter says whether it stands there, it may be.
+#[test]
+fn a_move_without_external_offsets_is_free_of_them() {
+    let program = module(
+        "CONST jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+PROC main()
+EOffsSet [10,9E9,9E9,9E9,9E9,9E9];
+MoveAbsJ j\\NoEOffs,v100,fine,tool0;
+MoveAbsJ j,v100,fine,tool0;
+go;
+ENDPROC
+PROC go(\\switch free)
+MoveAbsJ j\\NoEOffs?free,v100,fine,tool0;
+ENDPROC",
+    );
+    assert_eq!(codes(&program), ["-", "keep::external-offset", "keep::external-offset"]);
+}
+
 #[test]
 fn displacements_keep_motion_until_they_are_off() {
     for (on, off, expected) in [

@@ -190,6 +190,27 @@ MoveAbsJ [[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,notG
     assert_eq!(program.motions[2].setup.tool, None);
 }
 
+/// External axes and a configuration that are taken of a reading hold nothing of the arm's drift.
+#[test]
+fn external_axes_of_a_reading_are_no_reading() {
+    let program = main_of(
+        "VAR extjoint ext;\nVAR robtarget here;\nVAR robtarget p;\nVAR confdata conf;",
+        "here:=CRobT();
+ext:=here.extax;
+conf:=here.robconf;
+p:=[[n,0,0],[1,0,0,0],conf,ext];
+MoveL p,v100,fine,tool0;
+p.trans:=here.trans;
+MoveL p,v100,fine,tool0;",
+    );
+    assert_eq!(codes(&program)[1], "keep::own-position");
+    let first = main_of(
+        "VAR extjoint ext;\nVAR robtarget here;\nVAR robtarget p;",
+        "here:=CRobT();\next:=here.extax;\np:=[[n,0,0],[1,0,0,0],here.robconf,ext];\nMoveL p,v100,fine,tool0;",
+    );
+    assert_eq!(codes(&first), ["keep::runtime-target"]);
+}
+
 #[test]
 fn calcrobt_must_name_the_tool_and_frame_of_its_motion() {
     let joints = "[[0,10,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";

@@ -36,11 +36,13 @@ pub(super) fn run_time(
     let why_not = of_controller(program, motion).or_else(|| live.lacks()).or_else(|| {
         // Then the controller goes to the solution that is nearest, whatever confdata says.
         (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
-            keep(
-                "keep::live-configuration",
-                "its target is known at run time alone, and where ConfL or ConfJ is off its configuration may not be the one \
-                 that is reached",
-            )
+            let own = motion.skip_reason.as_deref().map(|why| format!("{}; ", why.reason));
+            let reason = format!(
+                "{}where ConfL or ConfJ is off the configuration may not be the one that is reached, so that run time cannot be \
+                 asked",
+                own.unwrap_or_default()
+            );
+            keep("keep::live-configuration", reason)
         })
     });
     Some(match why_not {

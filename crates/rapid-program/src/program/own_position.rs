@@ -7,11 +7,11 @@ use super::expressions::{every_call, expressions_of, root_of};
 use super::handed::Handed;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies, every_statement};
 use super::names::lower_case;
-use super::tracked::{names_in, sources};
+use super::tracked::{names_in, names_in_where, sources_where};
 use super::writes::match_arguments;
 use super::written_by::written_by_instruction;
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{Arg, Callee, Expr, ParamMode, Stmt, StmtKind};
+use rapid_syntax::tree::{Arg, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions of the controller that read where the robot stands.
@@ -63,7 +63,8 @@ impl OwnPositions {
     /// With all that their values go into.
     fn closed(self, index: &Index<'_>) -> Self {
         let mut found = self;
-        let (mut sources, mut handed_back) = (sources(index), handed_back(index));
+        let (mut sources, mut handed_back) =
+            (sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)), handed_back(index));
         let late = Handed::new(index);
         sources.extend(late.over);
         handed_back.extend(late.back);
@@ -167,7 +168,7 @@ impl OwnPositions {
     ) -> Option<Span> {
         let mut read = None;
         every_call(expr, &mut |name, _| read = read.or(self.reading(index, ctx, name)));
-        names_in(index, ctx, expr, &mut |datum| {
+        names_in_where(index, ctx, expr, &|ctx, expr| tells_the_pose(index, ctx, expr), &mut |datum| {
             read = read.or(self.data.get(&datum).filter(|_| holds(datum)).copied());
         });
         read
@@ -205,6 +206,16 @@ impl OwnPositions {
             }
         });
         read
+    }
+}
+
+/// Whether a part of an expression tells of the arm's pose: external axes and configurations that are taken of a reading hold no drift.
+fn tells_the_pose(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Field(field) => {
+            !matches!(&*lower_case(index.text(ctx.file, field.name)), "extax" | "robconf")
+        }
+        _ => true,
     }
 }
 

@@ -111,6 +111,14 @@ impl TrackedData {
 
 /// Which datum's value goes into which, by assignment, declaration or as an argument: `(to, from)`.
 pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
+    sources_where(index, &|_, _| true)
+}
+
+/// The same of those parts of expressions that `counts` says count.
+pub(super) fn sources_where(
+    index: &Index<'_>,
+    counts: &impl Fn(Ctx, &Expr) -> bool,
+) -> BTreeSet<(DatumId, DatumId)> {
     let mut out = BTreeSet::new();
     for routine in &index.routines {
         let ctx = routine.ctx;
@@ -121,7 +129,7 @@ pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
                         if let Some((root, _)) = root_of(&assign.target)
                             && let Some(to) = datum_at(index, ctx, root)
                         {
-                            names_in(index, ctx, &assign.value, &mut |from| {
+                            names_in_where(index, ctx, &assign.value, counts, &mut |from| {
                                 out.insert((to, from));
                             });
                         }
@@ -130,21 +138,21 @@ pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
                         if let Some(init) = &decl.init
                             && let Some(to) = datum_at(index, ctx, decl.name)
                         {
-                            names_in(index, ctx, init, &mut |from| {
+                            names_in_where(index, ctx, init, counts, &mut |from| {
                                 out.insert((to, from));
                             });
                         }
                     }
                     StmtKind::Call(call) => {
                         if let Callee::Name(name) = &call.callee {
-                            arguments(index, ctx, *name, &call.args, &mut out);
+                            arguments(index, ctx, *name, &call.args, (counts, &mut out));
                         }
                     }
                     _ => {}
                 }
                 for expr in expressions_of(stmt) {
                     every_call(expr, &mut |name, args| {
-                        arguments(index, ctx, name, args, &mut out);
+                        arguments(index, ctx, name, args, (counts, &mut out));
                     });
                 }
             });
@@ -158,13 +166,13 @@ fn arguments(
     ctx: Ctx,
     callee: rapid_syntax::diagnostic::TextRange,
     args: &[Arg],
-    out: &mut BTreeSet<(DatumId, DatumId)>,
+    (counts, out): (&impl Fn(Ctx, &Expr) -> bool, &mut BTreeSet<(DatumId, DatumId)>),
 ) {
     let Some(name) = index.name_at(ctx.file, callee) else { return };
     let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
     for (param, value, own) in match_arguments(index, ctx, callee, args) {
         if let Some(value) = value {
-            names_in(index, ctx, value, &mut |from| {
+            names_in_where(index, ctx, value, counts, &mut |from| {
                 out.insert((param, from));
             });
         }
@@ -190,26 +198,41 @@ fn asks_about(index: &Index<'_>, ctx: Ctx, function: rapid_syntax::diagnostic::T
 
 /// Calls `visit` with every datum whose value an expression reads.
 pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut impl FnMut(DatumId)) {
+    names_in_where(index, ctx, expr, &|_, _| true, visit);
+}
+
+/// The same of those parts of the expression that `counts` says count.
+pub(super) fn names_in_where(
+    index: &Index<'_>,
+    ctx: Ctx,
+    expr: &Expr,
+    counts: &impl Fn(Ctx, &Expr) -> bool,
+    visit: &mut impl FnMut(DatumId),
+) {
+    if !counts(ctx, expr) {
+        return;
+    }
+    let mut within = |expr: &Expr| names_in_where(index, ctx, expr, counts, visit);
     match &expr.kind {
         ExprKind::Name => {
             if let Some(datum) = datum_at(index, ctx, expr.range) {
                 visit(datum);
             }
         }
-        ExprKind::Field(field) => names_in(index, ctx, &field.base, visit),
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => names_in(index, ctx, inner, visit),
+        ExprKind::Field(field) => within(&field.base),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => within(inner),
         ExprKind::Index(element) => {
-            names_in(index, ctx, &element.base, visit);
-            element.indices.iter().for_each(|i| names_in(index, ctx, i, visit));
+            within(&element.base);
+            element.indices.iter().for_each(within);
         }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| names_in(index, ctx, p, visit)),
+        ExprKind::Aggregate(parts) => parts.iter().for_each(within),
         ExprKind::Binary(binary) => {
-            names_in(index, ctx, &binary.lhs, visit);
-            names_in(index, ctx, &binary.rhs, visit);
+            within(&binary.lhs);
+            within(&binary.rhs);
         }
         ExprKind::Call(call) if asks_about(index, ctx, call.name) => {}
         ExprKind::Call(call) => {
-            call.args.iter().filter_map(value_of).for_each(|e| names_in(index, ctx, e, visit));
+            call.args.iter().filter_map(value_of).for_each(within);
         }
         ExprKind::Number
         | ExprKind::Numbers

@@ -60,7 +60,10 @@ impl SkipReasons {
         if args.has("id") {
             self.add(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
         }
-        for (hold, held) in BLOCKERS.iter().zip(&state.blockers) {
+        // MoveAbsJ\NoEOffs goes to its joints whatever offset is in force.
+        let no_offsets = args.options.iter().any(|(name, _)| name == "noeoffs");
+        let not_offset = |hold: &Blocker| *hold == Blocker::ExternalOffset && no_offsets;
+        for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !not_offset(hold)) {
             if let Some(why) = held {
                 let code = match hold {
                     Blocker::Displacement => "keep::displacement",
