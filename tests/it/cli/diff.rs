@@ -53,6 +53,27 @@ fn a_compensated_program_differs_in_its_targets_alone() {
     }
 }
 
+/// Only run time tells which element of the source a motion goes to: the rows of its array are no moments of one target.
+#[test]
+fn the_elements_of_the_source_are_not_taken_for_buckets() {
+    for source in ["fixtures/simulate/runtime.mod", "fixtures/simulate/elements.mod"] {
+        for form in ["schedule", "ramp", "auto"] {
+            let bench = Bench::default();
+            let to = bench.path("tc.mod").display().to_string();
+            assert!(
+                driftpost(&["compensate", source, "--form", form, "-o", &to, "--diff", "none"])
+                    .status
+                    .success()
+            );
+            let output = driftpost(&["diff", source, &to, "--json", "-"]);
+            let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(json["same_elsewhere"], Value::Bool(true), "{source} {form}");
+            let worst_mm = json["worst"]["dp_mm"].as_f64().unwrap();
+            assert!((0.05..0.5).contains(&worst_mm), "{source} {form}: {worst_mm}");
+        }
+    }
+}
+
 #[test]
 fn the_same_program_has_no_difference() {
     let bench = Bench::default();

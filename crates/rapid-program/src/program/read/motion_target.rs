@@ -250,8 +250,11 @@ impl<'a> MotionReader<'_, 'a> {
             dims.iter_mut().zip(own).for_each(|(all, own)| *all = own.min(*all));
         }
         let dims = dims.filter(|dims| dims.iter().product::<usize>() <= MOST_ELEMENTS)?;
-        // Asked twice, for the element and for its correction, it may answer differently.
-        let is_asked_once = |at: &Expr| is_asked_once(index, ctx, at) && !self.is_bucket(at, ctx);
+        // Asked twice, for the element and for its correction, it may answer differently. A bucket beside an index of the source is
+        // told by `tcK()` in a corrected program: its elements are no moments of one target.
+        let is_only_index = first.indices.len() == 1;
+        let is_asked_once =
+            |at: &Expr| is_asked_once(index, ctx, at) && !(is_only_index && self.is_bucket(at, ctx));
         if first.indices.iter().any(is_asked_once) {
             return None;
         }
