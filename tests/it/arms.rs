@@ -218,7 +218,7 @@ fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() 
     let cube = "fixtures/robodk/irc5/Cube45.mod";
     let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
     for arguments in [
-        &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
+        &[&["compensate", cube, "-o", "never_written.mod", "--allow-other-robot"][..], &table].concat(),
         &vec!["simulate", cube],
         &vec!["diff", cube, "fixtures/robodk/irc5/Cube45.mod"],
         &vec!["closed-loop", cube, "--inject", "joint_offset:2"],

@@ -139,14 +139,16 @@ impl Robot {
     /// The name of the built-in robot that this is, down to its ranges and masses.
     #[must_use]
     pub fn built_in_name(&self) -> Option<&'static str> {
-        let (name, own) = self.namesake()?;
-        (own == *self).then_some(name)
+        let (name, text) = self.namesake()?;
+        Self::from_toml(text).is_ok_and(|own| own == *self).then_some(*name)
     }
 
     /// Whether this is a built-in robot whose dimensions no second public description confirms.
     #[must_use]
     pub fn is_of_one_description(&self) -> bool {
-        self.namesake().is_some_and(|(name, own)| OF_ONE_DESCRIPTION.contains(&name) && own.same_arm(self))
+        self.namesake().is_some_and(|(name, text)| {
+            OF_ONE_DESCRIPTION.contains(name) && Self::from_toml(text).is_ok_and(|own| own.same_arm(self))
+        })
     }
 
     /// Whether it is one of ABB's as far as can be seen: by its name, or by dimensions that are a built-in robot's.
@@ -156,10 +158,9 @@ impl Robot {
             || NAMES.iter().any(|name| Self::built_in(name).is_some_and(|own| own.same_arm(self)))
     }
 
-    /// The built-in robot with this one's full name.
-    fn namesake(&self) -> Option<(&'static str, Self)> {
-        let (name, text) = all().find(|(_, text)| full_name(text) == Some(self.name.as_str()))?;
-        Some((name, Self::from_toml(text).ok()?))
+    /// Name and file of the built-in robot with this one's full name.
+    fn namesake(&self) -> Option<&'static (&'static str, &'static str)> {
+        all().find(|(_, text)| full_name(text) == Some(self.name.as_str()))
     }
 
     /// The built-in robot of that name.
