@@ -215,12 +215,17 @@ fn where_programs_are_written_other_arms_are_refused_by_name() {
 
 #[test]
 fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() {
-    let cube = "fixtures/robodk/irc5/Cube45.mod";
+    let folder = tempfile::tempdir().unwrap();
+    // As exported for that robot.
+    let exported = fs::read_to_string("fixtures/robodk/irc5/Cube45.mod").unwrap();
+    let path = folder.path().join("Cube45.mod");
+    fs::write(&path, exported.replace("ABB IRB 140-6/0.8", "ABB CRB 15000-5/0.95")).unwrap();
+    let cube = path.to_str().unwrap();
     let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
     for arguments in [
-        &[&["compensate", cube, "-o", "never_written.mod", "--allow-other-robot"][..], &table].concat(),
+        &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
         &vec!["simulate", cube],
-        &vec!["diff", cube, "fixtures/robodk/irc5/Cube45.mod"],
+        &vec!["diff", cube, cube],
         &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
     ] {
         let said = driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
@@ -231,7 +236,6 @@ fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() 
             "{arguments:?}: {text}"
         );
     }
-    let folder = tempfile::tempdir().unwrap();
     let set = folder.path().join("set");
     let named = ["--robot", "crb15000-5"];
     let made = ["--effects", "gear_mesh:3:20", "--n", "60", "--rho", "4", "--seed", "5"];
