@@ -43,7 +43,7 @@ impl From<FormName> for FormChoice {
 pub enum ClockName {
     /// The robot's own warm-up minute: runs while the program runs, falls back while it stands.
     Warmth,
-    /// Minutes since tcColdStart.
+    /// Minutes since tcColdStart was called, whether the robot has worked or stood.
     Elapsed,
     /// A temperature that the cell measures.
     Measured(Sensor),
@@ -52,9 +52,9 @@ pub enum ClockName {
 /// Where clock and index live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CoreName {
-    /// In the module.
+    /// In each module that is compensated.
     Embedded,
-    /// Once in tcCore.mod.
+    /// Once for all modules, in a tcCore.mod beside them.
     Separate,
 }
 

@@ -48,6 +48,30 @@ fn the_correction_of_an_element_has_the_indices_of_the_source() {
     }
 }
 
+/// The index may itself be an element of an array: the order of a path, say.
+#[test]
+fn an_order_of_elements_is_an_index_like_another() {
+    let (paper, original) = (Deformation::paper(), fixture("simulate/elements.mod"));
+    let source = text(&original).replace("MoveL pGrid{nRow,nColumn},", "MoveL pGrid{nRow,nBack{nColumn}},");
+    let source = source.replace("  VAR num nRow:=1;", "  CONST num nBack{4}:=[4,3,1,2];\n  VAR num nRow:=1;");
+    let original: Files = vec![("Elements.mod".to_owned(), source.into_bytes())];
+    for (form, asked, within_mm) in [
+        (FormChoice::Schedule, "MoveL tcpGrid_2{nRow,nBack{nColumn},tcK()},", 0.0055),
+        (FormChoice::Ramp, "MoveL tcAt(pGrid{nRow,nBack{nColumn}},tcPGrid_2{nRow,nBack{nColumn}}),", 5e-4),
+        (FormChoice::Auto, "MoveL tcAt(pGrid{nRow,nBack{nColumn}},tcPGrid_2{nRow,nBack{nColumn}}),", 5e-4),
+    ] {
+        let (program, _) = made_as(form, &original, &paper, &warmth()).unwrap();
+        assert!(text(&program).contains(asked), "{form:?}: {}", text(&program));
+        let mut s = session(&program, &original, &paper, false);
+        s.at_minutes(&MINUTES).unwrap();
+        for pass in s.into_report().passes {
+            let off_mm = mm_from_m(pass.corrected.max_m);
+            assert!(pass.failure.is_none() && off_mm <= within_mm, "{form:?}: {off_mm} mm at {}", pass.t_min);
+        }
+        assert!(restore(&program[0].1).unwrap().exact);
+    }
+}
+
 /// An array has three dimensions at most, and one is the bucket's.
 #[test]
 fn a_schedule_takes_two_indices_beside_its_own() {

@@ -100,20 +100,14 @@ fn time_s(
     };
     let to = Some(to.as_slice()).filter(|to| !to.is_empty());
     let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
-    let (v, w) = match motion.setup.speed {
-        Some(speed) => {
-            let most_m_s = FASTEST_M_S.min(slowed.max_tcp_m_s);
-            (
-                (speed.v_tcp_m_s * slowed.share).min(most_m_s),
-                (speed.v_ori_rad_s * slowed.share).min(FASTEST_RAD_S),
-            )
-        }
-        None => (UNKNOWN_M_S, UNKNOWN_RAD_S),
+    let (most_m_s, most_rad_s) = match slowed.is_known {
+        true => (FASTEST_M_S, FASTEST_RAD_S),
+        false => (UNKNOWN_M_S, UNKNOWN_RAD_S),
     };
-    let (v, w) = match slowed.is_known {
-        true => (v.max(1e-4), w.max(1e-3)),
-        false => (v.clamp(1e-4, UNKNOWN_M_S), w.clamp(1e-3, UNKNOWN_RAD_S)),
-    };
+    let (v, w) = motion.setup.speed.map_or((UNKNOWN_M_S, UNKNOWN_RAD_S), |speed| {
+        let v = (speed.v_tcp_m_s * slowed.share).min(slowed.max_tcp_m_s);
+        (v.clamp(1e-4, most_m_s), (speed.v_ori_rad_s * slowed.share).clamp(1e-3, most_rad_s))
+    });
     let stops = motion.setup.zone.is_none_or(|zone| zone.finep)
         || matches!(motion.setup.path, Path::Joint | Path::AbsJoint);
     let ends_s = if stops { STOPPING_S } else { PASSING_S };

@@ -85,9 +85,9 @@ pub enum JointsHintError {
     /// Rows in the order of the targets, of which the program has more or fewer.
     #[error("the joints hint has {}, and the program moves to {}", counted(*rows, "row"), counted(*targets, "target"))]
     Order {
-        /// Of the hint.
+        /// How many the hint has.
         rows: usize,
-        /// Of the program.
+        /// To how many the program's motions go.
         targets: usize,
     },
 }

@@ -77,7 +77,7 @@ pub fn plan(
     conditions::fill(program, &model, &mut resolved);
     keep_unknown_branches((program, start_rad.is_some()), &model, options.tolerance_m, &mut resolved);
     keep_other_later_frames(program, &model, options.tolerance_m, &mut resolved);
-    keep_one_of_several(program, options, &mut resolved);
+    keep_what_no_array_holds(program, options, &mut resolved);
     keep_as_asked(program, options, &mut resolved);
     for (resolved, why) in resolved.iter_mut().zip(left_alone) {
         if let Some(why) = why {
@@ -321,32 +321,26 @@ fn is_one_of_several(motion: &Motion) -> bool {
     motion.targets.iter().any(Target::is_one_of)
 }
 
-/// Motions whose targets a bucket's array cannot hold: it has an index for the bucket, and takes those of an array's element
-/// beside it, two at most.
-fn keep_one_of_several(program: &Program, options: &Options, resolved: &mut [Resolved]) {
+/// Motions whose targets no array of buckets can hold: beside the bucket's index it takes those of an array's element, two at most.
+fn keep_what_no_array_holds(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     if options.form != FormChoice::Schedule {
         return;
     }
-    for (motion, resolved) in program.motions.iter().zip(resolved) {
-        if resolved.kept().is_some() {
-            continue;
+    let why_not = |target: &Target| match (target.indices(), target.elements().len()) {
+        (Some(indices), _) if !indices.is_element => {
+            Some("its target is an expression with an array's element".to_owned())
         }
-        let one_of = |target: &Target| match target.indices() {
-            Some(indices) if !indices.is_element => {
-                Some("its target is an expression with an array's element".to_owned())
-            }
-            Some(indices) if indices.dims.len() > 2 => {
-                Some("its target is an element of an array of three dimensions".to_owned())
-            }
-            Some(_) => None,
-            None if !target.is_one_of() => None,
-            None => Some(match target.elements().len() {
-                1 => "its target is worked out on the way".to_owned(),
-                count => format!("its target is one of {count}, and only run time tells which"),
-            }),
-        };
-        if let Some(which) = motion.targets.iter().find_map(one_of) {
-            let why = format!("{which}: --form ramp and --form auto correct it");
+        (Some(indices), _) => (indices.dims.len() > 2)
+            .then(|| "its target is an element of an array of three dimensions".to_owned()),
+        (None, _) if !target.is_one_of() => None,
+        (None, 1) => Some("its target is worked out on the way".to_owned()),
+        (None, count) => Some(format!("its target is one of {count}, and only run time tells which")),
+    };
+    for (motion, resolved) in program.motions.iter().zip(resolved) {
+        if resolved.kept().is_none()
+            && let Some(why) = motion.targets.iter().find_map(why_not)
+        {
+            let why = format!("{why}: --form ramp and --form auto correct it");
             resolved.keep(Arc::new(placement::keep("keep::one-of", why)));
         }
     }

@@ -36,9 +36,9 @@ pub fn brackets(dims: &[usize], at: usize) -> (usize, usize) {
     (open, close)
 }
 
-/// Dimensions as a declaration has them: `8,8`.
-pub fn dims_text(dims: &[usize]) -> String {
-    dims.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+/// Dimensions or indices as they stand between braces: `8,8`.
+pub fn with_commas(numbers: &[usize]) -> String {
+    numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
 /// Whether an aggregate has so many components.
@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(of(&[3]), "0,1,2");
         assert_eq!(of(&[2, 3]), "[0,1,2],[3,4,5]");
         assert_eq!(of(&[2, 2, 2]), "[[0,1],[2,3]],[[4,5],[6,7]]");
-        assert_eq!(dims_text(&[2, 3]), "2,3");
+        assert_eq!(with_commas(&[2, 3]), "2,3");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Corrections of the form `ramp` as constants: a shift and a small turn, or six joint angles.
 
-use super::aggregate::{brackets, dims_text};
+use super::aggregate::{brackets, with_commas};
 use super::check;
 use super::insertion::LayoutStyle;
 use super::number::write_num;
@@ -47,7 +47,7 @@ impl CorrectionData {
             out.extend_from_slice(&value);
             out.extend_from_slice(b";");
         } else {
-            out.extend_from_slice(format!("{{{}}}:=[", dims_text(&self.dims)).as_bytes());
+            out.extend_from_slice(format!("{{{}}}:=[", with_commas(&self.dims)).as_bytes());
             value.push(b'[');
             let mut column = MAX_LINE;
             for (k, one) in self.values.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::aggregate::{brackets, dims_text, has_components, is_plain, tail_of};
+use super::aggregate::{brackets, has_components, is_plain, tail_of, with_commas};
 use super::check::Elements;
 use super::insertion::{LayoutStyle, white};
 use super::number::{write_optional, write_orient, write_pos, write_robjoint};
@@ -103,7 +103,7 @@ impl TargetArray<'_> {
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
         out.extend_from_slice(self.name.as_bytes());
         let dims = [&self.dims[..], &[buckets + 1]].concat();
-        out.extend_from_slice(format!("{{{}}}:=[", dims_text(&dims)).as_bytes());
+        out.extend_from_slice(format!("{{{}}}:=[", with_commas(&dims)).as_bytes());
         out.extend_from_slice(style.eol);
         for (r, (_, first_element, corrected)) in self.rows.iter().enumerate() {
             let last_row = r + 1 == self.rows.len();

@@ -5,7 +5,7 @@
 
 use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
 use super::few::Few;
-pub use super::target::{Indices, Origin, Target, TargetValue};
+pub use super::target::{Indices, Origin, Target, TargetValue, indices_of};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use std::num::NonZeroU32;
 use std::sync::Arc;

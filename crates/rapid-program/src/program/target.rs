@@ -54,7 +54,7 @@ struct Details {
 
 /// What tells at run time which of its elements a target is.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum ChosenBy {
+enum ChosenBy {
     /// Nothing in the motion: its pose must.
     #[default]
     Pose,
@@ -84,11 +84,22 @@ impl Indices {
         let count = self.dims.iter().product();
         match &self.occurring {
             None => all.map(Some).collect(),
-            Some(occurring) => {
-                (0..count).map(|at| occurring.contains(&at).then(|| all.next()).flatten()).collect()
-            }
+            Some(occurring) => (0..count)
+                .map(|at| occurring.binary_search(&at).is_ok().then(|| all.next()).flatten())
+                .collect(),
         }
     }
+}
+
+/// The indices of an array's element, counted from one, by its position from nought, the last dimension fastest.
+#[must_use]
+pub fn indices_of(dims: &[usize], mut at: usize) -> Vec<usize> {
+    let mut indices = vec![1; dims.len()];
+    for (index, size) in indices.iter_mut().zip(dims).rev() {
+        *index += at % size;
+        at /= size;
+    }
+    indices
 }
 
 impl Target {
@@ -198,7 +209,7 @@ impl Target {
     pub fn values(&self) -> impl Iterator<Item = TargetValue> + '_ {
         let elements = if self.value.is_some() { &[] } else { self.elements() };
         let occurring = self.indices().and_then(|indices| indices.occurring.as_deref());
-        let occurs = move |at: &usize| occurring.is_none_or(|occurring| occurring.contains(at));
+        let occurs = move |at: &usize| occurring.is_none_or(|occurring| occurring.binary_search(at).is_ok());
         let elements = elements.iter().copied().enumerate().filter(move |(at, _)| occurs(at));
         self.value().into_iter().chain(elements.map(|(_, value)| value))
     }
@@ -332,6 +343,8 @@ mod tests {
         assert_eq!((element.indices(), element.is_one_of()), (Some(&indices), false));
         let one_of = written().with_one_of(vec![joints; 3]);
         assert_eq!((one_of.indices(), one_of.is_one_of(), written().is_one_of()), (None, true, false));
+        assert_eq!(indices_of(&[2, 3], 3), [2, 1]);
+        assert_eq!((indices_of(&[7], 6), indices_of(&[], 0)), (vec![7], vec![]));
         let known = target().with_value(&joints);
         assert_eq!((known.values().count(), known.elements().len()), (1, 0));
         assert_eq!((target().values().count(), target().literal(FileId(2))), (0, None));

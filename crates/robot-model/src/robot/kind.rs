@@ -1,6 +1,7 @@
 //! Which robots are of one kind, by their names and by their models.
 
 use super::Robot;
+use std::ops::Range;
 
 impl Robot {
     /// Whether both have the same joints and flange: names, sources, ranges and masses do not matter.
@@ -27,6 +28,31 @@ pub fn same_type(a: &str, b: &str) -> Option<bool> {
     )
 }
 
+/// Where the first type of ABB's stands in a text: `IRB 6700-235/2.65`, `irb_120`, `IRB2600ID-8/2.0`.
+#[must_use]
+pub fn type_in(text: &str) -> Option<Range<usize>> {
+    let upper = text.to_ascii_uppercase();
+    let families = upper.match_indices("RB").filter_map(|(at, _)| at.checked_sub(1));
+    families.filter(|&at| matches!(upper.as_bytes()[at], b'I' | b'C')).find_map(|at| {
+        let ends = |from: usize, inside: fn(char) -> bool| {
+            upper[from..].find(|c: char| !inside(c)).map_or(upper.len(), |n| from + n)
+        };
+        let digits = ends(at + 3, |c| matches!(c, ' ' | '-' | '_'));
+        let letters = ends(digits, |c| c.is_ascii_digit());
+        let end = ends(letters, |c| c.is_ascii_alphabetic());
+        // Load and reach, `-235/2.65`, and the word for a lean wrist.
+        let load = ends(end, |c| matches!(c, '-' | ' ' | '_'));
+        let slash = ends(load, |c| c.is_ascii_digit() || c == '.');
+        let has_reach = slash > load && upper[slash..].starts_with('/');
+        let reach = if has_reach { ends(slash + 1, |c| c.is_ascii_digit() || c == '.') } else { slash };
+        let has_reach = has_reach && reach > slash + 1;
+        let end = if has_reach { reach - usize::from(upper[..reach].ends_with('.')) } else { end };
+        let lean = [" LID", " LEANID"].iter().find(|word| upper[end..].starts_with(**word));
+        let is_type = (2..=5).contains(&(letters - digits));
+        is_type.then(|| at..end + lean.map_or(0, |word| word.len()))
+    })
+}
+
 /// Whether a name is one of ABB's.
 pub(super) fn names_abb(name: &str) -> bool {
     let upper = name.to_ascii_uppercase();
@@ -45,7 +71,7 @@ const SAME_ARM: [&str; 7] = ["CR", "CW", "F", "FP", "M", "T", "WE"];
 /// What the name of an ABB robot says: of `IRB 2600ID-15/1.85` the family `IRB 2600ID` and the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TypeName<'n> {
-    /// CRB, not IRB.
+    /// It is one of the collaborative arms, whose letters are CRB and not IRB.
     is_cobot: bool,
     /// Digits behind the letters.
     pub(super) number: &'n str,
@@ -135,6 +161,20 @@ mod tests {
         assert_eq!(same_type("ABB IRB 120-3/0.6", "ABB IRB 120-3/0.58"), Some(true));
         assert_eq!(same_type("ABB IRB 6700-200/2.60", "ABB IRB 6700-235/2.65"), Some(false));
         assert_eq!(same_type("IRB 140T", "irb140"), Some(true));
+    }
+
+    #[test]
+    fn a_type_is_found_with_its_load_and_reach() {
+        for (text, found) in [
+            ("hands over to the IRB 6700-235/2.65.", Some("IRB 6700-235/2.65")),
+            ("irb_120, on a table", Some("irb_120")),
+            ("ABB IRB 5710-90/2.3 LID", Some("IRB 5710-90/2.3 LID")),
+            ("CRB 15000 at 12/05/2024", Some("CRB 15000")),
+            ("irb \u{e9}, crib 7/\u{e9}", None),
+            ("IRB", None),
+        ] {
+            assert_eq!(type_in(text).map(|range| &text[range]), found, "{text}");
+        }
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub use backup::BackedUp;
 pub use dh::DhConvention;
 pub use error::RobotError;
 pub use joints::{FEWEST_JOINTS, Joints, MOST_JOINTS};
-pub use kind::same_type;
+pub use kind::{same_type, type_in};
 pub use range::OutOfRange;
 pub use serial_arm::{ArmGeometry, JointKind, SerialArm};
 

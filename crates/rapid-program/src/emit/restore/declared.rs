@@ -3,7 +3,9 @@
 use super::arrays::{Array, Meant};
 use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
 use super::removal::{Remover, Use};
+use crate::emit::aggregate::with_commas;
 use crate::emit::point::Declarations;
+use crate::program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, ModuleItem, Routine, StmtKind};
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,9 +31,9 @@ impl<'w> Remover<'w> {
                 let text = value.of(self.bytes);
                 let target = || {
                     let was = String::from_utf8_lossy(&array.was);
-                    match indices_of(&array.dims, row) {
-                        Some(indices) => format!("{was}{{{indices}}}"),
-                        None => was.into_owned(),
+                    match array.dims.is_empty() {
+                        true => was.into_owned(),
+                        false => format!("{was}{{{}}}", with_commas(&indices_of(&array.dims, row))),
                     }
                 };
                 let line = self.lines.line(value.start);
@@ -86,27 +88,5 @@ impl<'w> Remover<'w> {
             .and_then(|data| data.init.as_ref())
             .map(|init| self.elements(init, array.dims.len()))
             .unwrap_or_default()
-    }
-}
-
-/// The indices of an array's element, counted from one; `None` of no array.
-fn indices_of(dims: &[usize], mut at: usize) -> Option<String> {
-    let mut indices = Vec::new();
-    for size in dims.iter().rev() {
-        indices.insert(0, (at % size + 1).to_string());
-        at /= size;
-    }
-    (!dims.is_empty()).then(|| indices.join(","))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::indices_of;
-
-    #[test]
-    fn elements_are_counted_from_one_and_the_last_dimension_fastest() {
-        assert_eq!(indices_of(&[], 0), None);
-        assert_eq!(indices_of(&[7], 6).as_deref(), Some("7"));
-        assert_eq!(indices_of(&[2, 3], 3).as_deref(), Some("2,1"));
     }
 }

@@ -9,7 +9,7 @@ use crate::program::data::RobTarget;
 use crate::program::expressions::{every_call, every_index};
 use crate::program::finite_set::FiniteSet;
 use crate::program::index::{Ctx, DatumId, DatumKind, Index};
-use crate::program::motion::{Indices, Origin, Path, SkipReason, Target, TargetValue};
+use crate::program::motion::{Indices, Origin, Path, SkipReason, Target, TargetValue, indices_of};
 use crate::program::motion_site::MoveArgs;
 use crate::program::names::{as_text, lower_case};
 use crate::program::tracked::names_in;
@@ -230,6 +230,10 @@ impl<'a> MotionReader<'_, 'a> {
         every_index(expr, &mut |at, element_of| named.push((at, element_of)));
         let is_const = |this: &mut Self, index: &Expr| this.evaluator.fold(index, ctx, &Constant).is_ok();
         named.retain(|(_, element_of)| !element_of.indices.iter().all(|index| is_const(self, index)));
+        // Of `pRow{nOrder{i}}` the row's index chooses, whatever it is made of.
+        let chosen_by: Vec<TextRange> =
+            named.iter().flat_map(|(_, element_of)| &element_of.indices).map(|index| index.range).collect();
+        named.retain(|(at, _)| !chosen_by.iter().any(|index| index.contains(*at)));
         let range_of = |element_of: &IndexExpr| {
             let (first, last) = (element_of.indices.first()?, element_of.indices.last()?);
             Some(first.range.cover(last.range))
@@ -261,7 +265,8 @@ impl<'a> MotionReader<'_, 'a> {
         let is_element = matches!((&expr.kind, &first.base.kind), (ExprKind::Index(_), ExprKind::Name));
         let places: Vec<TextRange> = named.iter().map(|(at, _)| *at).collect();
         let mut values = Vec::with_capacity(dims.iter().product());
-        for indices in all_indices(&dims) {
+        for at in 0..dims.iter().product() {
+            let indices: Vec<f64> = indices_of(&dims, at).into_iter().map(|index| index as f64).collect();
             let folded = self.evaluator.fold_at(expr, ctx, (&places, &indices)).ok()?;
             values.push(match joints_wanted {
                 true => convert::jointtarget(&folded).map(TargetValue::Joint).ok()?,
@@ -351,18 +356,6 @@ fn occurring(elements: &[TargetValue], values: &[TargetValue]) -> Option<Box<[us
     let occurs = |at: &usize| values.contains(&elements[*at]);
     let occurring: Box<[usize]> = (0..elements.len()).filter(occurs).collect();
     (!occurring.is_empty() && occurring.len() < elements.len()).then_some(occurring)
-}
-
-/// All elements' indices, counted from one, the last dimension fastest.
-fn all_indices(dims: &[usize]) -> impl Iterator<Item = Vec<f64>> + '_ {
-    (0..dims.iter().product()).map(move |mut at: usize| {
-        let mut indices = vec![0.0; dims.len()];
-        for (index, size) in indices.iter_mut().zip(dims).rev() {
-            *index = (at % size + 1) as f64;
-            at /= size;
-        }
-        indices
-    })
 }
 
 /// Whether an expression may be worth something else when it is asked a second time, or does more than answer: it calls a
