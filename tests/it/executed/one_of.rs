@@ -6,8 +6,9 @@ use super::made::{Files, fixture, made_as, session, session_at, warmth};
 use rapid_program::compensate::FormChoice;
 use rapid_program::emit::{Clock, restore};
 use robot_model::deform::Deformation;
+use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m};
-use virtual_controller::Report;
+use virtual_controller::{Controller, Report};
 
 fn one(name: &str, text: &str) -> (String, Vec<u8>) {
     (name.to_owned(), text.as_bytes().to_vec())
@@ -36,12 +37,13 @@ fn each_of_a_few_targets_has_its_own_correction() {
     let made = text(&program);
     for asked in [
         "    MoveL tcAtOne(Offs(pTo,0,0,nUp),tc",
-        "    MoveL tcAtOne(pTo,tcPTo),v100,fine,tGun\\WObj:=wTable;",
-        "    MoveL tcAtOne(pPick,tcPPick),v100,",
-        "    MoveL tcAtOne(pPlace,tcPPlace),v100,",
+        "    MoveL tcAtOne(pTo,tcPTo,tcPToRow),v100,fine,tGun\\WObj:=wTable;",
+        "    MoveL tcAtOne(pPick,tcPPick,tcPPickRow),v100,",
+        "    MoveL tcAtOne(pPlace,tcPPlace,tcPPlaceRow),v100,",
         "        MoveL tcAtOne(Offs(pFirst,i*12,j*10,0),tc",
         "  LOCAL CONST pose tcPTo{3,2}:=[",
         "  LOCAL CONST pose tcPPick{3,2}:=[",
+        "  LOCAL CONST num tcPPickRow{",
     ] {
         assert!(made.contains(asked), "{asked}: {made}");
     }
@@ -74,8 +76,9 @@ fn each_function_of_time_has_a_correction_for_each_target() {
     let (program, kept) = made_as(FormChoice::Ramp, &original, &table, &clock).unwrap();
     assert_eq!(kept, 0);
     let made = text(&program);
-    let asks = "tcAt(tcP,tcC{tcBest,2},tcC{tcBest,3})";
+    let asks = "tcAtSame(tcP,tcC{tcBest,2},tcC{tcBest,3})";
     assert!(made.contains("pose tcPTo{3,3}:=[") && made.contains(asks), "{made}");
+    assert_eq!(again(&program, "main"), (8, 8));
     let mut s = session(&program, &original, &table, false);
     s.at_minutes(&MINUTES).unwrap();
     let report = s.into_report();
@@ -83,6 +86,45 @@ fn each_function_of_time_has_a_correction_for_each_target() {
     assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
     assert!(mm_from_m(report.passes.last().unwrap().before.max_m) > 0.1);
     assert!(restore(&program[0].1).unwrap().exact);
+}
+
+/// What a call of `tcAtOne` takes, in the same second of the clock: the fewest and the most statements of any.
+fn again(program: &Files, entry: &str) -> (u64, u64) {
+    let mut c = Controller::with_robot(&Robot::built_in("irb140").unwrap()).unwrap();
+    for (name, text) in program {
+        c.load(name, text).unwrap();
+    }
+    c.call("tcColdStart", 1).unwrap();
+    c.calendar_mut().advance_min(60.0);
+    c.call(entry, 1).unwrap();
+    c.take_efforts();
+    assert!(c.call(entry, 1).unwrap().is_good());
+    let one = c.take_efforts()["tcAtOne"];
+    assert!(one.calls > 0);
+    (one.fewest.statements, one.most.statements)
+}
+
+/// The update is the first motion's; every later one knows its row by one look, of three targets as of 32.
+#[test]
+fn eight_statements_find_the_target_among_those_that_it_can_be() {
+    let paper = Deformation::paper();
+    let original = fixture("simulate/one_of.mod");
+    let (program, _) = made_as(FormChoice::Ramp, &original, &paper, &warmth()).unwrap();
+    assert_eq!(again(&program, "main"), (8, 8), "{}", text(&program));
+    // A target is one of 32, along both axes and turned.
+    let many = format!(
+        "MODULE Many\n{HEAD}\n  PROC main()\n    MoveAbsJ jHome,v500,fine,tGun;\n    FOR i FROM 0 TO 7 DO\n      \
+         FOR j FROM 0 TO 3 DO\n        r RelTool(Offs(pA,6*i,-9*j,0),0,0,0\\Rz:=2*i);\n      ENDFOR\n    ENDFOR\n  \
+         ENDPROC\n\n  PROC r(robtarget pX)\n    MoveL pX,v100,fine,tGun;\n  ENDPROC\nENDMODULE\n"
+    );
+    let (program, kept) = made_as(FormChoice::Ramp, &[one("Many.mod", &many)], &paper, &warmth()).unwrap();
+    assert!(kept == 0 && text(&program).contains("pose tcPX{32,2}"), "{}", text(&program));
+    assert_eq!(again(&program, "main"), (8, 8));
+    // One that was touched up is looked for among all.
+    let moved = text(&program).replace("r RelTool(Offs(pA,", "r RelTool(Offs(pA,0.4+");
+    assert!(moved != text(&program));
+    let (fewest, most) = again(&vec![one("Many.mod", &moved)], "main");
+    assert!((8..100).contains(&fewest) && (60..110).contains(&most), "{fewest} {most}");
 }
 
 #[test]
@@ -95,7 +137,9 @@ fn auto_asks_the_model_where_its_configuration_is_reached_and_schedule_says_whic
         text(&auto)
     );
     // Their confdata is not the one that is reached: CalcJointT would find no joints.
-    for asked in ["MoveL tcAtOne(pPick,tcPPick),v100,", "MoveL tcAtOne(Offs(pFirst,i*12,j*10,0),tc"] {
+    for asked in
+        ["MoveL tcAtOne(pPick,tcPPick,tcPPickRow),v100,", "MoveL tcAtOne(Offs(pFirst,i*12,j*10,0),tc"]
+    {
         assert!(text(&auto).contains(asked), "{asked}: {}", text(&auto));
     }
     let mut s = session(&auto, &original, &paper, false);

@@ -10,6 +10,7 @@ use super::insertion::{self, LayoutStyle};
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
 use super::point;
+use super::row_hash::RowHash;
 use super::target::{MAX_LINE, Row, TargetArray, as_it_is, first_element};
 use crate::compensate::plan::{Corrected, Correction, Corrections, Form, PlannedMotion, PlannedTarget};
 use crate::program::motion::{Motion, Origin, Path, Target, TargetValue, WobjArgument};
@@ -25,6 +26,8 @@ pub enum Declaration<'p> {
     Correction(CorrectionData),
     /// The corrections of a few targets of which a motion goes to one.
     Choice(ChoiceData),
+    /// Which row of a choice a target is.
+    RowHash(String, RowHash),
 }
 
 impl Declaration<'_> {
@@ -37,6 +40,7 @@ impl Declaration<'_> {
             Self::Array(array) => array.write(out, style),
             Self::Correction(data) => Ok(data.write(out, style)),
             Self::Choice(data) => Ok(data.write(out, style)),
+            Self::RowHash(name, hash) => Ok(hash.write(name, out, style)),
         }
     }
 }
@@ -143,7 +147,7 @@ impl<'p> Added<'p> {
             let Argument { base, index, dims, key } = Argument::of(file, target)?;
             let is_same = |declaration: &Declaration| match declaration {
                 Declaration::Array(array) => array.is_of(&dims, &rows),
-                Declaration::Correction(_) | Declaration::Choice(_) => false,
+                Declaration::Correction(_) | Declaration::Choice(_) | Declaration::RowHash(..) => false,
             };
             let array = match self.find(key.as_ref(), is_same) {
                 Some(array) => array,
@@ -219,8 +223,9 @@ impl<'p> Added<'p> {
                 return Err(mismatch(file, "corrections are missing"));
             }
             if target.is_one_of() {
-                let name = self.choice(file, (motion, target), &rows)?;
-                self.wrap(context, file, ("tcAtOne", target.range, format!(",{name}").as_bytes()), style);
+                let [rows, hash] = self.choice(file, (motion, target), &rows)?;
+                let arguments = format!(",{rows},{hash}");
+                self.wrap(context, file, ("tcAtOne", target.range, arguments.as_bytes()), style);
                 continue;
             }
             let Argument { base, index, dims, key } = Argument::of(file, target)?;
@@ -236,7 +241,7 @@ impl<'p> Added<'p> {
                 let wanted = CorrectionData { name: String::new(), dims: dims.clone(), values };
                 let is_same = |declaration: &Declaration| match declaration {
                     Declaration::Correction(known) => known.is_same(&wanted),
-                    Declaration::Array(_) | Declaration::Choice(_) => false,
+                    Declaration::Array(_) | Declaration::Choice(_) | Declaration::RowHash(..) => false,
                 };
                 let known = match &key {
                     Some(_) => self.find(key.as_ref(), is_same),
@@ -271,13 +276,13 @@ impl<'p> Added<'p> {
         Ok(())
     }
 
-    /// The name of the corrections of a target that is one of a few; `rows`: those of each.
+    /// The names of the corrections of a target that is one of a few, and of the hash that tells which; `rows`: those of each.
     fn choice(
         &mut self,
         file: &'p SourceFile,
         (motion, target): (&'p Motion, &'p Target),
         rows: &[&[Correction]],
-    ) -> Result<String, EmitError> {
+    ) -> Result<[String; 2], EmitError> {
         let poses = target.elements().iter().map(|value| match value {
             TargetValue::Rob(target) => Ok(target.object_from_tcp),
             TargetValue::Joint(_) | TargetValue::FromJoints(_) => {
@@ -286,23 +291,30 @@ impl<'p> Added<'p> {
         });
         let with_pose = |(pose, row): (Result<_, EmitError>, &&[Correction])| Ok((pose?, row.to_vec()));
         let rows = poses.zip(rows).map(with_pose).collect::<Result<_, EmitError>>()?;
-        let wanted = ChoiceData { name: String::new(), rows };
+        let wanted = ChoiceData { name: String::new(), hash_name: String::new(), rows };
         let argument = file.text(target.range);
         let key = Some((None, argument.to_ascii_lowercase()));
         let is_same = |declaration: &Declaration| match declaration {
             Declaration::Choice(known) => known.is_same(&wanted),
-            Declaration::Array(_) | Declaration::Correction(_) => false,
+            Declaration::Array(_) | Declaration::Correction(_) | Declaration::RowHash(..) => false,
         };
         if let Some(Declaration::Choice(known)) =
             self.find(key.as_ref(), is_same).and_then(|at| self.declarations.get(at))
         {
-            return Ok(known.name.clone());
+            return Ok([known.name.clone(), known.hash_name.clone()]);
         }
         let named = matches!(target.origin(), Origin::Named { .. });
         let base: &[u8] = if named { argument } else { b"" };
         let name = self.name(file, motion, (target, base), capitalised)?;
-        self.declare(key, Declaration::Choice(ChoiceData { name: name.clone(), ..wanted }));
-        Ok(name)
+        let hash_name = self.names.claim(&format!("{name}Row"));
+        let hash_name = hash_name.or_else(|| self.names.claim(&format!("tc{}", motion.line)));
+        let hash_name = hash_name
+            .ok_or_else(|| EmitError::NoName { path: file.path.clone().into(), line: motion.line })?;
+        let hash = Declaration::RowHash(hash_name.clone(), wanted.hash());
+        let data = ChoiceData { name: name.clone(), hash_name: hash_name.clone(), ..wanted };
+        self.declare(key, Declaration::Choice(data));
+        self.declare(None, hash);
+        Ok([name, hash_name])
     }
 
     /// The call of the deformed model for each target.

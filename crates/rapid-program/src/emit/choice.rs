@@ -4,6 +4,7 @@ use super::check;
 use super::correction::write_correction;
 use super::insertion::LayoutStyle;
 use super::number::{write_orient, write_pos};
+use super::row_hash::RowHash;
 use super::target::MAX_LINE;
 use crate::compensate::plan::Correction;
 use nalgebra::Isometry3;
@@ -13,11 +14,20 @@ use nalgebra::Isometry3;
 pub struct ChoiceData {
     /// The name of the data.
     pub name: String,
+    /// The name of the hash that tells a target's row.
+    pub hash_name: String,
     /// Where each target stands in its work object, and its corrections.
     pub rows: Vec<(Isometry3<f64>, Vec<Correction>)>,
 }
 
 impl ChoiceData {
+    /// Which row a target is.
+    #[must_use]
+    pub fn hash(&self) -> RowHash {
+        let poses: Vec<Isometry3<f64>> = self.rows.iter().map(|(pose, _)| *pose).collect();
+        RowHash::of(&poses)
+    }
+
     /// Whether it is the same under another name.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
@@ -74,7 +84,8 @@ mod tests {
     fn a_row_is_a_target_with_its_correction() {
         let correction = Correction::Pose { shift_m: [1e-4, 0.0, 0.0], turn: [0.0, 0.0, -0.001] };
         let at = |x_m: f64| (Isometry3::translation(x_m, 0.0, 0.25), vec![correction]);
-        let data = ChoiceData { name: "tcP".into(), rows: vec![at(0.4), at(0.5)] };
+        let data =
+            ChoiceData { name: "tcP".into(), hash_name: "tcPRow".into(), rows: vec![at(0.4), at(0.5)] };
         let style = LayoutStyle { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() };
         let mut out = Vec::new();
         let letters = data.write(&mut out, &style);

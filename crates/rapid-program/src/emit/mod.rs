@@ -28,6 +28,7 @@ mod number;
 mod options;
 mod point;
 mod restore;
+mod row_hash;
 mod scale;
 mod target;
 mod touch;

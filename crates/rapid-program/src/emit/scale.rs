@@ -3,6 +3,7 @@
 
 use super::live::{LiveModel, TestTarget};
 use super::number::num;
+use super::row_hash::{NEAR_MM, RowHash, SAME_TURN};
 use crate::schedule::{Course, TimeFunctions};
 use robot_model::deform::GrowthLaw;
 
@@ -19,8 +20,6 @@ const AT_JOINTS: &str = include_str!("clock/at_joints.mod");
 
 /// So many time constants after a cold start everything has settled in single precision.
 const SETTLED_LAGS: f64 = 20.0;
-/// A target that was touched up by less is still the one that it was, mm: its correction is as good there.
-const NEAR_MM: f64 = 5.0;
 /// Longest line that is written here; RAPID takes 255.
 const WIDTH: usize = 110;
 
@@ -135,15 +134,13 @@ impl Scaled<'_> {
         }
         if self.one_of {
             let of_best: Vec<String> = (1..=count).map(|r| format!("tcC{{tcBest,{}}}", r + 1)).collect();
-            let text = AT_ONE.replace("@NEAR@", &num(NEAR_MM)).replace("@OF_BEST@", &of_best.join(","));
-            parts.insert(0, text);
+            parts.insert(0, at_one(&of_best.join(",")));
         }
         if self.poses {
             let text = AT
                 .replace("@POSES@", &declared("pose"))
                 .replace("@CORRECTIONS@", &corrections.join(","))
-                .replace("@SHIFT@", &shift(&corrections))
-                .replace("@TURN@", &turn(&corrections, self.normalise));
+                .replace("@TARGET@", &target(&corrections, self.normalise));
             parts.insert(0, text);
         }
         if let Some((live, tests)) = &self.live {
@@ -164,12 +161,29 @@ impl Scaled<'_> {
     }
 }
 
-fn shift(corrections: &[String]) -> String {
+/// The target among few, with `of_best` the corrections of row `tcBest`.
+fn at_one(of_best: &str) -> String {
+    let alike = |row: &str| {
+        let part = |k: usize| format!("tcP.rot.q{k}*tcC{{{row},1}}.rot.q{k}");
+        format!("Abs({}+{}\n        +{}+{})", part(1), part(2), part(3), part(4))
+    };
+    AT_ONE
+        .replace("@NEAR@", &num(NEAR_MM))
+        .replace("@SAME@", &num(SAME_TURN))
+        .replace("@BEST@", &RowHash::expression())
+        .replace("@ALIKE_BEST@", &alike("tcBest"))
+        .replace("@ALIKE_N@", &alike("tcN"))
+        .replace("@OF_BEST@", of_best)
+}
+
+/// The target with its corrections: place and orientation in one statement.
+fn target(corrections: &[String], normalise: bool) -> String {
     let axis = |k: &str| {
         let by: String = (1..).zip(corrections).map(|(r, c)| format!("+tcF{r}*{c}.trans.{k}")).collect();
         format!("tcP.trans.{k}{by}")
     };
-    list("    tcP.trans:=[", ["x", "y", "z"].into_iter().map(axis), "];")
+    let place = list("    tcP:=[[", ["x", "y", "z"].into_iter().map(axis), "],");
+    format!("{place}\n{}", turn(corrections, normalise))
 }
 
 /// The turned orientation: the quaternion of a small turn, [1, v], times the target's.
@@ -192,8 +206,10 @@ fn turn(corrections: &[String], normalise: bool) -> String {
             .collect();
         format!("tcP.rot.q{}{by}", k + 1)
     };
-    let (before, behind) =
-        if normalise { ("    tcP.rot:=NOrient([", "]);") } else { ("    tcP.rot:=[", "];") };
+    let (before, behind) = match normalise {
+        true => ("        NOrient([", "]),tcP.robconf,tcP.extax];"),
+        false => ("        [", "],tcP.robconf,tcP.extax];"),
+    };
     list(before, PARTS.iter().enumerate().map(part), behind)
 }
 

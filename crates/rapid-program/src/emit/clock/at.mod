@@ -7,7 +7,6 @@
   FUNC robtarget tcAtSame(robtarget tcP,@POSES@)
     ! The same at the moment of the motion's other point
     IF NOT tcOn RETURN tcP;
-@SHIFT@
-@TURN@
+@TARGET@
     RETURN tcP;
   ENDFUNC

@@ -1,7 +1,6 @@
   PROC tcUpdate()
     ! Brings @WHAT@ up to date; asked again in the same second it does nothing
-    IF CTime()=tcTimeSeen AND CDate()=tcDateSeen AND tcMode=tcModeSeen RETURN;
-    tcRenew;
+    IF CTime()<>tcTimeSeen OR CDate()<>tcDateSeen OR tcMode<>tcModeSeen tcRenew;
   ENDPROC
 
   LOCAL PROC tcRenew()
