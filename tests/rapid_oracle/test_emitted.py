@@ -16,6 +16,25 @@ from machine import Machine
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CUBE = ROOT / "fixtures" / "robodk" / "irc5" / "Cube45.mod"
+FEW = """MODULE Few
+  PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST jointtarget jHome:=[[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pFirst:=[[430,40,220],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pTurned:=[[470,40,220],[0,0.1736482,0.9848078,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget pPick;
+  PROC main()
+    MoveAbsJ jHome,v500,z10,tGun;
+    FOR i FROM 0 TO 7 DO
+      FOR j FROM 0 TO 3 DO
+        MoveL Offs(pFirst,i*6,j*9,0),v100,z1,tGun;
+      ENDFOR
+    ENDFOR
+    pPick:=pTurned;
+    IF pPick.trans.x>500 pPick:=pFirst;
+    MoveL pPick,v100,fine,tGun;
+  ENDPROC
+ENDMODULE
+"""
 FIXTURES = {  # the repository's own programs that need neither signals nor the arm's position, with where they start
     "cell/conf_off.mod": "main",
     "cell/counting.mod": "main",
@@ -31,10 +50,10 @@ FIXTURES = {  # the repository's own programs that need neither signals nor the 
 MINUTES = (0, 0.25, 1, 7.5, 40, 62.5, 120, 240, 600)
 
 
-def emitted(form):
+def emitted(form, program=CUBE):
     with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / "Cube45.mod"
-        subprocess.run([os.environ["DRIFTPOST"], "compensate", CUBE, "--form", form, "-o", out, "--quiet"], check=True, capture_output=True)
+        out = pathlib.Path(folder) / program.name
+        subprocess.run([os.environ["DRIFTPOST"], "compensate", program, "--form", form, "-o", out, "--quiet"], check=True, capture_output=True)
         return out.read_text(encoding="latin-1")
 
 
@@ -72,6 +91,20 @@ class Emitted(unittest.TestCase):
                 motions = machine.started("cube45")
                 self.assertEqual(len(motions), 46)
                 self.assertIsNone(verdict([text], motions, "--set", f"tcMode={share}", entry="Cube45"))
+
+    def test_one_of_a_few_targets(self):
+        """A hash of the pose says which one: whole parts of a sum, a remainder, an index."""
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder) / "Few.mod"
+            source.write_text(FEW)
+            text = emitted("ramp", source)
+        self.assertEqual(text.count("MoveL tcAtOne("), 2)
+        machine, plain = Machine(text), Machine(FEW)
+        machine.globals["tcmode"].value = 70.0
+        motions, plainly = machine.started("main"), plain.started("main")
+        self.assertEqual((len(motions), len(plainly)), (34, 34))
+        self.assertIsNone(verdict([text], motions, "--set", "tcMode=70"))
+        self.assertIn("off by", verdict([text], plainly, "--set", "tcMode=70"))
 
     def test_a_bucket_by_the_clock(self):
         text = emitted("schedule")
