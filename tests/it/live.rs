@@ -50,18 +50,6 @@ fn the_cube_stands_where_it_is_programmed() {
 }
 
 #[test]
-fn operations_are_within_what_a_controller_has_time_for() {
-    let model =
-        LiveModel::new(&Robot::built_in("irb140").unwrap(), &table(&paper(1.0)), None, cap()).unwrap();
-    let text = model.routines(&[]).join("\n");
-    let (operations, trigonometric) =
-        cell::operations(&text, &["tcLive", "tcLiveSame", "tcFits", "tcCorrect"]);
-    println!("{operations} operations, {trigonometric} sines and cosines\n{text}");
-    assert!(operations <= 250, "{operations}");
-    assert!(trigonometric <= 12, "{trigonometric}");
-}
-
-#[test]
 fn off_and_cold_are_the_original_to_the_bit() {
     let offsets = paper(1.0);
     let model = LiveModel::new(&Robot::built_in("irb140").unwrap(), &table(&offsets), None, cap()).unwrap();

@@ -5,7 +5,7 @@ use rapid_program::emit::live::{Cap, Function, LiveModel, TestTarget};
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm, Configuration, FrameOffsets};
 use robot_model::robot::Robot;
-use virtual_controller::{Controller, Value};
+use virtual_controller::{Controller, Effort, Value};
 
 const CUBE: &str = include_str!("../../../fixtures/robodk/irc5/Cube45.mod");
 /// tool0 and wobj0, as PERS of the module.
@@ -185,13 +185,18 @@ impl Cell {
              \x20 VAR robtarget r{{{count}}};\n  VAR jointtarget js{{{count}}};\n{module}\
              \x20 PROC run()\n    FOR i FROM 1 TO {count} DO\n      r{{i}}:=tcLive(p{{i}},{with});\n    ENDFOR\n  ENDPROC\n\
              \x20 PROC runJ()\n    FOR i FROM 1 TO {count} DO\n      js{{i}}:=tcLiveJ(j{{i}},{with});\n    ENDFOR\n  ENDPROC\n\
+             \x20 PROC moves()\n    FOR i FROM 1 TO {count} DO\n      MoveJ tcLiveSame(p{{i}},{with}),v100,fine,{with};\n    ENDFOR\n  ENDPROC\n\
              \x20 PROC teach()\n    MoveAbsJ j{{k}},v100,fine,tT;\n    tcTeach given,{with};\n    is:=tcLive(given,{with});\n\
              \x20   plainly:=CRobT(\\Tool:={with});\n  ENDPROC\n{routines}\nENDMODULE\n",
             data = model.data(tests).join("\n"),
             object_data = wobj.unwrap_or("[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]"),
             list = targets.join(",\n"),
             joints = joints.collect::<Vec<_>>().join(",\n"),
-            module = include_str!("cell.mod"),
+            module = match model.has_offsets_of_time() {
+                true => include_str!("cell.mod")
+                    .replace("tcUpdates:=tcUpdates+1;", "tcUpdates:=tcUpdates+1;\n    tcOffsets;"),
+                false => include_str!("cell.mod").to_owned(),
+            },
             routines = model.routines(tests).join("\n"),
         );
         let mut controller = Controller::with_robot(robot).unwrap();
@@ -207,6 +212,16 @@ impl Cell {
         let outcome = self.controller.call(routine, 1).unwrap();
         assert!(outcome.is_good(), "{routine}: {outcome:?}");
         assert_eq!(self.controller.unknown_instructions(), Vec::<String>::new());
+    }
+
+    /// The most that a call of `tcLive` takes for any of the targets, the clock's update apart.
+    pub fn effort(&mut self) -> Effort {
+        self.call("run");
+        self.controller.take_efforts();
+        self.call("moves");
+        let asked = self.controller.take_efforts()["tcLiveSame"];
+        assert_eq!(asked.calls as usize, self.targets.len());
+        asked.most
     }
 
     pub fn asked(&mut self) -> Vec<Vec<f64>> {
@@ -256,32 +271,4 @@ impl Cell {
         }
         worst
     }
-}
-
-/// Operators and calls in routines' text, each as often as it is written, and the sines and cosines among them.
-pub fn operations(text: &str, routines: &[&str]) -> (usize, usize) {
-    let (mut operations, mut trigonometric, mut inside) = (0, 0, false);
-    for line in text.lines() {
-        let line = line.trim();
-        if line.starts_with('!') {
-            continue;
-        }
-        if line.contains("FUNC ") || line.starts_with("PROC ") {
-            inside = routines.iter().any(|name| line.contains(&format!(" {name}(")));
-            continue;
-        }
-        if !inside || line.starts_with("VAR ") || line == "ENDFUNC" {
-            continue;
-        }
-        let code: String =
-            line.split('"').step_by(2).collect::<String>().replace(":=", " ").replace("<>", "#");
-        let trig = code.matches("Sin(").count() + code.matches("Cos(").count();
-        trigonometric += trig;
-        let calls = code.matches("PoseMult(").count()
-            + code.matches("PoseInv(").count()
-            + code.matches("CalcJointT(").count()
-            + code.matches("Sqrt(").count();
-        operations += trig + calls + code.matches(['+', '-', '*', '/', '#', '<', '>', '=']).count();
-    }
-    (operations, trigonometric)
 }

@@ -10,6 +10,9 @@ use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
 use std::sync::Arc;
 
+/// Most operations of a call by kind of model.
+const LIMITS: [u64; 13] = [145, 170, 146, 176, 160, 144, 378, 626, 387, 333, 405, 601, 698];
+
 fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
     let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
     Term::plain(kind, joint, values)
@@ -41,30 +44,49 @@ fn with_model(robot: &Robot, terms: Vec<Term>, functions: &[Function], values: &
     cell.worst_under(&arm, &conditions)
 }
 
+fn gear(n: u32, joint: usize) -> Term {
+    Term { n: Some(n), ..term(EffectKind::GearMesh, Some(joint), &[rad(0.004), rad(-0.002)]) }
+}
+
+fn softness(joint: usize, links: [f64; 6]) -> Term {
+    let [a, b, c, d, e, f] = links;
+    term(EffectKind::JointCompliance, Some(joint), &[3e-6, a, b, c, d, e, f])
+}
+
+/// Links that count for more or less, in another way at each joint.
+fn uneven(joint: usize) -> [f64; 6] {
+    let more = 1.0 + 0.25 * joint as f64;
+    [0.0, 1e-6, -5e-7, 3e-7, 0.0, 2e-7].map(|x| x * more)
+}
+
+fn rad(deg: f64) -> f64 {
+    deg.to_radians()
+}
+
+fn offsets() -> Vec<Term> {
+    (0..6).map(|j| term(EffectKind::JointOffset, Some(j), &[rad(0.01 - 0.003 * j as f64)])).collect()
+}
+
+fn gains() -> Vec<Term> {
+    let coupled = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[2e-4]) };
+    vec![term(EffectKind::JointGain, Some(0), &[2e-4]), coupled]
+}
+
+fn geometry(joint: usize) -> Term {
+    term(EffectKind::LinkGeometry, Some(joint), &[1e-4, -5e-5, 8e-5, 1e-4, -5e-5, 7e-5])
+}
+
 #[test]
 fn what_an_identified_model_found_is_corrected_too() {
-    let rad = |deg: f64| deg.to_radians();
-    let gear = |n: u32, joint: usize| Term {
-        n: Some(n),
-        ..term(EffectKind::GearMesh, Some(joint), &[rad(0.004), rad(-0.002)])
-    };
-    let coupled = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[2e-4]) };
-    let softness = |joint: usize, links: [f64; 6]| {
-        let [a, b, c, d, e, f] = links;
-        term(EffectKind::JointCompliance, Some(joint), &[3e-6, a, b, c, d, e, f])
-    };
-    let uneven = [0.0, 1e-6, -5e-7, 3e-7, 0.0, 2e-7];
     let cases: Vec<(&str, Vec<Term>)> = vec![
-        (
-            "offset",
-            (0..6).map(|j| term(EffectKind::JointOffset, Some(j), &[rad(0.01 - 0.003 * j as f64)])).collect(),
-        ),
-        ("geometry", vec![term(EffectKind::LinkGeometry, Some(1), &[1e-4, -5e-5, 8e-5, 1e-4, -5e-5, 7e-5])]),
+        ("offset", offsets()),
+        ("geometry", vec![geometry(1)]),
         ("compliance", vec![softness(1, [0.0; 6]), softness(2, [0.0; 6]), softness(4, [0.0; 6])]),
-        ("uneven compliance", vec![softness(1, uneven), softness(2, [0.0; 6]), softness(3, uneven)]),
-        ("gain", vec![term(EffectKind::JointGain, Some(0), &[2e-4]), coupled]),
+        ("uneven compliance", vec![softness(1, uneven(0)), softness(2, [0.0; 6]), softness(3, uneven(2))]),
+        ("gain", gains()),
         ("once a turn", vec![term(EffectKind::GearEccentricity, Some(2), &[rad(0.01), rad(0.005)])]),
         ("gear", vec![gear(2, 1), gear(40, 2), gear(100, 0)]),
+        ("gears and a gain", [gains(), vec![gear(1, 1), gear(3, 1), gear(7, 1), gear(80, 4)]].concat()),
         (
             "steps",
             vec![
@@ -139,21 +161,74 @@ fn what_rapid_cannot_hold_is_named() {
     }
 }
 
-#[test]
-fn gravity_and_gears_take_some_hundred_operations() {
+/// Of a model on top of a table of so many laws: arithmetic and trigonometric operations of the dearest call, as executed.
+fn effort(terms: Vec<Term>, laws: usize) -> (u64, u64) {
     let robot = Robot::built_in("irb140").unwrap();
-    let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[1e-4, 1e-4]) };
-    let softness: Vec<Term> = (0..6)
-        .map(|j| term(EffectKind::JointCompliance, Some(j), &[3e-6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]))
+    let shape = Growth::Law(GrowthLaw::TwoStage { tau_min: 15.0 });
+    let functions: Vec<Function> = (0..laws)
+        .map(|r| match r {
+            0 => Function { offsets: paper(1.0), shape: Some(shape) },
+            _ => Function {
+                offsets: FrameOffsets(super::all_offsets().0.map(|f| f.map(|x| 0.1 * x))),
+                shape: None,
+            },
+        })
         .collect();
-    for (terms, most, twice) in [(softness, 500, false), (vec![gear], 250, true)] {
-        let model = Identified { terms, ..Identified::default() };
-        let live = LiveModel::new(&robot, &table(&paper(1.0)), Some(&model), cap()).unwrap();
-        assert_eq!(live.evaluates_twice(), twice);
-        let text = live.routines(&[]).join("\n");
-        let (operations, trigonometric) =
-            super::cell::operations(&text, &["tcLive", "tcLiveSame", "tcFits", "tcCorrect"]);
-        println!("{operations} operations, {trigonometric} sines and cosines");
-        assert!(operations <= most, "{operations}");
+    let model = Identified { terms, ..Identified::default() };
+    let live = LiveModel::new(&robot, &functions, Some(&model), cap()).unwrap();
+    let targets = at(&robot, 10, TOOL, Some(WOBJ), 8);
+    let mut cell = Cell::new(&live, &robot, &targets, TOOL, Some(WOBJ));
+    (0..laws).for_each(|r| cell.set(&format!("tcF{}", r + 1), 0.1));
+    let effort = cell.effort();
+    (effort.arithmetic, effort.trigonometric)
+}
+
+/// What a call takes with each kind of model: at most 700 operations, 12 of them sines and cosines.
+#[test]
+fn every_kind_of_model_is_within_what_a_controller_has_time_for() {
+    let gears = |lines: &[u32]| -> Vec<Term> {
+        (0..6).flat_map(|joint| lines.iter().map(move |n| gear(*n, joint))).collect()
+    };
+    let soft = || (0..6).map(|j| softness(j, [0.0; 6])).collect::<Vec<Term>>();
+    let softer = || (0..6).map(|j| softness(j, uneven(j))).collect::<Vec<Term>>();
+    let frames = || (0..5).map(geometry).collect::<Vec<Term>>();
+    let many = || (0..8).map(|k| gear([40, 80, 36, 100][k % 4], k % 6)).collect::<Vec<Term>>();
+    let fast = Growth::Law(GrowthLaw::TwoStage { tau_min: 15.0 });
+    let growing = || {
+        let drift = |j| Term { growth: fast, ..term(EffectKind::ThermalJointDrift, Some(j), &[1e-4, -2e-5]) };
+        (0..6).map(drift).collect::<Vec<Term>>()
+    };
+    let mut over = Vec::new();
+    for (what, terms, laws, most) in [
+        ("a table of one law", vec![], 1, LIMITS[0]),
+        ("a table of six laws", vec![], 6, LIMITS[1]),
+        ("zeros", offsets(), 1, LIMITS[2]),
+        ("zeros that drift", growing(), 2, LIMITS[3]),
+        ("geometry of all links", frames(), 1, LIMITS[4]),
+        ("gains and a coupling", gains(), 1, LIMITS[5]),
+        ("three gear lines", vec![gear(2, 1), gear(40, 2), gear(100, 0)], 1, LIMITS[6]),
+        ("eight gear lines", many(), 1, LIMITS[7]),
+        ("once and twice a turn on every joint", gears(&[1, 2]), 1, LIMITS[8]),
+        ("compliance of all joints", soft(), 1, LIMITS[9]),
+        ("compliance, each link for itself", softer(), 1, LIMITS[10]),
+        (
+            "compliance and three gear lines, six laws",
+            [soft(), vec![gear(2, 1), gear(40, 2), gear(100, 0)]].concat(),
+            6,
+            LIMITS[11],
+        ),
+        (
+            "all of it, once and twice a turn, six laws",
+            [offsets(), frames(), gains(), softer(), gears(&[1, 2])].concat(),
+            6,
+            LIMITS[12],
+        ),
+    ] {
+        let (arithmetic, trigonometric) = effort(terms, laws);
+        println!("{what}: {arithmetic} operations, {trigonometric} sines and cosines");
+        if arithmetic > most || trigonometric > 12 {
+            over.push((what, arithmetic, trigonometric));
+        }
     }
+    assert_eq!(over, []);
 }

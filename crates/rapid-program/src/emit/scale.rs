@@ -114,6 +114,13 @@ impl Scaled<'_> {
                     .replace("tcPart0*@SHOWN_SHARE@", &format!("tcF{settled}"))
             }
         };
+        let scale = match &self.live {
+            // What is made of them once, when they change.
+            Some((live, _)) if live.has_offsets_of_time() => {
+                scale.replace("    tcOn:=", "    tcOffsets;\n    tcOn:=")
+            }
+            _ => scale,
+        };
         let mut parts = vec![CHOOSE.to_owned(), scale];
         let corrections: Vec<String> = match count {
             1 => vec!["tcC".to_owned()],

@@ -10,14 +10,8 @@
     VAR jointtarget tcJ;
     IF NOT tcFits(tcTool\WObj?WObj) RETURN tcP;
     tcGoal:=tcP;
-twice#    FOR tcN FROM 1 TO 2 DO
-twice#      ! The second time at the joints of the corrected target
-twice#      tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
-twice#      tcGoal:=tcP;
-twice#      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
-twice#    ENDFOR
-once#    tcJ:=CalcJointT(tcP,tcTool\WObj?WObj);
-once#    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
+    tcJ:=CalcJointT(tcP,tcTool\WObj?WObj);
+    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1@WOBJ@) RETURN tcP;
     RETURN tcGoal;
   ERROR
     IF ERRNO=ERR_ROBLIMIT OR ERRNO=ERR_OUTSIDE_REACH THEN
@@ -29,23 +23,15 @@ once#    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
 
   FUNC jointtarget tcLiveJ(jointtarget tcP,PERS tooldata tcTool\PERS wobjdata WObj)
     ! The joints at which the arm, as warm as it is now, stands where the cold one does at tcP
-    VAR robtarget tcWas;
     VAR robtarget tcGoal;
     VAR jointtarget tcJ;
     tcUpdate;
     IF Abs(tcP.robax.rax_1)>8.9E9 OR Abs(tcP.robax.rax_2)>8.9E9 OR Abs(tcP.robax.rax_3)>8.9E9 RETURN tcP;
     IF Abs(tcP.robax.rax_4)>8.9E9 OR Abs(tcP.robax.rax_5)>8.9E9 OR Abs(tcP.robax.rax_6)>8.9E9 RETURN tcP;
     IF NOT tcFits(tcTool\WObj?WObj) RETURN tcP;
-    tcWas:=CalcRobT(tcP,tcTool\WObj?WObj);
-    tcJ:=tcP;
-twice#    FOR tcN FROM 1 TO 2 DO
-twice#      tcGoal:=tcWas;
-twice#      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
-twice#      tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
-twice#    ENDFOR
-once#    tcGoal:=tcWas;
-once#    IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1) RETURN tcP;
-once#    tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
+    tcGoal:=CalcRobT(tcP,tcTool\WObj?WObj);
+    IF NOT tcCorrect(tcGoal,tcP.robax,tcTool,-1@WOBJ@) RETURN tcP;
+    tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
     IF tcFar(tcJ.robax.rax_1,tcP.robax.rax_1) OR tcFar(tcJ.robax.rax_2,tcP.robax.rax_2)
       OR tcFar(tcJ.robax.rax_3,tcP.robax.rax_3) OR tcFar(tcJ.robax.rax_4,tcP.robax.rax_4)
       OR tcFar(tcJ.robax.rax_5,tcP.robax.rax_5) OR tcFar(tcJ.robax.rax_6,tcP.robax.rax_6) THEN

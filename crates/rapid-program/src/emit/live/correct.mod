@@ -1,17 +1,14 @@
     ! Tool: its lever, then its axes
-    tcDx:=tcDx+tcRy*tcTool.tframe.trans.z-tcRz*tcTool.tframe.trans.y;
-    tcDy:=tcDy+tcRz*tcTool.tframe.trans.x-tcRx*tcTool.tframe.trans.z;
-    tcDz:=tcDz+tcRx*tcTool.tframe.trans.y-tcRy*tcTool.tframe.trans.x;
-    tcA:=@FACTOR@;
-    tcTo.rot:=tcTool.tframe.rot;
+    tcTo:=[[0,0,0],tcTool.tframe.rot];
     tcTo:=PoseInv(tcTo);
-    tcBy.trans.x:=tcA*tcRx;
-    tcBy.trans.y:=tcA*tcRy;
-    tcBy.trans.z:=tcA*tcRz;
-    tcTurn:=PoseMult(tcTo,tcBy);
-    tcBy.trans.x:=tcA*tcDx;
-    tcBy.trans.y:=tcA*tcDy;
-    tcBy.trans.z:=tcA*tcDz;
+    tcWas:=[tcGoal.trans,tcGoal.rot];
+scaled#    tcE:=tcSign*tcF1;
+twice#    FOR tcN FROM 1 TO 2 DO
+    tcTurn:=[[@FACTOR@*tcRx,@FACTOR@*tcRy,@FACTOR@*tcRz],[1,0,0,0]];
+    tcTurn:=PoseMult(tcTo,tcTurn);
+    tcBy:=[[@FACTOR@*(tcDx+tcRy*tcTool.tframe.trans.z-tcRz*tcTool.tframe.trans.y),
+      @FACTOR@*(tcDy+tcRz*tcTool.tframe.trans.x-tcRx*tcTool.tframe.trans.z),
+      @FACTOR@*(tcDz+tcRx*tcTool.tframe.trans.y-tcRy*tcTool.tframe.trans.x)],[1,0,0,0]];
     tcBy:=PoseMult(tcTo,tcBy);
     tcA:=tcBy.trans.x*tcBy.trans.x+tcBy.trans.y*tcBy.trans.y+tcBy.trans.z*tcBy.trans.z;
     tcB:=tcTurn.trans.x*tcTurn.trans.x+tcTurn.trans.y*tcTurn.trans.y+tcTurn.trans.z*tcTurn.trans.z;
@@ -20,14 +17,27 @@
       RETURN FALSE;
     ENDIF
     ! As a quaternion of length 1; half the turn is its vector
-    tcBy.rot.q2:=tcTurn.trans.x/2;
-    tcBy.rot.q3:=tcTurn.trans.y/2;
-    tcBy.rot.q4:=tcTurn.trans.z/2;
-    tcBy.rot.q1:=Sqrt(1-tcB/4);
-    tcTo.trans:=tcGoal.trans;
-    tcTo.rot:=tcGoal.rot;
-    tcTo:=PoseMult(tcTo,tcBy);
-    tcGoal.trans:=tcTo.trans;
-    tcGoal.rot:=tcTo.rot;
+    tcBy.rot:=[Sqrt(1-tcB/4),tcTurn.trans.x/2,tcTurn.trans.y/2,tcTurn.trans.z/2];
+    tcBy:=PoseMult(tcWas,tcBy);
+    tcGoal.trans:=tcBy.trans;
+    tcGoal.rot:=tcBy.rot;
+twice#    IF tcN=2 OR tcSign>0 RETURN TRUE;
+twice#    ! What is steep, at the joints of the corrected target
+twice#    IF NOT tcSolved(tcGoal,tcJ,tcTool\WObj?WObj) RETURN FALSE;
+@AGAIN@
+twice#    ENDFOR
     RETURN TRUE;
   ENDFUNC
+twice#
+twice#  LOCAL FUNC bool tcSolved(robtarget tcP,INOUT robjoint tcQ,PERS tooldata tcTool\PERS wobjdata WObj)
+twice#    VAR jointtarget tcJ;
+twice#    tcJ:=CalcJointT(tcP,tcTool\WObj?WObj);
+twice#    tcQ:=tcJ.robax;
+twice#    RETURN TRUE;
+twice#  ERROR
+twice#    IF ERRNO=ERR_ROBLIMIT OR ERRNO=ERR_OUTSIDE_REACH THEN
+twice#      tcWarn "No joints for a corrected target: original target";
+twice#      RETURN FALSE;
+twice#    ENDIF
+twice#    RAISE;
+twice#  ENDFUNC

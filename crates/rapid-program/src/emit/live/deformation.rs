@@ -8,7 +8,7 @@ use robot_model::deform::identified::{Growth, Identified, Term};
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
 
-/// Turns that change by more than this with the joint (rad/rad) are evaluated at the corrected joints once more: the
+/// Turns that change by more than this with the joint (rad/rad) are looked at once more at the corrected joints: the
 /// offsets of a drifting arm change by some ten thousandths.
 const STEEP: f64 = 1e-3;
 
@@ -46,8 +46,8 @@ pub struct LiveModel {
     /// Turn of each joint under load.
     pub(super) compliance: [Option<Compliance>; 6],
     pub(super) cap: Cap,
-    /// The twist is evaluated a second time, at the corrected joints.
-    pub(super) twice: bool,
+    /// Turns are looked at a second time, at the corrected joints.
+    pub(super) steep: bool,
 }
 
 impl LiveModel {
@@ -71,7 +71,7 @@ impl LiveModel {
             turns: std::array::from_fn(|_| Vec::new()),
             compliance: [None; 6],
             cap,
-            twice: false,
+            steep: false,
         };
         let mut cannot: Vec<String> = Vec::new();
         for term in model.iter().flat_map(|m| &m.terms) {
@@ -81,7 +81,7 @@ impl LiveModel {
                 cannot.push(why);
             }
         }
-        live.twice = live.turns.iter().flatten().map(Turn::steepness).sum::<f64>() > STEEP;
+        live.steep = live.turns.iter().flatten().map(Turn::steepness).sum::<f64>() > STEEP;
         if cannot.is_empty() { Ok(live) } else { Err(cannot) }
     }
 
@@ -91,11 +91,11 @@ impl LiveModel {
         self.growing.len()
     }
 
-    /// Whether RAPID evaluates the twist a second time, at the joints of the corrected target: where gear lines or gains
-    /// change fast with the joints.
+    /// Whether RAPID looks at the joints' own turns a second time, at the joints of the corrected target: where gear lines or
+    /// gains change fast with the joints.
     #[must_use]
-    pub fn evaluates_twice(&self) -> bool {
-        self.twice
+    pub fn looks_again(&self) -> bool {
+        self.steep
     }
 
     /// Whether anything is there whatever the functions of time are.

@@ -1,11 +1,13 @@
-//! Joints that give under gravity, as RAPID: weighted mass moments from the tool inward, the upward direction outward.
+//! Joints that give under gravity, as RAPID: places and axes as the base sees them, torques from the tool inward.
 //!
-//! A joint's turn is `c T + sum_k c_k T_k` with `T` its torque, `T_k` the part of link k (`deform::gravity`). Both are linear
-//! in the masses, so one weight for each link, `m_k (c + c_k)`, gives the whole in one sum.
+//! A joint's turn is `c T + sum_k c_k T_k` with `T` its torque, `T_k` the part of link k (`deform::gravity`). Both are linear in the
+//! masses, so one weight for each link, `m_k (c + c_k)`, gives the whole in one sum. Gravity has no part along z: of places p, the
+//! joint's origin o and its axis a the base's x and y are enough, `T = -g sum m (a_x (p - o)_y - a_y (p - o)_x)`. They do not hang
+//! on the weights, so joints that give in other ways cost a sum more each, not a walk through the arm.
 
 use super::deformation::LiveModel;
 use super::frames::rows;
-use super::text::{Body, Summand, Triple, num, sum};
+use super::text::{Body, Summand, Triple, is_nothing};
 use nalgebra::Vector3;
 use robot_model::deform::gravity::GRAVITY_M_S2;
 use robot_model::units::{m_from_mm, mm_from_m};
@@ -22,12 +24,9 @@ struct Group {
 
 fn groups(model: &LiveModel) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
-    for (j, own) in model.compliance.iter().enumerate() {
+    for (j, own) in model.compliance.iter().enumerate().filter(|(j, _)| gives(model, *j)) {
         let Some(own) = own else { continue };
         let scale = own.scale();
-        if scale == 0.0 {
-            continue;
-        }
         let shares = own.shares(scale);
         let same = |g: &&mut Group| g.shares.iter().zip(&shares).all(|(a, b)| (a - b).abs() < 1e-9);
         match groups.iter_mut().find(same) {
@@ -38,83 +37,127 @@ fn groups(model: &LiveModel) -> Vec<Group> {
     groups
 }
 
+/// A direction, or a place, as the base's x or y sees it: which of the two, and the stem of its names.
+const SEEN: [(usize, &str); 2] = [(0, "x"), (1, "y")];
+
 /// Statements that set `tcT1` to `tcT6` of the joints that give, from the sines and cosines `tcS1`, `tcC1` ...
 pub(super) fn body(model: &LiveModel, body: &mut Body) {
     let groups = groups(model);
-    if groups.is_empty() {
-        return;
+    let Some(first) = groups.iter().flat_map(|g| &g.joints).map(|(j, _)| *j).min() else { return };
+    let links = model.links();
+    let weight = |group: &Group, i: usize| links[i].0 * group.shares[i];
+    let counts = |i: usize| i >= first && groups.iter().any(|group| !is_nothing(weight(group, i)));
+    let turns = |i: usize| groups.iter().flat_map(|g| &g.joints).any(|(j, _)| *j == i);
+    body.line("! Places, mm, and axes of the joints that give, as x and y of the base see them");
+    // The base's x and y in the axes of the frame reached, and where its origin is, mm.
+    let mut seen = SEEN.map(|(_, axis)| Triple::zero(&format!("tcU{axis}")));
+    let first_step = &model.steps[0];
+    // An arm that stands upright: its first joint turns the base's x and y themselves.
+    let stands = match first_step.axis {
+        Some((2, sign)) if first_step.rotation.is_identity(0.0) => Some(sign),
+        _ => None,
+    };
+    for ((k, _), of) in SEEN.into_iter().zip(&mut seen).filter(|_| stands.is_none()) {
+        body.increase(of, k, &[(1.0, String::new())]);
     }
-    body.line("! Upward, seen from the joints that give");
-    let mut up = Triple::zero("tcU");
-    body.increase(&mut up, 2, &[(1.0, String::new())]);
-    let last = groups.iter().flat_map(|g| &g.joints).map(|(j, _)| *j).max().unwrap_or(0);
-    for (i, step) in model.steps.iter().enumerate().take(last + 1) {
-        body.rotate(&mut up, &rows(&step.rotation.transpose()));
-        if let Some((axis, sign)) = step.axis {
-            body.turn(&mut up, axis, -sign, [&sine(i), &cosine(i)]);
-            if groups.iter().flat_map(|g| &g.joints).any(|(j, _)| *j == i) {
-                for (k, stem) in [((axis + 1) % 3, "tcV"), ((axis + 2) % 3, "tcW")] {
-                    body.line(format!("{stem}{}:={};", i + 1, up.get(k).unwrap_or("0")));
-                }
+    let mut at = [false; 2];
+    // Joints whose axis is upright wherever the arm stands: gravity does not turn them.
+    let mut upright = [false; 6];
+    for (i, step) in model.steps.iter().enumerate() {
+        let place = mm(&step.place_m);
+        let turned_base = stands.filter(|_| i == 0);
+        for ((k, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(&mut at)) {
+            let summands: Vec<Summand> = match turned_base {
+                Some(_) => vec![(place[k], String::new())],
+                None => (0..3).filter_map(|k| of.times(k, place[k])).collect(),
+            };
+            *is = body.add(&format!("tcO{axis}"), *is, &summands);
+        }
+        for ((k, _), of) in SEEN.into_iter().zip(&mut seen) {
+            if let Some(sign) = turned_base {
+                let across = if k == 0 { -sign } else { sign };
+                body.increase(of, k, &[(1.0, cosine(0))]);
+                body.increase(of, 1 - k, &[(across, sine(0))]);
+                continue;
+            }
+            body.rotate(of, &rows(&step.rotation.transpose()));
+            if let Some((axis, sign)) = step.axis {
+                body.turn(of, axis, -sign, [&sine(i), &cosine(i)]);
+            }
+        }
+        if let (Some((about, _)), Some(upright)) = (step.axis, upright.get_mut(i)) {
+            *upright = seen.iter().all(|of| of.get(about).is_none());
+        }
+        let com = links.get(i).map(|(_, com_m)| mm(com_m)).filter(|_| counts(i));
+        for ((_, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(at)) {
+            let origin = is.then(|| (1.0, format!("tcO{axis}")));
+            if let Some(com) = com {
+                let own = (0..3).filter_map(|k| of.times(k, com[k]));
+                body.set_always(
+                    &format!("tcP{axis}{}", i + 1),
+                    &own.chain(origin.clone()).collect::<Vec<_>>(),
+                );
+            }
+            if let Some((about, sign)) = step.axis.filter(|_| turns(i)) {
+                body.set_always(&format!("tcO{axis}{}", i + 1), &origin.into_iter().collect::<Vec<_>>());
+                let along = of.times(about, sign);
+                body.set_always(&format!("tcA{axis}{}", i + 1), &along.into_iter().collect::<Vec<_>>());
             }
         }
     }
+    load(&seen, at, body);
     for group in &groups {
-        sums(model, group, body);
+        sums(group, (&|i| weight(group, i), &upright), body);
     }
 }
 
-/// One group: mass moments in kg mm from the tool inward.
-fn sums(model: &LiveModel, group: &Group, body: &mut Body) {
-    body.line("! Masses beyond a joint times their places, kg mm, from the tool inward");
-    let links = model.links();
-    let flange = &model.steps[6];
-    let first = group.joints.iter().map(|(j, _)| *j).min().unwrap_or(0);
-    let mut moment = Triple::zero("tcM");
-    // The load of the tool: its centre is given in the flange's frame.
-    let places = mm(&flange.place_m);
+/// The tool's mass, kg, and where its centre is; it is given in the flange's frame, which is the last one reached.
+fn load(seen: &[Triple; 2], at: [bool; 2], body: &mut Body) {
     body.line("tcL:=0;");
-    body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:={}*tcTool.tload.mass;", num(group.shares[6])));
-    let rotation = flange.rotation;
-    for k in 0..3 {
-        let cog = (0..3).map(|j| (rotation[(k, j)], format!("tcL*tcTool.tload.cog.{}", ["x", "y", "z"][j])));
-        let mut summands: Vec<Summand> = cog.collect();
-        summands.push((places[k], "tcL".to_owned()));
-        body.increase(&mut moment, k, &summands);
+    body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:=tcTool.tload.mass;"));
+    for ((_, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(at)) {
+        let cog = (0..3).filter_map(|k| {
+            of.get(k).map(|name| (1.0, format!("{name}*tcTool.tload.cog.{}", ["x", "y", "z"][k])))
+        });
+        let summands: Vec<Summand> = cog.chain(is.then(|| (1.0, format!("tcO{axis}")))).collect();
+        body.set_always(&format!("tcP{axis}7"), &summands);
     }
-    let mut mass_kg = 0.0;
+}
+
+/// One group: what turns its joints, from the tool inward.
+fn sums(group: &Group, (weight, upright): (&dyn Fn(usize) -> f64, &[bool; 6]), body: &mut Body) {
+    body.line("! Masses beyond a joint times their places, kg mm, from the tool inward");
+    let first = group.joints.iter().map(|(j, _)| *j).min().unwrap_or(0);
+    let (share, mut mass_kg) = (group.shares[6], 0.0);
+    let mut has = !is_nothing(share);
+    if has {
+        body.set_always("tcW", &[(share, "tcL".to_owned())]);
+    }
+    for (_, axis) in SEEN.into_iter().filter(|_| has) {
+        body.set_always(&format!("tcM{axis}"), &[(1.0, format!("tcW*tcP{axis}7"))]);
+    }
     for i in (first..6).rev() {
-        let step = &model.steps[i];
-        let weight = links[i].0 * group.shares[i];
-        let com = mm(&links[i].1);
-        for (k, com_mm) in com.into_iter().enumerate() {
-            body.increase(&mut moment, k, &[(weight * com_mm, String::new())]);
+        let own = weight(i);
+        if !is_nothing(own) {
+            for (_, axis) in SEEN {
+                body.add(&format!("tcM{axis}"), has, &[(own, format!("tcP{axis}{}", i + 1))]);
+            }
+            has = true;
+            mass_kg += own;
         }
-        mass_kg += weight;
-        let Some((axis, sign)) = step.axis else { continue };
-        if let Some((_, scale)) = group.joints.iter().find(|(j, _)| *j == i) {
-            let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-            let by = -sign * m_from_mm(scale * GRAVITY_M_S2);
-            let inner = [
-                moment.get(b).map(|m| (1.0, format!("{m}*tcW{}", i + 1))),
-                moment.get(c).map(|m| (-1.0, format!("{m}*tcV{}", i + 1))),
-            ];
-            let inner: Vec<Summand> = inner.into_iter().flatten().collect();
-            let inner = sum(&inner);
-            let inner = if inner.is_empty() { "0" } else { &inner };
-            // Millionths: what is smaller would be written as nothing.
-            body.line(format!("tcT{}:={}*({inner})/1000000;", i + 1, num(by * 1e6)));
+        let Some((_, scale)) = group.joints.iter().find(|(j, _)| *j == i) else { continue };
+        let n = i + 1;
+        let mass = [(1.0, "tcW".to_owned()), (mass_kg, String::new())];
+        let mass = super::text::sum(&mass[usize::from(is_nothing(share))..]);
+        let mass = if mass.is_empty() { "0" } else { &mass };
+        if !has || upright[i] {
+            body.line(format!("tcT{n}:=0;"));
+            continue;
         }
-        if i == first {
-            break;
-        }
-        body.turn(&mut moment, axis, sign, [&sine(i), &cosine(i)]);
-        body.rotate(&mut moment, &rows(&step.rotation));
-        let place = mm(&step.place_m);
-        for (k, place_mm) in place.into_iter().enumerate() {
-            let summands = [(mass_kg * place_mm, String::new()), (place_mm, "tcL".to_owned())];
-            body.increase(&mut moment, k, &summands);
-        }
+        body.line(format!("tcK:={mass};"));
+        // Display of an f32 is its shortest fixed notation: what is written as nothing elsewhere counts here.
+        let by = -m_from_mm(scale * GRAVITY_M_S2) as f32;
+        body.line(format!("tcT{n}:={by}*(tcAx{n}*(tcMy-tcK*tcOy{n})-tcAy{n}*(tcMx-tcK*tcOx{n}));"));
     }
 }
 

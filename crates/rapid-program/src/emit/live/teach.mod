@@ -6,7 +6,7 @@
     tcGoal:=CRobT(\Tool:=tcTool\WObj?WObj);
     IF tcFits(tcTool\WObj?WObj) THEN
       tcJ:=CJointT();
-      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,1) TPWrite "It is stored as it stands";
+      IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,1@WOBJ@) TPWrite "It is stored as it stands";
     ENDIF
     tcP:=tcGoal;
   ENDPROC

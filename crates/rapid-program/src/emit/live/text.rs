@@ -99,8 +99,30 @@ impl Body {
         self.add(to, false, summands);
     }
 
+    /// The same where nothing may be left: then zero.
+    pub fn set_always(&mut self, to: &str, summands: &[Summand]) {
+        if !self.add(to, false, summands) {
+            self.line(format!("{to}:=0;"));
+        }
+    }
+
+    /// Assigns a sum in one statement, over as many lines as it takes.
+    pub fn set_at_once(&mut self, to: &str, summands: &[Summand]) {
+        let parts: Vec<String> =
+            summands.chunks(IN_A_LINE).map(sum).filter(|part| !part.is_empty()).collect();
+        for (k, part) in parts.iter().enumerate() {
+            let before = match k {
+                0 => format!("{to}:="),
+                _ if part.starts_with('-') => "  ".to_owned(),
+                _ => "  +".to_owned(),
+            };
+            let end = if k + 1 == parts.len() { ";" } else { "" };
+            self.line(format!("{before}{part}{end}"));
+        }
+    }
+
     /// `to := [to +] summands`, in statements that are not long; whether anything was written.
-    fn add(&mut self, to: &str, mut has: bool, summands: &[Summand]) -> bool {
+    pub fn add(&mut self, to: &str, mut has: bool, summands: &[Summand]) -> bool {
         let kept: Vec<Summand> = summands.iter().filter(|(by, _)| !is_nothing(*by)).cloned().collect();
         for some in kept.chunks(IN_A_LINE) {
             let text = sum(some);

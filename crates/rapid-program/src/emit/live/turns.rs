@@ -24,6 +24,11 @@ impl Turn {
         }
     }
 
+    /// In proportion to a joint.
+    pub fn is_gain(&self) -> bool {
+        matches!(self, Self::Gain { .. })
+    }
+
     /// The function of time that it follows.
     pub fn function(&self) -> Option<usize> {
         match *self {
@@ -46,20 +51,14 @@ impl Turn {
         }
     }
 
-    /// As RAPID, where `tcQ` holds the joints in degrees.
-    pub fn summands(&self, joint: usize, sign: f64) -> Vec<Summand> {
+    /// As RAPID, where `tcQ` holds the joints in degrees; gear lines take more than a summand ([`super::gears`]).
+    pub fn summand(&self, sign: f64) -> Option<Summand> {
         match *self {
             Self::Constant { function, rad } => {
-                vec![(sign * rad, function.map_or_else(String::new, |r| format!("tcF{}", r + 1)))]
+                Some((sign * rad, function.map_or_else(String::new, |r| format!("tcF{}", r + 1))))
             }
-            Self::Gain { by, gain } => {
-                vec![(sign * gain * rad_from_deg(1.0), format!("tcQ.rax_{}", by + 1))]
-            }
-            Self::Gear { n, sin_rad, cos_rad } => {
-                let times = if n == 1 { String::new() } else { format!("{n}*") };
-                let of = format!("({times}tcQ.rax_{})", joint + 1);
-                vec![(sign * sin_rad, format!("Sin{of}")), (sign * cos_rad, format!("Cos{of}"))]
-            }
+            Self::Gain { by, gain } => Some((sign * gain * rad_from_deg(1.0), format!("tcQ.rax_{}", by + 1))),
+            Self::Gear { .. } => None,
         }
     }
 }
