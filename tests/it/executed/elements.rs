@@ -77,9 +77,15 @@ fn an_order_of_elements_is_an_index_like_another() {
 fn a_schedule_takes_two_indices_beside_its_own() {
     let (paper, original) = (Deformation::paper(), fixture("simulate/elements.mod"));
     let (program, kept) = made_as(FormChoice::Schedule, &original, &paper, &warmth()).unwrap();
-    assert_eq!(kept, 3, "three dimensions, and two expressions");
+    assert_eq!(kept, 1, "three dimensions");
     let made = text(&program);
-    for asked in ["MoveL tcpGrid{r,2,tcK()},", "MoveL tcpGrid_2{nRow,nColumn,tcK()},", "tcpGrid_2{3,4,"] {
+    for asked in [
+        "MoveL tcpGrid{r,2,tcK()},",
+        "MoveL tcpGrid_2{nRow,nColumn,tcK()},",
+        "tcpGrid_2{3,4,",
+        "        MoveL tc43{r,c,tcK()},v100",
+        "      MoveL tc47{i,tcK()},v100",
+    ] {
         assert!(made.contains(asked), "{asked}: {made}");
     }
     let mut s = session(&program, &original, &paper, false);
@@ -88,7 +94,14 @@ fn a_schedule_takes_two_indices_beside_its_own() {
         let off_mm = mm_from_m(pass.corrected.max_m);
         assert!(pass.failure.is_none() && off_mm <= 0.0055, "{off_mm} mm at {}", pass.t_min);
     }
-    assert!(restore(&program[0].1).unwrap().exact);
+    let restored = restore(&program[0].1).unwrap();
+    assert!(restored.exact && restored.bytes == original[0].1);
+    // What a touched-up element of an expression means has no place in the source to go to.
+    let (before, array) = made.split_once("robtarget tc47{").unwrap();
+    let touched = format!("{before}robtarget tc47{{{}", array.replacen("[[0,", "[[0.5,", 1));
+    assert_ne!(touched, made);
+    let refused = restore(touched.as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("touched up"), "{refused}");
 }
 
 /// The element in force is touched up: its own correction is taken off, and what is left goes into the source's element.

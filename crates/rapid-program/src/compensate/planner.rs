@@ -321,17 +321,15 @@ fn is_one_of_several(motion: &Motion) -> bool {
     motion.targets.iter().any(Target::is_one_of)
 }
 
-/// Motions whose targets no array of buckets can hold: beside the bucket's index it takes those of an array's element, two at most.
+/// Motions whose targets no array of buckets can hold: beside the bucket's index it takes two of the source's own.
 fn keep_what_no_array_holds(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     if options.form != FormChoice::Schedule {
         return;
     }
     let why_not = |target: &Target| match (target.indices(), target.elements().len()) {
-        (Some(indices), _) if !indices.is_element => {
-            Some("its target is an expression with an array's element".to_owned())
+        (Some(indices), _) => {
+            (indices.dims.len() > 2).then(|| "its target is one by three indices".to_owned())
         }
-        (Some(indices), _) => (indices.dims.len() > 2)
-            .then(|| "its target is an element of an array of three dimensions".to_owned()),
         (None, _) if !target.is_one_of() => None,
         (None, 1) => Some("its target is worked out on the way".to_owned()),
         (None, count) => Some(format!("its target is one of {count}, and only run time tells which")),

@@ -161,7 +161,9 @@ impl<'p> Added<'p> {
                         }
                     };
                     if !tells_itself {
-                        self.was.insert(name.clone(), base.to_vec());
+                        // Of an expression that an index chooses in, all of it; of an array's element the array.
+                        let was = if base.is_empty() { argument } else { base };
+                        self.was.insert(name.clone(), was.to_vec());
                     }
                     self.declare(key, Declaration::Array(TargetArray { name, dims, rows }))
                 }
@@ -444,8 +446,9 @@ impl<'t> Argument<'t> {
             true => file.text(name).trim_ascii().strip_suffix(b"{").unwrap_or_default().trim_ascii(),
             false => b"",
         };
-        let known_by = if indices.is_element { base } else { argument };
-        let key = Some((None, known_by.to_ascii_lowercase()));
+        // An expression is put back as it stands, to the byte.
+        let known_by = if indices.is_element { base.to_ascii_lowercase() } else { argument.to_vec() };
+        let key = Some((None, known_by));
         Ok(Self { base, index: Some(file.text(indices.range)), dims: indices.dims.to_vec(), key })
     }
 }

@@ -225,6 +225,7 @@ impl<'w> Remover<'w> {
             let into = declared.contains(&name.as_str());
             for one in uses {
                 let text = match (one.index, rows.first()) {
+                    (Some(_), _) if !is_name(&array.was) => array.was.clone(),
                     (Some(index), _) => [&array.was, b"{".as_slice(), index.of(self.bytes), b"}"].concat(),
                     (None, Some(Some(new))) if !into => new.text.clone(),
                     (None, _) => array.was.clone(),
@@ -334,6 +335,11 @@ impl<'w> Remover<'w> {
 
 pub(super) fn removal(range: TextRange) -> Edit {
     Edit { range, text: Vec::new() }
+}
+
+/// Whether it is a name, and no expression.
+fn is_name(text: &[u8]) -> bool {
+    text.iter().all(|&b| b.is_ascii_alphanumeric() || b == b'_' || !b.is_ascii())
 }
 
 fn begins_with_tc(name: &[u8]) -> bool {
