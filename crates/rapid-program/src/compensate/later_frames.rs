@@ -25,7 +25,7 @@ pub(super) fn keep_other_later_frames(
     keep_where(program, model, resolved, |_, motion, resolved, settled| {
         let apart = motion.setup.later_frames.iter().map(|later| {
             let apart_m = apart_m(motion, resolved, later, settled, model);
-            (apart_m.unwrap_or(f64::INFINITY), later)
+            (apart_m.map_or(f64::INFINITY, |[tcp_m, flange_m]| tcp_m.max(flange_m)), later)
         });
         let worst = apart.max_by(|(a, _), (b, _)| a.total_cmp(b));
         let (apart_m, later) = worst.filter(|(apart_m, _)| *apart_m > tolerance_m)?;
@@ -33,7 +33,22 @@ pub(super) fn keep_other_later_frames(
     });
 }
 
-/// How far apart the corrected targets are with the first frames and with later ones, at the TCP or the flange, metres; `None`
+/// Where the settled arm is sent from the second pass on by a correction that was made for the first frames: how far its TCP is at
+/// most from where it should be, metres; `None` where the frames stay.
+pub(super) fn later_error_m(
+    (motion, resolved): (&Motion, &Resolved),
+    settled: &DeformedArm,
+    model: &Model<'_>,
+) -> Option<f64> {
+    let later = motion.setup.later_frames.iter();
+    later
+        .map(|later| {
+            apart_m(motion, resolved, later, settled, model).map_or(f64::INFINITY, |[tcp_m, _]| tcp_m)
+        })
+        .reduce(f64::max)
+}
+
+/// How far apart the corrected targets are with the first frames and with later ones, at the TCP and at the flange, metres; `None`
 /// where nothing can be said or done with the later ones.
 fn apart_m(
     motion: &Motion,
@@ -41,10 +56,10 @@ fn apart_m(
     later: &LaterFrames,
     settled: &DeformedArm,
     model: &Model<'_>,
-) -> Option<f64> {
+) -> Option<[f64; 2]> {
     let placement = Placement::of_data(&later.tool, &later.wobj).ok()?;
     let values = motion.targets.iter().flat_map(Target::values);
-    let mut apart_m: f64 = 0.0;
+    let mut apart_m = [0.0_f64; 2];
     for (point, value) in resolved.points(motion, model).zip(values) {
         let corrected = model.nominal.forward(&warm_joints(&point, settled, model).ok()?);
         // Where the controller goes with the later frames, when it is given what was made for the first.
@@ -63,7 +78,7 @@ fn apart_m(
         let then = Point::new(&placement, &value, q_rad, conditions, model);
         let wanted = model.nominal.forward(&warm_joints(&then, settled, model).ok()?);
         let tcp_m = distance_m(&placement.object_from_tcp(&goes), &placement.object_from_tcp(&wanted));
-        apart_m = apart_m.max(tcp_m).max(distance_m(&goes, &wanted));
+        apart_m = [apart_m[0].max(tcp_m), apart_m[1].max(distance_m(&goes, &wanted))];
     }
     Some(apart_m)
 }

@@ -8,7 +8,7 @@ use super::error::CompensateError;
 use super::figures::Tally;
 use super::follow_paths::follow_paths;
 use super::joints_hint::{Hints, JointsHintError};
-use super::later_frames::keep_other_later_frames;
+use super::later_frames::{keep_other_later_frames, later_error_m};
 use super::live;
 use super::live_basis::LiveBasis;
 use super::messages::Messages;
@@ -28,7 +28,7 @@ use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
 use crate::schedule::{Chosen, Moment, choose};
 use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
-use robot_model::deform::Deformation;
+use robot_model::deform::{Deformation, DeformedArm};
 use robot_model::robot::Robot;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -97,7 +97,8 @@ pub fn plan(
     let (chosen, at) = choose_moments(program, &points, options)?;
     drop(points);
     let live = at.ramp().map(|ramp| Arc::new(live::basis(&model, &ramp.functions, options)));
-    let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref() };
+    let settled = model.arm(Moment::Settled);
+    let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref(), settled };
     let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
     let corrected = |planned: &PlannedMotion| !matches!(planned.status, Status::Kept(_));
     if !motions.iter().any(corrected) {
@@ -160,6 +161,9 @@ fn choose_moments(
     })
 }
 
+/// Where tools or work objects of later passes leave more of the tolerance than this share, `auto` asks the model at run time.
+const LATER_SHARE: f64 = 0.1;
+
 /// Corrects one motion after the other.
 struct Corrector<'a> {
     program: &'a Program,
@@ -168,6 +172,8 @@ struct Corrector<'a> {
     at: &'a Moments,
     /// What `live` needs, where motions may take that form.
     live: Option<&'a LiveBasis>,
+    /// The arm where drift is largest.
+    settled: DeformedArm,
 }
 
 impl Corrector<'_> {
@@ -220,7 +226,22 @@ impl Corrector<'_> {
             share_corrections(motions, &mut made);
             add_errors_of_ramp(&mut made, &points, ramp, self.model);
         }
+        for (made, placed) in made.iter_mut().zip(motions.iter().zip(resolved)) {
+            // What is asked at run time knows the frames that are in use.
+            let later_m = self.later_m(placed).filter(|_| made.planned.form != Form::Live);
+            if let (Some(later_m), Some(_), Some(last)) =
+                (later_m, made.planned.error_m, made.error_m.last_mut())
+            {
+                last[1] = last[1].max(later_m);
+                made.planned.error_m = Some(made.worst_error_m());
+            }
+        }
         made
+    }
+
+    /// What is left from the second pass on where tool or work object are others then, metres.
+    fn later_m(&self, placed: (&Motion, &Resolved)) -> Option<f64> {
+        later_error_m(placed, &self.settled, self.model)
     }
 
     fn correct(
@@ -262,9 +283,18 @@ impl Corrector<'_> {
         live::run_time(self.program, motion, live)
     }
 
-    /// In the form `live` known targets that cannot take it take `ramp`.
+    /// In the form `live` known targets that cannot take it take `ramp`; in `auto` those ask the model whose tool or work object is
+    /// another one from the second pass on.
     fn settled_form(&self, motion: &Motion, resolved: &Resolved, form: Form) -> Form {
-        match self.live.filter(|_| self.options.form == FormChoice::Live) {
+        let asks = match self.options.form {
+            FormChoice::Schedule | FormChoice::Ramp => false,
+            FormChoice::Live => true,
+            FormChoice::Auto => {
+                let later_m = self.later_m((motion, resolved)).unwrap_or(0.0);
+                later_m > LATER_SHARE * self.options.tolerance_m
+            }
+        };
+        match self.live.filter(|_| asks) {
             // What is asked at run time knows the point as it is written.
             Some(_) if resolved.turns_on_an_arc() => Form::Ramp,
             Some(live) => live::form_of_known(self.program, (motion, resolved.q_rad()), live, self.model),
