@@ -5,8 +5,9 @@ use super::check;
 use super::insertion::LayoutStyle;
 use super::number::num;
 use super::target::MAX_LINE;
-use nalgebra::{Isometry3, Vector4};
+use nalgebra::Isometry3;
 use robot_model::units::mm_from_m;
+use std::ops::Range;
 
 /// A target that was touched up by less is still the one that it is, mm: its correction is as good there.
 pub const NEAR_MM: f64 = 5.0;
@@ -14,49 +15,48 @@ pub const NEAR_MM: f64 = 5.0;
 pub const SAME_TURN: f64 = 0.9999;
 /// The scalar product of rows that both may be within [`SAME_TURN`] of one and within 0.999 of a target: 7 deg.
 const ALIKE: f64 = 0.998;
-/// Of a quaternion (w first) the product of these two sums counts: it is the same for its opposite, and another one for every
-/// turn of the frequent ones, in which parts are 0.
-const FORMS: [[f64; 4]; 2] = [[1.0, 0.6, -0.4, 0.8], [0.7, 0.5, 0.9, -0.3]];
 /// A sum so near to a whole number is not taken: rounding could bring it to the other side.
 const MARGIN: f64 = 0.05;
-/// Weights that are tried for each number of cells and each of these scales; larger ones would lose in single precision what
-/// tells rows of some tenths of a millimetre apart.
+/// Weights that are tried for each number of cells and each of these scales, of places (per mm) and of quaternions; with larger ones
+/// single precision, and quaternions of a length of not quite 1, would not leave the margin. Odd ones: whole millimetres are not to
+/// become whole sums.
 const TRIALS: u32 = 3000;
-const SCALES: [f64; 2] = [0.01, 0.1];
+const SCALES: [[f64; 2]; 2] = [[0.0113, 0.217], [0.107, 1.03]];
 
-/// Where a row is found: cell `trunc(|weights . (x, y, z, form)|) mod cells` holds its number.
+/// Where a row is found: cell `trunc(|weights . (x, y, z)| + |weights . (q1, q2, q3, q4)|) mod cells` holds its number. A quaternion and
+/// its opposite are one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowHash {
     /// A target this near to the row is nearer to no other, mm.
     within_mm: f64,
-    /// Per mm in x, y, z, and of the quaternion's form.
-    weights: [f64; 4],
+    /// Per mm in x, y, z, and of the parts of the quaternion, w first.
+    weights: [f64; 7],
     /// Numbers of rows, the first is 1; where no row is, 1 stands.
     cells: Vec<usize>,
 }
 
 impl RowHash {
-    /// Of the poses of all rows. Where no weights tell all of them apart (rows of which a look at `form` tells nothing), the one
-    /// cell of row 1 is left: all others are then searched for. So it is with rows that are less than some 0.1 mm and 7 deg apart.
+    /// Of the poses of all rows. Where no weights tell all of them apart (rows less than some 0.1 mm and 7 deg apart), the one cell of
+    /// row 1 is left: all others are then searched for.
     #[must_use]
     pub fn of(poses: &[Isometry3<f64>]) -> Self {
-        let keys: Vec<[f64; 4]> = poses.iter().map(key).collect();
+        let keys: Vec<[f64; 7]> = poses.iter().map(key).collect();
         let mut random = 0_u32;
         let mut weight = |scale: f64| {
             // Numerical Recipes' linear congruential generator.
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            f64::from(1 + (random >> 16) % 99) * scale
+            (f64::from((random >> 16) % 199) - 99.0) * scale
         };
         let within_mm = within_mm(poses);
         for cells in [2, 3, 4, 6, 8, 12, 16, 24].map(|times| times * poses.len()) {
-            for scale in SCALES.iter().flat_map(|scale| (0..TRIALS).map(move |_| *scale)) {
-                let weights = [weight(scale), weight(scale), weight(scale), weight(0.2)];
+            for [place, turn] in SCALES.iter().flat_map(|scale| (0..TRIALS).map(move |_| *scale)) {
+                let weights = [place, place, place, turn, turn, turn, turn].map(&mut weight);
                 if let Some(cells) = filled(&keys, &weights, cells) {
                     return Self { within_mm, weights, cells };
                 }
             }
         }
-        Self { within_mm, weights: [0.0; 4], cells: vec![1] }
+        Self { within_mm, weights: [0.0; 7], cells: vec![1] }
     }
 
     /// Appends the declaration; gives what it is recognised by.
@@ -84,43 +84,37 @@ impl RowHash {
     /// The row's number as a RAPID expression of target `tcP` and hash `tcRow`.
     #[must_use]
     pub fn expression() -> String {
-        let form = |parts: &[f64; 4]| {
-            let sum: String = (1..)
-                .zip(parts)
-                .map(|(k, by)| match *by {
-                    1.0 => format!("+tcP.rot.q{k}"),
-                    by if by < 0.0 => format!("-{}*tcP.rot.q{k}", num(-by)),
-                    by => format!("+{}*tcP.rot.q{k}", num(by)),
-                })
-                .collect();
-            format!("({})", sum.trim_start_matches('+'))
+        let sum = |from: usize, parts: &[&str]| {
+            let part = |(k, part): (usize, &&str)| format!("tcRow{{{}}}*tcP.{part}", from + k);
+            parts.iter().enumerate().map(part).collect::<Vec<_>>().join("+")
         };
-        let [one, two] = FORMS.each_ref().map(form);
-        format!(
-            "tcRow{{6+Trunc(Abs(tcRow{{2}}*tcP.trans.x+tcRow{{3}}*tcP.trans.y+tcRow{{4}}*tcP.trans.z\n        \
-             +tcRow{{5}}*{one}\n        *{two})) MOD (Dim(tcRow,1)-5)}}"
-        )
+        let place = sum(2, &["trans.x", "trans.y", "trans.z"]);
+        let turn = sum(5, &["rot.q1", "rot.q2", "rot.q3", "rot.q4"]);
+        format!("tcRow{{9+Trunc(Abs({place})\n        +Abs({turn})) MOD (Dim(tcRow,1)-8)}}")
     }
 }
 
-fn key(pose: &Isometry3<f64>) -> [f64; 4] {
+fn key(pose: &Isometry3<f64>) -> [f64; 7] {
     let at = pose.translation.vector.map(mm_from_m);
     let q = pose.rotation.quaternion();
-    let wxyz = Vector4::new(q.w, q.i, q.j, q.k);
-    let [one, two] = FORMS.map(|form| Vector4::from(form).dot(&wxyz));
-    [at.x, at.y, at.z, one * two]
+    [at.x, at.y, at.z, q.w, q.i, q.j, q.k]
+}
+
+/// The sum whose whole part says the cell.
+fn sum(key: &[f64; 7], weights: &[f64; 7]) -> f64 {
+    let part = |range: Range<usize>| range.map(|k| weights[k] * key[k]).sum::<f64>().abs();
+    part(0..3) + part(3..7)
 }
 
 /// The numbers of the rows by cell, where each has a cell of its own.
-fn filled(keys: &[[f64; 4]], weights: &[f64; 4], cells: usize) -> Option<Vec<usize>> {
+fn filled(keys: &[[f64; 7]], weights: &[f64; 7], cells: usize) -> Option<Vec<usize>> {
     let mut numbers: Vec<Option<usize>> = vec![None; cells];
     for (row, key) in keys.iter().enumerate() {
-        let sum = weights.iter().zip(key).map(|(by, x)| by * x).sum::<f64>().abs();
+        let sum = sum(key, weights);
         if !(MARGIN..1.0 - MARGIN).contains(&sum.fract()) {
             return None;
         }
-        let cell = &mut numbers[sum as usize % cells];
-        if cell.replace(row + 1).is_some() {
+        if numbers[sum as usize % cells].replace(row + 1).is_some() {
             return None;
         }
     }
@@ -148,15 +142,14 @@ mod tests {
     }
 
     fn cell_of(hash: &RowHash, pose: &Isometry3<f64>) -> usize {
-        let sum: f64 = hash.weights.iter().zip(key(pose)).map(|(by, x)| by * x).sum();
-        hash.cells[sum.abs() as usize % hash.cells.len()]
+        hash.cells[sum(&key(pose), &hash.weights) as usize % hash.cells.len()]
     }
 
     #[test]
     fn each_row_has_a_cell_of_its_own() {
         let raster: Vec<_> =
             (0..32).map(|k| at(12.0 * f64::from(k / 4), 10.0 * f64::from(k % 4), 0.0)).collect();
-        let turned: Vec<_> = (0..32).map(|k| at(400.0, -20.0, 11.0 * f64::from(k))).collect();
+        let turned: Vec<_> = (0..16).map(|k| at(400.0, -20.0, 11.0 * f64::from(k))).collect();
         let close: Vec<_> = (0..5).map(|k| at(0.3 * f64::from(k), 0.0, 0.0)).collect();
         for (poses, within_mm) in [(raster, 5.0), (turned, 5.0), (close[..1].to_vec(), 5.0), (close, 0.15)] {
             let hash = RowHash::of(&poses);
@@ -174,18 +167,22 @@ mod tests {
     #[test]
     fn rows_that_nothing_tells_apart_are_left_to_the_search() {
         let hash = RowHash::of(&[at(1.0, 2.0, 0.0), at(1.0, 2.0, 0.0)]);
-        assert_eq!(hash, RowHash { within_mm: 0.0, weights: [0.0; 4], cells: vec![1] });
+        assert_eq!(hash, RowHash { within_mm: 0.0, weights: [0.0; 7], cells: vec![1] });
     }
 
     #[test]
     fn it_is_one_array_of_numbers() {
-        let hash = RowHash { within_mm: 5.0, weights: [0.25, 0.5, 0.01, 3.2], cells: vec![1, 2, 1, 3] };
+        let hash = RowHash {
+            within_mm: 5.0,
+            weights: [0.25, -0.5, 0.01, 3.2, 1.0, 0.0, -2.0],
+            cells: vec![1, 2, 1, 3],
+        };
         let style = LayoutStyle { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() };
         let mut out = Vec::new();
         let letters = hash.write("tcPRow", &mut out, &style);
-        let text = "  LOCAL CONST num tcPRow{9}:=[5,0.25,0.5,0.01,3.2,1,2,1,3];\n";
+        let text = "  LOCAL CONST num tcPRow{12}:=[5,0.25,-0.5,0.01,3.2,1,0,-2,1,2,1,3];\n";
         assert_eq!(String::from_utf8(out).unwrap(), text);
-        assert_eq!(letters, check::of_numbers(b"[5,0.25,0.5,0.01,3.2,1,2,1,3]"));
+        assert_eq!(letters, check::of_numbers(b"[5,0.25,-0.5,0.01,3.2,1,0,-2,1,2,1,3]"));
         let long = RowHash { cells: vec![31; 300], ..hash };
         let mut out = Vec::new();
         let _ = long.write("tcPRow", &mut out, &style);

@@ -86,7 +86,7 @@ fn multiple(joint: usize, n: u32, known: &mut BTreeSet<u32>, body: &mut Body) {
     }
     let [sin, cos] = [sine, cosine].map(|of| multiple_name(of, joint, n));
     let both = known.iter().copied().find(|a| *a < n && known.contains(&(n - a)) && 2 * a != n);
-    if n % 2 == 0 && (both.is_none() || known.contains(&(n / 2))) {
+    if n.is_multiple_of(2) && (both.is_none() || known.contains(&(n / 2))) {
         multiple(joint, n / 2, known, body);
         let [half_sin, half_cos] = [sine, cosine].map(|of| multiple_name(of, joint, n / 2));
         body.line(format!("{sin}:=2*{half_sin}*{half_cos};"));
