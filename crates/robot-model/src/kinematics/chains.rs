@@ -147,6 +147,7 @@ pub(super) fn eight_poses(base_from_flange: &[Isometry3<f64>]) -> Pose<Lanes> {
 }
 
 impl Pose<Lanes> {
+    #[inline]
     pub(super) fn lane(&self, k: usize) -> Pose {
         Pose {
             rotation: self.rotation.map(|row| row.map(|value| value.0[k])),

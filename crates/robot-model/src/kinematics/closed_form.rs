@@ -9,6 +9,7 @@ use super::configuration::{Configuration, Posture};
 use super::dispatch::on_widest;
 use super::eight_branches::{Branch, BranchOfEach, EightBranches};
 use super::lanes::LANES;
+use super::spare_chain::SpareChain;
 use super::structure::{Structure, StructureError};
 use crate::robot::Robot;
 use nalgebra::Isometry3;
@@ -19,6 +20,7 @@ use std::f64::consts::TAU;
 pub struct ClosedForm {
     pub(super) structure: Structure,
     pub(super) chain: Chain,
+    pub(super) proof: SpareChain,
     ranges_rad: [Option<[f64; 2]>; 6],
 }
 
@@ -48,7 +50,7 @@ impl ClosedForm {
     /// Quadrants and branch of these joints.
     #[must_use]
     pub fn configuration(&self, q_rad: &[f64; 6]) -> Configuration {
-        Configuration::of(&self.posture(q_rad), q_rad)
+        Configuration::of(&self.structure, &self.canonical(q_rad), q_rad)
     }
 
     /// How far these joints are from the arm's singularities.
@@ -81,7 +83,7 @@ impl ClosedForm {
         let chain = Chain::nominal(robot);
         let structure = Structure::of(&chain)?;
         let ranges_rad = std::array::from_fn(|i| robot.joints[i].range_rad);
-        Ok(Self { structure, chain, ranges_rad })
+        Ok(Self { structure, proof: SpareChain::of(&chain), chain, ranges_rad })
     }
 
     /// All joints within the ranges that reach the pose: every branch, every whole turn of every joint. A joint without a
@@ -108,17 +110,19 @@ impl ClosedForm {
     #[must_use]
     pub fn branches(&self, base_from_flange: &Isometry3<f64>) -> [Option<[f64; 6]>; 8] {
         let goal = Pose::of(base_from_flange);
-        let eight = on_widest(EightBranches { structure: &self.structure, chain: &self.chain, goal: &goal });
-        let mut found = [None; 8];
+        let eight = on_widest(EightBranches { structure: &self.structure, proof: &self.proof, goal: &goal });
+        let mut lanes = [None; 8];
         for lane in 0..LANES {
-            let q_rad = eight.q_rad.map(|q_rad| q_rad.0[lane]);
-            let index = (lane & !1) + usize::from(q_rad[4] < 0.0);
+            let index = (lane & !1) + usize::from(eight.q_rad[4].0[lane] < 0.0);
             // Where joint 5 is zero both of its branches are one.
-            if lane % 2 == 0 || found[index].is_none() {
-                found[index] = Some((q_rad, eight.proved.0[lane] > 0.5));
+            if lane % 2 == 0 || lanes[index].is_none() {
+                lanes[index] = Some(lane);
             }
         }
-        found.map(|found| found.and_then(|(q_rad, proved)| proved.then_some(q_rad)))
+        lanes.map(|lane| {
+            let lane = lane.filter(|&lane| eight.proved.0[lane] > 0.5)?;
+            Some(eight.q_rad.each_ref().map(|q_rad| q_rad.0[lane]))
+        })
     }
 
     /// Calls `visit` for each pose in its order with its joints on one branch, numbered beside it as in
@@ -144,7 +148,7 @@ impl ClosedForm {
         let lanes = std::array::from_fn(|k| at(k).1 ^ backward);
         let found = on_widest(BranchOfEach {
             structure: &self.structure,
-            chain: &self.chain,
+            proof: &self.proof,
             goals: &eight_poses(&poses),
             branch: Branch::of(lanes),
         });

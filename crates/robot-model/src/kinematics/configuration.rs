@@ -39,25 +39,35 @@ const ON_BORDER_RAD: f64 = 1e-9;
 impl Posture {
     /// Posture of the joints `q_rad`, which are `theta_rad` counted as the closed form counts them.
     pub(super) fn of(structure: &Structure, theta_rad: &[f64; 6], q_rad: &[f64; 6]) -> Self {
-        let s = structure;
-        let (sin_2, _) = theta_rad[1].sin_cos();
-        let (sin_3, cos_3) = theta_rad[2].sin_cos();
-        let (sin_23, cos_23) = (theta_rad[1] + theta_rad[2]).sin_cos();
-        let in_front = (s.c3 * cos_3 + s.a2 * sin_3) / s.c3.hypot(s.a2);
+        let in_front = forearm_in_front_m(structure, theta_rad) / structure.c3.hypot(structure.a2);
         let wrist = theta_rad[4].sin().abs().asin();
         Self {
-            shoulder_m: s.a1 + s.c2 * sin_2 + s.c3 * cos_23 + s.a2 * sin_23,
+            shoulder_m: shoulder_m(structure, theta_rad),
             elbow_rad: in_front.clamp(-1.0, 1.0).asin(),
             wrist_rad: if q_rad[4] < 0.0 { -wrist } else { wrist },
         }
     }
 }
 
+/// The wrist centre in front of axis 1, metres.
+fn shoulder_m(s: &Structure, theta_rad: &[f64; 6]) -> f64 {
+    let sin_2 = theta_rad[1].sin();
+    let (sin_23, cos_23) = (theta_rad[1] + theta_rad[2]).sin_cos();
+    s.a1 + s.c2 * sin_2 + s.c3 * cos_23 + s.a2 * sin_23
+}
+
+/// The wrist centre in front of the lower arm, metres.
+fn forearm_in_front_m(s: &Structure, theta_rad: &[f64; 6]) -> f64 {
+    let (sin_3, cos_3) = theta_rad[2].sin_cos();
+    s.c3 * cos_3 + s.a2 * sin_3
+}
+
 impl Configuration {
-    /// Quadrants and branch of joints that stand in `posture`.
-    pub(super) fn of(posture: &Posture, q_rad: &[f64; 6]) -> Self {
-        let cfx = 4 * i32::from(posture.shoulder_m < 0.0)
-            + 2 * i32::from(posture.elbow_rad < 0.0)
+    /// Quadrants and branch of the joints `q_rad`, which are `theta_rad` counted as the closed form counts them: the signs of their
+    /// [`Posture`].
+    pub(super) fn of(structure: &Structure, theta_rad: &[f64; 6], q_rad: &[f64; 6]) -> Self {
+        let cfx = 4 * i32::from(shoulder_m(structure, theta_rad) < 0.0)
+            + 2 * i32::from(forearm_in_front_m(structure, theta_rad) < 0.0)
             + i32::from(q_rad[4] < 0.0);
         Self::of_branch(q_rad, cfx)
     }

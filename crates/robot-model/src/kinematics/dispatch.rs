@@ -1,7 +1,7 @@
 //! The widest vectors that the machine has, chosen while the program runs: AVX-512, AVX2, or plain arrays.
 //!
-//! All of them give the same bits: each operation is IEEE's own on each of eight numbers, and none is fused (neither function
-//! below may use FMA, and the compiler fuses nothing by itself).
+//! All of them give the same bits: each operation is IEEE's own on each of eight numbers, or one on its bits, and none is fused
+//! (neither function below may use FMA, and the compiler fuses nothing by itself).
 //!
 //! `unsafe` stands here alone. What makes it sound: a function marked `target_feature` is called only after the processor
 //! was asked for exactly that feature; the vector types are private to this file and reach a [`Kernel`] only through those
@@ -179,6 +179,34 @@ mod x86 {
                 Self(_mm512_mask_blend_pd(which, no.0, yes.0))
             }
         }
+
+        #[inline(always)]
+        fn larger(self, other: Self) -> Self {
+            Self(unsafe { _mm512_max_pd(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn turned_by_quarters(quarters: Self, sin: Self, cos: Self) -> (Self, Self) {
+            unsafe {
+                let k = _mm512_castpd_si512(quarters.0);
+                let one = _mm512_set1_epi64(1);
+                let odd = _mm512_test_epi64_mask(k, one);
+                let sine = Self(_mm512_mask_blend_pd(odd, sin.0, cos.0));
+                let cosine = Self(_mm512_mask_blend_pd(odd, cos.0, sin.0));
+                (sine.changed_by(k), cosine.changed_by(_mm512_add_epi64(k, one)))
+            }
+        }
+    }
+
+    impl Eight {
+        /// The other sign where the second bit is one.
+        #[inline(always)]
+        fn changed_by(self, k: __m512i) -> Self {
+            unsafe {
+                let sign = _mm512_and_si512(_mm512_slli_epi64::<62>(k), _mm512_set1_epi64(i64::MIN));
+                Self(_mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(self.0), sign)))
+            }
+        }
     }
 
     impl Wide for Eight {
@@ -246,6 +274,41 @@ mod x86 {
                 _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_GT_OQ>(which, _mm256_set1_pd(0.5)))
             };
             Self(choose(self.0, yes.0, no.0), choose(self.1, yes.1, no.1))
+        }
+
+        #[inline(always)]
+        fn larger(self, other: Self) -> Self {
+            unsafe { Self(_mm256_max_pd(self.0, other.0), _mm256_max_pd(self.1, other.1)) }
+        }
+
+        #[inline(always)]
+        fn turned_by_quarters(quarters: Self, sin: Self, cos: Self) -> (Self, Self) {
+            let low = turned_four(quarters.0, sin.0, cos.0);
+            let high = turned_four(quarters.1, sin.1, cos.1);
+            (Self(low.0, high.0), Self(low.1, high.1))
+        }
+    }
+
+    // Functions, for closures are not always inlined, and without AVX2 each of these would be a call.
+
+    /// [`Real::turned_by_quarters`] of four.
+    #[inline(always)]
+    fn turned_four(quarters: __m256d, sin: __m256d, cos: __m256d) -> (__m256d, __m256d) {
+        unsafe {
+            let k = _mm256_castpd_si256(quarters);
+            let odd = _mm256_castsi256_pd(_mm256_slli_epi64::<63>(k));
+            let sine = changed_four(_mm256_blendv_pd(sin, cos, odd), k);
+            let behind = _mm256_add_epi64(k, _mm256_set1_epi64x(1));
+            (sine, changed_four(_mm256_blendv_pd(cos, sin, odd), behind))
+        }
+    }
+
+    /// The other sign where the second bit is one.
+    #[inline(always)]
+    fn changed_four(value: __m256d, k: __m256i) -> __m256d {
+        unsafe {
+            let sign = _mm256_and_si256(_mm256_slli_epi64::<62>(k), _mm256_set1_epi64x(i64::MIN));
+            _mm256_xor_pd(value, _mm256_castsi256_pd(sign))
         }
     }
 

@@ -3,11 +3,12 @@
 //! Brandstötter, Angerer, Hofbaur 2014, written so that sines and cosines come from lengths instead of angles wherever
 //! possible: an answer near a singularity is then as good as any other.
 
-use super::chain::{self, Chain, Pose, Walk};
+use super::chain::Pose;
 use super::dispatch::Kernel;
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::{self, Mat3, add, apply, dot, mul, small_rotation, sub, transpose};
 use super::solve::{RESIDUAL_M, RESIDUAL_RAD};
+use super::spare_chain::SpareChain;
 use super::structure::Structure;
 use std::f64::consts::{PI, TAU};
 
@@ -24,7 +25,7 @@ const ROUNDING: f64 = 1e-12;
 pub(super) struct EightBranches<'a> {
     pub(super) structure: &'a Structure,
     /// The same arm, by which every answer is proved.
-    pub(super) chain: &'a Chain,
+    pub(super) proof: &'a SpareChain,
     pub(super) goal: &'a Pose,
 }
 
@@ -34,14 +35,14 @@ impl Kernel for EightBranches<'_> {
     #[inline(always)]
     fn run<V: Wide>(self) -> Branches {
         let branch = Branch { front: V::load(&FRONT), lean: V::load(&LEAN), flip: V::load(&FLIP) };
-        branch.joints(self.structure, self.chain, &self.goal.splat())
+        branch.joints(self.structure, self.proof, &self.goal.splat())
     }
 }
 
 /// One way to reach each of eight poses.
 pub(super) struct BranchOfEach<'a> {
     pub(super) structure: &'a Structure,
-    pub(super) chain: &'a Chain,
+    pub(super) proof: &'a SpareChain,
     pub(super) goals: &'a Pose<Lanes>,
     pub(super) branch: Branch<Lanes>,
 }
@@ -57,7 +58,7 @@ impl Kernel for BranchOfEach<'_> {
             rotation: lanes::load_rows(&self.goals.rotation),
             position_m: lanes::load(&self.goals.position_m),
         };
-        branch.joints(self.structure, self.chain, &goals)
+        branch.joints(self.structure, self.proof, &goals)
     }
 }
 
@@ -86,7 +87,7 @@ impl Branch<Lanes> {
 
 impl<V: Wide> Branch<V> {
     #[inline(always)]
-    fn joints(&self, s: &Structure, chain: &Chain, goal: &Pose<V>) -> Branches {
+    fn joints(&self, s: &Structure, proof: &SpareChain, goal: &Pose<V>) -> Branches {
         let c = V::splat;
         let (one, zero) = (c(1.0), c(0.0));
         let canonical_from_base = matrix::splat_rows(&transpose(&s.base_from_canonical));
@@ -158,7 +159,7 @@ impl<V: Wide> Branch<V> {
             *q_rad = wrapped(c(*sign) * (*q_rad - c(*zero_rad)));
         }
 
-        let there = Walk::to_flange(chain, &chain::sin_cos(&q_rad));
+        let there = proof.pose(&q_rad);
         let v = sub(&goal.position_m, &there.position_m);
         let (w, cosine) = small_rotation(&goal.rotation, &there.rotation);
         let in_place = dot(&v, &v).at_most(c(RESIDUAL_M * RESIDUAL_M))
@@ -187,7 +188,7 @@ mod tests {
     use nalgebra::Isometry3;
 
     fn branches(closed: &ClosedForm, goal: &Isometry3<f64>, width: Width) -> Branches {
-        on(width, EightBranches { structure: &closed.structure, chain: &closed.chain, goal: &Pose::of(goal) })
+        on(width, EightBranches { structure: &closed.structure, proof: &closed.proof, goal: &Pose::of(goal) })
     }
 
     #[test]

@@ -87,6 +87,20 @@ impl Real for Lanes {
     fn choose(self, yes: Self, no: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i].choose(yes.0[i], no.0[i])))
     }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i].larger(other.0[i])))
+    }
+
+    #[inline(always)]
+    fn turned_by_quarters(quarters: Self, sin: Self, cos: Self) -> (Self, Self) {
+        let (mut sine, mut cosine) = (sin, cos);
+        for i in 0..LANES {
+            (sine.0[i], cosine.0[i]) = f64::turned_by_quarters(quarters.0[i], sin.0[i], cos.0[i]);
+        }
+        (sine, cosine)
+    }
 }
 
 #[inline(always)]
@@ -134,10 +148,10 @@ mod tests {
     struct Everything([f64; LANES]);
 
     impl Kernel for Everything {
-        type Output = [Lanes; 10];
+        type Output = [Lanes; 11];
 
         #[inline(always)]
-        fn run<V: Wide>(self) -> [Lanes; 10] {
+        fn run<V: Wide>(self) -> [Lanes; 11] {
             let x = V::load(&Lanes(self.0));
             let (s, c) = x.sin_cos();
             let limit = V::splat(0.75);
@@ -152,8 +166,8 @@ mod tests {
                 x.rounded(),
             ];
             let [a, b, c, d, e, f, g, h] = results;
-            let all = [a, b, c, d, e, f, g, h, x.choose(s, e), x.angle(c)];
-            let mut stored = [Lanes([0.0; LANES]); 10];
+            let all = [a, b, c, d, e, f, g, h, x.choose(s, e), x.angle(c), x.larger(limit)];
+            let mut stored = [Lanes([0.0; LANES]); 11];
             for (stored, result) in stored.iter_mut().zip(&all) {
                 *stored = result.store();
             }
@@ -162,7 +176,7 @@ mod tests {
         }
     }
 
-    fn one(x: f64) -> [f64; 10] {
+    fn one(x: f64) -> [f64; 11] {
         let (s, c) = Real::sin_cos(x);
         let at_most = if x <= 0.75 { 1.0 } else { 0.0 };
         let chosen = if x > 0.5 { s } else { 1.0 / x };
@@ -177,6 +191,7 @@ mod tests {
             Real::rounded(x),
             chosen,
             Real::angle(x, -x),
+            if x > 0.75 { x } else { 0.75 },
         ]
     }
 

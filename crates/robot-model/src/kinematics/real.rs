@@ -5,6 +5,9 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// A number of less than 2^51 is rounded to a whole one where this is added, which then stands in the lowest bits.
+pub(crate) const WHOLE: f64 = 6_755_399_441_055_744.0;
+
 /// What the kernels need of a number.
 pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
@@ -17,10 +20,15 @@ pub(crate) trait Real:
     /// `yes` where `self` is more than one half, `no` elsewhere.
     fn choose(self, yes: Self, no: Self) -> Self;
 
+    /// The larger of the two; `other` where either is no number.
+    fn larger(self, other: Self) -> Self;
+    /// `sin` and `cos` of an angle when it has grown by so many quarter turns as the lowest two bits of `quarters` say.
+    fn turned_by_quarters(quarters: Self, sin: Self, cos: Self) -> (Self, Self);
+
     /// The nearest whole number, for sizes under 2^51.
     #[inline(always)]
     fn rounded(self) -> Self {
-        let magic = Self::splat(6_755_399_441_055_744.0);
+        let magic = Self::splat(WHOLE);
         (self + magic) - magic
     }
 
@@ -30,7 +38,8 @@ pub(crate) trait Real:
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let c = Self::splat;
-        let n = (self * c(std::f64::consts::FRAC_2_PI)).rounded();
+        let quarters = self * c(std::f64::consts::FRAC_2_PI) + c(WHOLE);
+        let n = quarters - c(WHOLE);
         // π/2 in three parts, the first two with 33 bits: their products with n are exact.
         let x = self - n * c(1.570_796_326_734_125_614_17);
         let x = x - n * c(6.077_100_506_303_965_976_60e-11);
@@ -54,14 +63,7 @@ pub(crate) trait Real:
         let half = z * c(0.5);
         let w = c(1.0) - half;
         let cos = w + ((c(1.0) - w - half) + z * r);
-        // The quadrant, 0 to 3, and its two bits.
-        let k = n - c(4.0) * (n * c(0.25) - c(0.375)).rounded();
-        let high = (k * c(0.5) - c(0.25)).rounded();
-        let low = k - c(2.0) * high;
-        let differ = (low - high) * (low - high);
-        let sine = low.choose(cos, sin) * (c(1.0) - c(2.0) * high);
-        let cosine = low.choose(sin, cos) * (c(1.0) - c(2.0) * differ);
-        (sine, cosine)
+        Self::turned_by_quarters(quarters, sin, cos)
     }
 
     /// The angle of the direction (`x`, `self`) to two units in the last place, in [-π, π]; zero where both are: fdlibm's
@@ -132,6 +134,20 @@ impl Real for f64 {
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
         if self > 0.5 { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn turned_by_quarters(quarters: Self, sin: Self, cos: Self) -> (Self, Self) {
+        let k = quarters.to_bits();
+        let (sine, cosine) = if k & 1 == 0 { (sin, cos) } else { (cos, sin) };
+        // The sine's sign changes in quadrants 2 and 3, the cosine's in 1 and 2.
+        let changed = |value: f64, k: u64| Self::from_bits(value.to_bits() ^ ((k & 2) << 62));
+        (changed(sine, k), changed(cosine, k.wrapping_add(1)))
     }
 }
 

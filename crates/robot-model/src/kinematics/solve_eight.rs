@@ -70,6 +70,7 @@ impl<T: Real> Found<T> {
 
 impl Found<Lanes> {
     /// The joints of one lane, where they were found.
+    #[inline]
     pub(super) fn lane(&self, k: usize) -> Option<Solved> {
         (self.solved.0[k] > 0.5).then(|| Solved {
             q_rad: self.q_rad.map(|q_rad| q_rad.0[k]),
@@ -119,8 +120,7 @@ impl<F: WideFrames, S: Start> Kernel for SolveEight<'_, F, S> {
             active = active - settled;
             last_step_rad = no;
             for step in &steps {
-                let size = step.size();
-                last_step_rad = last_step_rad.at_most(size).choose(size, last_step_rad);
+                last_step_rad = step.size().larger(last_step_rad);
             }
             active = active * last_step_rad.at_most(c(NEWTON_STEP_RAD));
             for (q_rad, step) in found.q_rad.iter_mut().zip(&steps) {
