@@ -112,7 +112,7 @@ impl<'a> CfgBuilder<'_, 'a> {
     fn statement(&mut self, stmt: &'a Stmt, out: &mut Vec<Node<'a>>) {
         let at = Span { file: self.ctx.file, range: stmt.range };
         if !matches!(stmt.kind, StmtKind::While(_)) {
-            self.functions(&expressions_of(stmt), at, out);
+            self.functions(expressions_of(stmt), at, out);
         }
         let fails = may_fail(self.index(), self.ctx, stmt);
         if fails {
@@ -186,9 +186,9 @@ impl<'a> CfgBuilder<'_, 'a> {
         let ctx = self.ctx;
         let known = self.evaluator.fold(cond, ctx, &Constant).map(|t| t.value);
         let endless = matches!(known, Ok(Value::Bool(true)));
-        self.functions(&[cond], at, out);
+        self.functions([cond], at, out);
         let mut body = self.body(body);
-        self.functions(&[cond], at, &mut body);
+        self.functions([cond], at, &mut body);
         if expression_may_fail(cond) {
             self.fail(&mut body);
         }

@@ -68,7 +68,7 @@ pub(super) fn may_fail(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
                 !is_own && !NEVER_FAIL.contains(&name.as_str()) || arguments_may_fail(&call.args)
             }
         },
-        _ => super::expressions::expressions_of(stmt).into_iter().any(expression_may_fail),
+        _ => super::expressions::expressions_of(stmt).any(expression_may_fail),
     }
 }
 

@@ -58,27 +58,32 @@ pub(super) fn value_of(arg: &Arg) -> Option<&Expr> {
 }
 
 /// The expressions that stand directly in a statement.
-pub(super) fn expressions_of(stmt: &Stmt) -> Vec<&Expr> {
-    fn of_args(args: &[Arg]) -> impl Iterator<Item = &Expr> {
-        args.iter().filter_map(value_of)
-    }
+pub(super) fn expressions_of(stmt: &Stmt) -> impl Iterator<Item = &Expr> {
+    let mut first = [None; 3];
+    let (mut args, mut arms, mut cases) = (&[][..], &[][..], &[][..]);
     match &stmt.kind {
-        StmtKind::Data(decl) => decl.init.iter().collect(),
-        StmtKind::Assign(assign) => vec![&assign.target, &assign.value],
-        StmtKind::Call(call) => match &call.callee {
-            Callee::Late(expr) => std::iter::once(&**expr).chain(of_args(&call.args)).collect(),
-            Callee::Name(_) => of_args(&call.args).collect(),
-        },
-        StmtKind::If(branch) => branch.arms.iter().map(|(cond, _)| cond).collect(),
-        StmtKind::CompactIf(branch) => vec![&branch.cond],
-        StmtKind::While(looped) => vec![&looped.cond],
-        StmtKind::For(looped) => [&looped.from, &looped.to].into_iter().chain(&looped.step).collect(),
-        StmtKind::Test(test) => {
-            std::iter::once(&test.value).chain(test.cases.iter().flat_map(|(values, _)| values)).collect()
+        StmtKind::Data(decl) => first[0] = decl.init.as_ref(),
+        StmtKind::Assign(assign) => first = [Some(&assign.target), Some(&assign.value), None],
+        StmtKind::Call(call) => {
+            if let Callee::Late(expr) = &call.callee {
+                first[0] = Some(&**expr);
+            }
+            args = &call.args;
         }
-        StmtKind::Return(value) | StmtKind::Raise(value) => value.as_deref().into_iter().collect(),
-        _ => Vec::new(),
+        StmtKind::If(branch) => arms = &branch.arms,
+        StmtKind::CompactIf(branch) => first[0] = Some(&branch.cond),
+        StmtKind::While(looped) => first[0] = Some(&looped.cond),
+        StmtKind::For(looped) => first = [Some(&looped.from), Some(&looped.to), looped.step.as_ref()],
+        StmtKind::Test(test) => {
+            first[0] = Some(&test.value);
+            cases = &test.cases;
+        }
+        StmtKind::Return(value) | StmtKind::Raise(value) => first[0] = value.as_deref(),
+        _ => {}
     }
+    let conditions = arms.iter().map(|(condition, _)| condition);
+    let values = cases.iter().flat_map(|(values, _)| values);
+    first.into_iter().flatten().chain(args.iter().filter_map(value_of)).chain(conditions).chain(values)
 }
 
 /// Calls `visit` with every expression in an expression and with itself, inner ones first.

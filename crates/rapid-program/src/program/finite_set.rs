@@ -5,9 +5,10 @@
 //! A superset is enough: which of the values it is, run time tells. What may be changed in another way (in part, by an
 //! instruction, through a parameter, in a trap or a handler, by another task, by a name that is computed) has no such set.
 
+use super::alike::every_naming_statement;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies};
 use super::tracked::names_in;
 use super::value::Value;
 use super::writes::{How, match_arguments};
@@ -62,8 +63,8 @@ impl<'a> FiniteSets<'a> {
         let mut sets = Self::default();
         for routine in &index.routines {
             for body in bodies(routine.tree) {
-                every_statement(body, &mut |stmt| {
-                    let ctx = routine.ctx;
+                let ctx = routine.ctx;
+                every_naming_statement(index, ctx, body, &mut |stmt| {
                     match &stmt.kind {
                         StmtKind::Assign(assign) => sets.assign(index, ctx, &assign.target, &assign.value),
                         StmtKind::For(looped) => {

@@ -1,6 +1,7 @@
 //! Modules that the program itself loads while it runs: what the controller has on its disk counts then, not what was given.
 
-use super::index::{Ctx, Index, bodies, every_statement};
+use super::alike::every_naming_statement;
+use super::index::{Ctx, Index, bodies};
 use super::names::{as_text, lower_case};
 use super::value;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -13,7 +14,7 @@ pub(super) fn warnings(index: &Index<'_>) -> Vec<Diagnostic> {
     for routine in &index.routines {
         let ctx = routine.ctx;
         for body in bodies(routine.tree) {
-            every_statement(body, &mut |stmt| {
+            every_naming_statement(index, ctx, body, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
                 if loads(index, ctx, call)
                     && let Some(module) = index.modules.get(ctx.module)

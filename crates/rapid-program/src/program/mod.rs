@@ -10,6 +10,7 @@ pub mod module_facts;
 pub mod motion;
 pub mod pgf;
 
+mod alike;
 mod built_in;
 mod cfg;
 mod const_eval;

@@ -1,5 +1,6 @@
 //! Where motions, loops and routines stand in the text, before anything is known of their values.
 
+use super::alike::name_the_same;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
 use super::index::{Ctx, Index, RoutineIndex, bodies, every_statement, inner_bodies};
@@ -86,6 +87,25 @@ impl<'a> MotionSites<'a> {
         };
         let wanted = (Some(file), stmt.range.start);
         self.motions.binary_search_by(|site| of(site).cmp(&wanted)).ok().map(MotionId::new)
+    }
+
+    /// The first of each row of neighbouring motions that name the same.
+    pub(super) fn naming<'s>(&'s self, index: &'s Index<'_>) -> impl Iterator<Item = &'s MotionSite<'a>> {
+        let mut last: Option<&MotionSite<'_>> = None;
+        self.motions.iter().filter(move |site| {
+            let ctx = site.ctx(index);
+            // In another loop a name may be another variable.
+            let same = |last: &&MotionSite<'_>| {
+                last.nest == site.nest
+                    && last.ctx(index) == ctx
+                    && name_the_same(index, ctx, last.stmt, site.stmt)
+            };
+            let is_new = last.filter(same).is_none();
+            if is_new {
+                last = Some(site);
+            }
+            is_new
+        })
     }
 
     /// What stands in all files, or in those of one task.

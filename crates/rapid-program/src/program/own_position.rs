@@ -3,9 +3,10 @@
 //! Whatever such a value can go into at some time counts. Where it matters which value it is at one place, the walk along the ways
 //! narrows that down (`state`).
 
+use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, root_of};
 use super::handed::Handed;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies};
 use super::names::lower_case;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::writes::match_arguments;
@@ -42,7 +43,7 @@ impl OwnPositions {
     pub(super) fn of_searches(index: &Index<'_>) -> Self {
         let mut found = Self::default();
         for routine in &index.routines {
-            in_all(routine, &mut |stmt| {
+            in_all(index, routine, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
                 let Callee::Name(name) = call.callee else { return };
                 let ctx = routine.ctx;
@@ -75,7 +76,7 @@ impl OwnPositions {
             for (id, routine) in index.routines.iter().enumerate() {
                 let ctx = routine.ctx;
                 let (mut data, mut returns) = (Vec::new(), None);
-                in_all(routine, &mut |stmt| match &stmt.kind {
+                in_all(index, routine, &mut |stmt| match &stmt.kind {
                     StmtKind::Assign(assign) => {
                         if let Some(at) = found.read_at(index, ctx, &assign.value) {
                             // Only what is assigned itself: `p.robconf` of a reading is no reading.
@@ -125,7 +126,7 @@ impl OwnPositions {
         let optional = |&&p: &&DatumId| matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
         let mut calls = routine.params.iter().any(|p| optional(&p));
         let mut foreign = false;
-        in_all(routine, &mut |stmt| {
+        in_all(index, routine, &mut |stmt| {
             if let StmtKind::Call(call) = &stmt.kind {
                 // Of the controller's own a search alone gives such a value.
                 calls |= match call.callee {
@@ -200,7 +201,7 @@ impl OwnPositions {
 
     fn reads(&self, index: &Index<'_>, routine: &RoutineEntry<'_>) -> bool {
         let mut read = false;
-        in_all(routine, &mut |stmt| {
+        in_all(index, routine, &mut |stmt| {
             for expr in expressions_of(stmt) {
                 every_call(expr, &mut |name, _| read |= self.reading(index, routine.ctx, name).is_some());
             }
@@ -224,9 +225,9 @@ fn is_search(name: &str) -> bool {
     name.starts_with("search")
 }
 
-/// Calls `visit` with every statement of a routine, its handlers' included.
-fn in_all<'a>(routine: &RoutineEntry<'a>, visit: &mut impl FnMut(&'a Stmt)) {
-    bodies(routine.tree).for_each(|body| every_statement(body, visit));
+/// Calls `visit` with every statement of a routine that may name something new, its handlers' included.
+fn in_all<'a>(index: &Index<'_>, routine: &RoutineEntry<'a>, visit: &mut impl FnMut(&'a Stmt)) {
+    bodies(routine.tree).for_each(|body| every_naming_statement(index, routine.ctx, body, visit));
 }
 
 /// What a routine's parameter by reference has become goes into what was handed over: `(to, from)`.
@@ -246,7 +247,7 @@ fn handed_back(index: &Index<'_>) -> Vec<(DatumId, DatumId)> {
         }
     };
     for routine in &index.routines {
-        in_all(routine, &mut |stmt| {
+        in_all(index, routine, &mut |stmt| {
             if let StmtKind::Call(call) = &stmt.kind
                 && let Callee::Name(name) = call.callee
             {

@@ -1,8 +1,9 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
+use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, value_of};
 use super::handed::Handed;
-use super::index::{Ctx, DatumId, Index, bodies, every_statement};
+use super::index::{Ctx, DatumId, Index, bodies};
 use super::instructions::move_form;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
@@ -53,7 +54,8 @@ impl ReadAsData {
         let mut direct = BTreeMap::new();
         for routine in &index.routines {
             for body in bodies(routine.tree) {
-                every_statement(body, &mut |stmt| statement(index, routine.ctx, stmt, &mut direct));
+                let mut visit = |stmt| statement(index, routine.ctx, stmt, &mut direct);
+                every_naming_statement(index, routine.ctx, body, &mut visit);
             }
         }
         if direct.is_empty() {

@@ -1,8 +1,9 @@
 //! How much slower than written a program may move: what its VelSet and SpeedRefresh say.
 
+use super::alike::every_naming_statement;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::value_of;
-use super::index::{bodies, every_statement};
+use super::index::bodies;
 use super::names::lower_case;
 use super::value::Value;
 use rapid_syntax::tree::{Callee, Expr, StmtKind};
@@ -35,7 +36,7 @@ pub(super) fn speed_override(evaluator: &mut ConstEvaluator<'_>) -> SpeedOverrid
     for routine in &index.routines {
         let ctx = routine.ctx;
         for body in bodies(routine.tree) {
-            every_statement(body, &mut |stmt| {
+            every_naming_statement(index, ctx, body, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
                 let Callee::Name(name) = &call.callee else { return };
                 let written = lower_case(index.text(ctx.file, *name));

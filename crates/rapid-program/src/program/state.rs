@@ -226,8 +226,9 @@ impl Walker<'_, '_> {
         }
         if self.steps > MOST_STEPS {
             let anything = self.anything("there are too many ways through the program to follow");
+            let mut shared = None;
             for at in 0..self.at_motions.len() {
-                self.record(at, &anything);
+                self.record(at, &anything, &mut shared);
             }
         }
         self.at_any_time();
@@ -271,16 +272,16 @@ impl Walker<'_, '_> {
         own
     }
 
-    /// What a motion sees on one more visit.
-    fn record(&mut self, motion: usize, state: &State) {
+    /// What a motion sees on one more visit; `shared`: the same for other motions that see it.
+    fn record(&mut self, motion: usize, state: &State, shared: &mut Option<Rc<State>>) {
         self.watch(motion, state);
         self.watch_found(motion, state);
         let seen = self.at_motions.get_mut(motion).and_then(Option::take);
         let seen = match seen {
-            None => match self.last_seen.take() {
+            None => Rc::clone(shared.get_or_insert_with(|| match self.last_seen.take() {
                 Some(last) if *last == *state => last,
                 _ => Rc::new(state.clone()),
-            },
+            })),
             Some(mut seen) => {
                 self.join(Rc::make_mut(&mut seen), state);
                 seen

@@ -1,9 +1,10 @@
 //! Which data are tracked as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
+use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::flow::Slot;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, bodies, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, bodies};
 use super::motion_site::MotionSites;
 use super::writes::{Writes, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
@@ -22,7 +23,7 @@ impl TrackedData {
     /// What must be tracked for the tools, work objects, speeds and zones of a program's motions.
     pub(super) fn new(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
         let mut wanted = BTreeSet::new();
-        for site in &sites.motions {
+        for site in sites.naming(index) {
             let args = site.args(index);
             let options = args.options.iter().filter_map(|(_, value)| *value);
             for expr in [args.speed, args.zone, args.tool].into_iter().flatten().chain(options) {
@@ -43,7 +44,7 @@ impl TrackedData {
         found: impl Fn(DatumId) -> bool,
     ) -> Self {
         let mut wanted = BTreeSet::new();
-        for site in &sites.motions {
+        for site in sites.naming(index) {
             let targets = site.args(index).targets;
             for target in &targets {
                 names_in(index, site.ctx(index), target, &mut |datum| {
@@ -123,7 +124,7 @@ pub(super) fn sources_where(
     for routine in &index.routines {
         let ctx = routine.ctx;
         for body in bodies(routine.tree) {
-            every_statement(body, &mut |stmt| {
+            every_naming_statement(index, ctx, body, &mut |stmt| {
                 match &stmt.kind {
                     StmtKind::Assign(assign) => {
                         if let Some((root, _)) = root_of(&assign.target)

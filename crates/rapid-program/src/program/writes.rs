@@ -1,9 +1,10 @@
 //! Which data a program changes while it runs, and where: by assignment, whole or by component, by an
 //! instruction that writes its argument, or through a routine that writes its parameter.
 
+use super::alike::every_naming_statement;
 use super::built_in::is_built_in_function;
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, every_statement};
+use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex};
 use super::instructions::move_form;
 use super::late_bound;
 use super::names::Sym;
@@ -225,7 +226,7 @@ impl Scan<'_, '_> {
         let Some(entry) = self.index.routines.get(routine) else { return };
         let ctx = entry.ctx;
         let ordinary = if any_time { How::AnyTime } else { How::Assigned };
-        every_statement(body, &mut |stmt| {
+        every_naming_statement(self.index, ctx, body, &mut |stmt| {
             let at = Span { file: ctx.file, range: stmt.range };
             match &stmt.kind {
                 StmtKind::Assign(assign) => self.written(&assign.target, ctx, Write { at, how: ordinary }),

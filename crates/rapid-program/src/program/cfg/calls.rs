@@ -75,7 +75,12 @@ impl<'a> CfgBuilder<'_, 'a> {
     }
 
     /// Functions that are called in expressions, those of the program and those that are not given.
-    pub(super) fn functions(&self, expressions: &[&'a Expr], at: Span, out: &mut Vec<Node<'a>>) {
+    pub(super) fn functions(
+        &self,
+        expressions: impl IntoIterator<Item = &'a Expr>,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
         for expr in expressions {
             every_call(expr, &mut |name, args| match self.routine(name) {
                 Some(routine) => out.push(self.known_call(vec![routine], args, true)),

@@ -51,8 +51,9 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
         }
         match step {
             FlowStep::Motions { first, count } => {
+                let mut shared = None;
                 (first.index()..first.index() + *count as usize)
-                    .for_each(|motion| self.record(motion, &state));
+                    .for_each(|motion| self.record(motion, &state, &mut shared));
             }
             FlowStep::Assign { slot, path, value, ctx, at } => {
                 let new = self.value(value, *ctx, &state);
