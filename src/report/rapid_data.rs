@@ -224,7 +224,7 @@ fn ascii(text: &str) -> String {
     text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).take(200).collect()
 }
 
-fn text(write: impl FnOnce(&mut Vec<u8>)) -> String {
+fn text<T>(write: impl FnOnce(&mut Vec<u8>) -> T) -> String {
     let mut out = Vec::new();
     write(&mut out);
     String::from_utf8_lossy(&out).into_owned()

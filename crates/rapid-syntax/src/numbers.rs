@@ -25,23 +25,50 @@ pub fn parts_of_numbers(source: &[u8], range: TextRange) -> Vec<Expr> {
 /// Where the parts of an [`ExprKind::Numbers`] stand in `source`, in order.
 pub fn ranges_of_numbers(source: &[u8], range: TextRange) -> impl Iterator<Item = TextRange> + '_ {
     let text = range.of(source);
-    let (mut depth, mut from) = (0_u32, 1);
-    text.iter().enumerate().filter_map(move |(at, &byte)| {
-        let ends = match byte {
-            b'[' => {
-                depth += 1;
-                false
+    let (mut depth, mut from, mut at) = (0_u32, 1, 0);
+    std::iter::from_fn(move || {
+        loop {
+            if depth > 1 {
+                at += before_bracket(text.get(at..)?);
             }
-            b']' => {
-                depth = depth.saturating_sub(1);
-                depth == 0
+            let byte = *text.get(at)?;
+            let ends = match byte {
+                b'[' => {
+                    depth += 1;
+                    false
+                }
+                b']' => {
+                    depth = depth.saturating_sub(1);
+                    depth == 0
+                }
+                b',' => depth == 1,
+                _ => false,
+            };
+            at += 1;
+            if ends {
+                let piece = trimmed(text, std::mem::replace(&mut from, at), at - 1);
+                let at = |at: usize| range.start + at as u32;
+                return Some(TextRange::new(at(piece.start), at(piece.end)));
             }
-            b',' => depth == 1,
-            _ => false,
-        };
-        let piece = ends.then(|| trimmed(text, std::mem::replace(&mut from, at + 1), at))?;
-        Some(TextRange::new(range.start + piece.start as u32, range.start + piece.end as u32))
+        }
     })
+}
+
+/// How many bytes there are before the next bracket, or fewer: eight at a time.
+#[inline(always)]
+fn before_bracket(text: &[u8]) -> usize {
+    const EACH: u64 = 0x0101_0101_0101_0101;
+    let mut at = 0;
+    while let Some(eight) = text.get(at..).and_then(<[u8]>::first_chunk) {
+        // Brackets become zero, and so do Y and the low line, which no number has; a borrow comes from no byte before those.
+        let zeros = (u64::from_le_bytes(*eight) | (EACH * 0x06)) ^ (EACH * 0x5f);
+        let found = zeros.wrapping_sub(EACH) & !zeros & (EACH * 0x80);
+        at += found.trailing_zeros() as usize / 8;
+        if found != 0 {
+            break;
+        }
+    }
+    at
 }
 
 /// Without the blanks round it.
@@ -84,5 +111,23 @@ mod tests {
         let ExprKind::Unary { op: UnaryOp::Neg, operand } = &inner[1].kind else { panic!("{inner:?}") };
         assert_eq!(operand.range.of(source), b"2.5");
         assert!(parts.iter().all(is_plain));
+    }
+
+    #[test]
+    fn brackets_are_found_wherever_they_stand() {
+        for at in 0..40 {
+            for bracket in [b'[', b']'] {
+                let mut text = [b'9'; 40];
+                text[at] = bracket;
+                let found = before_bracket(&text);
+                assert!(found == at, "{found} {at}");
+            }
+        }
+        let source = b"[[[1.25,-2,3],[0.70710677,0,0.70710677,0],[0,0,0,0]], [[12345678.5,0],[9E+09]],[]]";
+        let range = TextRange::new(0, source.len() as u32);
+        let found: Vec<&[u8]> = ranges_of_numbers(source, range).map(|range| range.of(source)).collect();
+        let elements: [&[u8]; 3] =
+            [b"[[1.25,-2,3],[0.70710677,0,0.70710677,0],[0,0,0,0]]", b"[[12345678.5,0],[9E+09]]", b"[]"];
+        assert_eq!(found, elements);
     }
 }

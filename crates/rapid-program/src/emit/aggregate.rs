@@ -51,55 +51,123 @@ pub fn has_components(text: &[u8], count: usize) -> bool {
 pub fn is_plain(text: &[u8]) -> bool {
     let mut previous = b'[';
     for &byte in text {
-        let fits = match byte {
-            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => true,
-            b'+' | b'-' => matches!(previous, b'[' | b',' | b'e' | b'E'),
-            b'e' | b'E' => previous.is_ascii_digit() || previous == b'.',
-            _ => white(byte),
+        let fits = match PLAIN[usize::from(byte)] {
+            Plain::Part => true,
+            Plain::White => continue,
+            Plain::Sign => matches!(previous, b'[' | b',' | b'e' | b'E'),
+            Plain::Exponent => previous.is_ascii_digit() || previous == b'.',
+            Plain::Other => false,
         };
         if !fits {
             return false;
         }
-        if !white(byte) {
-            previous = byte;
-        }
+        previous = byte;
     }
     text.first() == Some(&b'[') && text.last() == Some(&b']')
 }
 
+/// What a byte may be in an aggregate of numbers.
+#[derive(Clone, Copy)]
+enum Plain {
+    Part,
+    White,
+    Sign,
+    Exponent,
+    Other,
+}
+
+/// By the byte.
+const PLAIN: [Plain; 256] = {
+    let mut all = [Plain::Other; 256];
+    let mut byte = 0;
+    while byte < all.len() {
+        all[byte] = match byte as u8 {
+            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => Plain::Part,
+            b'+' | b'-' => Plain::Sign,
+            b'e' | b'E' => Plain::Exponent,
+            other if white(other) => Plain::White,
+            _ => Plain::Other,
+        };
+        byte += 1;
+    }
+    all
+};
+
 /// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
 #[must_use]
 pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
-    let mut values = Vec::new();
-    each_single(text, |value| values.push(value)).then_some(values)
+    Some(Singles::default().of(text)?.collect())
 }
 
-/// Calls `visit` with the numbers of a plain aggregate, in single precision, in order; whether all could be read.
-pub fn each_single(text: &[u8], mut visit: impl FnMut(f32)) -> bool {
-    let mut rest = text;
-    while let Some(at) = rest.iter().position(|&b| !(parts(b) || white(b))) {
-        rest = &rest[at..];
+/// Reads plain aggregates one after another. They mostly end as the one before does, in the same configuration and the same external
+/// axes, and what stands there is not read again.
+#[derive(Debug, Default)]
+pub struct Singles {
+    /// The last one that could be read.
+    text: Vec<u8>,
+    /// Its numbers, the last first, each with how many bytes lie between where it begins and the end.
+    values: Vec<(usize, f32)>,
+}
+
+impl Singles {
+    /// The numbers of an aggregate, in single precision, in order; `None` where one cannot be read.
+    pub fn of(&mut self, text: &[u8]) -> Option<impl Iterator<Item = f32> + '_> {
+        let alike = text.len() - common_end(&self.text, text);
+        // No number goes on past a byte that parts them.
+        let parted = text[alike..].iter().position(|&byte| parts(byte));
+        let front = parted.map_or(text.len(), |at| alike + at);
+        let is_kept = |(from_end, _): &(usize, f32)| *from_end < text.len() - front;
+        let kept = self.values.partition_point(is_kept);
+        self.values.truncate(kept);
+        self.text.clear();
+        let values = &mut self.values;
+        if !each_single(&text[..front], |at, value| values.push((text.len() - at, value))) {
+            values.clear();
+            return None;
+        }
+        values[kept..].reverse();
+        self.text.extend_from_slice(text);
+        Some(self.values.iter().rev().map(|(_, value)| *value))
+    }
+}
+
+/// How many bytes two texts end with alike.
+fn common_end(a: &[u8], b: &[u8]) -> usize {
+    let eights = a.rchunks_exact(8).zip(b.rchunks_exact(8)).take_while(|(a, b)| a == b).count();
+    let ones = a.iter().rev().zip(b.iter().rev()).skip(8 * eights).take_while(|(a, b)| a == b).count();
+    8 * eights + ones
+}
+
+/// Calls `visit` with the numbers of a plain aggregate and where they begin, in single precision, in order; whether all could be read.
+fn each_single(text: &[u8], mut visit: impl FnMut(usize, f32)) -> bool {
+    let mut at = 0;
+    while let Some(next) = text[at..].iter().position(|&b| !(parts(b) || white(b))) {
+        at += next;
+        let rest = &text[at..];
         let digits = rest.strip_prefix(b"-").unwrap_or(rest);
         let plain = leading_decimal(digits).filter(|(_, length)| {
             let is_digit = digits.first().is_some_and(|first| first.is_ascii_digit());
             is_digit && digits.get(*length).is_none_or(|&next| parts(next))
         });
-        if let Some((value, length)) = plain {
-            let is_negative = digits.len() < rest.len();
-            visit(if is_negative { -value } else { value } as f32);
-            rest = &digits[length..];
-            continue;
-        }
-        let (part, behind) = rest.split_at(rest.iter().position(|&b| parts(b)).unwrap_or(rest.len()));
-        let Some(value) = single(part) else { return false };
-        visit(value);
-        rest = behind;
+        let (value, end) = match plain {
+            Some((value, length)) => {
+                let sign = rest.len() - digits.len();
+                (Some(if sign > 0 { -value } else { value } as f32), sign + length)
+            }
+            None => {
+                let end = rest.iter().position(|&b| parts(b)).unwrap_or(rest.len());
+                (single(&rest[..end]), end)
+            }
+        };
+        let Some(value) = value else { return false };
+        visit(at, value);
+        at += end;
     }
     true
 }
 
 /// Whether a byte stands between an aggregate's numbers.
-fn parts(byte: u8) -> bool {
+const fn parts(byte: u8) -> bool {
     matches!(byte, b'[' | b']' | b',')
 }
 
@@ -136,5 +204,45 @@ mod tests {
         assert_eq!(singles(b"[[1,x]]"), None);
         assert_eq!(singles(b"[1e,2]"), None);
         assert_eq!(singles(b"[]"), Some(vec![]));
+    }
+
+    #[test]
+    fn what_is_read_after_another_is_what_is_read_alone() {
+        let texts: [&[u8]; 15] = [
+            b"[[1.5,2,3],[1,0,0,0],[0,0,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[11.5,2,3],[1,0,0,0],[0,0,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[-11.5,2,3],[1,0,0,0],[0,0,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[-11.5,2,13],[1,0,0,0],[0,0,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[-11.5,2,13],[1,0,0,0],[0,-1,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[-11.5,2,x],[1,0,0,0],[0,-1,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[[-11.5,2,13],[1,0,0,0],[0,-1,0,0],[9E+09,9E9,9E9,9E9,9E9,9E9]]",
+            b"[1 0]",
+            b"[10]",
+            b"[ 10]",
+            b"10]",
+            b"0]",
+            b"[0,10]",
+            b"[]",
+            b"",
+        ];
+        let mut reader = Singles::default();
+        for (first, second) in texts.iter().flat_map(|a| texts.iter().map(move |b| (a, b))) {
+            for text in [first, second] {
+                let found = reader.of(text).map(Iterator::collect);
+                assert_eq!(found, singles(text), "{}", String::from_utf8_lossy(text));
+            }
+        }
+        assert_eq!(singles(texts[4]).map(|all| (all.len(), all[2], all[8])), Some((17, 13.0, -1.0)));
+    }
+
+    #[test]
+    fn plain_is_what_is_made_of_numbers_alone() {
+        for plain in [&b"[1,-2.5]"[..], b"[[ +1.E-3 ],\r\n[9E+09]]", b"[]", b"[1e5]"] {
+            assert!(is_plain(plain), "{}", String::from_utf8_lossy(plain));
+        }
+        for other in [&b"[1-2]"[..], b"[p]", b"[e5]", b"[1,2", b"1]", b"[\"1\"]", b"[1,!c\n2]", b"", b"[--1]"]
+        {
+            assert!(!is_plain(other), "{}", String::from_utf8_lossy(other));
+        }
     }
 }

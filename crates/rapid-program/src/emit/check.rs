@@ -4,13 +4,15 @@
 //! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
-use super::aggregate::each_single;
+use super::aggregate::Singles;
 use super::insertion::white;
 
 /// What every line of a comment block begins with that is read back.
 pub const MARK: &str = "! driftpost ";
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
+
+const PRIME: u64 = 0x0000_0100_0000_01b3;
 
 #[derive(Clone, Copy)]
 struct Fnv(u64);
@@ -22,13 +24,22 @@ impl Fnv {
 
     fn add(&mut self, bytes: &[u8]) {
         for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(PRIME);
         }
     }
 
     fn add_single(&mut self, value: f32) {
         let value = if value == 0.0 { 0.0 } else { value };
-        self.add(&value.to_bits().to_le_bytes());
+        let bits = value.to_bits();
+        // A byte of zeros is a product alone, and those of small whole numbers begin with two, those of nought are four.
+        match (bits, bits & 0xffff) {
+            (0, _) => self.0 = self.0.wrapping_mul(PRIME.wrapping_pow(4)),
+            (_, 0) => {
+                self.0 = self.0.wrapping_mul(PRIME.wrapping_pow(2));
+                self.add(&bits.to_le_bytes()[2..]);
+            }
+            _ => self.add(&bits.to_le_bytes()),
+        }
     }
 
     fn letters<const N: usize>(&self) -> [u8; N] {
@@ -54,17 +65,17 @@ pub fn number_of(letters: &[u8]) -> Option<u64> {
 /// Three letters for an aggregate's numbers, however they are spelled.
 #[must_use]
 pub fn of_numbers(text: &[u8]) -> [u8; 3] {
-    of_numbers_with(text, |_| ()).unwrap_or_else(of_no_numbers)
+    of_numbers_with(text, &mut Singles::default(), |_| ()).unwrap_or_else(of_no_numbers)
 }
 
 /// The same, each number being shown to `visit`; `None` where one cannot be read.
-pub fn of_numbers_with(text: &[u8], mut visit: impl FnMut(f32)) -> Option<[u8; 3]> {
+pub fn of_numbers_with(text: &[u8], reader: &mut Singles, mut visit: impl FnMut(f32)) -> Option<[u8; 3]> {
     let mut hash = Fnv::new();
-    let read = each_single(text, |value| {
+    reader.of(text)?.for_each(|value| {
         hash.add_single(value);
         visit(value);
     });
-    read.then(|| hash.letters())
+    Some(hash.letters())
 }
 
 /// The letters of an aggregate that cannot be read.
@@ -77,24 +88,34 @@ pub fn of_no_numbers() -> [u8; 3] {
 pub struct Elements {
     all: Fnv,
     each: Vec<u8>,
+    reader: Singles,
 }
 
 impl Elements {
-    /// The letters of no element yet.
+    /// The letters of no element yet; so many will come.
     #[must_use]
-    pub fn new() -> Self {
-        Self { all: Fnv::new(), each: Vec::new() }
+    pub fn new(count: usize) -> Self {
+        Self { all: Fnv::new(), each: Vec::with_capacity(2 * count), reader: Singles::default() }
     }
 
     /// Takes in the next element's text.
     pub fn add(&mut self, element: &[u8]) {
-        let (before, mut own) = (self.all, Fnv::new());
-        let read = each_single(element, |value| {
+        let mut own = Fnv::new();
+        if let Some(values) = self.reader.of(element) {
+            values.for_each(|value| {
+                self.all.add_single(value);
+                own.add_single(value);
+            });
+        }
+        self.each.extend(own.letters::<2>());
+    }
+
+    /// The same by its numbers.
+    pub fn add_numbers(&mut self, values: impl IntoIterator<Item = f32>) {
+        let mut own = Fnv::new();
+        for value in values {
             self.all.add_single(value);
             own.add_single(value);
-        });
-        if !read {
-            (self.all, own) = (before, Fnv::new());
         }
         self.each.extend(own.letters::<2>());
     }
@@ -173,7 +194,7 @@ mod tests {
         assert_eq!(of_numbers(literal), of_numbers(same));
         assert_ne!(of_numbers(literal), of_numbers(moved));
         let all = |one: &[u8]| {
-            let mut elements = Elements::new();
+            let mut elements = Elements::new(2);
             elements.add(literal);
             elements.add(one);
             elements.letters()
@@ -181,6 +202,16 @@ mod tests {
         assert_eq!((all(literal), all(same).len()), (all(same), 7));
         assert_ne!(all(literal)[..3], all(moved)[..3]);
         assert_eq!(all(literal)[3..5], all(moved)[3..5]);
+    }
+
+    #[test]
+    fn numbers_are_hashed_byte_by_byte() {
+        for value in [0.0, -0.0, 1.0, -3.0, 400.0, 0.1, 9e9, 1e-10, 1.5, 257.0_f32] {
+            let (mut found, mut bytes) = (Fnv::new(), Fnv::new());
+            found.add_single(value);
+            bytes.add(&(value + 0.0).to_bits().to_le_bytes());
+            assert_eq!(found.0, bytes.0, "{value}");
+        }
     }
 
     #[test]

@@ -71,12 +71,12 @@ pub fn majority_eol(source: &[u8]) -> &'static [u8] {
     }
 }
 
-fn blank(byte: u8) -> bool {
+const fn blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }
 
 /// Blank, tab or line end.
-pub(super) fn white(byte: u8) -> bool {
+pub(super) const fn white(byte: u8) -> bool {
     blank(byte) || byte == b'\n' || byte == b'\r'
 }
 

@@ -10,18 +10,18 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 /// than 1e-7 mm, and its digits would only make lines long.
 const NOTHING: f32 = 1e-10;
 
-/// Appends `value`, rounded to single precision, in the shortest fixed notation that reads back as it.
+/// Appends `value`, rounded to single precision, in the shortest fixed notation that reads back as it; gives what is read back.
 ///
 /// A value that is not finite cannot be written as RAPID; it is written `9E9` ("not used").
-pub fn write_num(out: &mut Vec<u8>, value: f64) {
+pub fn write_num(out: &mut Vec<u8>, value: f64) -> f32 {
     let single = value as f32;
     if !single.is_finite() {
         out.extend_from_slice(b"9E9");
-        return;
+        return 9e9;
     }
     if single.abs() < NOTHING {
         out.push(b'0');
-        return;
+        return 0.0;
     }
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format_finite(single).as_bytes();
@@ -29,6 +29,7 @@ pub fn write_num(out: &mut Vec<u8>, value: f64) {
         None => out.extend_from_slice(text.strip_suffix(b".0").unwrap_or(text)),
         Some(at) => write_expanded(out, &text[..at], &text[at + 1..]),
     }
+    single
 }
 
 /// `mantissa`e`exponent` without an exponent.
@@ -59,38 +60,40 @@ fn write_expanded(out: &mut Vec<u8>, mantissa: &[u8], exponent: &[u8]) {
     }
 }
 
-/// Appends numbers as an aggregate, `[a,b,...]`.
-pub fn write_list<const N: usize>(out: &mut Vec<u8>, values: [f64; N]) {
+/// Appends numbers as an aggregate, `[a,b,...]`; gives what is read back.
+pub fn write_list<const N: usize>(out: &mut Vec<u8>, values: [f64; N]) -> [f32; N] {
     out.push(b'[');
-    for (i, value) in values.into_iter().enumerate() {
-        if i > 0 {
+    let mut first = true;
+    let written = values.map(|value| {
+        if !std::mem::replace(&mut first, false) {
             out.push(b',');
         }
-        write_num(out, value);
-    }
+        write_num(out, value)
+    });
     out.push(b']');
+    written
 }
 
-/// Appends a position as RAPID's `pos`, in mm.
-pub fn write_pos(out: &mut Vec<u8>, position_m: [f64; 3]) {
-    write_list(out, position_m.map(mm_from_m));
+/// Appends a position as RAPID's `pos`, in mm; gives what is read back.
+pub fn write_pos(out: &mut Vec<u8>, position_m: [f64; 3]) -> [f32; 3] {
+    write_list(out, position_m.map(mm_from_m))
 }
 
-/// Appends a quaternion as RAPID's `orient`, normalised.
-pub fn write_orient(out: &mut Vec<u8>, wxyz: [f64; 4]) {
+/// Appends a quaternion as RAPID's `orient`, normalised; gives what is read back.
+pub fn write_orient(out: &mut Vec<u8>, wxyz: [f64; 4]) -> [f32; 4] {
     let norm = wxyz.iter().map(|c| c * c).sum::<f64>().sqrt();
     let unit = if norm > 0.0 { wxyz.map(|c| c / norm) } else { [1.0, 0.0, 0.0, 0.0] };
-    write_list(out, unit);
+    write_list(out, unit)
 }
 
-/// Appends six joints as RAPID's `robjoint`, in degrees; `None` is `9E9`.
-pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) {
-    write_optional(out, q_rad.map(|q| q.map(deg_from_rad)));
+/// Appends six joints as RAPID's `robjoint`, in degrees; `None` is `9E9`. Gives what is read back.
+pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) -> [f32; 6] {
+    write_optional(out, q_rad.map(|q| q.map(deg_from_rad)))
 }
 
-/// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`.
-pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) {
-    write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)));
+/// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`. Gives what is read back.
+pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) -> [f32; 6] {
+    write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)))
 }
 
 /// A frame as RAPID's `pose`, mm.
@@ -116,6 +119,7 @@ pub fn num(value: f64) -> String {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use rapid_syntax::leading_decimal;
 
     fn text(value: f64) -> String {
         let mut out = Vec::new();
@@ -159,9 +163,15 @@ mod tests {
         fn reads_back_as_the_same_single(bits in any::<u32>()) {
             let value = f32::from_bits(bits);
             prop_assume!(value.is_finite());
-            let text = text(f64::from(value));
+            let mut out = Vec::new();
+            let written = write_num(&mut out, f64::from(value));
+            let text = String::from_utf8(out).unwrap();
+            // As double precision first, too, which could round twice: it does so for no single from 1e-10 to 1e12.
+            let read = leading_decimal(text.trim_start_matches('-').as_bytes()).unwrap().0 as f32;
+            prop_assert_eq!(read, written.abs(), "{}", text);
             prop_assert!(text.bytes().all(|b| b.is_ascii_digit() || b == b'.' || b == b'-'), "{}", text);
             let back: f32 = text.parse().unwrap();
+            prop_assert_eq!(back.to_bits() << 1, written.to_bits() << 1);
             if value.abs() < 1e-10 {
                 prop_assert_eq!(back, 0.0);
             } else {

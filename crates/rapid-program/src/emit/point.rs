@@ -1,7 +1,7 @@
 //! Originals that stay in a module, known again by letters in its comment block: which of them was touched up, and by how
 //! much.
 
-use super::aggregate::is_plain;
+use super::aggregate::{Singles, is_plain};
 use super::check;
 use crate::program::motion::Motion;
 use rapid_syntax::diagnostic::TextRange;
@@ -85,6 +85,7 @@ impl<'t> Declarations<'t> {
 pub struct Points {
     declared: HashSet<u32>,
     letters: Vec<u8>,
+    reader: Singles,
 }
 
 impl Points {
@@ -94,7 +95,7 @@ impl Points {
             return None;
         }
         let before = self.letters.len();
-        add_letters(original.value.of(bytes), &mut self.letters);
+        add_letters(original.value.of(bytes), &mut self.reader, &mut self.letters);
         self.letters.get(before..)
     }
 
@@ -124,8 +125,8 @@ pub fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec
 }
 
 /// Three letters for all numbers of a target, then four for each coordinate or joint.
-fn add_letters(text: &[u8], out: &mut Vec<u8>) {
-    let Places { letters, values, count, step } = Places::of(text);
+fn add_letters(text: &[u8], reader: &mut Singles, out: &mut Vec<u8>) {
+    let Places { letters, values, count, step } = Places::of(text, reader);
     out.extend(letters);
     for value in &values[..count] {
         let steps = (value / step).round().clamp(-8_388_608.0, 8_388_607.0) as i64 + 8_388_608;
@@ -136,7 +137,7 @@ fn add_letters(text: &[u8], out: &mut Vec<u8>) {
 /// How far a target has moved since other letters were made than it has: mm or degrees, with the unit.
 #[must_use]
 pub fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
-    let Places { values, count, step, .. } = Places::of(text);
+    let Places { values, count, step, .. } = Places::of(text, &mut Singles::default());
     let values = &values[..count];
     let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|letters| {
         let steps = check::number_of(letters).unwrap_or_default();
@@ -162,9 +163,9 @@ struct Places {
 }
 
 impl Places {
-    fn of(text: &[u8]) -> Self {
+    fn of(text: &[u8], reader: &mut Singles) -> Self {
         let (mut values, mut count) = ([0.0; 6], 0);
-        let letters = check::of_numbers_with(text, |value| {
+        let letters = check::of_numbers_with(text, reader, |value| {
             if let Some(place) = values.get_mut(count) {
                 *place = f64::from(value);
             }
@@ -188,7 +189,7 @@ mod tests {
         let now = b"[[400.3,-300.1,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let letters = |text: &[u8]| {
             let mut letters = Vec::new();
-            add_letters(text, &mut letters);
+            add_letters(text, &mut Singles::default(), &mut letters);
             letters
         };
         let made = letters(was);

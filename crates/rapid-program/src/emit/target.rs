@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::aggregate::{brackets, has_components, is_plain, tail_of, with_commas};
+use super::aggregate::{brackets, has_components, is_plain, singles, tail_of, with_commas};
 use super::check::Elements;
 use super::insertion::{LayoutStyle, white};
 use super::number::{write_optional, write_orient, write_pos, write_robjoint};
@@ -97,7 +97,7 @@ impl TargetArray<'_> {
     pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Result<Vec<u8>, EmitError> {
         let joint = matches!(self.rows.first(), Some((TargetValue::Joint(_), ..)));
         let buckets = self.rows.first().map_or(0, |(_, _, corrected)| corrected.len());
-        let mut elements = Elements::new();
+        let mut elements = Elements::new(self.rows.len() * (buckets + 1));
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
@@ -117,15 +117,20 @@ impl TargetArray<'_> {
             let from = out.len();
             out.extend_from_slice(first_element);
             elements.add(out.get(from..).unwrap_or_default());
+            let tail = tail_of(first_element, if joint { 1 } else { 2 });
+            let of_tail = singles(tail);
             for corrected in corrected.iter() {
                 end_element(out, line, b",", style);
                 line = out.len();
                 out.extend_from_slice(&style.indent);
                 out.extend_from_slice(&style.unit);
                 let from = out.len();
-                write_corrected(out, corrected, joint, first_element)
+                let (numbers, count) = write_corrected(out, corrected, joint, tail)
                     .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
-                elements.add(out.get(from..).unwrap_or_default());
+                match &of_tail {
+                    Some(of_tail) => elements.add_numbers(numbers[..count].iter().chain(of_tail).copied()),
+                    None => elements.add(out.get(from..).unwrap_or_default()),
+                }
             }
             let end = if last_row { "];" } else { "," };
             end_element(out, line, format!("{}{end}", "]".repeat(close + is_nested)).as_bytes(), style);
@@ -168,32 +173,33 @@ pub fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
     }
 }
 
-/// Appends the target of a bucket: what does not change as `first_element` has it.
+/// Appends the target of a bucket, with a `tail` that does not change; gives what is read back before that: so many numbers.
 ///
 /// # Errors
 /// What is wrong where a robtarget's correction is given as joints or the other way.
-pub fn write_corrected(
+fn write_corrected(
     out: &mut Vec<u8>,
     corrected: &Corrected,
     joint: bool,
-    first_element: &[u8],
-) -> Result<(), &'static str> {
-    match (corrected, joint) {
+    tail: &[u8],
+) -> Result<([f32; 7], usize), &'static str> {
+    out.push(b'[');
+    let read = match (corrected, joint) {
         (Corrected::Pose { position_m, orientation_wxyz }, false) => {
-            out.push(b'[');
-            write_pos(out, *position_m);
+            let [x, y, z] = write_pos(out, *position_m);
             out.push(b',');
-            write_orient(out, *orientation_wxyz);
+            let [q1, q2, q3, q4] = write_orient(out, *orientation_wxyz);
+            ([x, y, z, q1, q2, q3, q4], 7)
         }
         (Corrected::Joints { q_rad }, true) => {
-            out.push(b'[');
-            write_robjoint(out, q_rad.map(Some));
+            let [a, b, c, d, e, f] = write_robjoint(out, q_rad.map(Some));
+            ([a, b, c, d, e, f, 0.0], 6)
         }
         _ => return Err("a bucket's target is of another type than the original"),
-    }
+    };
     out.push(b',');
-    out.extend_from_slice(tail_of(first_element, if joint { 1 } else { 2 }));
-    Ok(())
+    out.extend_from_slice(tail);
+    Ok(read)
 }
 
 /// Ends the line that an element stands on, and breaks it at commas where it is too long for RAPID.

@@ -152,7 +152,7 @@ impl<'b> Array<'b> {
         shares: &[f64],
         trusted: bool,
     ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
-        let mut now = Elements::new();
+        let mut now = Elements::new(self.rows.iter().map(Vec::len).sum());
         self.rows.iter().flatten().for_each(|range| now.add(range.of(self.bytes)));
         let now = now.letters();
         if !trusted || now == self.letters {
