@@ -66,7 +66,7 @@ impl<'a> ProgramPoints<'a> {
     /// A point by its motion and the number of its value.
     pub(super) fn at(&self, (motion, value): (MotionId, u32)) -> Option<Point<'a>> {
         let resolved = self.resolved.get(motion.index())?;
-        resolved.points(self.program.motions.get(motion.index())?, self.model).nth(value as usize)
+        resolved.point(self.program.motions.get(motion.index())?, value as usize, self.model)
     }
 
     fn some(&self, targets: &[usize]) -> impl Iterator<Item = Point<'a>> {

@@ -124,16 +124,37 @@ impl Resolved {
         placement.into_iter().flat_map(move |placement| {
             let values = motion.targets.iter().flat_map(Target::values);
             let all = values.zip(&self.joints).enumerate();
-            all.map(move |(k, (value, q_rad))| match self.circle_point.as_deref().filter(|_| k == 0) {
-                Some(circle_point) => {
-                    let object_from_tcp = &circle_point.object_from_tcp;
-                    let base_from_flange = placement.base_from_flange(object_from_tcp);
-                    let stands = (circle_point.q_rad, self.conditions_at(k));
-                    Point::placed(placement, object_from_tcp, base_from_flange, stands)
-                }
-                None => Point::new(placement, &value, *q_rad, self.conditions_at(k), model),
-            })
+            all.map(move |(k, (value, q_rad))| self.placed(placement, (k, &value, q_rad), model))
         })
+    }
+
+    /// The target with this number; `None` where it stays as it is.
+    pub(super) fn point<'r>(
+        &'r self,
+        motion: &Motion,
+        number: usize,
+        model: &Model<'_>,
+    ) -> Option<Point<'r>> {
+        let placement = self.placement.as_deref().filter(|_| self.kept.is_none())?;
+        let value = motion.targets.iter().flat_map(Target::values).nth(number)?;
+        Some(self.placed(placement, (number, &value, self.joints.get(number)?), model))
+    }
+
+    fn placed<'r>(
+        &'r self,
+        placement: &'r Placement,
+        (number, value, q_rad): (usize, &TargetValue, &[f64; 6]),
+        model: &Model<'_>,
+    ) -> Point<'r> {
+        match self.circle_point.as_deref().filter(|_| number == 0) {
+            Some(circle_point) => {
+                let object_from_tcp = &circle_point.object_from_tcp;
+                let base_from_flange = placement.base_from_flange(object_from_tcp);
+                let stands = (circle_point.q_rad, self.conditions_at(number));
+                Point::placed(placement, object_from_tcp, base_from_flange, stands)
+            }
+            None => Point::new(placement, value, *q_rad, self.conditions_at(number), model),
+        }
     }
 
     /// Nominal joints after it, radians, where they are known well enough to tell the branch.

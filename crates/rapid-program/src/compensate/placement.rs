@@ -9,7 +9,12 @@ use nalgebra::{Isometry3, Vector3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Placement {
     /// The robot holds the tool.
-    ToolOnFlange { base_from_object: Isometry3<f64>, flange_from_tcp: Isometry3<f64> },
+    ToolOnFlange {
+        base_from_object: Isometry3<f64>,
+        flange_from_tcp: Isometry3<f64>,
+        /// The inverse, which every target asks for.
+        tcp_from_flange: Isometry3<f64>,
+    },
     /// The robot holds the work object; the tool is stationary.
     ObjectOnFlange { flange_from_object: Isometry3<f64>, base_from_tcp: Isometry3<f64> },
 }
@@ -40,10 +45,7 @@ impl Placement {
             ));
         }
         match (tool.robhold, wobj.robhold) {
-            (true, false) => Ok(Self::ToolOnFlange {
-                base_from_object: wobj.frame_from_object(),
-                flange_from_tcp: tool.frame_from_tcp,
-            }),
+            (true, false) => Ok(Self::tool_on_flange(wobj.frame_from_object(), tool.frame_from_tcp)),
             (false, true) => Ok(Self::ObjectOnFlange {
                 flange_from_object: wobj.frame_from_object(),
                 base_from_tcp: tool.frame_from_tcp,
@@ -55,11 +57,16 @@ impl Placement {
         }
     }
 
+    /// The robot holds the tool.
+    pub(super) fn tool_on_flange(base_from_object: Isometry3<f64>, flange_from_tcp: Isometry3<f64>) -> Self {
+        Self::ToolOnFlange { base_from_object, flange_from_tcp, tcp_from_flange: flange_from_tcp.inverse() }
+    }
+
     /// The flange pose that puts the TCP there.
     pub(super) fn base_from_flange(&self, object_from_tcp: &Isometry3<f64>) -> Isometry3<f64> {
         match self {
-            Self::ToolOnFlange { base_from_object, flange_from_tcp } => {
-                base_from_object * object_from_tcp * flange_from_tcp.inverse()
+            Self::ToolOnFlange { base_from_object, tcp_from_flange, .. } => {
+                base_from_object * object_from_tcp * tcp_from_flange
             }
             Self::ObjectOnFlange { flange_from_object, base_from_tcp } => {
                 base_from_tcp * (flange_from_object * object_from_tcp).inverse()
@@ -70,7 +77,7 @@ impl Placement {
     /// Where the TCP stands in the work object with the flange there.
     pub(super) fn object_from_tcp(&self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
         match self {
-            Self::ToolOnFlange { base_from_object, flange_from_tcp } => {
+            Self::ToolOnFlange { base_from_object, flange_from_tcp, .. } => {
                 base_from_object.inv_mul(&(base_from_flange * flange_from_tcp))
             }
             Self::ObjectOnFlange { flange_from_object, base_from_tcp } => {
@@ -83,7 +90,7 @@ impl Placement {
     /// flange (in the flange frame), one that stands still (in the base), metres.
     pub(super) fn points(&self, object_from_tcp: &Isometry3<f64>) -> (Vector3<f64>, Vector3<f64>) {
         match self {
-            Self::ToolOnFlange { base_from_object, flange_from_tcp } => {
+            Self::ToolOnFlange { base_from_object, flange_from_tcp, .. } => {
                 (flange_from_tcp.translation.vector, (base_from_object * object_from_tcp).translation.vector)
             }
             Self::ObjectOnFlange { flange_from_object, base_from_tcp } => {

@@ -60,10 +60,8 @@ impl Ramp {
         options: &Options,
     ) -> Result<Self, CompensateError> {
         options.request().check()?;
-        let placement = Placement::ToolOnFlange {
-            base_from_object: Isometry3::identity(),
-            flange_from_tcp: Isometry3::translation(0.0, 0.0, 0.1),
-        };
+        let placement =
+            Placement::tool_on_flange(Isometry3::identity(), Isometry3::translation(0.0, 0.0, 0.1));
         let mut samples: Vec<Sample<'_>> = samples;
         if samples.is_empty() || options.form.corrects_run_time() {
             samples.extend(anywhere(model, &placement));
