@@ -1,7 +1,5 @@
 #![no_main]
-#[path = "../targets.rs"]
-mod targets;
-#[path = "../../tests/it/tree_check.rs"]
-mod tree_check;
+#[path = "../targets/execution.rs"]
+mod target;
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| targets::execution(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| target::execution(data));

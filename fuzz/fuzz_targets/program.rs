@@ -1,7 +1,7 @@
 #![no_main]
-#[path = "../targets.rs"]
-mod targets;
+#[path = "../targets/program.rs"]
+mod target;
 #[path = "../../tests/it/tree_check.rs"]
 mod tree_check;
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| targets::program(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| target::program(data));

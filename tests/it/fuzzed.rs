@@ -1,4 +1,4 @@
-//! A bounded run of what is fuzzed (`fuzz/targets.rs`), on bytes made from the fixtures.
+//! A bounded run of what is fuzzed (`fuzz/targets`), on bytes made from the fixtures.
 
 use crate::targets;
 use rand::seq::IndexedRandom;
@@ -105,25 +105,25 @@ const RAPID: [&str; 3] = ["mod", "sys", "prg"];
 
 #[test]
 fn any_text_is_read() {
-    run(targets::text, &seeds(&RAPID, 30_000), 1500, false);
+    run(targets::text::text, &seeds(&RAPID, 30_000), 1500, false);
 }
 
 #[test]
 fn any_program_is_compensated_and_restored_or_refused() {
-    run(targets::program, &seeds(&RAPID, 6000), 150, true);
+    run(targets::program::program, &seeds(&RAPID, 6000), 150, true);
 }
 
 #[test]
 fn any_program_is_executed_or_refused() {
-    run(targets::execution, &seeds(&RAPID, 6000), 150, false);
+    run(targets::execution::execution, &seeds(&RAPID, 6000), 150, false);
 }
 
 #[test]
 fn any_table_is_read_or_refused() {
-    run(targets::tables, &seeds(&["csv", "toml"], 6000), 2000, false);
+    run(targets::tables::tables, &seeds(&["csv", "toml"], 6000), 2000, false);
 }
 
 #[test]
 fn no_text_breaks_out_of_a_page() {
-    run(targets::page, &seeds(&["mod", "csv"], 6000), 60, false);
+    run(targets::page::page, &seeds(&["mod", "csv"], 6000), 60, false);
 }

@@ -51,7 +51,7 @@ mod shop;
 mod simulate;
 mod slow_noise;
 mod tabulate;
-#[path = "../../fuzz/targets.rs"]
+#[path = "../../fuzz/targets/mod.rs"]
 mod targets;
 mod touch;
 mod tree_check;

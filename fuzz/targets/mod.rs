@@ -1,0 +1,9 @@
+//! What must hold for any bytes, a file a target. Called by cargo-fuzz with bytes that it finds, and by the ordinary tests with bytes made from
+//! the fixtures: one list of targets, two engines. A binary of cargo-fuzz takes in one file alone, so that it counts no branch that
+//! its target cannot reach.
+
+pub mod execution;
+pub mod page;
+pub mod program;
+pub mod tables;
+pub mod text;

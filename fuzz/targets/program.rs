@@ -1,0 +1,29 @@
+//! Any program is compensated and restored, or refused.
+
+#![allow(clippy::expect_used, reason = "a target stops where its promise is broken")]
+
+use crate::tree_check::check;
+use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
+use rapid_program::compensate::FormChoice;
+use rapid_program::emit::restore;
+use rapid_syntax::parse;
+use std::sync::LazyLock;
+
+static ROBOT: LazyLock<Robot> = LazyLock::new(|| Robot::built_in("irb140").expect("it is built in"));
+static PAPER: LazyLock<Deformation> = LazyLock::new(Deformation::paper);
+
+/// Compensated, in the form that the first byte names: what is emitted is read without a word more, and gives the source back.
+pub fn program(data: &[u8]) {
+    let Some((&form, source)) = data.split_first() else { return };
+    let forms = [FormChoice::Schedule, FormChoice::Ramp, FormChoice::Live, FormChoice::Auto];
+    let form = forms[usize::from(form) % forms.len()];
+    let files = ProgramFiles::one("Fuzzed.mod", source);
+    let compensation = Compensation::new(ROBOT.clone(), PAPER.clone()).in_form(form);
+    let Ok(result) = compensation.run(&files) else { return };
+    let Some(emitted) = result.text() else { return };
+    let (before, after) = (parse(source).1.len(), parse(emitted).1.len());
+    assert!(after <= before, "{after} problems in what was emitted, {before} in the source");
+    check(emitted).expect("what was emitted is a tree");
+    let restored = restore(emitted).expect("what was emitted is restored");
+    assert!(restored.exact && restored.bytes == source, "restored to other bytes");
+}
