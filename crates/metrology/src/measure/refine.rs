@@ -1,6 +1,6 @@
 //! A registration refined: Gauss and Newton's steps over base, targets, fixed points and sensor, robust by re-weighting.
 
-use super::station::median;
+use super::repeats::median;
 use super::{Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Translation3, UnitQuaternion, Vector3};
 

@@ -1,5 +1,6 @@
 //! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
 
+use super::repeats::{Repeats, apart_where_contradictory, centre, false_repeats, repeats};
 use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -14,8 +15,6 @@ const SAME_TOUCH_RAD: f64 = 5e-3;
 const SAME_JOINT_RAD: f64 = 2e-4;
 /// Joint temperatures within this are the same.
 const SAME_TEMPERATURE_C: f64 = 0.5;
-/// A repeat this many sigmas from its fellows is false and takes no part in the mean.
-const FALSE_REPEAT: f64 = 7.0;
 
 /// The mean of rows that repeat one pose in the same direction, with the same payload, at about one time.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,17 +81,6 @@ impl Station {
     }
 }
 
-/// What the repeats say about the noise of one row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Repeats {
-    /// Standard deviation of one coordinate of one row, metres.
-    pub sigma_m: f64,
-    /// Degrees of freedom behind it.
-    pub degrees_of_freedom: usize,
-    /// Standard deviation of one component of the orientation, radians.
-    pub sigma_rad: Option<f64>,
-}
-
 /// A measurement file gathered into stations.
 #[derive(Clone, Debug)]
 pub struct Stations {
@@ -143,6 +131,7 @@ pub fn gather(measurements: &Measurements, used: &[usize]) -> Stations {
         group.retain(|index| false_rows.binary_search(index).is_err());
     }
     groups.retain(|group| !group.is_empty());
+    let groups = apart_where_contradictory(rows, groups);
     Stations {
         repeats: repeats(rows, &groups),
         stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),
@@ -216,15 +205,6 @@ pub(crate) fn at_one_time(a: (&Joints, Option<f64>), b: (&Joints, Option<f64>)) 
     joints && time
 }
 
-fn centre(rows: &[MeasurementRow], group: &[usize]) -> Vector3<f64> {
-    let sum: Vector3<f64> = group.iter().filter_map(|&i| rows.get(i)).map(coordinates_m).sum();
-    sum / group.len().max(1) as f64
-}
-
-fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
-    row.reading.coordinates_m().map_or_else(Vector3::zeros, |(coordinates_m, _)| coordinates_m)
-}
-
 fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {
     let first_index = *group.first()?;
     let first = rows.get(first_index)?;
@@ -266,78 +246,6 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
         line: first.line,
         rows: group.to_vec(),
     })
-}
-
-/// Rows far from their fellows, sorted; only groups of three and more can tell which row is false.
-fn false_repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Vec<usize> {
-    let mut distances: Vec<(usize, f64)> = Vec::new();
-    let mut pool: Vec<f64> = Vec::new();
-    for group in groups.iter().filter(|g| g.len() >= 2) {
-        let mut middle = Vector3::zeros();
-        for k in 0..3 {
-            let mut values: Vec<f64> =
-                group.iter().filter_map(|&i| rows.get(i)).map(|r| coordinates_m(r)[k]).collect();
-            middle[k] = median(&mut values);
-        }
-        for &index in group {
-            let Some(row) = rows.get(index) else { continue };
-            let distance = (coordinates_m(row) - middle).norm();
-            pool.push(distance);
-            if group.len() >= 3 {
-                distances.push((index, distance));
-            }
-        }
-    }
-    // The middle value itself often lies at distance 0 in one coordinate: the 75 % quantile is steadier.
-    pool.sort_by(f64::total_cmp);
-    let Some(&scale) = pool.get(pool.len() * 3 / 4) else { return Vec::new() };
-    // 75 % of a 3-D normal distance lie within 2.03 sigma.
-    let limit = FALSE_REPEAT * scale / 2.03 * 3.0_f64.sqrt();
-    let mut false_rows: Vec<usize> =
-        distances.into_iter().filter(|(_, d)| scale > 0.0 && *d > limit).map(|(i, _)| i).collect();
-    false_rows.sort_unstable();
-    false_rows
-}
-
-fn repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Repeats> {
-    let mut squares = 0.0;
-    let mut turns = 0.0;
-    let mut freedom = 0;
-    for group in groups.iter().filter(|g| g.len() >= 2) {
-        let centre = centre(rows, group);
-        let members: Vec<&MeasurementRow> = group.iter().filter_map(|&i| rows.get(i)).collect();
-        squares += members.iter().map(|row| (coordinates_m(row) - centre).norm_squared()).sum::<f64>();
-        let numbers =
-            members.first().and_then(|row| row.reading.coordinates_m()).map_or(0, |(_, numbers)| numbers);
-        freedom += numbers * (group.len() - 1);
-        if let Some(start) = members.first().and_then(|row| row.orientation) {
-            let vectors: Vec<Vector3<f64>> = members
-                .iter()
-                .filter_map(|row| row.orientation)
-                .map(|o| (o * start.inverse()).scaled_axis())
-                .collect();
-            let mean = vectors.iter().sum::<Vector3<f64>>() / vectors.len() as f64;
-            turns += vectors.iter().map(|v| (v - mean).norm_squared()).sum::<f64>();
-        }
-    }
-    if freedom == 0 || squares <= 0.0 {
-        return None;
-    }
-    Some(Repeats {
-        sigma_m: (squares / freedom as f64).sqrt(),
-        degrees_of_freedom: freedom,
-        sigma_rad: (turns > 0.0).then(|| (turns / freedom as f64).sqrt()),
-    })
-}
-
-/// Middle value; 0 of nothing.
-pub(super) fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    match values.len() {
-        0 => 0.0,
-        n if n % 2 == 1 => values[n / 2],
-        n => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{Model, Workspace, solve};
 use crate::diagnose::scatter::{self, JointScatter};
 use crate::diagnose::search::{ChosenCause, cause_columns};
+use crate::measure::variance_ratio;
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
 const SCATTER: f64 = 1.5;
@@ -124,19 +125,6 @@ pub fn reduced_chi_square(
     Some((sum / (sigma_m * sigma_m) / free, limit))
 }
 
-/// The ratio of two estimates of one variance, of `above` and `below` degrees of freedom, that is exceeded as often as a
-/// normal variate exceeds `z` (Paulson 1942, An approximate normalization of the analysis of variance distribution).
-fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
-    let (a, b) = (2.0 / (9.0 * above), 2.0 / (9.0 * below));
-    let square = (1.0 - b).powi(2) - z * z * b;
-    if square <= 0.0 {
-        return f64::INFINITY; // so few repeats tell nothing of the noise
-    }
-    let middle = (1.0 - a) * (1.0 - b);
-    let root = (middle * middle - square * ((1.0 - a).powi(2) - z * z * a)).max(0.0).sqrt();
-    ((middle + root) / square).powi(3)
-}
-
 /// What slow noise means beside `chosen`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slowness {
@@ -206,23 +194,8 @@ fn comes_on_top(fast: f64, total: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{comes_on_top, variance_ratio};
+    use super::comes_on_top;
     use std::f64::consts::PI;
-
-    /// Upper 1 % and 5 % points of F as tables of the distribution give them.
-    #[test]
-    fn ratios_are_those_of_the_f_tables() {
-        for (z, above, below, table) in [
-            (2.326_348, 120.0, 20.0, 2.52),
-            (2.326_348, 10.0, 10.0, 4.85),
-            (2.326_348, 60.0, 120.0, 1.66),
-            (1.644_854, 20.0, 30.0, 1.93),
-        ] {
-            let found = variance_ratio(z, above, below);
-            assert!((found / table - 1.0).abs() < 0.015, "{above} {below}: {found}");
-        }
-        assert_eq!(variance_ratio(2.878, 100.0, 1.0), f64::INFINITY);
-    }
 
     /// Of an autoregressive process of unit variance the share at frequencies under f per row is 2/pi atan(tan(pi f) (1 + r) / (1 - r))
     /// (integral of its spectrum); 14 half periods, or one for six rows, are slow. Stated 5 % of sigma too low, or right: noise. As
