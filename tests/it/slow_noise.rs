@@ -99,3 +99,15 @@ fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
         assert_eq!(causes, [("gear_eccentricity", 3)]);
     }
 }
+
+/// A shift to and fro eleven times, as large as the noise, in noise of the size stated: no noise, and told as what it is.
+#[test]
+fn what_goes_to_and_fro_over_time_is_structure() {
+    for seed in [1, 2, 3] {
+        let wave = |part: f64, axis: usize| 1.4 * SIGMA_MM * (TAU * 11.0 * part + axis as f64).sin();
+        let answer = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wave), &["--sigma-mm", "0.02"]);
+        let reason = answer["reason"].as_str().unwrap();
+        assert_eq!(answer["verdict"], "unexplained_structure", "{reason}");
+        assert!(reason.contains("to and fro"), "{reason}");
+    }
+}

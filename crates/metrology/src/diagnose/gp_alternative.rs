@@ -4,8 +4,10 @@
 //! They say that something is there that the library lacks, and where; never how it works.
 
 use super::dataset::{Dataset, Observation, scaled};
-use super::design::{Design, inner_products, side_by_side};
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use super::design::{Design, side_by_side};
+use super::gp_features::{bumps, compress, farthest_points};
+use super::gp_over_time::{cycle_columns, hidden_load_columns};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// Structure of no named cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +34,9 @@ pub enum GpAlternative {
     WristCable,
     /// The same with finer detail.
     WristCableFine,
-    /// A shift with the hand, other with the wrist's middle joint to one side than to the other: a hose that lies over.
-    WristFlip,
+    /// A shift with the forearm, the wrist's middle link or the hand (0, 1, 2), other with the wrist's middle joint to one side than to
+    /// the other: a hose that is clamped there and lies over.
+    WristFlip(usize),
     /// A shift over time.
     Time,
     /// A faster shift over time.
@@ -42,6 +45,10 @@ pub enum GpAlternative {
     ToolTime,
     /// A joint that turns slowly over time.
     JointTime(usize),
+    /// What the arm gives under a load that comes and goes and is not recorded.
+    HiddenLoad,
+    /// A shift to and fro, so many half cycles over the measurement: an air conditioning's, a cooler's.
+    Cycle(u32),
     /// A function of one joint's angle that repeats so many times per turn, of any shape: teeth, scratches.
     Periodic(usize, u32),
     /// The same, its second half the first turned over: even steps.
@@ -50,10 +57,6 @@ pub enum GpAlternative {
     TimeVaryingCause(usize),
 }
 
-/// Usual size of the structure at the point, metres.
-const PRIOR_SIGMA_M: f64 = 1e-4;
-/// Most features kept for a GP alternative.
-const MOST_FEATURES: usize = 28;
 /// Length scales: radians, metres, share of the time.
 const JOINT_RAD: [f64; 2] = [0.45, 0.13];
 const JOINTS_RAD: f64 = 1.0;
@@ -93,11 +96,8 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
             all.extend((0..joints).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
         }
     }
-    all.extend([
-        (GpAlternative::WristCable, 1.0),
-        (GpAlternative::WristCableFine, 1.0),
-        (GpAlternative::WristFlip, 0.5),
-    ]);
+    all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
+    all.extend((0..3).map(|body| (GpAlternative::WristFlip(body), 0.3)));
     for position in 0..BUMP_CENTRES {
         let share = 2.0 / (BUMP_CENTRES * BUMP_RADII_M.len()) as f64;
         all.extend(
@@ -112,7 +112,7 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
     all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
 }
 
-/// The GP alternative's features as columns of `design`, largest first, sized to [`PRIOR_SIGMA_M`].
+/// The GP alternative's features as columns of `design`, largest first, sized to what is usual at the point, 0.1 mm.
 #[must_use]
 pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
     match gp_alternative {
@@ -155,10 +155,11 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         }
         GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
         GpAlternative::WristCableFine => wrist_columns(design, dataset, WRIST_RAD[1]),
-        GpAlternative::WristFlip => compress(&design.stack(dataset, 3, |_, observation, out| {
+        GpAlternative::WristFlip(body) => compress(&design.stack(dataset, 3, |_, observation, out| {
             let middle = observation.joints().saturating_sub(2);
             let side = observation.as_angle(middle).signum();
-            let axes = observation.flange.column_iter();
+            let frame = if body == 2 { observation.flange } else { observation.parents[middle + body] };
+            let axes = frame.column_iter();
             out.extend(axes.map(|a| [side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0]));
         })),
         GpAlternative::Pair(a, b, j) => {
@@ -196,25 +197,12 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
                 out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
             }))
         }
+        GpAlternative::HiddenLoad => hidden_load_columns(design, dataset, TIME_SHARE[1]),
+        GpAlternative::Cycle(half_cycles) => cycle_columns(design, dataset, half_cycles),
         GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
         GpAlternative::SquareWave(j, n) => periodic_columns(design, dataset, j, n, 2),
         GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
-}
-
-/// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
-/// that is not constant leaves beside its mean.
-#[must_use]
-pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> DMatrix<f64> {
-    const WAVES: i32 = 3;
-    let mut all: Vec<DVector<f64>> = Vec::new();
-    for k in 1..=WAVES {
-        let wave = |observation: &Observation| {
-            (std::f64::consts::PI * f64::from(k) * dataset.progress(observation)).cos() / f64::from(k)
-        };
-        all.extend(cause.iter().map(|&column| design.modulated(dataset, column, wave).into()));
-    }
-    compress(&DMatrix::from_columns(&all))
 }
 
 /// Overtones of a periodic structure, and the usual size of the first.
@@ -311,63 +299,6 @@ fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> DMatrix
         &farthest_points(dataset, at, 40),
         length_rad,
     ))
-}
-
-fn bumps(at: &[f64], centres: &[Vec<f64>], length: f64) -> Vec<f64> {
-    centres
-        .iter()
-        .map(|centre| {
-            let d2: f64 = centre.iter().zip(at).map(|(c, x)| (c - x) * (c - x)).sum();
-            (-0.5 * d2 / (length * length)).exp()
-        })
-        .collect()
-}
-
-/// Points far from each other, one after the other (Gonzalez 1985).
-fn farthest_points(dataset: &Dataset, at: impl Fn(&Observation) -> Vec<f64>, most: usize) -> Vec<Vec<f64>> {
-    let points: Vec<Vec<f64>> = dataset.observations.iter().map(at).collect();
-    let mut far = vec![f64::INFINITY; points.len()];
-    let mut chosen = Vec::new();
-    let mut next = 0;
-    while chosen.len() < most.min(points.len()) {
-        let centre = points[next].clone();
-        for (d, point) in far.iter_mut().zip(&points) {
-            let d2: f64 = centre.iter().zip(point).map(|(a, b)| (a - b) * (a - b)).sum();
-            *d = d.min(d2);
-        }
-        chosen.push(centre);
-        let mut best = 0.0;
-        for (i, d) in far.iter().enumerate() {
-            if *d > best {
-                best = *d;
-                next = i;
-            }
-        }
-        if best <= 0.0 {
-            break;
-        }
-    }
-    chosen
-}
-
-/// Principal features, largest first, sized so that the structure is [`PRIOR_SIGMA_M`] on average.
-fn compress(columns: &DMatrix<f64>) -> DMatrix<f64> {
-    let (rows, n) = columns.shape();
-    if n == 0 || rows == 0 {
-        return DMatrix::zeros(rows, 0);
-    }
-    let eigen = inner_products(columns.as_view(), columns.as_view()).symmetric_eigen();
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
-    let top = eigen.eigenvalues[order[0]];
-    if top <= 0.0 {
-        return DMatrix::zeros(rows, 0);
-    }
-    order.truncate(MOST_FEATURES);
-    order.retain(|&i| eigen.eigenvalues[i] > 1e-6 * top);
-    let mean_square = eigen.eigenvalues.iter().sum::<f64>() / (rows as f64 / 3.0);
-    let scale = PRIOR_SIGMA_M / mean_square.sqrt();
-    columns * (eigen.eigenvectors.select_columns(&order) * scale)
 }
 
 /// Middle and radius of the structure: stations weighted by how far they are moved.

@@ -12,6 +12,8 @@ mod examine;
 mod false_row;
 mod gear_spectrum;
 mod gp_alternative;
+mod gp_features;
+mod gp_over_time;
 mod heldout;
 mod identify;
 mod linearise;

@@ -1,6 +1,7 @@
 //! The verdict: what the evidence says, what it cannot tell apart, and when it must not say anything.
 
 mod cause_group;
+mod cycles;
 mod noise;
 mod size;
 mod structure;
@@ -15,7 +16,7 @@ use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::outcome::{Cause, Location, Verdict};
 use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
-use cause_group::{cause_groups, credible, doubt_shapes, join_nested, scan};
+use cause_group::{CauseGroup, cause_groups, credible, doubt_shapes, join_nested, scan};
 use noise::{
     MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, joint_scatter, reduced_chi_square, slow_noise,
     slowness,
@@ -70,7 +71,7 @@ const AS_A_CANDIDATE: f64 = 0.5;
 pub fn judge(model: &Model, workspace: &mut Workspace<'_>, linear: &Linearised) -> Judgement {
     let chosen = model.chosen.clone();
     workspace.library.forget_columns();
-    add_gp_alternatives(workspace, linear, &chosen);
+    add_gp_alternatives(workspace, linear, model);
     let (rest, geometry_gain) = scan(model, workspace, &chosen, None);
     let chi = reduced_chi_square(model, workspace, linear, &chosen);
     let along = joint_scatter(model, workspace, linear).filter(|j| j.gain_nats > ALARM_NATS);
@@ -156,6 +157,7 @@ fn with_causes(
     let mut winning_gp: Option<usize> = None;
     let mut needed = 0;
     let mut lost = Vec::new();
+    let mut named = Vec::new();
     for i in 0..chosen.len() {
         if chosen.len() > MANY_CAUSES && workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
         {
@@ -177,6 +179,11 @@ fn with_causes(
             // Beside the others it is no longer needed.
             continue;
         }
+        if is_named(workspace, first, &named) {
+            // The same cause once more, in another variant: what the first leaves of it.
+            continue;
+        }
+        named.push(first.best);
         needed += 1;
         let gp_alternatives = alternative_share(workspace, &ranking, first.best);
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
@@ -330,6 +337,18 @@ fn looks_like_play(workspace: &Workspace<'_>, linear: &Linearised, candidate: us
     candidate.kind == EffectKind::JointCompliance
         && candidate.variant.refined
         && !linear.dataset.channels.direction
+}
+
+/// Whether one of the candidates `named` is the same cause as the first of another place: not of steps, which are many, nor of lines.
+fn is_named(workspace: &Workspace<'_>, first: &CauseGroup, named: &[usize]) -> bool {
+    let this = &workspace.library.candidates[first.best];
+    let alone = this.variant.t0_min().is_none() && this.kind != EffectKind::GearMesh;
+    alone
+        && named.iter().map(|&c| &workspace.library.candidates[c]).any(|other| {
+            other.kind == this.kind
+                && other.variant.joint == this.variant.joint
+                && other.variant.joint_b == this.variant.joint_b
+        })
 }
 
 /// Slots in the order of their likeliest causes, without gaps.

@@ -1,9 +1,11 @@
 //! Structure of no named cause beside the causes: is there any, where, and could it replace them.
 
+use super::cycles;
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::{self, GpAlternative};
+use crate::diagnose::gp_over_time;
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{Model, Workspace, solve};
@@ -20,6 +22,9 @@ use std::collections::{BTreeMap, BTreeSet};
 const MOST_OVERTONES: usize = 10;
 /// Share of periodic shapes in structure of no named cause; each period pays for the scan as a line of it does.
 const PERIOD_WEIGHT: f64 = 0.05;
+/// Share of a load that comes and goes unrecorded, and of what goes to and fro, in structure of no named cause.
+const HIDDEN_LOAD_WEIGHT: f64 = 0.1;
+const CYCLE_WEIGHT: f64 = 0.1;
 /// Prior of one cause that varies, over that of all other structure.
 const VARYING_WEIGHT: f64 = 0.1;
 /// Structure beside the causes whose rms is under this share of theirs does not call them into doubt, even where a GP
@@ -72,8 +77,8 @@ pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Opti
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
-pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, chosen: &[ChosenCause]) {
-    let dataset = &linear.dataset;
+pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, model: &Model) {
+    let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
     let mut list = gp_alternative::gp_alternatives(dataset.joints());
     let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
     for (joint, lines) in
@@ -100,10 +105,20 @@ pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, c
     if dataset.time_min.is_none() && chosen.len() <= MANY_CAUSES {
         list.extend((0..chosen.len()).map(|i| (GpAlternative::TimeVaryingCause(i), VARYING_WEIGHT)));
     }
+    // Rows without times are often in the order of their places, and what the arm gives there is all its sag.
+    if !dataset.channels.payload && dataset.time_min.is_some() {
+        list.push((GpAlternative::HiddenLoad, HIDDEN_LOAD_WEIGHT));
+    }
+    let cycles = cycles::standing_out(dataset, &model.residuals, &model.outliers);
+    list.extend(
+        cycles
+            .into_iter()
+            .map(|(half_cycles, share)| (GpAlternative::Cycle(half_cycles), CYCLE_WEIGHT * share)),
+    );
     let design = &workspace.design;
     workspace.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
         GpAlternative::TimeVaryingCause(i) => {
-            gp_alternative::time_varying_columns(design, dataset, &chosen[i].columns)
+            gp_over_time::time_varying_columns(design, dataset, &chosen[i].columns)
         }
         other => gp_alternative::columns(other, design, dataset),
     });
@@ -243,6 +258,8 @@ pub fn location_of_gp(
             | GpAlternative::TimeFine
             | GpAlternative::ToolTime
             | GpAlternative::JointTime(_)
+            | GpAlternative::HiddenLoad
+            | GpAlternative::Cycle(_)
             | GpAlternative::TimeVaryingCause(_) => "drift",
             _ => "constant",
         }),

@@ -64,13 +64,24 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
         GpAlternative::WristCable | GpAlternative::WristCableFine => {
             "the angles of the wrist's joints".to_owned()
         }
-        GpAlternative::WristFlip => "the side to which the wrist is bent".to_owned(),
+        GpAlternative::WristFlip(_) => "the side to which the wrist is bent".to_owned(),
         GpAlternative::Pair(a, b, j) => {
             format!("joint {}, depending on the angles of joints {} and {}", j + 1, a + 1, b + 1)
         }
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::TimeVaryingCause(_) => time.to_owned(),
         GpAlternative::ToolTime => format!("the target on the flange, over {time}"),
         GpAlternative::JointTime(j) => format!("joint {}, over {time}", j + 1),
+        GpAlternative::HiddenLoad => {
+            format!(
+                "what the arm gives under a load that comes and goes over {time}: the payload (payload_kg) is not in the file"
+            )
+        }
+        GpAlternative::Cycle(half_cycles) => {
+            format!(
+                "{time}, to and fro {:.1} times from the first row to the last",
+                0.5 * f64::from(half_cycles)
+            )
+        }
         GpAlternative::Periodic(j, n) | GpAlternative::SquareWave(j, n) => {
             format!("the angle of joint {}, {n} times per turn, with steps or corners", j + 1)
         }

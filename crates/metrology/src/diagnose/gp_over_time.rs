@@ -1,0 +1,66 @@
+//! Structure over time that has a shape of its own: a load that comes and goes, what goes to and fro, a cause that grows.
+
+use super::dataset::{Dataset, Observation, scaled};
+use super::design::Design;
+use super::effects::usual_compliance;
+use super::gp_features::{bumps, compress};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Functions of time that a load may follow that comes and goes.
+const HIDDEN_LOAD_CENTRES: usize = 24;
+
+/// The usual give of arm and wrist, each of which may be stiffer or softer, under a load at the tool times functions of time of this length, a share of the
+/// measurement.
+pub(super) fn hidden_load_columns(design: &Design, dataset: &Dataset, length: f64) -> DMatrix<f64> {
+    let centres: Vec<Vec<f64>> =
+        (0..HIDDEN_LOAD_CENTRES).map(|k| vec![k as f64 / (HIDDEN_LOAD_CENTRES - 1) as f64]).collect();
+    let compliance = usual_compliance(&dataset.slides);
+    let wrist = dataset.joints().saturating_sub(3);
+    compress(&design.stack(dataset, 2 * centres.len(), |_, observation, out| {
+        let give = |joints: std::ops::Range<usize>| {
+            let mut all = [0.0; 6];
+            for j in joints {
+                let turn = compliance[j] * observation.loads.unit_torque_n_m[j];
+                for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
+                    *sum += turn * part;
+                }
+            }
+            all
+        };
+        let parts = [give(0..wrist), give(wrist..observation.joints())];
+        for f in bumps(&[dataset.progress(observation)], &centres, length) {
+            out.extend(parts.map(|part| scaled(part, f)));
+        }
+    }))
+}
+
+/// A shift along each axis to and fro, `half_cycles` times over the measurement.
+pub(super) fn cycle_columns(design: &Design, dataset: &Dataset, half_cycles: u32) -> DMatrix<f64> {
+    let rate = PI * f64::from(half_cycles);
+    compress(&design.stack(dataset, 6, |_, observation, out| {
+        let (sin, cos) = (rate * dataset.progress(observation)).sin_cos();
+        for axis in 0..3 {
+            for wave in [sin, cos] {
+                let mut shift = [0.0; 6];
+                shift[axis] = wave;
+                out.push(shift);
+            }
+        }
+    }))
+}
+
+/// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
+/// that is not constant leaves beside its mean.
+#[must_use]
+pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> DMatrix<f64> {
+    const WAVES: i32 = 3;
+    let mut all: Vec<DVector<f64>> = Vec::new();
+    for k in 1..=WAVES {
+        let wave = |observation: &Observation| {
+            (PI * f64::from(k) * dataset.progress(observation)).cos() / f64::from(k)
+        };
+        all.extend(cause.iter().map(|&column| design.modulated(dataset, column, wave).into()));
+    }
+    compress(&DMatrix::from_columns(&all))
+}
