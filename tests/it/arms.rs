@@ -4,10 +4,7 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
-use exam::poses::{Recorded, Spread};
-use exam::recipe::Recipe;
 use exam::rng::Rng;
-use exam::truth::QuestionKind;
 use metrology::diagnose::{
     Diagnosis, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
@@ -23,22 +20,8 @@ fn arm(name: &str) -> SerialArm {
 }
 
 fn planted(arm: &SerialArm, effect: Effect, n: usize, seed: u64) -> DataSet {
-    let recipe = Recipe {
-        name: "arm".into(),
-        kind: QuestionKind::One,
-        effects: vec![(effect, 8.0)],
-        n,
-        repeats: 0,
-        sigma_mm: 0.02,
-        stated_sigma_mm: Some(0.02),
-        spread: Spread::Wide,
-        recorded: Recorded::NOTED,
-        slowness: 0.0,
-        outliers: 0.0,
-        // As in the tests of six joints: on an arm of three metres a third of the usual tolerance is more than the effect.
-        geometry: 0.0,
-        payloads_kg: [0.0, 3.0],
-    };
+    // Perfect geometry, as in the tests of six joints: on an arm of three metres a third of the usual tolerance is more than the effect.
+    let recipe = crate::recipe::planted(vec![(effect, 8.0)], n);
     data_set(arm, "arm", &recipe, &mut Rng::new(seed, 0)).unwrap()
 }
 

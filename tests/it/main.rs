@@ -47,6 +47,7 @@ mod plan;
 mod program;
 mod real;
 mod real_cell;
+mod recipe;
 mod shop;
 mod simulate;
 mod slow_noise;

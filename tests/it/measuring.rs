@@ -4,10 +4,8 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::data_set;
-use exam::poses::{Recorded, Spread};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
-use exam::truth::QuestionKind;
 use exam::virtual_robot::{Commanded, VirtualRobot};
 use metrology::diagnose::{
     Diagnosis, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
@@ -38,22 +36,7 @@ impl Cell {
 
     fn with(effects: Vec<(Effect, f64)>, n: usize, seed: u64) -> Self {
         let robot = SerialArm::built_in("irb140").unwrap();
-        let recorded = Recorded::NOTED;
-        let recipe = Recipe {
-            name: "cell".into(),
-            kind: QuestionKind::One,
-            effects,
-            n,
-            repeats: 0,
-            sigma_mm: 0.02,
-            stated_sigma_mm: Some(0.02),
-            spread: Spread::Wide,
-            recorded,
-            slowness: 0.0,
-            outliers: 0.0,
-            geometry: 0.0,
-            payloads_kg: [0.0, 5.0],
-        };
+        let recipe = Recipe { payloads_kg: [0.0, 5.0], ..crate::recipe::planted(effects, n) };
         let mut rng = Rng::new(seed, 0);
         let set = data_set(&robot, "irb140", &recipe, &mut rng).unwrap();
         let robot_under_test = VirtualRobot::from_truth(&robot, &set.truth);

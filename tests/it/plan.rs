@@ -3,10 +3,9 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::{data_set, planned_set};
-use exam::poses::{CommandedRow, Recorded, Spread};
+use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
-use exam::truth::QuestionKind;
 use metrology::diagnose::signature::{PlannedMeasurement, signatures};
 use metrology::diagnose::{Diagnosis, Options, diagnose};
 use metrology::measure::Measurements;
@@ -208,19 +207,10 @@ fn a_robot_without_room_is_told_so() {
 /// What is asked of both: an effect of the given joint, its poses' number.
 fn recipe(effect: Effect, rho: f64, n: usize) -> Recipe {
     Recipe {
-        name: "planned".into(),
-        kind: QuestionKind::One,
-        effects: vec![(effect, rho)],
-        n,
         repeats: n / 6,
-        sigma_mm: 0.02,
-        stated_sigma_mm: Some(0.02),
-        spread: Spread::Wide,
-        recorded: Recorded::NOTED,
-        slowness: 0.0,
-        outliers: 0.0,
         geometry: 0.5,
         payloads_kg: [0.0, 5.0],
+        ..crate::recipe::planted(vec![(effect, rho)], n)
     }
 }
 

@@ -3,10 +3,8 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::data_set;
-use exam::poses::{Recorded, Spread};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
-use exam::truth::QuestionKind;
 use robot_model::robot::Robot;
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -17,19 +15,10 @@ const SIGMA_MM: f64 = 0.02;
 /// A hundred noted rows with `effects`, their noise as much like the row's before as `slowness` says.
 fn rows(effects: Vec<(Effect, f64)>, slowness: f64, seed: u64) -> String {
     let recipe = Recipe {
-        name: "slow".into(),
-        kind: if effects.is_empty() { QuestionKind::None } else { QuestionKind::One },
-        effects,
-        n: 100,
-        repeats: 0,
         sigma_mm: SIGMA_MM,
         stated_sigma_mm: None,
-        spread: Spread::Wide,
-        recorded: Recorded::NOTED,
         slowness,
-        outliers: 0.0,
-        geometry: 0.0,
-        payloads_kg: [0.0, 3.0],
+        ..crate::recipe::planted(effects, 100)
     };
     let robot = Robot::built_in("irb140").unwrap();
     data_set(&(&robot).into(), "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap().csv

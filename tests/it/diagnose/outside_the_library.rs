@@ -3,7 +3,6 @@
 use super::{diagnose, file, noise, verdict};
 use exam::effect::Effect;
 use exam::generate::data_set;
-use exam::poses::{Recorded, Spread};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::truth::QuestionKind;
@@ -16,19 +15,10 @@ use std::f64::consts::FRAC_PI_2;
 /// The diagnosis of `n` noted rows with an effect outside the library, four times the noise.
 fn outside(effect: Effect, n: usize, seed: u64) -> Value {
     let recipe = Recipe {
-        name: "outside".into(),
         kind: QuestionKind::Outside,
-        effects: vec![(effect, 4.0)],
-        n,
-        repeats: 0,
         sigma_mm: 0.018,
         stated_sigma_mm: None,
-        spread: Spread::Wide,
-        recorded: Recorded::NOTED,
-        slowness: 0.0,
-        outliers: 0.0,
-        geometry: 0.0,
-        payloads_kg: [0.0, 3.0],
+        ..crate::recipe::planted(vec![(effect, 4.0)], n)
     };
     let robot = Robot::built_in("irb140").unwrap();
     let set = data_set(&(&robot).into(), "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();

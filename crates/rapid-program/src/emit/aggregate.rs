@@ -76,7 +76,7 @@ enum Plain {
     Other,
 }
 
-/// By the byte.
+/// Each byte's class in [`is_plain`]: a table, as this looks at every byte that is emitted or restored.
 const PLAIN: [Plain; 256] = {
     let mut all = [Plain::Other; 256];
     let mut byte = 0;

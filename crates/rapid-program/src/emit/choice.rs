@@ -59,14 +59,7 @@ impl ChoiceData {
             let mut column = MAX_LINE;
             for (n, mut part) in parts.into_iter().enumerate() {
                 part.extend_from_slice(if n < last { b"," } else { end });
-                if column + part.len() > MAX_LINE - 1 {
-                    out.extend_from_slice(style.eol);
-                    out.extend_from_slice(&style.indent);
-                    out.extend_from_slice(&style.unit);
-                    column = style.indent.len() + style.unit.len();
-                }
-                column += part.len();
-                out.extend_from_slice(&part);
+                style.push_part(out, &mut column, &part, MAX_LINE - 1);
                 value.extend_from_slice(&part);
             }
         }

@@ -56,14 +56,7 @@ impl CorrectionData {
                 write_correction(&mut text, one);
                 text.extend(b"]".repeat(close));
                 text.extend_from_slice(if k + 1 < self.values.len() { b"," } else { b"];" });
-                if column + text.len() > MAX_LINE / 2 {
-                    out.extend_from_slice(style.eol);
-                    out.extend_from_slice(&style.indent);
-                    out.extend_from_slice(&style.unit);
-                    column = style.indent.len() + style.unit.len();
-                }
-                column += text.len();
-                out.extend_from_slice(&text);
+                style.push_part(out, &mut column, &text, MAX_LINE / 2);
                 value.extend_from_slice(&text);
             }
             value.truncate(value.len().saturating_sub(1));

@@ -45,6 +45,19 @@ impl LayoutStyle {
         }
         out.extend_from_slice(self.eol);
     }
+
+    /// Appends a part of a value that may be continued on the next line, one level further in: there it goes where the line, `column`
+    /// bytes long so far, would be longer than `most` bytes with it.
+    pub fn push_part(&self, out: &mut Vec<u8>, column: &mut usize, part: &[u8], most: usize) {
+        if *column + part.len() > most {
+            out.extend_from_slice(self.eol);
+            out.extend_from_slice(&self.indent);
+            out.extend_from_slice(&self.unit);
+            *column = self.indent.len() + self.unit.len();
+        }
+        *column += part.len();
+        out.extend_from_slice(part);
+    }
 }
 
 /// The most frequent line end; LF where there is none.

@@ -68,14 +68,7 @@ impl RowHash {
         let mut column = style.indent.len();
         out.extend_from_slice(&style.indent);
         for part in format!("LOCAL CONST num {name}{{{}}}:={value};", all.len()).split_inclusive(',') {
-            if column + part.len() > MAX_LINE - 1 {
-                out.extend_from_slice(style.eol);
-                out.extend_from_slice(&style.indent);
-                out.extend_from_slice(&style.unit);
-                column = style.indent.len() + style.unit.len();
-            }
-            column += part.len();
-            out.extend_from_slice(part.as_bytes());
+            style.push_part(out, &mut column, part.as_bytes(), MAX_LINE - 1);
         }
         out.extend_from_slice(style.eol);
         check::of_numbers(value.as_bytes()).to_vec()

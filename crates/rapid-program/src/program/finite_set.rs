@@ -5,10 +5,10 @@
 //! A superset is enough: which of the values it is, run time tells. What may be changed in another way (in part, by an
 //! instruction, through a parameter, in a trap or a handler, by another task, by a name that is computed) has no such set.
 
-use super::alike::every_naming_statement;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies};
+use super::repeated_moves::every_naming_statement;
 use super::tracked::names_in;
 use super::value::Value;
 use super::writes::{How, match_arguments};

@@ -10,7 +10,6 @@ pub mod module_facts;
 pub mod motion;
 pub mod pgf;
 
-mod alike;
 mod built_in;
 mod cfg;
 mod const_eval;
@@ -39,6 +38,7 @@ mod predefined;
 mod read;
 mod read_as_data;
 mod record;
+mod repeated_moves;
 mod speed_override;
 mod state;
 mod target;

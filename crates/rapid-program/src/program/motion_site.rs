@@ -1,6 +1,5 @@
 //! Where motions, loops and routines stand in the text, before anything is known of their values.
 
-use super::alike::name_the_same;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
 use super::index::{Ctx, Index, RoutineIndex, bodies, every_statement, inner_bodies};
@@ -8,6 +7,7 @@ use super::instructions::{MoveForm, move_form};
 use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
+use super::repeated_moves::name_the_same;
 use super::value::Value;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::diagnostic::TextRange;

@@ -3,11 +3,11 @@
 //! Whatever such a value can go into at some time counts. Where it matters which value it is at one place, the walk along the ways
 //! narrows that down (`state`).
 
-use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, root_of};
 use super::handed::Handed;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies};
 use super::names::lower_case;
+use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::writes::match_arguments;
 use super::written_by::written_by_instruction;

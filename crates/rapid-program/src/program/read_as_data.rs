@@ -1,12 +1,12 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
-use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, value_of};
 use super::handed::Handed;
 use super::index::{Ctx, DatumId, Index, bodies};
 use super::instructions::move_form;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
+use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{Callee, Expr, RoutineKind, Stmt, StmtKind};

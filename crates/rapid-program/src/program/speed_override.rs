@@ -1,10 +1,10 @@
 //! How much slower than written a program may move: what its VelSet and SpeedRefresh say.
 
-use super::alike::every_naming_statement;
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::value_of;
 use super::index::bodies;
 use super::names::lower_case;
+use super::repeated_moves::every_naming_statement;
 use super::value::Value;
 use rapid_syntax::tree::{Callee, Expr, StmtKind};
 use robot_model::units::m_from_mm;

@@ -1,11 +1,11 @@
 //! Which data are tracked as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
-use super::alike::every_naming_statement;
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::flow::Slot;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, bodies};
 use super::motion_site::MotionSites;
+use super::repeated_moves::every_naming_statement;
 use super::writes::{Writes, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
 use std::collections::BTreeSet;

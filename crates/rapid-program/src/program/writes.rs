@@ -1,7 +1,6 @@
 //! Which data a program changes while it runs, and where: by assignment, whole or by component, by an
 //! instruction that writes its argument, or through a routine that writes its parameter.
 
-use super::alike::every_naming_statement;
 use super::built_in::is_built_in_function;
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex};
@@ -9,6 +8,7 @@ use super::instructions::move_form;
 use super::late_bound;
 use super::names::Sym;
 use super::other_tasks;
+use super::repeated_moves::every_naming_statement;
 use super::value;
 use super::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};

@@ -9,7 +9,7 @@ use super::configuration::{Configuration, Posture};
 use super::dispatch::on_widest;
 use super::eight_branches::{Branch, BranchOfEach, EightBranches};
 use super::lanes::LANES;
-use super::spare_chain::SpareChain;
+use super::sparse_chain::SparseChain;
 use super::structure::{Structure, StructureError};
 use crate::robot::Robot;
 use nalgebra::Isometry3;
@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 pub struct ClosedForm {
     pub(super) structure: Structure,
     pub(super) chain: Chain,
-    pub(super) proof: SpareChain,
+    pub(super) proof: SparseChain,
     ranges_rad: [Option<[f64; 2]>; 6],
 }
 
@@ -83,7 +83,7 @@ impl ClosedForm {
         let chain = Chain::nominal(robot);
         let structure = Structure::of(&chain)?;
         let ranges_rad = std::array::from_fn(|i| robot.joints[i].range_rad);
-        Ok(Self { structure, proof: SpareChain::of(&chain), chain, ranges_rad })
+        Ok(Self { structure, proof: SparseChain::of(&chain), chain, ranges_rad })
     }
 
     /// All joints within the ranges that reach the pose: every branch, every whole turn of every joint. A joint without a

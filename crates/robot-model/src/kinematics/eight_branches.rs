@@ -8,7 +8,7 @@ use super::dispatch::Kernel;
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::{self, Mat3, add, apply, dot, mul, small_rotation, sub, transpose};
 use super::solve::{RESIDUAL_M, RESIDUAL_RAD};
-use super::spare_chain::SpareChain;
+use super::sparse_chain::SparseChain;
 use super::structure::Structure;
 use std::f64::consts::{PI, TAU};
 
@@ -25,7 +25,7 @@ const ROUNDING: f64 = 1e-12;
 pub(super) struct EightBranches<'a> {
     pub(super) structure: &'a Structure,
     /// The same arm, by which every answer is proved.
-    pub(super) proof: &'a SpareChain,
+    pub(super) proof: &'a SparseChain,
     pub(super) goal: &'a Pose,
 }
 
@@ -42,7 +42,7 @@ impl Kernel for EightBranches<'_> {
 /// One way to reach each of eight poses.
 pub(super) struct BranchOfEach<'a> {
     pub(super) structure: &'a Structure,
-    pub(super) proof: &'a SpareChain,
+    pub(super) proof: &'a SparseChain,
     pub(super) goals: &'a Pose<Lanes>,
     pub(super) branch: Branch<Lanes>,
 }
@@ -87,7 +87,7 @@ impl Branch<Lanes> {
 
 impl<V: Wide> Branch<V> {
     #[inline(always)]
-    fn joints(&self, s: &Structure, proof: &SpareChain, goal: &Pose<V>) -> Branches {
+    fn joints(&self, s: &Structure, proof: &SparseChain, goal: &Pose<V>) -> Branches {
         let c = V::splat;
         let (one, zero) = (c(1.0), c(0.0));
         let canonical_from_base = matrix::splat_rows(&transpose(&s.base_from_canonical));

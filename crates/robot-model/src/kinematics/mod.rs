@@ -20,7 +20,7 @@ mod real;
 mod serial_chain;
 mod solve;
 mod solve_eight;
-mod spare_chain;
+mod sparse_chain;
 mod structure;
 mod wide_frames;
 

@@ -14,8 +14,8 @@ const MOST: u32 = 80;
 /// Stations for each half cycle.
 const STATIONS_PER_HALF: usize = 2;
 /// Half cycles to either side of a line that are its own, and those beyond that it is held against.
-const OWN: u32 = 2;
-const ROUND: u32 = 7;
+const MAIN_LOBE: u32 = 2;
+const NEIGHBOURHOOD: u32 = 7;
 /// A line stands out where chance would have it once in three hundred spectra (normal quantile, for some tens of lines).
 const STANDS_OUT: f64 = 3.7;
 /// In a larger set what comes back after hours is mostly the arm, which comes back too.
@@ -35,13 +35,14 @@ pub fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -
     let count = powers.len();
     let found = (0..count).filter(|&at| {
         let round: Vec<f64> = (0..count)
-            .filter(|other| (OWN + 1..=ROUND).contains(&(other.abs_diff(at) as u32)))
+            .filter(|other| (MAIN_LOBE + 1..=NEIGHBOURHOOD).contains(&(other.abs_diff(at) as u32)))
             .map(|other| powers[other])
             .collect();
         let mean = round.iter().sum::<f64>() / round.len().max(1) as f64;
         // Half cycles next to each other share half of what they see.
         let freedom = 3.0 * round.len() as f64;
-        let highest = powers.iter().skip(at.saturating_sub(OWN as usize)).take(2 * OWN as usize + 1);
+        let highest =
+            powers.iter().skip(at.saturating_sub(MAIN_LOBE as usize)).take(2 * MAIN_LOBE as usize + 1);
         freedom > 0.0
             && powers[at] >= highest.fold(0.0, |a: f64, b| a.max(*b))
             && powers[at] > variance_ratio(STANDS_OUT, 6.0, freedom) * mean

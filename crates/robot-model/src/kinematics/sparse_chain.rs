@@ -9,7 +9,7 @@ use super::real::Real;
 
 /// An arm of six joints with constant frames, as [`Chain`] to rounding.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct SpareChain {
+pub(super) struct SparseChain {
     /// Joint 1 at rest in the base.
     base_from_first: Pose,
     joints: [Joint; 6],
@@ -30,12 +30,12 @@ struct Joint {
 /// How the next axis is tilted about x.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Tilt {
-    /// Parallel.
+    /// By nothing: both axes are parallel.
     #[default]
     None,
-    /// A quarter turn.
+    /// By +90 deg: the new y is the old z.
     Right,
-    /// The other way.
+    /// By -90 deg: the new z is the old y.
     Left,
     /// By an angle of such a sine and cosine.
     By(f64, f64),
@@ -44,8 +44,8 @@ enum Tilt {
 /// Rounding of a right angle.
 const ROUNDING: f64 = 1e-15;
 
-impl SpareChain {
-    /// The same arm.
+impl SparseChain {
+    /// The arm of `chain`: rotations are split into turns about z, x and z, and those about z go to the joints before and behind.
     pub(super) fn of(chain: &Chain) -> Self {
         let [first, behind @ ..] = &chain.steps;
         let mut joints = [Joint::default(); 6];
@@ -82,7 +82,7 @@ impl SpareChain {
 }
 
 impl<T: Real> Walk<T> {
-    /// Along one of its axes.
+    /// Moves the frame along its own axis number `axis` (0 = x) by `by_m`.
     #[inline(always)]
     fn shift(&mut self, axis: usize, by_m: f64) {
         let Pose { rotation, position_m } = &mut self.0;
@@ -91,7 +91,7 @@ impl<T: Real> Walk<T> {
         }
     }
 
-    /// About x.
+    /// Turns the frame about its own x axis.
     #[inline(always)]
     fn tilt(&mut self, tilt: Tilt) {
         for row in &mut self.0.rotation {
@@ -152,13 +152,13 @@ mod tests {
                 let chain = frames.chain(&FrameOffsets(std::array::from_fn(|i| {
                     std::array::from_fn(|j| offsets(6 * i + j))
                 })));
-                let spare = SpareChain::of(&chain);
+                let sparse = SparseChain::of(&chain);
                 let is_right = |joint: &Joint| !matches!(joint.tilt, Tilt::By(..));
-                right_angles += usize::from(size == 0.0 && spare.joints.iter().all(is_right));
+                right_angles += usize::from(size == 0.0 && sparse.joints.iter().all(is_right));
                 for n in 0..100 {
                     let q_rad: [f64; 6] =
                         std::array::from_fn(|j| 4.0 * (f64::from(n) * 1.3 + (j * j) as f64).sin());
-                    let off = chain.pose(&q_rad).twist_from(&spare.pose(&q_rad));
+                    let off = chain.pose(&q_rad).twist_from(&sparse.pose(&q_rad));
                     let off = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
                     assert!(off < 1e-14, "{name} {size} {q_rad:?}: {off:e}");
                 }
