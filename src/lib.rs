@@ -59,7 +59,7 @@ pub mod command_line {
 }
 
 pub use application::{
-    Arm, Compensated, Compensation, Course, Diagnosed, Diagnosis, Fit, Named, ProgramFiles, Question,
+    Arm, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Named, ProgramFiles, Question,
     Refusal, Rehearsal, Simulation,
 };
 pub use metrology::measure::{Measurements, Touches};

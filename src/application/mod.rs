@@ -7,6 +7,7 @@ mod calibration;
 mod compensated;
 mod compensation;
 mod diagnosis;
+mod exam;
 mod fit;
 #[cfg(feature = "link")]
 mod link_check;
@@ -15,13 +16,14 @@ mod named;
 mod own_data;
 mod page;
 mod program_files;
-mod question;
+
 #[cfg(feature = "mcap")]
 mod recording;
 mod rehearsal;
 mod simulation;
 mod touch;
 
+pub use self::exam::{Exam, Question, Scored};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use compensated::{Compensated, Refusal, write_file_diff};
@@ -34,7 +36,7 @@ pub use named::{Named, model_of_another_robot, sha256};
 #[cfg(feature = "link")]
 pub use own_data::{OwnData, is_own_name};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
-pub use question::Question;
+
 pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};
 pub use simulation::{Course, Simulation};
 pub use touch::TouchRequest;

@@ -7,6 +7,7 @@ use driftpost::report::plan as report;
 use metrology::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::Axis;
 use robot_model::units::{m_from_mm, rad_from_deg};
 use std::io::Write;
 use std::path::PathBuf;
@@ -98,8 +99,8 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let options = options(args)?;
-    if let Some(joint) = options.sweeps.joints.iter().find(|joint| **joint >= robot.joints.len()) {
-        let text = format!("--sweep {}: {} has {} joints", joint + 1, robot.name, robot.joints.len());
+    if let Some(joint) = options.sweeps.joints.iter().find(|joint| joint.index() >= robot.joints.len()) {
+        let text = format!("--sweep {joint}: {} has {} joints", robot.name, robot.joints.len());
         return Err(Diagnostic::error("option::range", text).into());
     }
     let six_axis =
@@ -155,7 +156,8 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
     let mut payloads_kg = args.payloads_kg.clone();
     payloads_kg.sort_by(f64::total_cmp);
     payloads_kg.dedup();
-    let mut sweep: Vec<usize> = args.sweep.iter().map(|j| *j as usize - 1).collect();
+    let mut sweep: Vec<Axis> =
+        args.sweep.iter().filter_map(|number| Axis::numbered(*number as usize)).collect();
     sweep.sort_unstable();
     sweep.dedup();
     Ok(PlanOptions {

@@ -5,7 +5,7 @@ use super::number::positive;
 use metrology::diagnose;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::{Robot, SerialArm};
+use robot_model::robot::{Axis, Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 
 /// The robot, by name, file or backup.
@@ -79,7 +79,7 @@ impl JointAngles {
                 let [q, from, to] = [*q_rad, from, to].map(deg_from_rad);
                 let text = format!(
                     "--start-joints: joint {} at {q:.1} deg is outside its range {from:.1} to {to:.1} deg",
-                    axis + 1
+                    Axis::at(axis)
                 );
                 let help =
                     format!("give the joints in degrees, and the robot with --robot (it is {})", robot.name);

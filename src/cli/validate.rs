@@ -127,7 +127,7 @@ fn summarise(to: &mut dyn Write, found: &Validation) -> std::io::Result<()> {
             part.nominal.max_mm
         )?;
     }
-    for [joint, n] in &found.joints_outside {
+    for (joint, n) in &found.joints_outside {
         writeln!(to, "joint {joint} leaves the range the model was found in at {}", counted(*n, "pose"))?;
     }
     Ok(())

@@ -4,7 +4,7 @@ use super::cause_rows::{number, percent, plainly, rows};
 use super::counted;
 use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
 use robot_model::deform::EffectKind;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::deg_from_rad;
 
 /// More causes than this are counted, not listed: a gear has dozens of lines.
@@ -282,7 +282,7 @@ fn limits(page: &mut String, d: &Diagnosis) {
     line(page, "");
     line(page, "What these data cannot tell");
     for entry in &d.untestable_detail {
-        let joints: Vec<String> = entry.joints.iter().map(usize::to_string).collect();
+        let joints: Vec<String> = entry.joints.iter().map(Axis::to_string).collect();
         let of = if joints.is_empty() {
             String::new()
         } else {

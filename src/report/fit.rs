@@ -4,6 +4,7 @@ use super::counted;
 use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -186,7 +187,7 @@ pub fn table_csv(w: &WarmUp) -> String {
     let mut out = String::from("t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n");
     for t_min in minutes(w) {
         for (joint, row) in deformation.offsets_at(t_min).0.iter().take(6).enumerate() {
-            let _ = write!(out, "{t_min:.3},{}", joint + 1);
+            let _ = write!(out, "{t_min:.3},{}", Axis::at(joint));
             for (k, value) in row.iter().enumerate() {
                 let _ = write!(out, ",{:.8}", unit(k).1(*value));
             }

@@ -4,6 +4,7 @@ use nalgebra::{Isometry3, Vector3};
 use rapid_program::emit::{write_num, write_orient, write_pos};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
 
@@ -59,10 +60,10 @@ pub const WARNING: [&str; 6] = [
 
 /// An axis and by how much it stands further than the controller shows, with sigma, radians.
 #[must_use]
-pub fn axis_offsets(model: &Identified) -> Vec<(usize, f64, Option<f64>)> {
+pub fn axis_offsets(model: &Identified) -> Vec<(Axis, f64, Option<f64>)> {
     let of = |t: &robot_model::deform::identified::Term| {
         let value = t.values.first()?;
-        Some((t.joint? + 1, value.value, value.sigma))
+        Some((t.joint?, value.value, value.sigma))
     };
     model.terms.iter().filter(|t| t.kind == EffectKind::JointOffset).filter_map(of).collect()
 }

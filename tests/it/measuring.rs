@@ -12,7 +12,7 @@ use metrology::diagnose::{
 };
 use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use std::fmt::Write as _;
 use std::fs;
 
@@ -111,7 +111,13 @@ fn answer(csv: &str) -> Diagnosis {
 fn assert_found(found: &Diagnosis, effect: &str, joint: usize) {
     let first = found.causes.first().map(|c| (c.effect.name(), c.joint));
     let summary: Vec<_> = found.causes.iter().map(|c| (c.effect, c.joint, c.posterior)).collect();
-    assert_eq!(first, Some((effect, Some(joint))), "{:?} {} {summary:?}", found.verdict, found.reason);
+    assert_eq!(
+        first,
+        Some((effect, Axis::numbered(joint))),
+        "{:?} {} {summary:?}",
+        found.verdict,
+        found.reason
+    );
     assert_eq!(found.verdict, Verdict::Explained, "{} {summary:?}", found.reason);
 }
 
@@ -185,7 +191,12 @@ fn fixed_points_touched_again_need_no_tracker() {
     // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape,
     // which no robot file knows better than to a tenth. Nothing else may stand beside the gear.
     let named: Vec<_> = found.causes.iter().map(|c| (c.effect.name(), c.joint)).collect();
-    assert_eq!(named, [("joint_compliance", Some(2)), ("link_bending", Some(1))], "{}", found.reason);
+    assert_eq!(
+        named,
+        [("joint_compliance", Axis::numbered(2)), ("link_bending", Axis::numbered(1))],
+        "{}",
+        found.reason
+    );
     assert_eq!(found.verdict, Verdict::Ambiguous, "{}", found.reason);
     assert!(found.causes[0].posterior > 0.9, "{:?}", found.causes);
 }

@@ -14,7 +14,7 @@ use metrology::diagnose::{self, NextMeasurement, Options, Verdict};
 use metrology::measure::Measurements;
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Axis, Joints, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
 
 /// Open sets that are gone on with.
@@ -63,7 +63,7 @@ fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Diag
 fn right(truth: &Truth, cause: &diagnose::Cause) -> bool {
     truth.effects.iter().any(|put| {
         put.effect.name() == Some(cause.effect.name())
-            && put.effect.joint().is_none_or(|j| cause.joint == Some(j))
+            && put.effect.joint().is_none_or(|j| cause.joint == Axis::numbered(j))
     })
 }
 

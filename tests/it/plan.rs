@@ -15,7 +15,7 @@ use metrology::plan::{
 use nalgebra::{DMatrix, DVector, Vector3};
 use rayon::prelude::*;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use virtual_controller::Controller;
 
 fn options(n: usize, repeats: usize) -> PlanOptions {
@@ -165,7 +165,7 @@ fn separation_is_what_a_regression_leaves() {
 fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
     let robot = SerialArm::built_in("irb140").unwrap();
     let plain = plan_from(&robot, &options(24, 0), 120, 0).unwrap();
-    let sweeps = Sweeps { joints: vec![1, 2], n: 40, step_rad: 0.5_f64.to_radians() };
+    let sweeps = Sweeps { joints: vec![Axis::at(1), Axis::at(2)], n: 40, step_rad: 0.5_f64.to_radians() };
     let swept = plan_from(&robot, &PlanOptions { sweeps, ..options(24, 0) }, 120, 0).unwrap();
     let (before, after) = (arm_steps(&plain), arm_steps(&swept));
     assert_eq!(before[..], after[..24]);
@@ -182,7 +182,7 @@ fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
         assert!(rows.iter().all(|row| robot.is_within_range(&row.q_rad)));
     }
     let lines = |plan: &MeasurementPlan, joint: usize| {
-        plan.outlook.lines.iter().find(|l| l.joint == joint).cloned().unwrap()
+        plan.outlook.lines.iter().find(|l| Some(l.joint) == Axis::numbered(joint)).cloned().unwrap()
     };
     for joint in [2, 3] {
         let (without, with) = (lines(&plain, joint), lines(&swept, joint));
@@ -190,7 +190,7 @@ fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
         assert!(with.sigma < 0.8 * without.sigma, "{} {}", with.sigma, without.sigma);
         assert!(with.told_apart >= without.told_apart, "{} {}", with.told_apart, without.told_apart);
     }
-    let far = Sweeps { joints: vec![4], n: 500, step_rad: 1.0 };
+    let far = Sweeps { joints: vec![Axis::at(4)], n: 500, step_rad: 1.0 };
     let refused = plan_from(&robot, &PlanOptions { sweeps: far, ..options(24, 0) }, 60, 0);
     assert_eq!(refused.unwrap_err().to_string().split(" cannot").next(), Some("joint 5"));
 }
@@ -216,7 +216,8 @@ fn recipe(effect: Effect, rho: f64, n: usize) -> Recipe {
 
 fn right(found: &Diagnosis, effect: &Effect) -> bool {
     found.causes.first().is_some_and(|c| {
-        Some(c.effect.name()) == effect.name() && (effect.joint().is_none() || c.joint == effect.joint())
+        Some(c.effect.name()) == effect.name()
+            && (effect.joint().is_none() || c.joint == effect.joint().and_then(Axis::numbered))
     })
 }
 

@@ -468,8 +468,8 @@ impl Arm {
 /// A joint that stands over the border of the quadrant that confdata name, by too little to be another configuration.
 /// What a real controller does there is not published; one that takes quadrants to the letter stops.
 fn beyond_border(conf: &Configuration, q_rad: &[f64; 6]) -> Option<String> {
-    [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
-        let q_rad = q_rad[axis - 1];
+    conf.quadrants().into_iter().find_map(|(axis, quadrant)| {
+        let q_rad = q_rad[axis.index()];
         (outside_quadrant_rad(q_rad, quadrant) > 0.0).then(|| {
             format!(
                 "axis {axis} stands at {:.4} deg, over the border of the quadrant that cf{axis} = {quadrant} names: a controller that takes \

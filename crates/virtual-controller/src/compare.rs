@@ -6,6 +6,7 @@ use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::counted;
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm};
+use robot_model::robot::Axis;
 use robot_model::units::deg_from_rad;
 
 /// Samples between start and end of a path.
@@ -43,8 +44,8 @@ pub enum Mismatch {
         line: u32,
         /// The target as it is written.
         target: String,
-        /// Number of the joint, from 1.
-        joint: usize,
+        /// Which joint.
+        joint: Axis,
         /// How far apart they are, degrees.
         deg: f64,
     },
@@ -115,7 +116,7 @@ impl Evaluator<'_> {
             file: executed.at.file.clone(),
             line: executed.at.line,
             target: executed.target.clone(),
-            joint: joint + 1,
+            joint: Axis::at(joint),
             deg,
         })
     }

@@ -7,12 +7,12 @@ use robot_model::deform::identified::{Growth, Identified, Term, ThermalState, Va
 use robot_model::deform::{Conditions, DeformedArm, Payload};
 use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::Robot;
+use robot_model::robot::{Axis, Robot};
 use std::sync::Arc;
 
 fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
     let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
-    Term::plain(kind, joint, values)
+    Term::plain(kind, joint.map(Axis::at), values)
 }
 
 /// How far the corrected arm stands from the program with an identified model on top of the paper's table, settled half.
@@ -65,7 +65,7 @@ fn offsets() -> Vec<Term> {
 }
 
 fn gains() -> Vec<Term> {
-    let coupled = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[2e-4]) };
+    let coupled = Term { joint_b: Some(Axis::at(5)), ..term(EffectKind::JointCoupling, Some(4), &[2e-4]) };
     vec![term(EffectKind::JointGain, Some(0), &[2e-4]), coupled]
 }
 

@@ -10,6 +10,7 @@ use rapid_program::compensate::FormChoice;
 use robot_model::deform::identified::{Growth, Identified, Term, ThermalState, Value};
 use robot_model::deform::{Conditions, DeformedArm, EffectKind, GrowthLaw};
 use robot_model::kinematics::{ClosedForm, FrameOffsets};
+use robot_model::robot::Axis;
 use std::sync::Arc;
 use virtual_controller::TrueRobot;
 
@@ -17,7 +18,7 @@ const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
 
 fn term(kind: EffectKind, joint: Option<usize>, growth: Growth, values: &[f64]) -> Term {
     let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
-    Term { growth, ..Term::plain(kind, joint, values) }
+    Term { growth, ..Term::plain(kind, joint.map(Axis::at), values) }
 }
 
 /// Zeros, geometry and gravity that are there cold, and links and a joint that drift so many times as far as they should.

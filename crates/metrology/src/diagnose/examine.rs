@@ -350,7 +350,7 @@ fn visible(
             continue;
         }
         let effect = candidate.kind;
-        let joint = candidate.variant.joint.map(|j| j + 1);
+        let joint = candidate.variant.joint;
         let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
         match hidden.iter_mut().find(|h| h.effect == effect) {
             Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
@@ -368,7 +368,7 @@ fn detectable(model: &Model, workspace: &Workspace<'_>) -> Vec<Detectable> {
     let mut seen: Vec<Detectable> = Vec::new();
     for (candidate, products) in workspace.library.candidates.iter().zip(&workspace.library.products) {
         let effect = candidate.effect();
-        let joint = candidate.variant.joint.map(|j| j + 1);
+        let joint = candidate.variant.joint;
         let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
         if known || candidate.variant.joint_b.is_some() {
             continue;

@@ -9,6 +9,7 @@ use super::model::{Model, median};
 use super::outcome::FalseRow;
 use crate::measure::{Measurements, Reading, Stations};
 use nalgebra::Vector3;
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// A likeness leaves at most this share of the distance.
@@ -114,7 +115,7 @@ fn likeness(stations: &Stations, linear: &Linearised, left: &Twist, i: usize) ->
         let fits = (place - v * angle).norm() < limit_m && angle.abs() < 0.5;
         fits.then(|| {
             let elsewhere =
-                format!("as if joint {} had stood {:+.4} deg elsewhere", j + 1, deg_from_rad(angle));
+                format!("as if joint {} had stood {:+.4} deg elsewhere", Axis::at(j), deg_from_rad(angle));
             format!("{elsewhere}: an angle typed wrong?")
         })
     })

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Identified, Term, Value};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{JointKind, SerialArm};
+use robot_model::robot::{Axis, JointKind, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
 
 /// One line of a gear: the joint turns by its size times a sine of `n` periods a turn.
@@ -24,8 +24,8 @@ pub struct GearLine {
 /// All lines of one joint's gear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSpectrum {
-    /// Joint that it turns with, from 1.
-    pub joint: usize,
+    /// Joint that it turns with.
+    pub joint: Axis,
     /// How far the measured points stand from the joint's axis, rms over the rows, metres: a turn of one radian moves the tool so far.
     pub lever_m: f64,
     /// Lines by their periods per turn, ascending.
@@ -44,12 +44,12 @@ pub fn gear_spectra(
     (0..robot.joints.len())
         .filter(|&j| turns(j))
         .filter_map(|j| {
-            let of_joint = model.terms.iter().filter(|term| term.joint == Some(j));
+            let of_joint = model.terms.iter().filter(|term| term.joint == Some(Axis::at(j)));
             let mut lines: Vec<GearLine> =
                 of_joint.flat_map(|term| lines_of(term, is_named(term, causes))).collect();
             lines.sort_by_key(|line| line.n);
             (!lines.is_empty()).then(|| GearSpectrum {
-                joint: j + 1,
+                joint: Axis::at(j),
                 lever_m: lever_m(robot, j, rows),
                 lines,
             })
@@ -59,7 +59,7 @@ pub fn gear_spectra(
 
 fn is_named(term: &Term, causes: &[Cause]) -> bool {
     let same_line = |cause: &Cause| term.kind != EffectKind::GearMesh || cause.n == term.n;
-    let same_joint = |cause: &Cause| cause.joint == term.joint.map(|j| j + 1);
+    let same_joint = |cause: &Cause| cause.joint == term.joint;
     causes.iter().any(|cause| cause.effect == term.kind && same_joint(cause) && same_line(cause))
 }
 
@@ -116,7 +116,7 @@ mod tests {
 
     fn term(kind: EffectKind, n: Option<u32>, values: &[(f64, f64)]) -> Term {
         let values = values.iter().map(|&(value, sigma)| Value { value, sigma: Some(sigma) });
-        Term { n, ..Term::plain(kind, Some(0), values.collect()) }
+        Term { n, ..Term::plain(kind, Some(Axis::at(0)), values.collect()) }
     }
 
     /// An amplitude is the hypotenuse of its sine and cosine (3, 4, 5); the lever about joint 1 the distance from the vertical axis.
@@ -147,10 +147,10 @@ mod tests {
         let rows =
             [row([300.0, 400.0, 900.0], false), row([0.0, -700.0, 0.0], false), row([9e3, 0.0, 0.0], true)];
         let robot = Robot::built_in("irb140").unwrap();
-        let cause = |effect, n| Cause { joint: Some(1), n, ..Cause::of(effect, 1.0) };
+        let cause = |effect, n| Cause { joint: Some(Axis::at(0)), n, ..Cause::of(effect, 1.0) };
         let causes = [cause(EffectKind::GearMesh, Some(18)), cause(EffectKind::GearEccentricity, Some(1))];
         let [found] = gear_spectra(&model, &causes, &(&robot).into(), &rows).try_into().unwrap();
-        assert_eq!(found.joint, 1);
+        assert_eq!(found.joint, Axis::at(0));
         assert!((found.lever_m - ((0.25_f64 + 0.49) / 2.0).sqrt()).abs() < 1e-12, "{}", found.lever_m);
         let line = |n, size_rad, sigma_rad, is_named| (n, size_rad, sigma_rad, is_named);
         let wanted = [

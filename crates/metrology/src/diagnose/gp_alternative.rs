@@ -8,20 +8,21 @@ use super::design::{Design, side_by_side};
 use super::gp_features::{bumps, compress, farthest_points};
 use super::gp_over_time::{cycle_columns, hidden_load_columns};
 use nalgebra::{DMatrix, Matrix3, Vector3};
+use robot_model::robot::Axis;
 
 /// Structure of no named cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GpAlternative {
     /// Some function of one joint's angle turns that joint.
-    Joint(usize),
+    Joint(Axis),
     /// The same with finer detail.
-    JointFine(usize),
+    JointFine(Axis),
     /// Some function of all joints' angles turns one joint.
-    Joints(usize),
+    Joints(Axis),
     /// Some function of the first two joints' angles turns the third.
-    Pair(usize, usize, usize),
+    Pair(Axis, Axis, Axis),
     /// Some function of the first joint's angle turns the second.
-    Driven(usize, usize),
+    Driven(Axis, Axis),
     /// Some function of each joint's own angle turns it, for all joints.
     AllJoints,
     /// A shift by place in the workspace.
@@ -44,15 +45,15 @@ pub enum GpAlternative {
     /// A shift of the target on the flange over time.
     ToolTime,
     /// A joint that turns slowly over time.
-    JointTime(usize),
+    JointTime(Axis),
     /// What the arm gives under a load that comes and goes and is not recorded.
     HiddenLoad,
     /// A shift to and fro, so many half cycles over the measurement: an air conditioning's, a cooler's.
     Cycle(u32),
     /// A function of one joint's angle that repeats so many times per turn, of any shape: teeth, scratches.
-    Periodic(usize, u32),
+    Periodic(Axis, u32),
     /// The same, its second half the first turned over: even steps.
-    SquareWave(usize, u32),
+    SquareWave(Axis, u32),
     /// The cause in this place of the model, growing or fading over the measurement.
     TimeVaryingCause(usize),
 }
@@ -81,19 +82,20 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
         (GpAlternative::WorkspaceFine, 1.0),
         (GpAlternative::AllJoints, 1.0),
     ];
-    for j in 0..joints {
+    let axes = || (0..joints).map(Axis::at);
+    for j in axes() {
         all.extend([
             (GpAlternative::Joint(j), 0.5),
             (GpAlternative::JointFine(j), 0.5),
             (GpAlternative::Joints(j), 0.5),
         ]);
     }
-    for a in 0..joints {
-        all.extend((0..joints).filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
+    for a in axes() {
+        all.extend(axes().filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
     }
-    for a in 0..joints {
-        for b in a + 1..joints {
-            all.extend((0..joints).map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
+    for a in axes() {
+        for b in axes().filter(|&b| b > a) {
+            all.extend(axes().map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
         }
     }
     all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
@@ -107,7 +109,7 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
     }
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([(GpAlternative::Time, 2.0), (GpAlternative::TimeFine, 1.0), (GpAlternative::ToolTime, 1.0)]);
-    all.extend((0..joints).map(|j| (GpAlternative::JointTime(j), 0.5)));
+    all.extend(axes().map(|j| (GpAlternative::JointTime(j), 0.5)));
     let total: f64 = all.iter().map(|k| k.1).sum();
     all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
 }
@@ -120,7 +122,7 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         GpAlternative::JointFine(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[1]),
         GpAlternative::Driven(a, b) => joint_columns(design, dataset, &[(a, b)], JOINT_RAD[0]),
         GpAlternative::AllJoints => {
-            let each: Vec<(usize, usize)> = (0..dataset.joints()).map(|j| (j, j)).collect();
+            let each: Vec<(Axis, Axis)> = (0..dataset.joints()).map(|j| (Axis::at(j), Axis::at(j))).collect();
             joint_columns(design, dataset, &each, JOINT_RAD[0])
         }
         GpAlternative::Joints(j) => {
@@ -131,7 +133,9 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
             let features = |observation: &Observation| bumps(&at(observation), &centres, JOINTS_RAD);
             compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 out.extend(
-                    features(observation).into_iter().map(|f| scaled(observation.jacobian_column(j), f)),
+                    features(observation)
+                        .into_iter()
+                        .map(|f| scaled(observation.jacobian_column(j.index()), f)),
                 );
             }))
         }
@@ -163,11 +167,14 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
             out.extend(axes.map(|a| [side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0]));
         })),
         GpAlternative::Pair(a, b, j) => {
-            let at = |observation: &Observation| vec![observation.as_angle(a), observation.as_angle(b)];
+            let at = |observation: &Observation| {
+                vec![observation.as_angle(a.index()), observation.as_angle(b.index())]
+            };
             let centres = farthest_points(dataset, at, 25);
             let features = compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 let features = bumps(&at(observation), &centres, PAIR_RAD);
-                out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
+                let turn = observation.jacobian_column(j.index());
+                out.extend(features.into_iter().map(|f| scaled(turn, f)));
             }));
             let most = features.ncols().min(MOST_OF_PAIR);
             features.resize_horizontally(most, 0.0)
@@ -194,7 +201,8 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
             let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
             compress(&design.stack(dataset, centres.len(), |_, observation, out| {
                 let features = bumps(&[dataset.progress(observation)], &centres, TIME_SHARE[0]);
-                out.extend(features.into_iter().map(|f| scaled(observation.jacobian_column(j), f)));
+                let turn = observation.jacobian_column(j.index());
+                out.extend(features.into_iter().map(|f| scaled(turn, f)));
             }))
         }
         GpAlternative::HiddenLoad => hidden_load_columns(design, dataset, TIME_SHARE[1]),
@@ -210,16 +218,14 @@ const OVERTONES: u32 = 16;
 const PERIODIC_RAD: f64 = 1e-4;
 
 /// Every `stride`-th overtone of n periods per turn. Steps and teeth: the k-th has 1/k of the first's size.
-fn periodic_columns(design: &Design, dataset: &Dataset, j: usize, n: u32, stride: usize) -> DMatrix<f64> {
+fn periodic_columns(design: &Design, dataset: &Dataset, axis: Axis, n: u32, stride: usize) -> DMatrix<f64> {
     let overtones = || (1..=OVERTONES).step_by(stride);
     design.stack(dataset, 2 * overtones().count(), |_, observation, out| {
         for k in overtones() {
             let size_rad = PERIODIC_RAD / f64::from(k);
-            let (sin, cos) = (f64::from(k * n) * observation.as_angle(j)).sin_cos();
-            out.extend([
-                scaled(observation.jacobian_column(j), size_rad * sin),
-                scaled(observation.jacobian_column(j), size_rad * cos),
-            ]);
+            let (sin, cos) = (f64::from(k * n) * observation.as_angle(axis.index())).sin_cos();
+            let turn = observation.jacobian_column(axis.index());
+            out.extend([scaled(turn, size_rad * sin), scaled(turn, size_rad * cos)]);
         }
     })
 }
@@ -232,11 +238,11 @@ fn position(observation: &Observation) -> Vec<f64> {
 fn joint_columns(
     design: &Design,
     dataset: &Dataset,
-    pairs: &[(usize, usize)],
+    pairs: &[(Axis, Axis)],
     length_rad: f64,
 ) -> DMatrix<f64> {
     let mut all = Vec::new();
-    for &(j, turned) in pairs {
+    for (j, turned) in pairs.iter().map(|(by, turned)| (by.index(), turned.index())) {
         let values = dataset.observations.iter().map(|s| s.as_angle(j));
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);

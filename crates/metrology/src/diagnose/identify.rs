@@ -177,7 +177,7 @@ fn plausible(
     model: &Model,
 ) -> Result<(), NoModel> {
     let name = |term: &Term| {
-        let joint = term.joint.map_or_else(String::new, |joint| format!(" of joint {}", joint + 1));
+        let joint = term.joint.map_or_else(String::new, |joint| format!(" of joint {joint}"));
         format!("{}{joint}", term.kind)
     };
     for term in identified.terms.iter().filter(|term| term.cause) {

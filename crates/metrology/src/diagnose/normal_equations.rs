@@ -9,6 +9,7 @@ use super::design::{Design, Visits, Whitening};
 use super::effects::Candidate;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
+use robot_model::robot::Axis;
 use std::ops::Range;
 
 /// Lines of a gear are counted in these, radians.
@@ -24,8 +25,8 @@ pub struct ModelColumns<'a> {
     pub targets: usize,
     /// Causes that are no lines of a spectrum.
     pub causes: Vec<&'a Candidate>,
-    /// Joints, from 0, with the periods per turn of their spectra.
-    pub lines: Vec<(usize, Vec<u32>)>,
+    /// Joints with the periods per turn of their spectra.
+    pub lines: Vec<(Axis, Vec<u32>)>,
 }
 
 /// Sums over some stations.
@@ -121,13 +122,13 @@ impl ModelColumns<'_> {
                 weighted(*twist).enumerate().for_each(|(k, v)| rows.plain[(row * d + k, column)] = v);
             }
             for (column, (joint, _)) in self.lines.iter().enumerate() {
-                let turn = scaled(observation.jacobian_column(*joint), LINE_RAD);
+                let turn = scaled(observation.jacobian_column(joint.index()), LINE_RAD);
                 weighted(turn).enumerate().for_each(|(k, v)| rows.turns[(row * d + k, column)] = v);
             }
             weighted(residuals[i]).enumerate().for_each(|(k, v)| rows.data[row * d + k] = v);
             for (angles, (joint, all)) in rows.angles.iter_mut().zip(&self.lines) {
                 for (k, n) in all.iter().enumerate() {
-                    let (sin, cos) = (f64::from(*n) * observation.q_rad[*joint]).sin_cos();
+                    let (sin, cos) = (f64::from(*n) * observation.q_rad[joint.index()]).sin_cos();
                     (angles[(row, 2 * k)], angles[(row, 2 * k + 1)]) = (sin, cos);
                 }
             }
@@ -299,7 +300,7 @@ mod tests {
             whitening: &whitening,
             targets: 1,
             causes: Vec::new(),
-            lines: vec![(1, vec![3, 7]), (2, vec![5])],
+            lines: vec![(Axis::at(1), vec![3, 7]), (Axis::at(2), vec![5])],
         };
         let residuals: Vec<Twist> = dataset
             .observations

@@ -4,7 +4,7 @@ use super::effects;
 use crate::measure::Fault;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
-use robot_model::robot::Joints;
+use robot_model::robot::{Axis, Joints};
 use serde::Serialize;
 
 /// The answer in one word.
@@ -54,10 +54,10 @@ impl Verdict {
 pub struct Cause {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link, from 1.
-    pub joint: Option<usize>,
-    /// Driven joint, from 1.
-    pub joint_b: Option<usize>,
+    /// Joint or link.
+    pub joint: Option<Axis>,
+    /// Driven joint.
+    pub joint_b: Option<Axis>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
     /// When a step happened; `None` where the file has no times.
@@ -125,8 +125,8 @@ impl Cause {
 /// Where the gap lies.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Location {
-    /// Joint or link, counted from 1.
-    pub joint: Option<usize>,
+    /// Joint or link.
+    pub joint: Option<Axis>,
     /// constant, drift or step.
     pub time: Option<&'static str>,
     /// Where in the workspace (robot's base) it is largest.
@@ -213,8 +213,8 @@ pub struct NextStep {
 pub struct Untestable {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joints, from 1; empty = the whole effect.
-    pub joints: Vec<usize>,
+    /// Joints; empty = the whole effect.
+    pub joints: Vec<Axis>,
     /// Why these data cannot show it.
     pub reason: String,
 }
@@ -224,8 +224,8 @@ pub struct Untestable {
 pub struct Detectable {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link, from 1.
-    pub joint: Option<usize>,
+    /// Joint or link.
+    pub joint: Option<Axis>,
     /// Smallest size that would have passed the alarm.
     pub size: f64,
     /// Unit of that size.
@@ -274,8 +274,8 @@ pub struct RowResidual {
 /// A joint's zero, where zeros were all that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct JointZero {
-    /// Joint or axis, counted from 1.
-    pub joint: usize,
+    /// Joint or axis.
+    pub joint: Axis,
     /// By how much it would be off.
     pub offset_rad: f64,
 }

@@ -7,12 +7,13 @@ use super::dataset::{Dataset, Twist};
 use super::linearise::shift_m;
 use super::marginal::{NoisePrior, log_sum};
 use nalgebra::Vector3;
+use robot_model::robot::Axis;
 
 /// Scatter of a joint, seen through the residuals of the best model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointScatter {
-    /// Joint, counted from 0.
-    pub joint: usize,
+    /// Which joint.
+    pub joint: Axis,
     /// How much likelier than scatter that is alike in all directions, nats, over all joints.
     pub gain_nats: f64,
     /// Its rms at the measured point, metres.
@@ -79,7 +80,7 @@ pub fn along_joints(
     }
     let best = tried.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let total = log_sum(tried.iter().map(|t| t.1)) - (tried.len() as f64).ln();
-    Some(JointScatter { joint: best.0, gain_nats: total, rms_m: best.2 })
+    Some(JointScatter { joint: Axis::at(best.0), gain_nats: total, rms_m: best.2 })
 }
 
 fn weights_of(kept: &[usize], weights: &[f64]) -> f64 {

@@ -6,7 +6,7 @@ use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Axis, Joints, SerialArm};
 use std::collections::BTreeSet;
 
 /// A measurement that could be taken.
@@ -29,10 +29,10 @@ pub struct PlannedMeasurement {
 pub struct Signature {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link, from 1.
-    pub joint: Option<usize>,
-    /// The joint that is driven, from 1.
-    pub joint_b: Option<usize>,
+    /// Joint or link.
+    pub joint: Option<Axis>,
+    /// The joint that is driven.
+    pub joint_b: Option<Axis>,
     /// Whether it changes with time.
     pub in_time: bool,
     /// Unit of its size.
@@ -121,8 +121,8 @@ pub fn signatures(
             let of_family: f64 = candidates.iter().filter(|o| o.kind == c.kind).map(|o| o.weight).sum();
             let signature = Signature {
                 effect: c.kind,
-                joint: c.variant.joint.map(|j| j + 1),
-                joint_b: c.variant.joint_b.map(|j| j + 1),
+                joint: c.variant.joint,
+                joint_b: c.variant.joint_b,
                 in_time: c.effect().time() != "constant",
                 unit: c.unit(),
                 usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,

@@ -12,6 +12,7 @@ use super::effects::Candidate;
 use super::normal_equations::{LINE_RAD, ModelColumns, NormalEquations};
 use super::search::ChosenCause;
 use rayon::prelude::*;
+use robot_model::robot::Axis;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A joint with so many lines has a spectrum; one or two stand for themselves.
@@ -25,10 +26,10 @@ const SHARE: usize = 5;
 /// More stations than this are thinned out while the size is chosen.
 const MOST_STATIONS: usize = 3000;
 
-/// Joints, from 0, with the periods per turn of their spectra, ascending.
+/// Joints with the periods per turn of their spectra, ascending.
 #[must_use]
-pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<(usize, Vec<u32>)> {
-    let mut named: BTreeMap<usize, BTreeSet<u32>> = BTreeMap::new();
+pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<(Axis, Vec<u32>)> {
+    let mut named: BTreeMap<Axis, BTreeSet<u32>> = BTreeMap::new();
     for variant in chosen.iter().map(|c| candidates[c.candidate].variant) {
         if let (Some(joint), Some(n)) = (variant.joint, variant.n) {
             named.entry(joint).or_default().insert(n);

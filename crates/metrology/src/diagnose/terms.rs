@@ -8,6 +8,7 @@ use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{PayloadScaling, Term, Value, compliance_of_link};
+use robot_model::robot::Axis;
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
 #[must_use]
@@ -55,7 +56,7 @@ pub(super) fn terms(
     if geometry.iter().any(|&column| solved[column].abs() > LEAST_TOLERANCES) {
         for (link, row) in geometry.chunks(6).enumerate() {
             let values = row.iter().enumerate().map(|(k, &column)| value(column, Design::tolerance(k)));
-            let term = Term::plain(EffectKind::LinkGeometry, Some(link), values.collect());
+            let term = Term::plain(EffectKind::LinkGeometry, Some(Axis::at(link)), values.collect());
             terms.push(Term { cause: false, ..term });
         }
     }
@@ -87,7 +88,7 @@ fn centre_at(candidate: &Candidate, joints: usize) -> Option<std::ops::Range<usi
     let n = candidate.prior_sigma.len();
     let there = match candidate.kind {
         EffectKind::JointCompliance => {
-            n > 1 + joints - candidate.variant.joint? + if candidate.variant.refined { 2 } else { 0 }
+            n > 1 + joints - candidate.variant.joint?.index() + if candidate.variant.refined { 2 } else { 0 }
         }
         kind => kind == EffectKind::PayloadMass,
     };
@@ -123,7 +124,7 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
 
 /// Values of a compliance in the model's order: plain, of links, hardening and softening.
 fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> Option<Vec<Value>> {
-    let joint = variant.joint?;
+    let joint = variant.joint?.index();
     let mut out = vec![Value::default(); 10];
     out[0] = values.first().copied()?;
     for link in joint..dataset.joints() {
@@ -144,7 +145,7 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> O
 /// A candidate's parameters as terms: its own, and the double frequency of a gear, which is no cause of its own.
 fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) -> Vec<Term> {
     if candidate.kind == EffectKind::JointOffset && candidate.variant.joint.is_none() {
-        let of_joint = |(joint, value)| Term::plain(candidate.kind, Some(joint), vec![value]);
+        let of_joint = |(j, value)| Term::plain(candidate.kind, Some(Axis::at(j)), vec![value]);
         return values.into_iter().enumerate().map(of_joint).collect();
     }
     let gear = matches!(candidate.kind, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic);
@@ -165,7 +166,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
         // Where the payload's centre lies is no part of the robot.
         EffectKind::JointCompliance => compliance(dataset, variant, &values)?,
         EffectKind::LinkBending => {
-            let mut all = by_link(values, 2, variant.joint? + 2, 10);
+            let mut all = by_link(values, 2, variant.joint?.index() + 2, 10);
             if variant.refined {
                 // By the moment alone: without the end force's part.
                 all[2] = Value { value: -all[0].value, ..all[0] };

@@ -8,7 +8,7 @@ use crate::measure::{
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{mm_from_m, rad_from_deg};
 use serde::Serialize;
 use std::sync::Arc;
@@ -91,7 +91,7 @@ pub struct Validation {
     /// Poses with a joint outside those ranges.
     pub outside: PoseSubset,
     /// Each outside joint with how many poses: `[joint, poses]`.
-    pub joints_outside: Vec<[usize; 2]>,
+    pub joints_outside: Vec<(Axis, usize)>,
     /// Rows with the largest distance: line and mm.
     pub worst: Vec<(u64, f64)>,
 }
@@ -145,8 +145,8 @@ pub fn validate(
         inside: part(rows.iter().filter(|d| d.outside.is_empty())),
         outside: part(rows.iter().filter(|d| !d.outside.is_empty())),
         joints_outside: (0..robot.joints.len())
-            .map(|j| [j + 1, rows.iter().filter(|d| d.outside.contains(&j)).count()])
-            .filter(|[_, n]| *n > 0)
+            .map(|j| (Axis::at(j), rows.iter().filter(|d| d.outside.contains(&j)).count()))
+            .filter(|(_, poses)| *poses > 0)
             .collect(),
         worst,
     })

@@ -40,7 +40,7 @@ pub(super) fn zeros(model: &Model, workspace: &mut Workspace<'_>) -> Option<Join
     let zero = |c: &ChosenCause| {
         let candidate = &candidates[c.candidate];
         let value = fit.coefficients[c.columns[0] - 1] * candidate.prior_sigma.first()?;
-        Some(JointZero { joint: candidate.variant.joint? + 1, offset_rad: value })
+        Some(JointZero { joint: candidate.variant.joint?, offset_rad: value })
     };
     Some(JointZeros {
         before_rms_mm: mm_from_m(before_m),

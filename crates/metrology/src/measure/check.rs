@@ -4,7 +4,7 @@ use super::fault::{Fault, FaultKind};
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::counted;
-use robot_model::robot::{JointKind, Joints, SerialArm};
+use robot_model::robot::{Axis, JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
 
 /// More rows than this say no more; a part of the poses is taken.
@@ -126,11 +126,11 @@ fn in_range(rows: &[MeasurementRow], robot: &SerialArm, checked: &mut RowCheck) 
         "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q:.2} {unit})",
         out.len(),
         checked.used.len(),
-        joint + 1
+        Axis::at(joint)
     );
     if out.len() as f64 > OUT_OF_RANGE_SHARE * checked.used.len() as f64 {
-        let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| joint + 1).collect();
-        let columns: Vec<String> = columns.into_iter().map(|joint| robot.column(joint - 1)).collect();
+        let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| *joint).collect();
+        let columns: Vec<String> = columns.into_iter().map(|joint| robot.column(Axis::at(joint))).collect();
         let lines = out.iter().filter_map(|(i, _)| rows.get(*i)).map(|row| row.line).collect();
         checked.fault =
             Some(Fault::in_rows(FaultKind::JointsOutOfRange, &columns.join(", "), lines, |_, _| {

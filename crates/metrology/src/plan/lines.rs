@@ -5,7 +5,7 @@ use super::information::{APART, NAMED_NATS};
 use crate::diagnose::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
-use robot_model::robot::Joints;
+use robot_model::robot::{Axis, Joints};
 
 /// Periods per turn, as the diagnosis tries them.
 pub const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
@@ -21,8 +21,8 @@ const FLAT: f64 = 1e-9;
 pub struct GearLines {
     /// Always the kind `gear_mesh`.
     pub effect: EffectKind,
-    /// Joint or link, counted from 1.
-    pub joint: usize,
+    /// The joint whose gear it is.
+    pub joint: Axis,
     /// Unit of the sizes.
     pub unit: &'static str,
     /// Usual size of a sine or cosine.
@@ -95,7 +95,7 @@ fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<GearLines> {
     let sigma = USUAL_RAD / middle.sqrt();
     Some(GearLines {
         effect: EffectKind::GearMesh,
-        joint: j + 1,
+        joint: Axis::at(j),
         unit: "rad",
         usual: USUAL_RAD,
         sigma,
@@ -129,7 +129,7 @@ mod tests {
         let found = lines(&signatures, &q_rad, 2e-5);
         assert_eq!(found.len(), 1, "the other joints move nothing");
         let of = &found[0];
-        assert_eq!((of.joint, of.of, of.told_apart), (1, 318, 38));
+        assert_eq!((of.joint, of.of, of.told_apart), (Axis::at(0), 318, 38));
         assert_eq!(of.confounded.len(), 280);
         assert!(of.confounded.iter().all(|[n, other]| n + other == 360));
         // 360 squares of a sine are 180: 1e-4 rad at half a metre is 2.5 times the noise.

@@ -1,6 +1,7 @@
 //! What is to be measured, where the robot may go for it, and why there may be no plan.
 
 use nalgebra::Vector3;
+use robot_model::robot::Axis;
 use std::fmt;
 use thiserror::Error;
 
@@ -55,8 +56,8 @@ pub enum PlanError {
         "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
     )]
     NoSweep {
-        /// Joint or axis, counted from 1.
-        joint: usize,
+        /// Which joint.
+        joint: Axis,
     },
 }
 
@@ -98,8 +99,8 @@ impl fmt::Display for Restriction {
 /// Sweeps of joints, each from one pose.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sweeps {
-    /// Joints to sweep, counted from 0.
-    pub joints: Vec<usize>,
+    /// Joints to sweep.
+    pub joints: Vec<Axis>,
     /// Number of poses of each sweep.
     pub n: usize,
     /// From pose to pose.

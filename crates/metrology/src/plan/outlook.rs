@@ -4,6 +4,7 @@ use super::information::{APART, Information, NAMED_NATS, Reduced};
 use super::lines::GearLines;
 use crate::diagnose::signature::{Signature, Signatures};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 
 /// Squared signal over noise under which nothing will ever be seen of an effect of usual size.
 const HIDDEN: f64 = 0.01;
@@ -16,10 +17,10 @@ const CONTAINED: f64 = 0.97;
 pub struct EffectName {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link, from 1.
-    pub joint: Option<usize>,
-    /// The joint that is driven, from 1.
-    pub joint_b: Option<usize>,
+    /// Joint or link.
+    pub joint: Option<Axis>,
+    /// The joint that is driven.
+    pub joint_b: Option<Axis>,
 }
 
 /// How exactly an effect will be known.

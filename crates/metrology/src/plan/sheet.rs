@@ -1,12 +1,12 @@
 //! A plan as CSV: the poses alone, and a sheet to be filled in with what is measured.
 
 use super::{MeasurementPlan, MeasurementStep};
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use std::fmt::Write as _;
 
 /// Names of the columns of joints and directions.
 fn columns(robot: &SerialArm) -> String {
-    let joints = (0..robot.joints.len()).map(|j| robot.column(j));
+    let joints = (0..robot.joints.len()).map(|j| robot.column(Axis::at(j)));
     let directions = (1..=robot.joints.len()).map(|joint| format!("dir{joint}"));
     joints.chain(directions).collect::<Vec<String>>().join(",")
 }

@@ -4,7 +4,7 @@ use super::options::{PlanError, PlanOptions};
 use super::pool::{Pose, approach_rad, restriction_of};
 use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Axis, Joints, SerialArm};
 
 /// The poses of all sweeps, every joint come to from below; each sweep is round the pose of `pool` in which its joint
 /// moves the target furthest and all its poses are allowed.
@@ -19,10 +19,10 @@ pub fn sweeps(robot: &SerialArm, options: &PlanOptions, pool: &[Pose]) -> Result
     let mut all = Vec::new();
     for &joint in &sweeps.joints {
         let mut order: Vec<(f64, usize)> =
-            pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint), i)).collect();
+            pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint.index()), i)).collect();
         order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let sweep = order.into_iter().find_map(|(_, i)| around(robot, &chain, options, &pool[i], joint));
-        all.extend(sweep.ok_or(PlanError::NoSweep { joint: joint + 1 })?);
+        all.extend(sweep.ok_or(PlanError::NoSweep { joint })?);
     }
     Ok(all)
 }
@@ -33,14 +33,14 @@ fn around(
     chain: &SerialChain,
     options: &PlanOptions,
     middle: &Pose,
-    joint: usize,
+    joint: Axis,
 ) -> Option<Vec<Pose>> {
     let sweeps = &options.sweeps;
     let payload_kg = options.payloads_kg.first().copied().unwrap_or(0.0);
     (0..sweeps.n)
         .map(|k| {
             let mut q_rad = middle.q_rad;
-            q_rad[joint] += (k as f64 - 0.5 * (sweeps.n as f64 - 1.0)) * sweeps.step_rad;
+            q_rad[joint.index()] += (k as f64 - 0.5 * (sweeps.n as f64 - 1.0)) * sweeps.step_rad;
             let direction = Joints::all(robot.joints.len(), 1);
             let approach_rad = approach_rad(robot, &q_rad, &direction);
             let allowed = [q_rad, approach_rad]

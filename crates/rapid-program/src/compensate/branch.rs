@@ -11,6 +11,13 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::{Configuration, Solution};
 use robot_model::units::rad_from_deg;
 
+/// The numbers of confdata as the kinematics takes them.
+impl From<ConfData> for Configuration {
+    fn from(ConfData { cf1, cf4, cf6, cfx }: ConfData) -> Self {
+        Self { cf1, cf4, cf6, cfx }
+    }
+}
+
 /// Nearer to the wrist singularity than this a motion is kept, degrees.
 pub(super) const WRIST_DEG: f64 = 2.0;
 /// Joints closer than this are the same solution, radians.
@@ -221,8 +228,7 @@ impl Candidates<'_> {
 
     /// The solution with all four numbers of confdata.
     pub(super) fn as_written(&self) -> Option<[f64; 6]> {
-        let ConfData { cf1, cf4, cf6, cfx } = *self.conf;
-        let written = Configuration { cf1, cf4, cf6, cfx };
+        let written = Configuration::from(*self.conf);
         self.solutions.iter().find(|s| self.model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
     }
 

@@ -16,7 +16,7 @@ use crate::program::{FilePairs, Program};
 use nalgebra::Isometry3;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::kinematics::{Configuration, FrameOffsets};
-use robot_model::robot::Robot;
+use robot_model::robot::{Axis, Robot};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -87,8 +87,8 @@ pub struct TargetChange {
 pub struct ArmChange {
     /// Largest change of a joint, radians.
     pub joint_rad: f64,
-    /// That joint, from 1.
-    pub joint: usize,
+    /// That joint.
+    pub joint: Axis,
     /// Smallest distance of a joint of the second target from the end of its range, radians; `None` where
     /// the robot has no ranges.
     pub limit_rad: Option<f64>,
@@ -286,22 +286,22 @@ fn step(
 /// Joints that confdata names, where nothing better is known.
 pub(super) fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64; 6]> {
     let TargetValue::Rob(RobTarget { conf, .. }) = value else { return None };
-    let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
+    let written = Configuration::from(*conf);
     let solutions = model.closed.solutions(&pose.base_from_flange);
     solutions.iter().find(|s| model.closed.agrees(&written, &s.q_rad)).map(|s| s.q_rad)
 }
 
 fn arm_change(q_a: &[f64; 6], q_b: &[f64; 6], model: &Model) -> ArmChange {
-    let (mut joint, mut joint_rad) = (1, 0.0);
+    let (mut joint, mut joint_rad) = (0, 0.0);
     for (k, (a, b)) in q_a.iter().zip(q_b).enumerate() {
         if (a - b).abs() > joint_rad {
-            (joint, joint_rad) = (k + 1, (a - b).abs());
+            (joint, joint_rad) = (k, (a - b).abs());
         }
     }
     let posture = model.closed.posture(q_b);
     ArmChange {
         joint_rad,
-        joint,
+        joint: Axis::at(joint),
         limit_rad: model.robot().margins_rad(q_b).into_iter().flatten().reduce(f64::min),
         wrist_rad: posture.wrist_rad.abs(),
         elbow_rad: posture.elbow_rad.abs(),

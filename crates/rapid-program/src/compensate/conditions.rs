@@ -12,6 +12,7 @@ use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
 use robot_model::deform::{Conditions, Payload};
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// Joints that turn by less have not moved, radians.
@@ -118,7 +119,7 @@ fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
 pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
-    let playing: Vec<usize> =
+    let playing: Vec<Axis> =
         identified.terms.iter().filter(|t| t.kind == EffectKind::Backlash).filter_map(|t| t.joint).collect();
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
@@ -160,7 +161,8 @@ fn warmer(model: &Model<'_>, messages: &mut Messages) {
     let outside = (0..6).find(|&j| now[j] < seen[j][0] - SLACK_C || now[j] > seen[j][1] + SLACK_C);
     let Some(j) = outside else { return };
     let [low, high] = seen[j];
-    let text = format!("axis {} is at {} C; the model was found between {low} and {high} C", j + 1, now[j]);
+    let text =
+        format!("axis {} is at {} C; the model was found between {low} and {high} C", Axis::at(j), now[j]);
     let help = "outside of what was measured the model is a guess: measure that warm too";
     messages.add(None, Diagnostic::warning("model::temperature-range", text).help(help));
 }
@@ -169,7 +171,7 @@ fn check_point(
     motion: &Motion,
     (q_rad, conditions): (&[f64; 6], &Conditions),
     model: &Model<'_>,
-    playing: &[usize],
+    playing: &[Axis],
     messages: &mut Messages,
 ) {
     let Some(identified) = &model.identified else { return };
@@ -189,7 +191,7 @@ fn check_point(
             "model::range",
             format!(
                 "axis {} stands at {:.1} deg; the model was found between {low:.1} and {high:.1} deg",
-                j + 1,
+                Axis::at(j),
                 deg_from_rad(q_rad[j])
             ),
             "outside of what was measured the model is a guess: measure there too",
@@ -204,10 +206,10 @@ fn check_point(
             "measure with that load too, or name the load with --payload-kg",
         );
     }
-    if let Some(j) = playing.iter().find(|&&j| conditions.direction[j] == 0) {
+    if let Some(axis) = playing.iter().find(|axis| conditions.direction[axis.index()] == 0) {
         warn(
             "model::direction",
-            format!("from which side axis {} comes is not known; its play is taken at the middle", j + 1),
+            format!("from which side axis {axis} comes is not known; its play is taken at the middle"),
             "a joint move before it, from a known place, would say it",
         );
     }

@@ -61,11 +61,7 @@ pub(super) fn form_of_known(
 ) -> Form {
     let values = motion.targets.iter().flat_map(Target::values);
     let agrees = joints.iter().zip(values).all(|(q_rad, value)| match value {
-        TargetValue::Rob(target) => {
-            let conf = target.conf;
-            let written = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
-            model.closed.agrees(&written, q_rad)
-        }
+        TargetValue::Rob(target) => model.closed.agrees(&Configuration::from(target.conf), q_rad),
         TargetValue::Joint(_) | TargetValue::FromJoints(_) => true,
     });
     let held_by_robot = motion.setup.tool.as_ref().is_none_or(|tool| tool.robhold);

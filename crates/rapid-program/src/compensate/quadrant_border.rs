@@ -6,14 +6,15 @@
 use super::messages::span_of;
 use crate::program::motion::{Motion, TargetValue};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::kinematics::outside_quadrant_rad;
+use robot_model::kinematics::{Configuration, outside_quadrant_rad};
+use robot_model::robot::Axis;
 use robot_model::units::deg_from_rad;
 
 /// A joint that a correction takes over its quadrant's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
-    /// 1, 4 or 6.
-    axis: usize,
+    /// Axis 1, 4 or 6.
+    axis: Axis,
     /// The quadrant that confdata names.
     quadrant: i32,
     /// The joint as corrected, radians.
@@ -32,13 +33,12 @@ impl Crossing {
         if motion.setup.conf_monitored == Some(false) {
             return None;
         }
-        let conf = target.conf;
-        [(1, conf.cf1), (4, conf.cf4), (6, conf.cf6)].into_iter().find_map(|(axis, quadrant)| {
-            let joint = axis - 1;
+        Configuration::from(target.conf).quadrants().into_iter().find_map(|(axis, quadrant)| {
             let is_outside = |q_rad: f64| outside_quadrant_rad(q_rad, quadrant) > 0.0;
-            let inside = !is_outside(nominal_rad[joint]);
-            let out = corrected_rad.iter().map(|q_rad| q_rad[joint]).filter(|&q_rad| is_outside(q_rad));
-            let change_rad = |q_rad: &f64| (q_rad - nominal_rad[joint]).abs();
+            let inside = !is_outside(nominal_rad[axis.index()]);
+            let out =
+                corrected_rad.iter().map(|q_rad| q_rad[axis.index()]).filter(|&q_rad| is_outside(q_rad));
+            let change_rad = |q_rad: &f64| (q_rad - nominal_rad[axis.index()]).abs();
             let farthest = out.max_by(|a, b| change_rad(a).total_cmp(&change_rad(b)));
             farthest.filter(|_| inside).map(|q_rad| Self { axis, quadrant, q_rad })
         })

@@ -74,8 +74,7 @@ impl TouchReference {
             return error("touch::point", "the arm's joints at the point cannot be found");
         };
         let there = placement.base_from_flange(&point.target.object_from_tcp);
-        let conf = &point.target.conf;
-        let conf = Configuration { cf1: conf.cf1, cf4: conf.cf4, cf6: conf.cf6, cfx: conf.cfx };
+        let conf = Configuration::from(point.target.conf);
         let solutions = closed.solutions(&there);
         let Some(found) = solutions.iter().find(|s| closed.agrees(&conf, &s.q_rad)) else {
             return error("touch::point", "the arm does not reach the point as its confdata say");

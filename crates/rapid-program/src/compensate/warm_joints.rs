@@ -7,6 +7,7 @@ use crate::program::motion::SkipReason;
 use nalgebra::Isometry3;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
 use robot_model::kinematics::{SolveError, Solved, solve};
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// A joint that would change by more is near a singularity, degrees.
@@ -91,7 +92,7 @@ fn allowed(
         .enumerate()
         .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
     if change_rad > rad_from_deg(JOINT_CHANGE_DEG) {
-        let (axis, change_deg) = (joint + 1, deg_from_rad(change_rad));
+        let (axis, change_deg) = (Axis::at(joint), deg_from_rad(change_rad));
         return Err(if is_near_singularity(model, &point.q_rad) {
             let text = format!("axis {axis} would change by {change_deg:.3} deg: too near a singularity");
             keep("singular::joint-change", text)

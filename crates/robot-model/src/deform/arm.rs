@@ -242,9 +242,14 @@ mod tests {
     use crate::deform::identified::{Growth, Value};
     use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
+    use crate::robot::Axis;
 
     fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
-        Term::plain(kind, joint, values.iter().map(|&value| Value { value, sigma: None }).collect())
+        Term::plain(
+            kind,
+            joint.map(Axis::at),
+            values.iter().map(|&value| Value { value, sigma: None }).collect(),
+        )
     }
 
     fn arm(terms: Vec<Term>, t_min: f64) -> DeformedArm {
@@ -305,7 +310,8 @@ mod tests {
     #[test]
     fn joints_are_found_and_proved_with_every_kind_at_once() {
         let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[2e-4, -1e-4]) };
-        let coupling = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
+        let coupling =
+            Term { joint_b: Some(Axis::at(5)), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
         let terms = vec![
             term(EffectKind::JointOffset, Some(2), &[1e-3]),
             term(EffectKind::LinkGeometry, Some(1), &[1e-4, 2e-4, -1e-4, 1e-4, 3e-4, -2e-4]),
@@ -359,7 +365,8 @@ mod tests {
     #[test]
     fn the_jacobian_agrees_with_differences_but_for_gravity() {
         let gear = Term { n: Some(40), ..term(EffectKind::GearMesh, Some(1), &[2e-4, -1e-4]) };
-        let coupling = Term { joint_b: Some(5), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
+        let coupling =
+            Term { joint_b: Some(Axis::at(5)), ..term(EffectKind::JointCoupling, Some(4), &[1e-3]) };
         let arm = arm(vec![gear, coupling, term(EffectKind::JointGain, Some(0), &[1e-4])], 0.0);
         let conditions = Conditions::default();
         let under = arm.under(&conditions);

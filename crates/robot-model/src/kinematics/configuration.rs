@@ -2,6 +2,7 @@
 //! the arm stands from where two branches meet.
 
 use super::structure::Structure;
+use crate::robot::Axis;
 use crate::units::rad_from_deg;
 use std::f64::consts::FRAC_PI_2;
 
@@ -16,6 +17,14 @@ pub struct Configuration {
     pub cf6: i32,
     /// 4 · (wrist centre behind axis 1) + 2 · (wrist centre behind the lower arm) + (joint 5 negative).
     pub cfx: i32,
+}
+
+impl Configuration {
+    /// The axes whose quadrants it counts, each with its count.
+    #[must_use]
+    pub fn quadrants(&self) -> [(Axis, i32); 3] {
+        [(Axis::at(0), self.cf1), (Axis::at(3), self.cf4), (Axis::at(5), self.cf6)]
+    }
 }
 
 /// How far an arm stands from its three singularities, signed: the sign is the branch.

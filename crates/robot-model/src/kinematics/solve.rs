@@ -5,6 +5,7 @@ use super::chain::{Arm, Pose};
 use super::follow::follow;
 use super::linear::{self, Vec6, regular_newton_step as newton_step};
 use super::matrix::{dot, norm};
+use crate::robot::Axis;
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
 use std::f64::consts::FRAC_PI_2;
@@ -48,8 +49,8 @@ pub enum SolveError {
     /// The joints that reach the pose belong to another branch than the start, or are far from it.
     #[error("the pose is only reached on another branch: joint {joint} would change by {:.3} deg", deg_from_rad(*change_rad))]
     LeftBranch {
-        /// The joint that changes most, from 1.
-        joint: usize,
+        /// The joint that changes most.
+        joint: Axis,
         /// By how much, radians.
         change_rad: f64,
     },
@@ -208,10 +209,10 @@ fn on_branch(solved: Solved, start_q_rad: &Vec6, same_sign: bool) -> Result<Solv
     }
 }
 
-/// The joint that differs most, from 1, and by how much.
-fn change(q_rad: &Vec6, start_q_rad: &Vec6) -> (usize, f64) {
+/// The joint that differs most, and by how much.
+fn change(q_rad: &Vec6, start_q_rad: &Vec6) -> (Axis, f64) {
     let (index, change) = largest(&std::array::from_fn(|i| q_rad[i] - start_q_rad[i]));
-    (index + 1, change)
+    (Axis::at(index), change)
 }
 
 /// Index and size of the largest entry.

@@ -3,6 +3,7 @@
 //! Knows nothing of RAPID. Arms come from TOML (see [`SerialArm::from_toml`]) or URDF ([`SerialArm::from_urdf`]); ABB's of
 //! six independent axes are built in. A [`Robot`] has six joints that turn, a [`SerialArm`] four to seven that turn or slide.
 
+mod axis;
 mod backup;
 mod built_in;
 pub(crate) mod dh;
@@ -16,6 +17,7 @@ mod serial_arm;
 mod urdf;
 mod write;
 
+pub use axis::Axis;
 pub use backup::BackedUp;
 pub use dh::DhConvention;
 pub use error::RobotError;

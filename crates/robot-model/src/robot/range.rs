@@ -1,6 +1,6 @@
 //! Joint ranges.
 
-use super::{Robot, SerialArm};
+use super::{Axis, Robot, SerialArm};
 use crate::units::deg_from_rad;
 use thiserror::Error;
 
@@ -13,8 +13,8 @@ use thiserror::Error;
     deg_from_rad(range_rad[1])
 )]
 pub struct OutOfRange {
-    /// Number of the joint, from 1.
-    pub joint: usize,
+    /// Which joint.
+    pub joint: Axis,
     /// Where it would stand, radians.
     pub q_rad: f64,
     /// The joint's range: lower and upper end, radians.
@@ -34,7 +34,7 @@ impl Robot {
             if let (Some(margin_rad), Some(range_rad)) = (margin_rad, self.joints[i].range_rad)
                 && margin_rad.is_nan() | (margin_rad < -ROUNDING_RAD)
             {
-                return Err(OutOfRange { joint: i + 1, q_rad: q_rad[i], range_rad });
+                return Err(OutOfRange { joint: Axis::at(i), q_rad: q_rad[i], range_rad });
             }
         }
         Ok(())
@@ -65,7 +65,7 @@ impl SerialArm {
 
 #[cfg(test)]
 mod tests {
-    use crate::robot::Robot;
+    use crate::robot::{Axis, Robot};
     use crate::units::rad_from_deg;
 
     #[test]
@@ -74,7 +74,7 @@ mod tests {
         let at = |q2_deg: f64| [0.0, rad_from_deg(q2_deg), 0.0, 0.0, 0.0, 0.0];
         assert_eq!(robot.within_range(&at(110.0)), Ok(()));
         let past = robot.within_range(&at(110.001)).unwrap_err();
-        assert_eq!(past.joint, 2);
+        assert_eq!(past.joint, Axis::at(1));
         assert_eq!(
             past.to_string(),
             "joint 2 would stand at 110.001 deg, outside its range -90.0 to 110.0 deg"

@@ -3,7 +3,7 @@
 //! It can be measured, diagnosed and validated. A [`Robot`] is one of six turning joints, which is what programs are
 //! compensated for; [`SerialArm::six_axis`] tells the two apart, once.
 
-use super::{Joint, Joints, Link, Robot, RobotError};
+use super::{Axis, Joint, Joints, Link, Robot, RobotError};
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
@@ -112,17 +112,17 @@ impl SerialArm {
         self.joints.iter().zip(q_rad).map(written).collect()
     }
 
-    /// A joint's column in a measurement file: `q2_deg`, or `q3_mm` where it slides; `joint` from 0.
+    /// A joint's column in a measurement file: `q2_deg`, or `q3_mm` where it slides.
     #[must_use]
-    pub fn column(&self, joint: usize) -> String {
-        let slides = self.joints.get(joint).is_some_and(|joint| joint.kind.slides());
-        format!("q{}_{}", joint + 1, if slides { "mm" } else { "deg" })
+    pub fn column(&self, joint: Axis) -> String {
+        let slides = self.joints.get(joint.index()).is_some_and(|joint| joint.kind.slides());
+        format!("q{joint}_{}", if slides { "mm" } else { "deg" })
     }
 
     /// The columns of all its joints, as words: `q1_deg to q6_deg`.
     #[must_use]
     pub fn columns(&self) -> String {
-        let all: Vec<String> = (0..self.joints.len()).map(|joint| self.column(joint)).collect();
+        let all: Vec<String> = (0..self.joints.len()).map(|j| self.column(Axis::at(j))).collect();
         if self.joints.iter().any(|joint| joint.kind.slides()) {
             return all.join(", ");
         }

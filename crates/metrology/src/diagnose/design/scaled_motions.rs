@@ -184,6 +184,7 @@ mod tests {
     use crate::diagnose::dataset::evenly_spread;
     use crate::diagnose::design::Whitening;
     use crate::diagnose::effects::{RigidBody, candidates};
+    use robot_model::robot::Axis;
 
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
     fn problem() -> (Dataset, Design) {
@@ -200,7 +201,7 @@ mod tests {
     fn scaled_motions_have_the_products_of_their_columns() {
         let (dataset, design) = problem();
         let all = candidates(&dataset).0;
-        let joints = (0..dataset.joints()).map(Motion::Joint);
+        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
             let mut design = design.clone();
             let motions = design.scaled_motions(&dataset, &all, motion);

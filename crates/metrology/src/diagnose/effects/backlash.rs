@@ -82,6 +82,6 @@ impl Effect for Backlash {
 #[must_use]
 pub(in crate::diagnose) fn held_above_n_m(variant: &EffectVariant, dataset: &Dataset) -> Option<f64> {
     let GravityHold::Above { limit, same_sign } = variant.gravity_hold else { return None };
-    let limit_n_m = dataset.torque_limit_n_m.get(variant.joint?)?.get(limit)?.max(1e-9);
+    let limit_n_m = dataset.torque_limit_n_m.get(variant.joint?.index())?.get(limit)?.max(1e-9);
     Some(if same_sign { limit_n_m } else { -limit_n_m })
 }

@@ -4,6 +4,7 @@ use super::rigid::Motion;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
+use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
 
 /// An effect that can open a gap between model and robot.
@@ -61,10 +62,10 @@ pub trait Effect: Sync {
 /// Which variant of an effect: all that is scanned and not fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectVariant {
-    /// Joint or link, counted from 0; link i follows joint i.
-    pub joint: Option<usize>,
-    /// The joint that is driven by a coupling, counted from 0.
-    pub joint_b: Option<usize>,
+    /// Joint or link; link i follows joint i.
+    pub joint: Option<Axis>,
+    /// The joint that is driven by a coupling.
+    pub joint_b: Option<Axis>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
     /// Growth in time or temperature.
@@ -109,7 +110,7 @@ impl EffectVariant {
     /// The plain variant of joint `j`, counted from 0.
     #[must_use]
     pub fn of_joint(j: usize) -> Self {
-        Self { joint: Some(j), ..Self::PLAIN }
+        Self { joint: Some(Axis::at(j)), ..Self::PLAIN }
     }
 
     /// The minute at which a step happens.

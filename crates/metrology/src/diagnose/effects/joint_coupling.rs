@@ -4,6 +4,7 @@ use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{Motion, of_arm};
 use crate::diagnose::dataset::{Dataset, Observation};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 use robot_model::units::m_from_mm;
 
 /// The driven joint's Jacobian column J_b times the driving joint's angle q_a.
@@ -27,7 +28,7 @@ impl Effect for JointCoupling {
         let joints = dataset.joints();
         for a in 0..joints {
             for b in (0..joints).filter(|&b| b != a) {
-                let variant = EffectVariant { joint_b: Some(b), ..EffectVariant::of_joint(a) };
+                let variant = EffectVariant { joint_b: Some(Axis::at(b)), ..EffectVariant::of_joint(a) };
                 // Gears couple neighbours, above all in the wrist.
                 let weight = match (a.abs_diff(b), a.min(b)) {
                     (1, 3..) => 4.0,

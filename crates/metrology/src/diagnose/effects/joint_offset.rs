@@ -4,6 +4,7 @@ use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::Motion;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 
 /// J_j times a constant.
 pub struct JointOffset;
@@ -57,7 +58,7 @@ impl Effect for JointOffset {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let joints = variant.joint.map_or(0..observation.joints(), |j| j..j + 1);
-        joints.for_each(|j| Motion::Joint(j).signature(dataset, observation, &[1.0], out));
+        let joints = variant.joint.map_or(0..observation.joints(), |axis| axis.index()..axis.index() + 1);
+        joints.for_each(|j| Motion::Joint(Axis::at(j)).signature(dataset, observation, &[1.0], out));
     }
 }

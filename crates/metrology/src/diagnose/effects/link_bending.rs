@@ -5,6 +5,7 @@ use super::rigid::{MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Bend;
+use robot_model::robot::Axis;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
 /// more at one end than at the other, or bend by the end moment alone, and each link's share of the load may be wrong.
@@ -68,7 +69,7 @@ impl Effect for LinkBending {
         observation: &Observation,
         out: &mut Vec<Twist>,
     ) {
-        let i = variant.joint.unwrap_or(0).min(observation.joints() - 2);
+        let i = variant.joint.map_or(0, Axis::index).min(observation.joints() - 2);
         let (from_m, to_m) = (observation.origins_m[i], observation.origins_m[i + 1]);
         let moved = |bend: &Bend| {
             let mut twist = observation.rotation_about(&bend.turn_n_m, &to_m);

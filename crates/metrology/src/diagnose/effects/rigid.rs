@@ -2,6 +2,7 @@
 //! from observation to observation.
 
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
+use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
 pub const LEVER_M: f64 = 0.08;
@@ -17,17 +18,17 @@ pub fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
     (angle_rad / largest_n_m.max(1e-9)).min(SOFTEST)
 }
 
-/// Joint `joint`, from 0, where the arm has it, else its last.
+/// Where joint `joint` stands in the arm's arrays; the last joint, where the arm has fewer.
 #[must_use]
-pub fn of_arm(joint: Option<usize>, observation: &Observation) -> usize {
-    joint.unwrap_or(0).min(observation.joints() - 1)
+pub fn of_arm(joint: Option<Axis>, observation: &Observation) -> usize {
+    joint.map_or(0, Axis::index).min(observation.joints() - 1)
 }
 
 /// A motion that an effect gives in many sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// Joint so-and-so, counted from 0, turns, or slides.
-    Joint(usize),
+    /// A joint turns, or slides.
+    Joint(Axis),
     /// A rigid motion of one side of the arm.
     Body(RigidBody),
 }

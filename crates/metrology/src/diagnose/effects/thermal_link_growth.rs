@@ -4,6 +4,7 @@ use super::effect::{Candidate, Effect, EffectVariant};
 use super::thermal;
 use crate::diagnose::dataset::{Dataset, Observation, Twist};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 use robot_model::units::ppm_from_ratio;
 
 /// Each link's vector grows by one strain (all links) or one link's alone, over warm-up; plus a constant.
@@ -30,7 +31,7 @@ impl Effect for ThermalLinkGrowth {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
-        for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(Some)) {
+        for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(|i| Some(Axis::at(i)))) {
             let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
             let whole = Candidate {
@@ -54,11 +55,11 @@ impl Effect for ThermalLinkGrowth {
         let mut grown = [[0.0; 6]; 2];
         for i in 0..observation.joints() {
             // Link i, counted from 0, lies between the origins i and i+1 and warms with joint i.
-            if variant.joint.is_some_and(|link| link != i) {
+            if variant.joint.is_some_and(|link| link.index() != i) {
                 continue;
             }
             let along = observation.origins_m[i + 1] - observation.carried_m[i];
-            let drive = variant.growth.at(&observation.thermal_state(), Some(i));
+            let drive = variant.growth.at(&observation.thermal_state(), Some(Axis::at(i)));
             for k in 0..3 {
                 grown[0][k] += along[k] * drive;
                 grown[1][k] += along[k];

@@ -10,7 +10,7 @@ use crate::diagnose::heldout::SplitMix64;
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Axis, Joints, SerialArm};
 use std::f64::consts::LN_2;
 
 /// A data set of points with noise of `sigma_m`, and `size` prior standard deviations of `candidate` in it.
@@ -34,8 +34,9 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
         })
         .collect();
     let dataset = Dataset::new(&robot, observations, Channels { pose_id: true, ..Channels::default() });
-    let gain =
-        |c: &Candidate| c.kind == robot_model::deform::EffectKind::JointGain && c.variant.joint == Some(2);
+    let gain = |c: &Candidate| {
+        c.kind == robot_model::deform::EffectKind::JointGain && c.variant.joint == Axis::numbered(3)
+    };
     let candidate = candidates(&dataset).0.into_iter().find(gain).unwrap();
     let errors: Vec<f64> = (0..30).map(|_| geometry * random.normal()).collect();
     let residuals = dataset
@@ -239,7 +240,7 @@ fn causes_taken_out_leave_the_nuisance_model_of_the_others() {
     let (mut design, _) = problem.nuisance(noise);
     let library = candidates(&problem.dataset).0;
     let column = |design: &mut Design, kind, joint| {
-        let wanted = |c: &&Candidate| c.kind == kind && c.variant.joint == Some(joint);
+        let wanted = |c: &&Candidate| c.kind == kind && c.variant.joint == Some(Axis::at(joint));
         let candidate = library.iter().find(wanted).unwrap();
         design.append(&design.columns_of(&problem.dataset, candidate)).collect::<Vec<usize>>()
     };

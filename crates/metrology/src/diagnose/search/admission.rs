@@ -69,7 +69,7 @@ impl Library<'_> {
             .iter()
             .filter(of_joint)
             .filter(|c| self.candidates[c.candidate].variant.n != line.variant.n);
-        self.angles.get(joint).is_some_and(|angles| *angles >= ANGLES_PER_LINE * (1 + others.count()))
+        self.angles.get(joint.index()).is_some_and(|angles| *angles >= ANGLES_PER_LINE * (1 + others.count()))
     }
 
     /// The candidates' columns in the design, appended when new; [`Self::extend`] has to follow.

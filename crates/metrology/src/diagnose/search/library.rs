@@ -9,7 +9,7 @@ use crate::diagnose::gp_alternative::{self, GpAlternative};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
-use robot_model::robot::Joints;
+use robot_model::robot::{Axis, Joints};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -89,7 +89,7 @@ impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
     pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        let joints = (0..dataset.joints()).map(Motion::Joint);
+        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
         let scaled: Vec<ScaledMotions> = motions

@@ -5,6 +5,7 @@ use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::model::{Model, Workspace};
 use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, RankedHypothesis, cause_columns};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
@@ -176,7 +177,7 @@ pub fn scan(
 }
 
 /// What variants of one cause share.
-type Key = (EffectKind, Option<usize>, Option<usize>);
+type Key = (EffectKind, Option<Axis>, Option<Axis>);
 
 fn key(c: &Candidate) -> Key {
     (c.kind, c.variant.joint, c.variant.joint_b)

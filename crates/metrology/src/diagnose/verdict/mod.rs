@@ -132,7 +132,7 @@ fn without_cause(
         );
     } else if scatter.chi.is_some() || scatter.along.is_some() {
         judgement.verdict = Verdict::UnexplainedScatter;
-        judgement.place.joint = scatter.along.map(|a| a.joint + 1);
+        judgement.place.joint = scatter.along.map(|a| a.joint);
         judgement.reason = scatter.reason(&linear.dataset);
     } else if geometry_gain > ALARM_NATS && !slow {
         judgement.verdict = Verdict::Geometry;
@@ -307,7 +307,7 @@ fn with_causes(
     } else if !matches!(slowness, Slowness::Structure { .. })
         && scatter.is_comparable(model, linear, cause_rms_m)
     {
-        place.joint = scatter.along.map(|a| a.joint + 1);
+        place.joint = scatter.along.map(|a| a.joint);
         (Verdict::UnexplainedScatter, scatter.reason(&linear.dataset))
     } else if switched.len() > MOST_STEPS {
         place = over_time(model, workspace, linear, &[]);
@@ -386,16 +386,17 @@ fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robot_model::robot::Axis;
 
     #[test]
     fn what_is_named_is_not_ruled_out_in_another_place() {
         use EffectKind::{JointCompliance, JointOffset, LinkGeometry};
-        let of = |kind: EffectKind, joint| Cause { joint: Some(joint), ..Cause::of(kind, 0.5) };
+        let of = |kind: EffectKind, joint| Cause { joint: Axis::numbered(joint), ..Cause::of(kind, 0.5) };
         let left = rejected(
             vec![of(JointOffset, 2), of(LinkGeometry, 4), of(JointOffset, 2), of(JointOffset, 3)],
             &[of(LinkGeometry, 4), of(JointCompliance, 2)],
         );
         let named: Vec<_> = left.iter().map(|c| (c.effect, c.joint)).collect();
-        assert_eq!(named, [(JointOffset, Some(2)), (JointOffset, Some(3))]);
+        assert_eq!(named, [(JointOffset, Axis::numbered(2)), (JointOffset, Axis::numbered(3))]);
     }
 }

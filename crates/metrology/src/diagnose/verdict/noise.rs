@@ -50,7 +50,7 @@ impl Scatter {
     #[must_use]
     pub fn reason(&self, dataset: &Dataset) -> String {
         let what = match (self.along, self.chi) {
-            (Some(a), _) => format!("poses scatter along joint {}", a.joint + 1),
+            (Some(a), _) => format!("poses scatter along joint {}", a.joint),
             (None, Some(chi)) => format!("poses scatter {:.1} times as much as the noise allows", chi.sqrt()),
             (None, None) => "poses scatter".to_owned(),
         };

@@ -70,8 +70,8 @@ pub fn line_among_many(
 pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Cause {
     let candidate = &workspace.library.candidates[cause_group.best];
     Cause {
-        joint: candidate.variant.joint.map(|j| j + 1),
-        joint_b: candidate.variant.joint_b.map(|j| j + 1),
+        joint: candidate.variant.joint,
+        joint_b: candidate.variant.joint_b,
         n: candidate.variant.n,
         t0_min: candidate.variant.t0_min().filter(|_| workspace.library.dataset.time_min.is_some()),
         from_line: candidate.variant.t0_min().and_then(|t0| workspace.library.dataset.line_from(t0)),

@@ -15,6 +15,7 @@ use crate::diagnose::search::{
     UNEXPLAINED_PRIOR,
 };
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -80,7 +81,7 @@ pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Opti
 pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, model: &Model) {
     let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
     let mut list = gp_alternative::gp_alternatives(dataset.joints());
-    let mut periods: BTreeSet<(usize, u32)> = BTreeSet::new();
+    let mut periods: BTreeSet<(Axis, u32)> = BTreeSet::new();
     for (joint, lines) in
         lines_by_joint(workspace, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
     {
@@ -91,7 +92,7 @@ pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, m
         let common = orders.iter().copied().fold(0, greatest_common_divisor);
         periods.extend(orders.into_iter().chain([common]).filter(|n| *n > 0).map(|n| (joint, n)));
     }
-    let of_line = |joint: usize, n: u32| {
+    let of_line = |joint: Axis, n: u32| {
         let variant = |c: &&Candidate| c.variant.joint == Some(joint) && c.variant.n == Some(n);
         workspace.library.candidates.iter().find(variant).map_or(0.0, |c| c.weight)
     };
@@ -250,7 +251,7 @@ pub fn location_of_gp(
             | GpAlternative::Pair(_, _, j)
             | GpAlternative::JointTime(j)
             | GpAlternative::Periodic(j, _)
-            | GpAlternative::SquareWave(j, _) => Some(j + 1),
+            | GpAlternative::SquareWave(j, _) => Some(j),
             _ => None,
         },
         time: Some(match kind {
@@ -290,8 +291,8 @@ pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
 }
 
 /// Places in `chosen` of lines of each joint's gear.
-fn lines_by_joint(workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> BTreeMap<usize, Vec<usize>> {
-    let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+fn lines_by_joint(workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> BTreeMap<Axis, Vec<usize>> {
+    let mut lines: BTreeMap<Axis, Vec<usize>> = BTreeMap::new();
     for (i, one) in chosen.iter().enumerate() {
         let variant = &workspace.library.candidates[one.candidate].variant;
         if let (Some(joint), Some(_)) = (variant.joint, variant.n) {

@@ -5,7 +5,7 @@ use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
 use robot_model::deform::EffectKind;
-use robot_model::robot::MOST_JOINTS;
+use robot_model::robot::{Axis, MOST_JOINTS};
 
 /// A cause in words.
 #[must_use]
@@ -37,10 +37,9 @@ pub fn describe(cause: &Cause) -> String {
 #[must_use]
 pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
     let variant = &candidate.variant;
-    let one = |j: Option<usize>| j.map(|j| j + 1);
     describe(&Cause {
-        joint: one(variant.joint),
-        joint_b: one(variant.joint_b),
+        joint: variant.joint,
+        joint_b: variant.joint_b,
         n: variant.n,
         t0_min: variant.t0_min().filter(|_| dataset.time_min.is_some()),
         from_line: variant.t0_min().and_then(|t0| dataset.line_from(t0)),
@@ -55,9 +54,9 @@ pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
 pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
     let time = if timed { "time" } else { "the order of the rows; the time (t_min) is not in the file" };
     let of = match gp_alternative {
-        GpAlternative::Joint(j) | GpAlternative::JointFine(j) => format!("the angle of joint {}", j + 1),
-        GpAlternative::Joints(j) => format!("joint {}, depending on all joints' angles", j + 1),
-        GpAlternative::Driven(a, b) => format!("joint {}, depending on the angle of joint {}", b + 1, a + 1),
+        GpAlternative::Joint(j) | GpAlternative::JointFine(j) => format!("the angle of joint {j}"),
+        GpAlternative::Joints(j) => format!("joint {j}, depending on all joints' angles"),
+        GpAlternative::Driven(a, b) => format!("joint {b}, depending on the angle of joint {a}"),
         GpAlternative::AllJoints => "the angles of several joints".to_owned(),
         GpAlternative::Workspace | GpAlternative::WorkspaceFine => "the place in the workspace".to_owned(),
         GpAlternative::LocalBump(..) => "one place of the workspace".to_owned(),
@@ -66,11 +65,11 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
         }
         GpAlternative::WristFlip(_) => "the side to which the wrist is bent".to_owned(),
         GpAlternative::Pair(a, b, j) => {
-            format!("joint {}, depending on the angles of joints {} and {}", j + 1, a + 1, b + 1)
+            format!("joint {j}, depending on the angles of joints {a} and {b}")
         }
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::TimeVaryingCause(_) => time.to_owned(),
         GpAlternative::ToolTime => format!("the target on the flange, over {time}"),
-        GpAlternative::JointTime(j) => format!("joint {}, over {time}", j + 1),
+        GpAlternative::JointTime(j) => format!("joint {j}, over {time}"),
         GpAlternative::HiddenLoad => {
             format!(
                 "what the arm gives under a load that comes and goes over {time}: the payload (payload_kg) is not in the file"
@@ -83,7 +82,7 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
             )
         }
         GpAlternative::Periodic(j, n) | GpAlternative::SquareWave(j, n) => {
-            format!("the angle of joint {}, {n} times per turn, with steps or corners", j + 1)
+            format!("the angle of joint {j}, {n} times per turn, with steps or corners")
         }
     };
     format!("the gap has a structure that no effect of the library takes; it follows {of}")
@@ -124,8 +123,8 @@ pub fn missing_channels(dataset: &Dataset) -> String {
 /// Lines of one joint's gear together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearBand {
-    /// Joint it turns with, from 1.
-    pub joint: usize,
+    /// Joint it turns with.
+    pub joint: Axis,
     /// How many lines of the spectrum were found.
     pub lines: usize,
     /// The lowest and the highest period per turn.
@@ -144,13 +143,13 @@ const BAND: usize = 3;
 /// The lines of each joint's gear together, where there are several; and all other causes.
 #[must_use]
 pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
-    let of = |joint: usize| -> Vec<&Cause> {
+    let of = |joint: Axis| -> Vec<&Cause> {
         causes.iter().filter(|c| c.effect == EffectKind::GearMesh && c.joint == Some(joint)).collect()
     };
     // Lines of different periods are independent over a turn: their squares add.
     let together = |squares: f64| squares.sqrt();
-    let bands: Vec<GearBand> = (1..=MOST_JOINTS)
-        .map(|joint| (joint, of(joint)))
+    let bands: Vec<GearBand> = (0..MOST_JOINTS)
+        .map(|j| (Axis::at(j), of(Axis::at(j))))
         .filter(|(_, lines)| lines.len() >= BAND)
         .map(|(joint, lines)| GearBand {
             joint,
@@ -221,7 +220,7 @@ mod tests {
     use super::*;
 
     fn cause(effect: EffectKind, joint: usize, slot: usize, rms_mm: f64) -> Cause {
-        Cause { joint: Some(joint), slot, rms_mm: Some(rms_mm), ..Cause::of(effect, 0.9) }
+        Cause { joint: Axis::numbered(joint), slot, rms_mm: Some(rms_mm), ..Cause::of(effect, 0.9) }
     }
 
     /// By hand: sizes 3 and 4 urad beside 0 add to 5 / sqrt 2 rms; 0.03 and 0.04 mm to 0.05.
@@ -236,7 +235,7 @@ mod tests {
         let (bands, others) = gear_bands(&causes);
         assert_eq!(others.len(), 0);
         let [band] = bands.as_slice() else { panic!("{bands:?}") };
-        assert_eq!((band.joint, band.lines, band.n), (2, 3, [11, 33]));
+        assert_eq!((band.joint, band.lines, band.n), (Axis::at(1), 3, [11, 33]));
         assert!((band.rms_rad - 5e-6 / 2f64.sqrt()).abs() < 1e-18 && (band.rms_mm - 0.05).abs() < 1e-15);
         assert_eq!(gear_bands(&causes[..2]).1.len(), 2, "two lines are named one by one");
     }

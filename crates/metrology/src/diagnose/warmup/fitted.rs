@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, Vector3};
 use robot_model::deform::identified::{Growth, Identified, MeasuredRange, PayloadScaling, Term, Value};
 use robot_model::deform::{Deformation, EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::Robot;
+use robot_model::robot::{Axis, Robot};
 
 /// A settled deformation with its growth, fitted to touches.
 #[derive(Clone, Debug)]
@@ -86,7 +86,7 @@ impl WarmUp {
         let growth = Growth::from(self.growth);
         let terms = (0..6).map(|i| Term {
             kind: if i == 0 { EffectKind::BaseDrift } else { EffectKind::LinkGeometry },
-            joint: (i > 0).then(|| i - 1),
+            joint: (i > 0).then(|| Axis::at(i - 1)),
             joint_b: None,
             n: None,
             growth,

@@ -4,7 +4,7 @@ use super::{Fault, FaultKind};
 use crate::measure::{Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Robot, SerialArm};
+use robot_model::robot::{Axis, Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use std::collections::BTreeSet;
 
@@ -64,7 +64,7 @@ pub fn changes(arm: &SerialArm) -> Vec<Change> {
     }
     let turning: Vec<usize> = (0..arm.joints.len()).filter(|&j| !arm.joints[j].kind.slides()).collect();
     for &j in &turning {
-        let column = arm.column(j);
+        let column = arm.column(Axis::at(j));
         all.push(Change {
             kind: FaultKind::ColumnUnits,
             says: format!("column {column} is in radians"),
@@ -284,15 +284,16 @@ impl Trial<'_> {
             let flipped = self.with(|s| s.q_rad[a] = -s.q_rad[a]);
             tried.push((
                 flipped,
-                format!("joint {} is counted the other way round", a + 1),
-                self.robot.column(a),
+                format!("joint {} is counted the other way round", Axis::at(a)),
+                self.robot.column(Axis::at(a)),
             ));
             for b in (a + 1..joints).filter(|&b| self.robot.joints[a].kind == self.robot.joints[b].kind) {
                 let swapped = self.with(|s| s.q_rad.swap(a, b));
-                let columns = format!("{}, {}", self.robot.column(a), self.robot.column(b));
+                let columns =
+                    format!("{}, {}", self.robot.column(Axis::at(a)), self.robot.column(Axis::at(b)));
                 tried.push((
                     swapped,
-                    format!("the columns of joints {} and {} are swapped", a + 1, b + 1),
+                    format!("the columns of joints {} and {} are swapped", Axis::at(a), Axis::at(b)),
                     columns,
                 ));
             }

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, Identified, Term};
 use robot_model::kinematics::{Chain, FrameOffsets};
-use robot_model::robot::Robot;
+use robot_model::robot::{Axis, Robot};
 
 /// Turns that change by more than this with the joint (rad/rad) are looked at once more at the corrected joints: the
 /// offsets of a drifting arm change by some ten thousandths.
@@ -139,7 +139,7 @@ impl LiveModel {
             },
         };
         let v = |i: usize| term.value(i);
-        let joint = term.joint.unwrap_or(0).min(5);
+        let joint = term.joint.map_or(0, Axis::index).min(5);
         let mut turn = |joint: usize, turn: Turn| self.turns[joint].push(turn);
         match term.kind {
             EffectKind::JointOffset => turn(joint, Turn::Constant { function: None, rad: v(0) }),
@@ -149,7 +149,7 @@ impl LiveModel {
             }
             EffectKind::JointGain => turn(joint, Turn::Gain { by: joint, gain: v(0) }),
             EffectKind::JointCoupling => {
-                turn(term.joint_b.unwrap_or(0).min(5), Turn::Gain { by: joint, gain: v(0) });
+                turn(term.joint_b.map_or(0, Axis::index).min(5), Turn::Gain { by: joint, gain: v(0) });
             }
             EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic | EffectKind::GearMesh => {
                 turn(joint, Turn::Gear { n: term.n.unwrap_or(1), sin_rad: v(0), cos_rad: v(1) });
@@ -157,7 +157,7 @@ impl LiveModel {
             EffectKind::LinkGeometry => self.offset(function, joint + 1, std::array::from_fn(v)),
             EffectKind::BaseDrift | EffectKind::BaseStep => self.offset(function, 0, std::array::from_fn(v)),
             EffectKind::ThermalLinkGrowth => {
-                for i in (0..6).filter(|i| term.joint.is_none_or(|link| link == *i)) {
+                for i in (0..6).filter(|i| term.joint.is_none_or(|link| link.index() == *i)) {
                     let next = self.robot.joints.get(i + 1).map(|j| j.previous_from_joint);
                     let [x, y, z] = next.unwrap_or(self.robot.joint6_from_flange).translation.vector.into();
                     let along = [x, y, z, 0.0, 0.0, 0.0];

@@ -90,10 +90,11 @@ mod tests {
     use super::super::{Growth, Identified, Term, Value};
     use crate::deform::{Deformation, EffectKind, GrowthLaw};
     use crate::kinematics::FrameOffsets;
+    use crate::robot::Axis;
 
     fn term(kind: EffectKind, growth: Growth, values: &[f64]) -> Term {
         let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
-        Term { growth, ..Term::plain(kind, Some(1), values) }
+        Term { growth, ..Term::plain(kind, Some(Axis::at(1)), values) }
     }
 
     fn model(terms: Vec<Term>) -> Identified {

@@ -4,7 +4,7 @@ use super::error::ModelError;
 use super::table_reader::TableReader;
 use super::{Growth, Identified, MeasuredRange, Mounting, PayloadScaling, Term, Value};
 use crate::deform::{EffectKind, GrowthLaw};
-use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
+use crate::robot::{Axis, FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use std::fmt::Write as _;
@@ -330,8 +330,8 @@ fn read_growth(keys: &mut TableReader, joints: usize) -> Result<Growth, ModelErr
 }
 
 /// How the joint of a term moves.
-fn kind_of(joint: Option<usize>, kinds: &Joints<JointKind>) -> JointKind {
-    joint.and_then(|joint| kinds.get(joint)).copied().unwrap_or_default()
+fn kind_of(joint: Option<Axis>, kinds: &Joints<JointKind>) -> JointKind {
+    joint.and_then(|joint| kinds.get(joint.index())).copied().unwrap_or_default()
 }
 
 fn write_term(out: &mut String, term: &Term, kinds: &Joints<JointKind>) {
@@ -341,7 +341,7 @@ fn write_term(out: &mut String, term: &Term, kinds: &Joints<JointKind>) {
     }
     for (key, joint) in [("joint", term.joint), ("joint_b", term.joint_b)] {
         if let Some(joint) = joint {
-            let _ = writeln!(out, "{key} = {}", joint + 1);
+            let _ = writeln!(out, "{key} = {joint}");
         }
     }
     if let (EffectKind::GearMesh, Some(n)) = (term.kind, term.n) {

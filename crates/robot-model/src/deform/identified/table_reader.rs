@@ -1,7 +1,7 @@
 //! A TOML table whose keys are taken one by one, with messages that name the place.
 
 use super::error::ModelError;
-use crate::robot::{Joints, MOST_JOINTS};
+use crate::robot::{Axis, Joints, MOST_JOINTS};
 
 /// A table whose keys are taken one by one; what is left at the end is not known.
 pub(super) struct TableReader {
@@ -47,11 +47,12 @@ impl TableReader {
         }
     }
 
-    /// One of `joints` joints, from 1 in the file and from 0 here.
-    pub(super) fn joint(&mut self, key: &str, joints: usize) -> Result<Option<usize>, ModelError> {
+    /// One of `joints` joints.
+    pub(super) fn joint(&mut self, key: &str, joints: usize) -> Result<Option<Axis>, ModelError> {
         let Some(number) = self.integer(key)? else { return Ok(None) };
-        match usize::try_from(number).ok().filter(|number| (1..=joints).contains(number)) {
-            Some(number) => Ok(Some(number - 1)),
+        let axis = usize::try_from(number).ok().and_then(Axis::numbered);
+        match axis.filter(|axis| axis.index() < joints) {
+            Some(axis) => Ok(Some(axis)),
             None => Err(self.wrong(key, format!("{number} is not 1 to {joints}"))),
         }
     }

@@ -7,7 +7,7 @@ use super::ThermalState;
 use crate::deform::gravity::{Bend, Loads};
 use crate::deform::{EffectKind, GrowthLaw};
 use crate::kinematics::SerialOffsets;
-use crate::robot::{ArmGeometry, Joints, MOST_JOINTS};
+use crate::robot::{ArmGeometry, Axis, Joints, MOST_JOINTS};
 use nalgebra::{Isometry3, Vector3};
 
 /// Growth in time or temperature, 0 to about 1.
@@ -49,9 +49,9 @@ impl From<GrowthLaw> for Growth {
 }
 
 impl Growth {
-    /// How far it has grown for joint `joint` (from 0), or on average over all.
+    /// How far it has grown for joint `joint`, or on average over all.
     #[must_use]
-    pub fn at(&self, when: &ThermalState, joint: Option<usize>) -> f64 {
+    pub fn at(&self, when: &ThermalState, joint: Option<Axis>) -> f64 {
         let t_min = when.t_min;
         match *self {
             Self::Always => 1.0,
@@ -68,7 +68,10 @@ impl Growth {
                     if rise_k.abs() > 1e-6 { (here[j] - from_c[j]) / rise_k } else { 0.0 }
                 };
                 let Some(last) = joints.checked_sub(1) else { return 0.0 };
-                joint.map_or_else(|| (0..joints).map(one).sum::<f64>() / joints as f64, |j| one(j.min(last)))
+                joint.map_or_else(
+                    || (0..joints).map(one).sum::<f64>() / joints as f64,
+                    |axis| one(axis.index().min(last)),
+                )
             }
         }
     }
@@ -112,10 +115,10 @@ pub struct Value {
 pub struct Term {
     /// Kind of the effect.
     pub kind: EffectKind,
-    /// Joint or link, from 0; link i follows joint i.
-    pub joint: Option<usize>,
-    /// The joint that is driven, from 0.
-    pub joint_b: Option<usize>,
+    /// Joint or link; link i follows joint i.
+    pub joint: Option<Axis>,
+    /// The joint that is driven.
+    pub joint_b: Option<Axis>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
     /// Growth of the effect in time or temperature.
@@ -134,7 +137,7 @@ pub struct Term {
 impl Term {
     /// A cause that is there from the cold start on and has nothing besides its joint and values.
     #[must_use]
-    pub fn plain(kind: EffectKind, joint: Option<usize>, values: Vec<Value>) -> Self {
+    pub fn plain(kind: EffectKind, joint: Option<Axis>, values: Vec<Value>) -> Self {
         Self {
             kind,
             joint,
@@ -197,7 +200,7 @@ impl Term {
     pub(in crate::deform) fn add(&self, at: &PoseState<'_>, to: &mut ArmDelta) {
         let v = |i: usize| self.value(i);
         let joints = at.arm.joints.len();
-        let joint = self.joint.unwrap_or(0).min(joints - 1);
+        let joint = self.joint.map_or(0, Axis::index).min(joints - 1);
         let grown = self.growth.at(at.when, self.joint);
         match self.kind {
             EffectKind::JointOffset => to.turns_rad[joint] += v(0),
@@ -225,7 +228,7 @@ impl Term {
                 to.slopes[joint][joint] += v(0);
             }
             EffectKind::JointCoupling => {
-                let driven = self.joint_b.unwrap_or(0).min(joints - 1);
+                let driven = self.joint_b.map_or(0, Axis::index).min(joints - 1);
                 to.turns_rad[driven] += v(0) * at.q_rad[joint];
                 to.slopes[driven][joint] += v(0);
             }
@@ -239,9 +242,9 @@ impl Term {
                 to.turns_rad[joint] += 0.5 * v(0) * side;
             }
             EffectKind::ThermalLinkGrowth => {
-                for i in (0..joints).filter(|i| self.joint.is_none_or(|link| link == *i)) {
+                for i in (0..joints).filter(|i| self.joint.is_none_or(|link| link.index() == *i)) {
                     let next = at.arm.after_link(i);
-                    let strain = v(0) * self.growth.at(at.when, Some(i)) + v(1);
+                    let strain = v(0) * self.growth.at(at.when, Some(Axis::at(i))) + v(1);
                     for (to, along) in to.offsets.0[i + 1].iter_mut().zip(next.translation.vector.iter()) {
                         *to += along * strain;
                     }

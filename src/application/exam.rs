@@ -1,0 +1,129 @@
+//! The blind exam: sets of measurements whose truth is sealed, put to the diagnosis and scored.
+
+use super::diagnosis::Diagnosis;
+use exam::answer::Answer;
+use exam::generate::Task;
+use exam::measure::Measure;
+use exam::score::score;
+use exam::truth::{Sealed, Truth, seal};
+use metrology::diagnose::Options;
+use metrology::measure::Measurements;
+use nalgebra::Vector3;
+use rapid_syntax::diagnostic::{Diagnostic, counted};
+use rayon::prelude::*;
+use robot_model::robot::SerialArm;
+use robot_model::units::m_from_mm;
+use std::fmt::Write as _;
+
+/// One set of measurements, and what is told of it.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// What the one who measures knows: the target's place, the noise.
+    pub task: Task,
+    /// The robot as its model says.
+    pub robot: SerialArm,
+    /// The rows of the set, as its file holds them.
+    pub measurements: Measurements,
+}
+
+impl Question {
+    /// What the diagnosis says, by way of the JSON that any script reads.
+    ///
+    /// # Errors
+    /// JSON that is not that of the contract.
+    pub fn answer(&self) -> serde_json::Result<Answer> {
+        let mut diagnosis = Diagnosis::new(self.robot.clone());
+        diagnosis.options = Options {
+            tool_m: self.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
+            sigma_m: self.task.sigma_mm.map(m_from_mm),
+        };
+        serde_json::from_str(&diagnosis.run(&self.measurements).json()?)
+    }
+}
+
+/// Questions with their truth, which is not looked at before all are answered.
+#[derive(Clone, Debug)]
+pub struct Exam {
+    sets: Vec<(Truth, Question)>,
+}
+
+impl Exam {
+    /// The exam of a sealed truth (bytes of its file), with the question of each set as `read` finds it by the set's name.
+    ///
+    /// # Errors
+    /// `exam::seal` where the truth is not the one that `stated` seals, `exam::truth` where it cannot be read, and what
+    /// `read` says.
+    pub fn open<E: From<Diagnostic>>(
+        truth: &[u8],
+        stated: &str,
+        mut read: impl FnMut(&str) -> Result<Question, E>,
+    ) -> Result<Self, E> {
+        const AGAIN: &str = "make the sets again with `driftpost synth`";
+        if stated.trim() != seal(truth) {
+            let text = "the sealed truth is not the one that was sealed";
+            return Err(Diagnostic::error("exam::seal", text).help(AGAIN).into());
+        }
+        let sealed: Sealed = serde_json::from_slice(truth).map_err(|cause| {
+            let text = format!("the sealed truth cannot be read: {cause}");
+            Diagnostic::error("exam::truth", text).help(AGAIN)
+        })?;
+        let with_question = |truth: Truth| read(&truth.name).map(|question| (truth, question));
+        Ok(Self { sets: sealed.sets.into_iter().map(with_question).collect::<Result<_, E>>()? })
+    }
+
+    /// Diagnoses every set, then scores the answers.
+    ///
+    /// # Errors
+    /// An answer that is not that of the contract.
+    pub fn run(self) -> serde_json::Result<Scored> {
+        let answer = |(truth, question): (Truth, Question)| Ok((truth, question.answer()?));
+        let answered: Vec<(Truth, Answer)> =
+            self.sets.into_par_iter().map(answer).collect::<serde_json::Result<_>>()?;
+        Ok(Scored { measures: score(&answered), answered })
+    }
+}
+
+/// What an exam came to.
+#[derive(Clone, Debug)]
+pub struct Scored {
+    /// Every measure with its value, and what passes.
+    pub measures: Vec<Measure>,
+    /// Each set's truth and answer.
+    pub answered: Vec<(Truth, Answer)>,
+}
+
+impl Scored {
+    /// The table that `driftpost exam` prints.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut out = format!("{}\n\n", counted(self.answered.len(), "set"));
+        for measure in &self.measures {
+            let _ = writeln!(out, "{}", row(measure));
+        }
+        out
+    }
+
+    /// Table, truths and answers as `driftpost exam --json` writes them.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let set = |(truth, answer): &(Truth, Answer)| serde_json::json!({ "truth": truth, "answer": answer });
+        let sets: Vec<_> = self.answered.iter().map(set).collect();
+        format!("{:#}\n", serde_json::json!({ "measures": self.measures, "sets": sets }))
+    }
+}
+
+/// A row of the table: measure, value with interval, number of sets, what passes, what is world-class.
+fn row(measure: &Measure) -> String {
+    let value = measure.value.map_or_else(|| "-".to_owned(), |v| format!("{v:.3}"));
+    let interval = measure.ci90.map_or_else(String::new, |[low, high]| format!("[{low:.2}, {high:.2}]"));
+    let mark = match measure.value {
+        None => "not asked",
+        Some(_) if measure.reaches(measure.world_class) => "world-class",
+        Some(_) if measure.reaches(measure.pass) => "passes",
+        Some(_) => "falls short",
+    };
+    format!(
+        "{:<48} {value:>6} {interval:<13} {:>4} sets   pass {:<4} world-class {:<4}  {mark}",
+        measure.name, measure.sets, measure.pass, measure.world_class
+    )
+}
