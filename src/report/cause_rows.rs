@@ -2,6 +2,7 @@
 
 use metrology::diagnose::{Cause, GearBand, describe, gear_bands};
 use robot_model::deform::EffectKind;
+use robot_model::units::mrad_from_rad;
 use std::fmt::Write;
 
 /// A row for each cause; the lines of one joint's gear, where there are several, are one. Of causes that are there the largest at
@@ -30,7 +31,7 @@ fn band_in_words(band: &GearBand) -> String {
         band.lines,
         band.n[0],
         band.n[1],
-        1e3 * band.rms_rad,
+        mrad_from_rad(band.rms_rad),
         moves(band.rms_mm, band.seen_mm)
     )
 }

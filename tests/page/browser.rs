@@ -3,7 +3,6 @@
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::Write;
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -11,8 +10,6 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tungstenite::{Message, WebSocket};
 
-/// Set where these tests must run: a missing browser is then a failure.
-const REQUIRED: &str = "DRIFTPOST_PAGE_TESTS";
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -30,12 +27,6 @@ pub struct Browser {
     _alone: MutexGuard<'static, ()>,
 }
 
-/// What could not be done here, in one line that is seen without `--nocapture`.
-pub fn skip(what: &str) {
-    assert!(std::env::var_os(REQUIRED).is_none(), "{REQUIRED} is set, and {what}");
-    let _ = writeln!(std::io::stderr(), "page tests skipped: {what}");
-}
-
 fn program() -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;
     std::env::split_paths(&path)
@@ -44,12 +35,9 @@ fn program() -> Option<PathBuf> {
 }
 
 impl Browser {
-    /// A browser with a new profile; `None`, and a line that says so, where there is none.
-    pub fn launch() -> Option<Self> {
-        let Some(program) = program() else {
-            skip("no Chromium here");
-            return None;
-        };
+    /// A browser with a new profile.
+    pub fn launch() -> Self {
+        let program = program().expect("Chromium is on the path");
         let alone = ONE.lock().unwrap_or_else(PoisonError::into_inner);
         let profile = tempfile::tempdir().unwrap();
         let process = Command::new(program)
@@ -93,7 +81,7 @@ impl Browser {
         for domain in ["Page", "Runtime", "Log", "Network"] {
             browser.call(&format!("{domain}.enable"), json!({}));
         }
-        Some(browser)
+        browser
     }
 
     /// A method of the protocol with its result.

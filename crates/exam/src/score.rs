@@ -155,7 +155,7 @@ fn says_outside(answer: &Answer) -> bool {
     answer.verdict.starts_with("unexplained")
 }
 
-/// The table of measures over all papers: truths with their answers, in any order.
+/// The table of measures over all sets: truths with their answers, in any order.
 #[must_use]
 pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
     let grader = Grader(answered.iter().map(|(t, a)| (t, a)).collect());

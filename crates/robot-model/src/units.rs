@@ -38,6 +38,20 @@ pub fn mrad_from_rad(rad: f64) -> f64 {
     rad * 1000.0
 }
 
+/// Milliseconds from seconds.
+#[inline]
+#[must_use]
+pub fn ms_from_s(s: f64) -> f64 {
+    s * 1000.0
+}
+
+/// Seconds from milliseconds.
+#[inline]
+#[must_use]
+pub fn seconds_from_ms(ms: f64) -> f64 {
+    ms / 1000.0
+}
+
 /// Kilograms from grams.
 #[inline]
 #[must_use]

@@ -7,7 +7,7 @@ use super::scenario::{Scenario, ScenarioStep, date_time, mark_words};
 use super::session::{ScenarioMark, Session};
 use super::warming::{GAP_MIN, WarmthHistory};
 use robot_model::deform::Index;
-use robot_model::units::{min_from_s, seconds_from_min};
+use robot_model::units::{min_from_s, seconds_from_min, seconds_from_ms};
 
 impl Scenario {
     /// Carry it out on a session.
@@ -20,7 +20,7 @@ impl Scenario {
             session.program.calendar_mut().set(date, time);
             session.original.calendar_mut().set(date, time);
         }
-        let step_s = self.step_ms.unwrap_or(0.0) / 1e3;
+        let step_s = seconds_from_ms(self.step_ms.unwrap_or(0.0));
         session.program.calendar_mut().step_s = step_s;
         let natural = session.truth.growth().and_then(|g| g.tau_min());
         let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));

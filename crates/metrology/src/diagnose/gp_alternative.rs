@@ -102,10 +102,7 @@ pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
     all.extend((0..3).map(|body| (GpAlternative::WristFlip(body), 0.3)));
     for position in 0..BUMP_CENTRES {
         let share = 2.0 / (BUMP_CENTRES * BUMP_RADII_M.len()) as f64;
-        all.extend(
-            (0..BUMP_RADII_M.len())
-                .map(|signal_of_unit_size| (GpAlternative::LocalBump(position, signal_of_unit_size), share)),
-        );
+        all.extend((0..BUMP_RADII_M.len()).map(|radius| (GpAlternative::LocalBump(position, radius), share)));
     }
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([(GpAlternative::Time, 2.0), (GpAlternative::TimeFine, 1.0), (GpAlternative::ToolTime, 1.0)]);
@@ -141,18 +138,11 @@ pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset
         }
         GpAlternative::Workspace => shift_columns(design, dataset, position, 40, WORKSPACE_M[0]),
         GpAlternative::WorkspaceFine => shift_columns(design, dataset, position, 60, WORKSPACE_M[1]),
-        GpAlternative::LocalBump(which, signal_of_unit_size) => {
+        GpAlternative::LocalBump(which, radius) => {
             match farthest_points(dataset, position, BUMP_CENTRES).get(which) {
                 Some(centre) => {
                     let centre = std::slice::from_ref(centre);
-                    compress(&shifts(
-                        design,
-                        dataset,
-                        &position,
-                        &base,
-                        centre,
-                        BUMP_RADII_M[signal_of_unit_size],
-                    ))
+                    compress(&shifts(design, dataset, &position, &base, centre, BUMP_RADII_M[radius]))
                 }
                 None => DMatrix::zeros(0, 0),
             }

@@ -166,7 +166,6 @@ pub fn unescape(text: &[u8]) -> Option<Vec<u8>> {
     Some(out)
 }
 
-/// A printable ASCII form of a file's name.
 /// Where a text is cut to at most `most` letters: a line that ended with a blank would lose it, here or in a controller's editor.
 fn cut(text: &str, most: usize) -> usize {
     if text.len() <= most {
@@ -176,6 +175,7 @@ fn cut(text: &str, most: usize) -> usize {
     (1..=most).rev().find(letter).unwrap_or(most)
 }
 
+/// A printable ASCII form of a file's name.
 #[must_use]
 pub fn plain(name: &str) -> String {
     name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()

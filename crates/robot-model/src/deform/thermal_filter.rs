@@ -6,6 +6,7 @@
 //! unused. A touch sees the last lag: the share of the table's settled drift that is there.
 
 use super::GrowthLaw;
+use super::warmth::two_lags;
 use nalgebra::{SMatrix, SVector};
 
 /// Numbers of the state.
@@ -107,8 +108,7 @@ impl ThermalFilter {
         }
         // d e / d ln tau = s e.
         (f[(0, by)], f[(1, by)]) = (s * e * y1, s * e * (y2 + y1 * (s - 1.0)));
-        self.state[0] = to + y1 * e;
-        self.state[1] = to + (y2 + y1 * s) * e;
+        [self.state[0], self.state[1]] = two_lags([self.state[0], self.state[1]], to, s);
         self.covariance = f * self.covariance * f.transpose();
         for (i, sigma) in HOUR_SIGMA.iter().enumerate() {
             self.covariance[(i, i)] += sigma * sigma * dt_min.max(0.0) / HOUR_MIN;

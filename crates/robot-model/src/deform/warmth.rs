@@ -11,6 +11,15 @@ pub struct Warmth {
     second: f64,
 }
 
+/// Two equal first-order lags in a row that run towards `u` for `s` time constants from the values x1, x2: with
+/// y1 = x1 - u, y2 = x2 - u and e = exp(-s), x1 becomes u + y1 e and x2 becomes u + (y2 + y1 s) e.
+#[must_use]
+pub(super) fn two_lags([x1, x2]: [f64; 2], u: f64, s: f64) -> [f64; 2] {
+    let e = (-s).exp();
+    let (y1, y2) = (x1 - u, x2 - u);
+    [u + y1 * e, u + (y2 + y1 * s) * e]
+}
+
 impl Warmth {
     /// A cold robot that warms by `law` and cools with `tau_cool_min`.
     #[must_use]
@@ -19,17 +28,10 @@ impl Warmth {
     }
 
     /// Let it run or stand for a time.
-    ///
-    /// For two equal lags in a row, with y1 = x1 - u, y2 = x2 - u and e = exp(-dt/τ):
-    /// x1 = u + y1 e, x2 = u + (y2 + y1 dt/τ) e; u = 1 running, 0 standing.
     pub fn advance(&mut self, dt_min: f64, running: bool) {
         let Some(tau_min) = self.law.tau_min() else { return };
         let (u, tau_min) = if running { (1.0, tau_min) } else { (0.0, self.tau_cool_min) };
-        let lag = dt_min.max(0.0) / tau_min;
-        let e = (-lag).exp();
-        let (y1, y2) = (self.first - u, self.second - u);
-        self.first = u + y1 * e;
-        self.second = u + (y2 + y1 * lag) * e;
+        [self.first, self.second] = two_lags([self.first, self.second], u, dt_min.max(0.0) / tau_min);
     }
 
     /// The share of the settled deformation that is there.

@@ -5,6 +5,7 @@ use crate::code::Expr;
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
 use crate::value::{ClockState, Value};
+use robot_model::units::{ms_from_s, seconds_from_ms};
 
 /// A condition that does not come true by itself within this time never will, seconds.
 const MAX_WAIT_S: f64 = 60.0;
@@ -41,7 +42,7 @@ pub(super) const FUNCTIONS: &[Function] = &[
             return raise("err_overflow", "a clock that ran longer than 49 days");
         }
         // Without \HighRes a clock counts milliseconds.
-        Ok(Value::num(if args.has("highres") { seconds } else { (seconds * 1e3 + 1e-6).floor() / 1e3 }))
+        Ok(Value::num(if args.has("highres") { seconds } else { seconds_from_ms((ms_from_s(seconds) + 1e-6).floor()) }))
     }),
 ];
 
