@@ -39,6 +39,16 @@
 //! What is found goes back into a program with [`Diagnosis::and_identify`] and [`Compensation::with_model`]; [`Simulation`] executes
 //! any program on the deformed robot, and shares no code with what corrected it.
 //!
+//! # What to know of it
+//!
+//! Numbers are SI (metres, radians) and say so in their names (`_m`, `_rad`); mm and degrees stand where RAPID, CSV and JSON are read and
+//! written. Every job of [`application`] has a `run` that prints nothing. What cannot be done is a [`Diagnostic`] with a stable code, listed in
+//! `docs/MESSAGES.md`, or a [`Refusal`] that holds several. [`Fit`] makes a table of drift from touches of fixed points, [`Exam`] puts
+//! sets with sealed truth to the diagnosis.
+//!
+//! Features: `cli` (default; the command line), `link` (default; a controller's Robot Web Services), `mcap` (recordings for Foxglove and Rerun).
+//! Without the default ones the library brings no terminal and no network.
+//!
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
 //! [`virtual_controller`], [`metrology`] and [`exam`].
 
