@@ -29,6 +29,7 @@ pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
     line(&mut page, &format!("{robot}, {}, {}.", counted(d.rows, "row"), counted(d.stations, "station")));
     noise(&mut page, d);
     evidence(&mut page, d);
+    false_rows(&mut page, d);
     limits(&mut page, d);
     gain(&mut page, d);
     next(&mut page, d, arm);
@@ -125,13 +126,25 @@ pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
         Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
         Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
         Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),
+        Verdict::Geometry if d.shrink.ratio.is_some_and(|ratio| ratio < 1.0) && d.no_model.is_none() => {
+            format!("{write}; to see more {poses}")
+        }
         _ if share_explained(d).is_some() && d.no_model.is_none() => match poses.is_empty() {
             true => write.to_owned(),
             false => format!("{write}; for what is left {poses}"),
         },
+        Verdict::UnexplainedScatter if !poses.is_empty() && misses_a_channel(d) => {
+            format!("measure again with the columns that are missing (below); {poses}")
+        }
         _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
         _ => poses,
     }
+}
+
+/// Whether an effect cannot be tested at all, for the file lacks what drives it.
+fn misses_a_channel(d: &Diagnosis) -> bool {
+    let whole = d.untestable_detail.iter().filter(|entry| entry.joints.is_empty());
+    whole.map(|entry| entry.effect).any(|effect| effect != EffectKind::InstrumentScale)
 }
 
 /// Whether play is named in a file that has no directions.
@@ -194,7 +207,6 @@ fn noise(page: &mut String, d: &Diagnosis) {
             ),
         );
     }
-    false_rows(page, d);
 }
 
 /// Rows to look at again, the furthest first.
@@ -202,7 +214,8 @@ fn false_rows(page: &mut String, d: &Diagnosis) {
     if d.false_rows.is_empty() {
         return;
     }
-    line(page, "Set aside as false readings:");
+    line(page, "");
+    line(page, "Set aside as false readings");
     let mut rows: Vec<&FalseRow> = d.false_rows.iter().collect();
     // A row that disagrees with its repeats has no distance from the model: it comes first.
     let off = |row: &FalseRow| row.off_mm.unwrap_or(f64::INFINITY);

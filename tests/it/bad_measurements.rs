@@ -297,6 +297,103 @@ fn rounded_joints_are_named_with_their_columns_in_few_rows() {
     }
 }
 
+/// Cells of the sound file, line by line.
+fn cells() -> (Vec<String>, Vec<Vec<String>>) {
+    let split = |line: &str| line.split(',').map(str::to_owned).collect();
+    let mut lines = SOUND.lines();
+    (split(lines.next().unwrap()), lines.map(split).collect())
+}
+
+fn as_text(names: &[String], rows: &[Vec<String>]) -> String {
+    names.join(",") + "\n" + &rows.iter().map(|row| row.join(",") + "\n").collect::<String>()
+}
+
+fn lines(from: usize, to: usize) -> Vec<u64> {
+    (from as u64 + 2..to as u64 + 2).collect()
+}
+
+#[test]
+fn a_fault_of_most_rows_or_of_all_is_named_as_one_of_few_is() {
+    let (names, rows) = cells();
+    let n = rows.len();
+    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+    let point = ["x_mm", "y_mm", "z_mm"];
+
+    let mut metres = rows.clone();
+    for row in &mut metres[12..] {
+        for c in point.map(at) {
+            row[c] = times(1e-3)(&row[c]);
+        }
+    }
+    let (kind, _, found) = fault(&as_text(&names, &metres));
+    assert_eq!((kind.as_str(), found), ("position_units", lines(12, n)));
+
+    let mut shifted = rows.clone();
+    for k in 1..n {
+        for c in point.map(at) {
+            shifted[k][c].clone_from(&rows[k - 1][c]);
+        }
+    }
+    let (kind, column, found) = fault(&as_text(&names, &shifted));
+    assert_eq!((kind.as_str(), column.as_str()), ("rows_shifted", "x_mm, y_mm, z_mm"));
+    assert!(found.is_empty(), "all: {found:?}");
+
+    // Out of joint 2's range in part, which is not what is wrong.
+    let mut swapped = rows;
+    swapped.iter_mut().for_each(|row| row.swap(at("q1_deg"), at("q2_deg")));
+    let (kind, column, _) = fault(&as_text(&names, &swapped));
+    assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", "q1_deg, q2_deg"));
+}
+
+#[test]
+fn an_instrument_that_stands_still_is_seen_through_its_noise() {
+    let (names, mut rows) = cells();
+    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+    for (k, c) in (21..25).flat_map(|k| ["x_mm", "y_mm", "z_mm"].map(|name| (k, at(name)))) {
+        let first: f64 = rows[20][c].parse().unwrap();
+        rows[k][c] = format!("{:.4}", first + 0.01 * ((k * 7 + c * 5) % 3) as f64);
+    }
+    let (kind, column, found) = fault(&as_text(&names, &rows));
+    assert_eq!((kind.as_str(), column.as_str()), ("frozen_point", "x_mm, y_mm, z_mm"));
+    assert_eq!(found, lines(21, 25));
+}
+
+#[test]
+fn temperatures_of_all_joints_in_fahrenheit_are_named_from_the_row_on() {
+    let (names, rows) = cells();
+    let columns: Vec<usize> = (0..names.len()).filter(|&c| names[c].starts_with("temp_j")).collect();
+    assert_eq!(columns.len(), 6);
+    let with = |fahrenheit: std::ops::Range<usize>| {
+        let mut rows = rows.clone();
+        for (k, row) in rows.iter_mut().enumerate() {
+            for (j, &column) in columns.iter().enumerate() {
+                let warm = 21.0 + (j as f64 + 4.0) * (1.0 - (-(k as f64) / 30.0).exp());
+                let written = if fahrenheit.contains(&k) { 1.8 * warm + 32.0 } else { warm };
+                row[column] = format!("{written:.2}");
+            }
+        }
+        as_text(&names, &rows)
+    };
+    let n = rows.len();
+    for from in [0, n / 3] {
+        let (kind, column, found) = fault(&with(from..n));
+        assert_eq!((kind.as_str(), column.as_str()), ("column_units", "temp_j1_c to temp_j6_c"));
+        assert_eq!(found, lines(from, n));
+    }
+    assert_ne!(diagnose(with(0..0).as_bytes(), &[]).verdict(), "data_fault");
+}
+
+#[test]
+fn one_joint_that_is_rounded_is_named_alone() {
+    let (names, mut rows) = cells();
+    let at = names.iter().position(|n| n == "q3_deg").unwrap();
+    for row in &mut rows {
+        row[at] = format!("{:.1}", row[at].parse::<f64>().unwrap());
+    }
+    let (kind, column, _) = fault_with(&as_text(&names, &rows), &["--sigma-mm", "0.03"]);
+    assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q3_deg"));
+}
+
 #[test]
 fn an_instrument_that_was_moved_is_registered_in_both_places() {
     let rows = SOUND.lines().count() - 1;

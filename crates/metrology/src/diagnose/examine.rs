@@ -16,7 +16,7 @@ use super::{
 };
 use crate::measure::{
     Fault, FaultKind, Measurements, PartFault, Row, Stations, alone, check_rows, describe_move, find_fault,
-    find_in_cells, find_in_rows, gather, register,
+    find_in_cells, find_in_rows, find_joint_columns, find_pose_names, gather, register,
 };
 use nalgebra::{Isometry3, Point3};
 use robot_model::deform::EffectKind;
@@ -78,7 +78,15 @@ fn examine(
         d.warnings = warnings;
         d
     };
-    let fault = checked.fault.clone().or_else(|| find_in_cells(measurements, &checked.used, robot));
+    let columns_meant = |fault: Fault| match fault.kind {
+        FaultKind::JointsOutOfRange => {
+            let rows = alone(measurements, &checked.used);
+            find_joint_columns(robot, &rows, measurements.targets.len().max(1)).unwrap_or(fault)
+        }
+        _ => fault,
+    };
+    let fault = checked.fault.clone().map(columns_meant);
+    let fault = fault.or_else(|| find_in_cells(measurements, &checked.used, robot));
     if let Some(fault) = &fault {
         return finish(faulty(fault), warnings);
     }
@@ -102,6 +110,9 @@ fn examine(
         None => {}
     }
     let measurements = measurements.as_ref();
+    if let Some(fault) = find_pose_names(measurements, &checked.used) {
+        return finish(faulty(&fault), warnings);
+    }
     let mut stations = gather(measurements, &checked.used);
     stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
@@ -202,7 +213,7 @@ fn evaluate(
     let folds = heldout::folds(&linear.dataset);
     let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
     let (model, mut workspace) = model::build(linear, &candidates, noise, stations.targets, &folds.group_of);
-    if let Some(fault) = rounding::find(measurements, linear, &model, &workspace, Suspicion::None)
+    if let Some(fault) = rounding::find(measurements, robot, linear, &model, &workspace, Suspicion::None)
         .or_else(|| too_many_false(measurements, stations, &model))
     {
         return faulty(&fault);
@@ -271,6 +282,15 @@ fn evaluate(
         joints: Vec::new(),
         reason: hidden.reason,
     }));
+    let scale_named = judgement.causes.iter().any(|cause| cause.effect == EffectKind::InstrumentScale);
+    if model.peak.geometry_ratio > 0.0 && !scale_named {
+        detail.push(Untestable {
+            effect: EffectKind::InstrumentScale,
+            joints: Vec::new(),
+            reason: "the links' lengths are free within their tolerance, and a small scale lies inside them: a scale bar tells"
+                .to_owned(),
+        });
+    }
     let mut names: Vec<EffectKind> = detail.iter().map(|d| d.effect).collect();
     names.sort_by_key(|kind| kind.name());
     names.dedup();

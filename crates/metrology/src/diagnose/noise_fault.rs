@@ -32,10 +32,10 @@ pub(super) fn noise_beyond_stated(
 ) -> Option<Fault> {
     let (known_m, _) = model.noise.known?;
     let noise_m = model.noise_m();
-    if judgement.verdict != Verdict::UnexplainedScatter || noise_m < BEYOND * known_m {
+    if judgement.verdict == Verdict::UnexplainedStructure || noise_m < BEYOND * known_m {
         return None;
     }
-    let rounded = rounding::find(measurements, linear, model, workspace, Suspicion::FileIsWrong);
+    let rounded = rounding::find(measurements, robot, linear, model, workspace, Suspicion::FileIsWrong);
     if rounded.is_some() {
         return rounded;
     }

@@ -3,10 +3,11 @@
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
 use super::model::{Model, Workspace, odds_of, solve};
-use crate::measure::{Fault, FaultKind, MeasurementRow, Measurements};
+use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
+use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Steps that joints come rounded to, coarse ones first, degrees.
 const STEPS_DEG: [f64; 9] = [1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.025, 0.02, 0.01];
@@ -20,6 +21,10 @@ const ON_STEP: f64 = 1e-6;
 const OFTEN: f64 = 0.2;
 /// Rounding must be likelier than plain noise by so much, nats.
 const CLEAR_NATS: f64 = 8.0;
+/// Where the scatter is so many times what is stated or repeated, and as large as the rounding would make it within a factor of two
+/// either way, the size speaks for rounding as well: plain noise could have any.
+const MORE_SCATTER: f64 = 3.0;
+const BY_SIZE_NATS: f64 = 2.5;
 
 /// How clearly rounding has to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +41,7 @@ pub enum Suspicion {
 #[must_use]
 pub fn find(
     measurements: &Measurements,
+    robot: &SerialArm,
     linear: &Linearised,
     model: &Model,
     workspace: &Workspace<'_>,
@@ -45,11 +51,11 @@ pub fn find(
     if !all_seen {
         return None;
     }
-    let step_deg = common_step_deg(measurements)?;
-    let proves_nothing = COMMANDED_DEG.contains(&step_deg) && suspicion == Suspicion::None;
+    let grid = Grid::of(measurements)?;
+    let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && suspicion == Suspicion::None;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     // Uniform over one step.
-    let variance = rad_from_deg(step_deg).powi(2) / 12.0;
+    let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
     // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
     let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
     for observation in &linear.dataset.observations {
@@ -66,6 +72,7 @@ pub fn find(
             linear
                 .dataset
                 .turning()
+                .filter(|j| grid.joints.contains(j))
                 .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
                 .map(|j| {
                     let v = observation.jacobian_column(j);
@@ -111,37 +118,74 @@ pub fn find(
     let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
     // Lines of a gear follow the rounding of joints that stood at few angles: what they take is weighed with their price.
     let gain_nats = rounded(&bare) - plain(&bare);
+    let best_m2 = mean_square(&best);
+    let as_large = best_m2 < 4.0 * expected_m2 && 4.0 * best_m2 > expected_m2;
+    let contradicted = model.noise.known.is_some_and(|(s, _)| best_m2 > (MORE_SCATTER * s).powi(2));
+    let clear_nats = if as_large && contradicted { clear_nats.min(BY_SIZE_NATS) } else { clear_nats };
     let without_causes = gain_nats > clear_nats && gain_nats > odds_of(model, workspace);
-    let beside_causes = mean_square(&best) > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
+    let beside_causes = best_m2 > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
     let plain_m2 = mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
     (without_causes || beside_causes).then(|| {
+        let step_deg = grid.step_deg;
+        let scatter_mm = mm_from_m((3.0 * plain_m2).sqrt());
+        let columns = grid.columns(robot);
+        let rounded = match grid.joints.len() == linear.dataset.turning().count() {
+            true => "the joints are".to_owned(),
+            false => format!("{columns} alone {}", if grid.joints.len() == 1 { "is" } else { "are" }),
+        };
         Fault::of_all(
             FaultKind::RoundedJoints,
-            Some("q1_deg to q6_deg"),
+            Some(&columns),
             format!(
-                "the joints are rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
-                 ({:.2} mm rms): export the joints with at least 3 decimals",
-                mm_from_m((3.0 * plain_m2).sqrt())
+                "{rounded} rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
+                 ({scatter_mm:.2} mm rms): export the joints with at least 3 decimals"
             ),
         )
     })
 }
 
-/// The coarsest step on which every joint of every row stands, however many decimals it is written with.
-fn common_step_deg(measurements: &Measurements) -> Option<f64> {
-    let cells_deg = || {
-        let rows = measurements.rows.iter().filter(|row| row.reading.involves_arm());
-        let turning = |row: &MeasurementRow| {
-            let joints = row.q_rad.into_iter().zip(measurements.joint_kinds);
-            joints.filter(|(_, kind)| !kind.slides()).map(|(q_rad, _)| deg_from_rad(q_rad))
+/// Joints that are written on the multiples of one step.
+struct Grid {
+    step_deg: f64,
+    /// Counted from 0.
+    joints: Vec<usize>,
+}
+
+impl Grid {
+    /// The coarsest step on which every joint stands, however many decimals it is written with; where there is none, the coarsest
+    /// on which some do, most of whose rows have an angle of their own.
+    fn of(measurements: &Measurements) -> Option<Self> {
+        let rows = || measurements.rows.iter().filter(|row| row.reading.involves_arm());
+        let kinds = measurements.joint_kinds.iter().enumerate();
+        let turning: Vec<usize> = kinds.filter(|(_, kind)| !kind.slides()).map(|(j, _)| j).collect();
+        let on = |step: f64, cell: f64| {
+            ((cell / step) - (cell / step).round()).abs() < ON_STEP * (1.0 + cell.abs() / step)
         };
-        rows.flat_map(turning)
-    };
-    let on = |step: f64, cell: f64| {
-        ((cell / step) - (cell / step).round()).abs() < ON_STEP * (1.0 + cell.abs() / step)
-    };
-    STEPS_DEG.into_iter().find(|&step| cells_deg().all(|cell| on(step, cell)))
+        let stands = |j: usize, step: f64| rows().all(|row| on(step, deg_from_rad(row.q_rad[j])));
+        let moves = |j: usize| {
+            let angles: BTreeSet<u64> = rows().map(|row| row.q_rad[j].to_bits()).collect();
+            2 * angles.len() > rows().count()
+        };
+        let all = STEPS_DEG.into_iter().find(|&step| turning.iter().all(|&j| stands(j, step)));
+        if let Some(step_deg) = all {
+            return Some(Self { step_deg, joints: turning });
+        }
+        STEPS_DEG.into_iter().find_map(|step_deg| {
+            let joints: Vec<usize> =
+                turning.iter().copied().filter(|&j| stands(j, step_deg) && moves(j)).collect();
+            (!joints.is_empty()).then_some(Self { step_deg, joints })
+        })
+    }
+
+    fn columns(&self, robot: &SerialArm) -> String {
+        let all = robot.joints.iter().filter(|joint| !joint.kind.slides()).count();
+        if self.joints.len() == all && all == robot.joints.len() {
+            return robot.columns();
+        }
+        let columns: Vec<String> = self.joints.iter().map(|&j| robot.column(Axis::at(j))).collect();
+        columns.join(", ")
+    }
 }

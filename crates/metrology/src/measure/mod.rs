@@ -29,7 +29,10 @@ mod touch;
 pub use check::{RowCheck, check_rows};
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
-pub use fault::{Fault, FaultKind, PartFault, Row, describe_move, find_fault, find_in_cells, find_in_rows};
+pub use fault::{
+    Fault, FaultKind, PartFault, Row, describe_move, find_fault, find_in_cells, find_in_rows,
+    find_joint_columns, find_pose_names,
+};
 pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
 pub use join::{Joined, MatchBy, join};
 pub use performance::{

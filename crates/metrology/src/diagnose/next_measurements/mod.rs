@@ -7,14 +7,15 @@ mod separation;
 
 use super::dataset::{Observation, Twist, scaled};
 use super::design::{Design, registration};
+use super::effects;
 use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::options::Options;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
-use super::verdict::{OpenPlace, describe_candidate};
+use super::verdict::{OpenPlace, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
-use separation::{Pair, RivalModel, Separation};
+use separation::{Pair, RivalModel, Separation, ShapeDoubt};
 
 /// Different poses at least and at most.
 const FEWEST: usize = 12;
@@ -84,6 +85,9 @@ pub fn next_measurements(
         }
         (Verdict::Explained | Verdict::Several, [one, rival, ..]) => {
             format!("to confirm {one} against its nearest rival, {rival}")
+        }
+        (Verdict::UnexplainedStructure | Verdict::UnexplainedScatter, [one, ..]) => {
+            format!("to test the nearest candidate, {one}")
         }
         (_, [one, ..]) => format!("to see effects as small as the noise; most of all {one}"),
         _ => String::new(),
@@ -155,7 +159,7 @@ impl Question {
             targets: linear.registration.tools_m.len().max(1),
         };
         for (place, columns) in places.iter().zip(&columns) {
-            question.add(model, design, place, columns)?;
+            question.add(model, design, workspace.library.candidates, place, columns)?;
         }
         let drifts = |c: usize| workspace.library.candidates[c].effect().time() == "drift";
         question.grows = linear.dataset.time_min.is_some()
@@ -168,6 +172,7 @@ impl Question {
         &mut self,
         model: &Model,
         design: &Design,
+        candidates: &[effects::Candidate],
         place: &OpenPlace,
         columns: &[Vec<usize>],
     ) -> Option<()> {
@@ -194,24 +199,51 @@ impl Question {
             signals.push(columns.iter().copied().zip(fitted.into_iter().skip(common.len())).collect());
             self.models.push(own);
         }
-        let both = self.pairs.iter().map(|pair| pair.both + 1).max().unwrap_or(0);
+        let both = self.next_both();
         let Some(first) = place.rivals.first() else { return Some(()) };
         let rest = 1.0 - place.rivals.iter().map(|r| r.probability).sum::<f64>();
         if signals.len() == 1 || rest > SOMETHING_ELSE {
             // What is not in the library is no better known than nothing.
             let weight = (first.probability * rest.max(SOMETHING_ELSE)).sqrt();
-            self.pairs.push(Pair { weight, signal: signals[0].clone(), rival: from, truth: 1.0, both });
+            let signal = signals[0].clone();
+            self.pairs.push(Pair { weight, signal, rival: from, truth: 1.0, both: Some(both), shape: None });
         }
-        let both = self.pairs.iter().map(|pair| pair.both + 1).max().unwrap_or(0);
+        let both = self.next_both();
         for (b, other) in place.rivals.iter().enumerate().take(columns.len()).skip(1) {
             let weight = (first.probability * other.probability).sqrt();
-            let both = both + b - 1;
+            let both = Some(both + b - 1);
             let truth = first.probability / (first.probability + other.probability);
-            let (of_first, of_other) = (signals[0].clone(), signals[b].clone());
-            self.pairs.push(Pair { weight, signal: of_first, rival: from + 1 + b, truth, both });
-            self.pairs.push(Pair { weight, signal: of_other, rival: from + 1, truth: 1.0 - truth, both });
+            let kinds = [first.candidate, other.candidate].map(|c| candidates[c].kind);
+            for (truth, of, rival) in [(truth, 0, from + 1 + b), (1.0 - truth, b, from + 1)] {
+                let signal = &signals[of];
+                let shape = match shapes_in_doubt(kinds[0], kinds[1]) {
+                    true => Some(self.doubt(signal, from)?),
+                    false => None,
+                };
+                self.pairs.push(Pair { weight, signal: signal.clone(), rival, truth, both, shape });
+            }
         }
         Some(())
+    }
+
+    fn next_both(&self) -> usize {
+        self.pairs.iter().filter_map(|pair| pair.both).max().map_or(0, |last| last + 1)
+    }
+
+    /// What the shape of `signal` leaves open; adds the pair of the signal and of nothing, which parts no causes.
+    fn doubt(&mut self, signal: &[(usize, f64)], nothing: usize) -> Option<ShapeDoubt> {
+        let square_m2 = self.models[nothing].square_left(&self.gram, signal)?;
+        let over_nothing = self.pairs.len();
+        self.pairs.push(Pair {
+            weight: 0.0,
+            signal: signal.to_vec(),
+            rival: nothing,
+            truth: 1.0,
+            both: None,
+            shape: None,
+        });
+        let lambda = square_m2 / (self.sigma_m * self.sigma_m);
+        Some(ShapeDoubt { share: SHAPE_KNOWN_TO * SHAPE_KNOWN_TO, lambda, over_nothing })
     }
 
     /// When it is worth measuring.

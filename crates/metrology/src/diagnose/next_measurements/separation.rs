@@ -18,8 +18,21 @@ pub struct Pair {
     pub rival: usize,
     /// The probability that it is true, over both.
     pub truth: f64,
-    /// Number of the two, whichever is true.
-    pub both: usize,
+    /// Number of the two, whichever is true; `None` where it only measures what a cause gains over nothing.
+    pub both: Option<usize>,
+    /// Of causes whose shape is known to a share `s` only: what ln odds must pass before they part anything.
+    pub shape: Option<ShapeDoubt>,
+}
+
+/// A shape known to a share s leaves s² of what the cause gains over nothing open between two causes, whichever is true.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeDoubt {
+    /// s².
+    pub share: f64,
+    /// L of the cause over nothing in the rows measured.
+    pub lambda: f64,
+    /// The pair of the same cause and nothing.
+    pub over_nothing: usize,
 }
 
 /// The columns that one explanation is fitted with, and their precisions over the noise's.
@@ -37,6 +50,14 @@ impl RivalModel {
             normal[(i, i)] += precision + 1e-9 * normal[(i, i)] + 1e-18;
         }
         normal.cholesky()
+    }
+
+    /// Square that the fit to `signal` leaves, with the noise's unit.
+    pub fn square_left(&self, gram: &DMatrix<f64>, signal: &[(usize, f64)]) -> Option<f64> {
+        let with = |column: usize| signal.iter().map(|(c, size)| gram[(column, *c)] * size).sum::<f64>();
+        let right = DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| with(c.0)));
+        let own: f64 = signal.iter().map(|(c, size)| with(*c) * size).sum();
+        Some((own - right.dot(&self.cholesky(gram)?.solve(&right))).max(0.0))
     }
 
     /// Coefficients of the fit to the data, which are column 0.
@@ -118,10 +139,15 @@ impl Separation {
     /// L over the poses taken, of the two that are parted least, whichever is true; where one contains the other, it is only the
     /// richer that can be told.
     pub fn least(&self) -> f64 {
-        let all = self.pairs.iter().map(|pair| pair.both + 1).max().unwrap_or(0);
+        let all = self.pairs.iter().filter_map(|pair| pair.both).max().map_or(0, |last| last + 1);
         let mut sums = vec![0.0; all];
         for (pair, lambda) in self.pairs.iter().zip(&self.lambda) {
-            sums[pair.both] += pair.truth * lambda;
+            let doubt = pair
+                .shape
+                .map_or(0.0, |shape| shape.share * (shape.lambda + self.lambda[shape.over_nothing]));
+            if let Some(both) = pair.both {
+                sums[both] += pair.truth * (lambda - doubt).max(0.0);
+            }
         }
         sums.into_iter().reduce(f64::min).unwrap_or(0.0)
     }
@@ -195,7 +221,8 @@ mod tests {
         let rows: Vec<Vec<f64>> = x.iter().map(|x| vec![0.0, 1.0, *x, x * x]).collect();
         let gram = DMatrix::from_fn(4, 4, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
         let line = RivalModel { columns: vec![(1, 0.0), (2, 0.0)] };
-        let pair = Pair { weight: 1.0, signal: vec![(3, 1.0)], rival: 0, truth: 1.0, both: 0 };
+        let pair =
+            Pair { weight: 1.0, signal: vec![(3, 1.0)], rival: 0, truth: 1.0, both: Some(0), shape: None };
         let pool: Vec<Vec<Vec<f64>>> =
             [0.5, 2.0_f64].iter().map(|x| vec![vec![0.0, 1.0, *x, x * x]]).collect();
         let mut separation = Separation::new(&gram, &[line], vec![pair], &pool, 1.0).unwrap();
@@ -208,5 +235,25 @@ mod tests {
         // (10/3)^2 / (17/6) = 200/51.
         let again = separation.gain(0, 1);
         assert!((again - (200.0 / 51.0 - 10.0 / 3.0)).abs() < 1e-6, "{again}");
+    }
+
+    /// A line of slope 1 against a mean, of which a tenth's square is in doubt, over nothing: rows at -1, 0, 1 hold a square of 2
+    /// over nothing and over a mean alike. At x = 10 it adds 100 over nothing; a mean of 0, known to 1/3, misses 10^2 / (4/3) = 75.
+    #[test]
+    fn a_shape_in_doubt_must_gain_more_than_its_doubt() {
+        let row = |x: f64| vec![0.0, 1.0, x];
+        let rows = [-1.0, 0.0, 1.0].map(row);
+        let gram = DMatrix::from_fn(3, 3, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
+        let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![(1, 0.0)] });
+        let signal = vec![(2, 1.0)];
+        assert!((mean.square_left(&gram, &signal).unwrap() - 2.0).abs() < 1e-6);
+        let pair =
+            |rival, both, shape| Pair { weight: 1.0, signal: signal.clone(), rival, truth: 1.0, both, shape };
+        let doubt = ShapeDoubt { share: 0.25, lambda: 2.0, over_nothing: 0 };
+        let pairs = vec![pair(0, None, None), pair(1, Some(0), Some(doubt))];
+        let pool = vec![vec![row(10.0)]];
+        let mut separation = Separation::new(&gram, &[nothing, mean], pairs, &pool, 1.0).unwrap();
+        separation.take(0);
+        assert!((separation.least() - (75.0 - 0.25 * (2.0 + 100.0))).abs() < 1e-4, "{}", separation.least());
     }
 }

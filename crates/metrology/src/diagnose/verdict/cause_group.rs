@@ -14,7 +14,7 @@ const CREDIBLE: f64 = 0.95;
 
 /// How well the shape of a beam's bending, or of a base's tilt, is known, as a share of its signal: walls, ribs and bearings are
 /// in no robot file.
-const SHAPE_KNOWN_TO: f64 = 0.1;
+pub const SHAPE_KNOWN_TO: f64 = 0.1;
 
 /// A cause over all its variants in one ranking.
 pub struct CauseGroup {
@@ -113,21 +113,25 @@ pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>
 /// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and a rival are both of what
 /// gives under load.
 pub fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) {
-    use EffectKind::{BaseTilt, JointCompliance, LinkBending};
     let kinds: Vec<EffectKind> =
         cause_groups.iter().map(|g| workspace.library.candidates[g.best].kind).collect();
-    let rough = |kind: EffectKind| matches!(kind, LinkBending | BaseTilt);
-    let of_load = |kind: EffectKind| rough(kind) || kind == JointCompliance;
-    let doubtful =
-        |rival: EffectKind| of_load(kinds[0]) && of_load(rival) && (rough(kinds[0]) || rough(rival));
     let Some(first) = cause_groups.first() else { return };
     let mut probabilities: Vec<f64> = cause_groups.iter().map(|g| g.probability).collect();
-    let shared: Vec<bool> = kinds.iter().map(|&kind| doubtful(kind)).collect();
+    let shared: Vec<bool> = kinds.iter().map(|&kind| shapes_in_doubt(kinds[0], kind)).collect();
     raise_rivals(&mut probabilities, &shared, SHAPE_KNOWN_TO, first.gain_nats);
     for (group, probability) in cause_groups.iter_mut().zip(probabilities) {
         group.probability = probability;
     }
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+}
+
+/// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.
+#[must_use]
+pub fn shapes_in_doubt(one: EffectKind, other: EffectKind) -> bool {
+    use EffectKind::{BaseTilt, JointCompliance, LinkBending};
+    let rough = |kind: EffectKind| matches!(kind, LinkBending | BaseTilt);
+    let of_load = |kind: EffectKind| rough(kind) || kind == JointCompliance;
+    of_load(one) && of_load(other) && (rough(one) || rough(other))
 }
 
 /// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` rival's signal is known to

@@ -7,7 +7,7 @@ mod size;
 mod structure;
 mod wording;
 
-pub use cause_group::OpenPlace;
+pub use cause_group::{OpenPlace, SHAPE_KNOWN_TO, shapes_in_doubt};
 pub use wording::{GearBand, describe, describe_candidate, gear_bands};
 
 use super::evidence::NuisanceModel;

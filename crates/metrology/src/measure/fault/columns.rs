@@ -16,6 +16,11 @@ const FEWEST_FROZEN: usize = 3;
 const APART_K: f64 = 15.0;
 /// In the right unit they are nearer to each other than this, K.
 const NEAR_K: f64 = 10.0;
+/// No arm is all as hot as this, in its coldest joint, °C: rooms for robots are of 5 to 45 °C (ISO 9283 tests at 20 °C, data
+/// sheets of ABB's arms end at 45 °C), and what warms it warms each joint by another amount.
+const HOT_C: f64 = 55.0;
+/// As cold as this, in the other unit, is a room, °C.
+const ROOM_C: [f64; 2] = [5.0, 45.0];
 /// Fewer rows than this say nothing of a unit.
 const FEWEST_ROWS: usize = 3;
 
@@ -23,10 +28,7 @@ const FEWEST_ROWS: usize = 3;
 #[must_use]
 pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Option<Fault> {
     let rows: Vec<&MeasurementRow> = used.iter().filter_map(|&i| measurements.rows.get(i)).collect();
-    frozen(&rows)
-        .or_else(|| pose_names(measurements, &rows))
-        .or_else(|| payload(&rows, robot))
-        .or_else(|| temperatures(&rows))
+    frozen(&rows).or_else(|| payload(&rows, robot)).or_else(|| temperatures(&rows)).or_else(|| hot_arm(&rows))
 }
 
 fn apart(a: &MeasurementRow, b: &MeasurementRow) -> bool {
@@ -58,14 +60,17 @@ fn frozen(rows: &[&MeasurementRow]) -> Option<Fault> {
     })
 }
 
-/// Rows of one pose_id at joints that differ.
-fn pose_names(measurements: &Measurements, rows: &[&MeasurementRow]) -> Option<Fault> {
+/// Rows of one pose_id at joints that differ, of the rows that `used` names; after what the points contradict, for joints in another
+/// unit differ as well.
+#[must_use]
+pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fault> {
     if !measurements.channels.pose_id {
         return None;
     }
+    let rows = used.iter().filter_map(|&i| measurements.rows.get(i));
     let mut first: BTreeMap<usize, &MeasurementRow> = BTreeMap::new();
     let (mut repeats, mut lines) = (0, Vec::new());
-    for row in rows.iter().filter(|row| row.reading.involves_arm()) {
+    for row in rows.filter(|row| row.reading.involves_arm()) {
         let known = first.entry(row.pose).or_insert(row);
         if known.line != row.line {
             repeats += 1;
@@ -89,7 +94,7 @@ fn payload(rows: &[&MeasurementRow], robot: &SerialArm) -> Option<Fault> {
     let largest_kg = heavy.iter().filter_map(|row| row.payload_kg).fold(0.0, f64::max);
     (!heavy.is_empty()).then(|| {
         let lines = heavy.iter().map(|row| row.line).collect();
-        let grams = if kg_from_g(largest_kg) < 0.5 * arm_kg { ": are they grams?" } else { "" };
+        let grams = if kg_from_g(largest_kg) < 0.5 * arm_kg { " (are they grams?)" } else { "" };
         Fault::in_rows(FaultKind::PayloadBeyondArm, "payload_kg", lines, |count, which| {
             format!(
                 "{count} rows ({which}) have a payload of up to {largest_kg:.0} kg, more than all moving links of {} weigh ({arm_kg:.0} kg){grams}",
@@ -124,6 +129,34 @@ fn temperatures(rows: &[&MeasurementRow]) -> Option<Fault> {
                     format!("column {column} is in {name} in {count} rows ({which})")
                 })
             })
+        })
+    })
+}
+
+/// All joints' temperatures in another unit, from the first row on or from one row to another.
+fn hot_arm(rows: &[&MeasurementRow]) -> Option<Fault> {
+    let units: [(&str, Celsius); 2] =
+        [("degrees Fahrenheit", celsius_from_fahrenheit), ("kelvin", celsius_from_kelvin)];
+    let coldest = |row: &MeasurementRow| {
+        row.joint_temperature_c.map(|all| all.iter().copied().fold(f64::INFINITY, f64::min))
+    };
+    let hot = |row: &MeasurementRow| coldest(row).is_some_and(|coldest| coldest > HOT_C);
+    let which: Vec<&MeasurementRow> = rows.iter().copied().filter(|row| hot(row)).collect();
+    let least = which.iter().filter_map(|row| coldest(row)).reduce(f64::min)?;
+    let (name, _) =
+        units.into_iter().find(|(_, celsius)| (ROOM_C[0]..=ROOM_C[1]).contains(&celsius(least)))?;
+    // An arm that warms up comes there by and by.
+    let measured = || rows.iter().filter(|row| row.joint_temperature_c.is_some());
+    let jumps = measured()
+        .zip(measured().skip(1))
+        .filter(|(a, b)| hot(a) != hot(b))
+        .all(|(a, b)| coldest(a).zip(coldest(b)).is_some_and(|(a, b)| (a - b).abs() > APART_K));
+    (which.len() >= FEWEST_ROWS && jumps).then(|| {
+        let joints = which.first().and_then(|row| row.joint_temperature_c).map_or(0, |all| all.len());
+        let lines = which.iter().map(|row| row.line).collect();
+        let column = format!("temp_j1_c to temp_j{joints}_c");
+        Fault::in_rows(FaultKind::ColumnUnits, &column, lines, |count, which| {
+            format!("the joints are {least:.0} °C warm or more in {count} rows ({which}), as no arm is: the columns {column} are in {name} there")
         })
     })
 }

@@ -4,9 +4,9 @@ mod columns;
 mod rows;
 mod whole;
 
-pub use columns::find_in_cells;
+pub use columns::{find_in_cells, find_pose_names};
 pub use rows::{PartFault, Row, describe_move, find_in_rows};
-pub use whole::find_fault;
+pub use whole::{find_fault, find_joint_columns};
 
 use serde::{Serialize, Serializer};
 

@@ -3,7 +3,7 @@
 //! A registration of most of the file is looked for in parts of it; rows far off it are tried with what could have
 //! happened to them, one explanation at a time.
 
-use super::whole::{Change, changes};
+use super::whole::{Change, all_shifted, changes};
 use super::{Fault, FaultKind};
 use crate::measure::{FreeParameters, Reading, Registration, Station, register, register_with};
 use nalgebra::{Isometry3, Vector3};
@@ -20,8 +20,14 @@ const FEWEST: usize = 3;
 const MOST: f64 = 0.6;
 /// Rows used to register a part of the file.
 const PART_ROWS: usize = 120;
-/// Fewer rows register no second stand of the instrument.
-const FEWEST_OF_STAND: usize = 10;
+/// Fewer rows register no part of a file, of 9 unknowns.
+const FEWEST_OF_PART: usize = 8;
+/// Fewer rows register no second stand of the instrument, of 6 unknowns.
+const FEWEST_OF_STAND: usize = 6;
+/// Readings nearer to each other than this are one, metres: what instruments scatter by where nothing moves.
+const STILL_M: f64 = 2e-4;
+/// So many far rows with the reading of the row before are no chance.
+const FEWEST_STILL: usize = 2;
 
 /// One row as a station of its own, and the flange pose of the nominal arm.
 pub struct Row {
@@ -44,7 +50,8 @@ pub enum PartFault {
     },
 }
 
-/// Looks for a part of `rows` that does not go with the rest; `None` where all go together or nothing goes at all.
+/// Looks for a part of `rows` that does not go with the rest, or all of them shifted against their joints; `None` where all go
+/// together or nothing goes at all.
 #[must_use]
 pub fn find_in_rows(
     robot: &SerialArm,
@@ -52,41 +59,64 @@ pub fn find_in_rows(
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Option<PartFault> {
-    let (registration, off_m) = best_part(rows, targets, tool_m)?;
-    let mut sorted = off_m.clone();
-    sorted.sort_by(f64::total_cmp);
-    // The middle of the better half: the other half may be false.
-    let middle_m = sorted.get(sorted.len() / 4).copied().unwrap_or(0.0);
-    let limit_m = FAR_M.max(FAR_TIMES * middle_m);
-    let far: Vec<usize> = (0..rows.len()).filter(|&i| off_m[i] > limit_m).collect();
-    if far.len() < FEWEST || 2 * far.len() > rows.len() + rows.len() / 3 {
-        return None;
+    let part = best_part(rows, targets, tool_m);
+    let most_are_near = part.as_ref().is_some_and(|part| 2 * part.near > rows.len());
+    let found = part.and_then(|part| in_part(robot, rows, targets, &part));
+    if found.is_some() || most_are_near {
+        return found;
     }
-    let first = far.first().copied().unwrap_or(0);
-    let last = far.last().copied().unwrap_or(0);
-    if (far.len() as f64) < MOST * (last - first + 1) as f64 && !is_late(rows, &registration, &far, limit_m) {
-        return single_columns(robot, rows, &registration, &far, limit_m);
-    }
-    single_columns(robot, rows, &registration, &far, limit_m)
-        .or_else(|| late(rows, &registration, &far, limit_m))
-        .or_else(|| moved(rows, &registration, targets, &far, limit_m))
+    let stations: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
+    let poses: Vec<Isometry3<f64>> = rows.iter().map(|row| row.pose).collect();
+    all_shifted(&stations, &poses, targets).map(PartFault::Fault)
 }
 
-/// The registration of a part of the file that most rows agree with, and how far each row is off it.
-fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Option<(Registration, Vec<f64>)> {
+/// A registration that a part of the file agrees with.
+struct Part {
+    registration: Registration,
+    /// How far each row is off it, metres.
+    off_m: Vec<f64>,
+    /// How many rows are near.
+    near: usize,
+}
+
+/// What is wrong with the rows that are far off `part`.
+fn in_part(robot: &SerialArm, rows: &[Row], targets: usize, part: &Part) -> Option<PartFault> {
+    let Part { registration, off_m, near } = part;
+    let mut sorted = off_m.clone();
+    sorted.sort_by(f64::total_cmp);
+    // The middle of the nearer ones: most rows may be false.
+    let middle_m = sorted.get(near / 2).copied().unwrap_or(0.0);
+    let limit_m = FAR_M.max(FAR_TIMES * middle_m);
+    let far: Vec<usize> = (0..rows.len()).filter(|&i| off_m[i] > limit_m).collect();
+    let still = || still(rows, registration, &far, limit_m);
+    if far.len() < FEWEST {
+        return still();
+    }
+    let (first, last) = (far.first().copied()?, far.last().copied()?);
+    let columns = single_columns(robot, rows, registration, &far, limit_m);
+    let here_and_there = (far.len() as f64) < MOST * (last - first + 1) as f64;
+    if columns.is_some() || (here_and_there && !is_late(rows, registration, &far, limit_m)) {
+        return columns.or_else(still);
+    }
+    // One of two stands has half of the rows.
+    let half = 4 * near >= rows.len();
+    late(rows, registration, &far, limit_m)
+        .or_else(still)
+        .or_else(|| if half { moved(rows, registration, targets, &far, limit_m) } else { None })
+}
+
+/// The registration of a part of the file that most rows agree with.
+fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Option<Part> {
     let n = rows.len();
-    let parts = [
-        (0, n),
-        (0, n / 2),
-        (n / 2, n),
-        (n / 4, 3 * n / 4),
-        (0, n / 4),
-        (n / 4, n / 2),
-        (n / 2, 3 * n / 4),
-        (3 * n / 4, n),
-    ];
-    let mut best: Option<(usize, Registration, Vec<f64>)> = None;
-    for (from, to) in parts.into_iter().filter(|(from, to)| to - from >= FEWEST_OF_STAND) {
+    let mut parts = vec![(0, n), (0, n / 2), (n / 2, n), (n / 4, 3 * n / 4)];
+    for pieces in [4, 8] {
+        parts.extend((0..pieces).map(|k| (k * n / pieces, (k + 1) * n / pieces)));
+    }
+    for rows in [2 * FEWEST_OF_PART, FEWEST_OF_PART].into_iter().filter(|rows| *rows < n) {
+        parts.extend([(0, rows), (n - rows, n)]);
+    }
+    let mut best: Option<Part> = None;
+    for (from, to) in parts.into_iter().filter(|(from, to)| to - from >= FEWEST_OF_PART) {
         let step = (to - from).div_ceil(PART_ROWS).max(1);
         let part: Vec<&Row> = rows[from..to].iter().step_by(step).collect();
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
@@ -96,14 +126,14 @@ fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Opti
             rows.iter().map(|row| registration.residual_m(&row.station, &row.pose).norm()).collect();
         let near = off_m.iter().filter(|off_m| **off_m < FAR_M).count();
         let all = (from, to) == (0, n) && 100 * near >= 98 * n;
-        if best.as_ref().is_none_or(|(most, _, _)| near > *most) {
-            best = Some((near, registration, off_m));
+        if best.as_ref().is_none_or(|best| near > best.near) {
+            best = Some(Part { registration, off_m, near });
         }
         if all {
             break;
         }
     }
-    best.filter(|(near, _, _)| 4 * near >= n).map(|(_, registration, off_m)| (registration, off_m))
+    best.filter(|part| part.near >= FEWEST_OF_PART && 8 * part.near >= n)
 }
 
 fn fault(
@@ -172,6 +202,27 @@ fn late(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) 
             fault(FaultKind::RowsShifted, "x_mm, y_mm, z_mm", rows, &which, |count, lines| {
                 format!("in {count} rows ({lines}) the point is that of the row {side}: points and joints are shifted by one row")
             })
+        })
+    })
+}
+
+/// The reading of the row before, but for the noise, where the arm stood elsewhere.
+fn still(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
+    let of_the_row_before = |i: &usize| {
+        let Some(before) = i.checked_sub(1).map(|before| &rows[before]) else { return false };
+        let row = &rows[*i];
+        let readings_m = [&row.station, &before.station].map(|station| station.reading.position_m());
+        let [Some(here_m), Some(there_m)] = readings_m else { return false };
+        let moved_m = registration.residual_m(&row.station, &before.pose)
+            - registration.residual_m(&row.station, &row.pose);
+        row.station.target == before.station.target
+            && (here_m - there_m).norm() < STILL_M
+            && moved_m.norm() > limit_m
+    };
+    let which: Vec<usize> = far.iter().copied().filter(of_the_row_before).collect();
+    (which.len() >= FEWEST_STILL).then(|| {
+        fault(FaultKind::FrozenPoint, "x_mm, y_mm, z_mm", rows, &which, |count, lines| {
+            format!("{count} rows ({lines}) have the point of the row before, though the arm had moved: the instrument stood still")
         })
     })
 }

@@ -87,6 +87,14 @@ fn on_axis(station: &mut Station, k: usize, factor: f64) {
     }
 }
 
+/// Joint columns in another order or counted the other way, where that is what makes the points fit.
+#[must_use]
+pub fn find_joint_columns(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<Fault> {
+    let stations = trial(stations);
+    let left_m = left_m(robot, &stations, targets).filter(|left_m| *left_m > SOUND_M)?;
+    Trial { robot, stations, targets, left_m }.joints()
+}
+
 /// Looks for a reason why `registration` leaves what it leaves.
 #[must_use]
 pub fn find_fault(
@@ -107,7 +115,6 @@ pub fn find_fault(
             .or_else(|| trial.axes())
             .or_else(|| trial.columns())
             .or_else(|| trial.joints())
-            .or_else(|| shifted(robot, stations, targets, left_m))
             .or_else(|| trial.other_robot());
         if found.is_some() {
             return found;
@@ -167,9 +174,14 @@ fn trial(stations: &[Station]) -> Vec<Station> {
 fn left_m(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<f64> {
     let chain = SerialChain::nominal(robot);
     let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
-    let fit = register(stations, &poses, targets, None).ok()?;
+    most_left_m(stations, &poses, targets)
+}
+
+/// The same with the flange's poses given.
+fn most_left_m(stations: &[Station], poses: &[Isometry3<f64>], targets: usize) -> Option<f64> {
+    let fit = register(stations, poses, targets, None).ok()?;
     let mut off_m: Vec<f64> =
-        stations.iter().zip(&poses).map(|(s, pose)| fit.residual_m(s, pose).norm()).collect();
+        stations.iter().zip(poses).map(|(s, pose)| fit.residual_m(s, pose).norm()).collect();
     Some(most_m(&mut off_m))
 }
 
@@ -177,16 +189,16 @@ fn explains(left_m: Option<f64>, before_m: f64) -> bool {
     left_m.is_some_and(|left_m| left_m < (EXPLAINED * before_m).min(2.0 * SOUND_M))
 }
 
-/// The points of the row before, or after.
-fn shifted(robot: &SerialArm, stations: &[Station], targets: usize, before_m: f64) -> Option<Fault> {
-    [(1_usize, 0_usize, "before"), (0, 1, "after")].into_iter().find_map(|(joints, points, side)| {
-        let n = stations.len();
-        let together = |k: usize| {
-            let (joints, points) = (&stations[k + points], &stations[k + joints]);
-            Station { reading: points.reading.clone(), orientation: points.orientation, target: points.target, ..joints.clone() }
-        };
-        let moved: Vec<Station> = (0..n.saturating_sub(1)).map(together).collect();
-        explains(left_m(robot, &trial(&moved), targets), before_m).then(|| {
+/// Every row with the point of the row before, or after; `poses` are the flange's.
+#[must_use]
+pub(super) fn all_shifted(stations: &[Station], poses: &[Isometry3<f64>], targets: usize) -> Option<Fault> {
+    let last = stations.len().min(poses.len()).checked_sub(1)?;
+    let left = |joints: usize, points: usize| {
+        most_left_m(&stations[points..last + points], &poses[joints..last + joints], targets)
+    };
+    let as_read_m = left(0, 0).filter(|left_m| *left_m > SOUND_M)?;
+    [(0, 1, "before"), (1, 0, "after")].into_iter().find_map(|(joints, points, side)| {
+        explains(left(joints, points), as_read_m).then(|| {
             Fault::of_all(
                 FaultKind::RowsShifted,
                 Some("x_mm, y_mm, z_mm"),
