@@ -320,16 +320,16 @@ impl Writing {
         if path == Path::new(STANDARD) {
             self.standard = Some(file.bytes.clone());
         } else {
-            self.put(&path, &mut file.bytes.as_slice())?;
+            self.put(&path, &file.bytes)?;
         }
         let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
         self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
         Ok(())
     }
 
-    fn put(&mut self, path: &Path, from: &mut dyn std::io::Read) -> Result<(), Diagnostic> {
+    fn put(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
         let mut file = Pending::new(path)?;
-        file.fill(from)?;
+        file.fill(bytes)?;
         self.pending.push(file);
         Ok(())
     }
@@ -347,7 +347,7 @@ impl Writing {
                     match path == Path::new(STANDARD) {
                         true => self.standard = Some(bytes.to_vec()),
                         false => {
-                            self.put(path, &mut &**bytes)?;
+                            self.put(path, bytes)?;
                             record.extend(to.copies.as_ref().map(|copies| copies.line(path, bytes)));
                         }
                     }
@@ -362,16 +362,16 @@ impl Writing {
                     self.written.push((place.clone(), now.len()));
                 }
                 if from != place || now != listed {
-                    self.put(place, &mut now.as_slice())?;
+                    self.put(place, &now)?;
                 }
                 continue;
             }
             let bytes = fs::read(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
-            self.put(place, &mut bytes.as_slice())?;
+            self.put(place, &bytes)?;
             record.extend(to.copies.as_ref().map(|copies| copies.line(place, &bytes)));
         }
         if let Some(copies) = to.copies.as_ref().filter(|_| !record.is_empty()) {
-            self.put(&copies.record(), &mut record.as_bytes())?;
+            self.put(&copies.record(), record.as_bytes())?;
         }
         Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
     }

@@ -211,7 +211,6 @@ impl Output {
         let flushed = io::Write::flush(&mut out);
         drop(out);
         flushed.map_err(|cause| unwritable(&path, cause))?;
-        pending.fill(&mut io::empty())?;
         Ok(())
     }
 

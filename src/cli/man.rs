@@ -28,7 +28,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let mut text = Vec::new();
         Man::new(command.display_name(name.clone())).render(&mut text)?;
         let mut page = Pending::new(&args.output.join(format!("{name}.1")))?;
-        page.fill(&mut text.as_slice())?;
+        page.fill(&text)?;
         pages.push(page);
     }
     let count = pages.len();

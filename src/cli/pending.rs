@@ -82,9 +82,8 @@ impl Pending {
     ///
     /// # Errors
     /// `output::unwritable`; the file at the path is then as it was.
-    pub fn fill(&mut self, from: &mut dyn io::Read) -> Result<(), Diagnostic> {
-        let failed = |cause| unwritable(&self.path, cause);
-        io::copy(from, &mut self.file).map_err(failed).map(drop)
+    pub fn fill(&mut self, bytes: &[u8]) -> Result<(), Diagnostic> {
+        io::Write::write_all(&mut self.file, bytes).map_err(|cause| unwritable(&self.path, cause))
     }
 
     /// The file, still beside its place, to be written to.
@@ -114,8 +113,8 @@ impl Pending {
     ///
     /// # Errors
     /// `output::unwritable`; the file at the path is then as it was.
-    pub fn write(mut self, mut bytes: &[u8]) -> Result<(), Diagnostic> {
-        self.fill(&mut bytes)?;
+    pub fn write(mut self, bytes: &[u8]) -> Result<(), Diagnostic> {
+        self.fill(bytes)?;
         self.place()
     }
 }

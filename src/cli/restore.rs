@@ -86,7 +86,7 @@ fn restore_program(
         match restore(bytes) {
             Ok(restored) => {
                 let mut pending = pending()?;
-                pending.fill(&mut restored.bytes.as_slice())?;
+                pending.fill(&restored.bytes)?;
                 results.push((path, restored, Output::File(pending)));
             }
             Err(RestoreError::IsCore) => {
@@ -96,7 +96,7 @@ fn restore_program(
             }
             Err(RestoreError::NotEmitted) => {
                 let mut pending = pending()?;
-                pending.fill(&mut &**bytes)?;
+                pending.fill(bytes)?;
                 copies.push(pending);
             }
             Err(error) => return Err(said(path, &error).into()),
@@ -111,7 +111,7 @@ fn restore_program(
             }
         }
         let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
-        pending.fill(&mut bytes.as_slice())?;
+        pending.fill(&bytes)?;
         copies.push(pending);
     }
     if results.is_empty() {

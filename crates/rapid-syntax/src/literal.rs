@@ -1,5 +1,7 @@
 //! What the text of a literal stands for: numbers and strings, at the level of text alone.
 
+use super::plain_list::leading_digits;
+
 /// The value of a number as written, without sign: `1`, `1.`, `.5`, `1e2`, `1.E+2`, `0x1F`, `0o7`, `0b1`.
 ///
 /// `None` for any other text; `9E9` is a number like others here.
@@ -37,18 +39,12 @@ fn short_decimal(text: &[u8]) -> Option<(f64, usize)> {
         1e18, 1e19, 1e20, 1e21, 1e22,
     ];
     let digit = |at: usize| text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10);
-    let (mut digits, mut at) = (0_u64, 0);
-    while let Some(digit) = digit(at) {
-        digits = digits.wrapping_mul(10).wrapping_add(digit.into());
-        at += 1;
-    }
+    let (mut digits, mut at) = with_digits(text, 0, 0);
     let (mut count, mut decimals) = (at, 0);
     if text.get(at) == Some(&b'.') {
-        at += 1;
-        while let Some(digit) = digit(at) {
-            digits = digits.wrapping_mul(10).wrapping_add(digit.into());
-            (at, decimals) = (at + 1, decimals + 1);
-        }
+        let from = at + 1;
+        (digits, at) = with_digits(text, from, digits);
+        decimals = at - from;
         count += decimals;
     }
     let mut exponent = 0;
@@ -76,6 +72,39 @@ fn short_decimal(text: &[u8]) -> Option<(f64, usize)> {
         None => value / POWERS.get(decimals - exponent)?,
     };
     Some((value, at))
+}
+
+/// A whole number, past 20 digits whatever comes, continued with the digits at `at`; and where they end.
+#[inline(always)]
+fn with_digits(text: &[u8], mut at: usize, mut number: u64) -> (u64, usize) {
+    const POWERS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+    while let Some(eight) = text.get(at..).and_then(<[u8]>::first_chunk) {
+        let eight = u64::from_le_bytes(*eight);
+        let digits = leading_digits(eight);
+        if digits > 0 {
+            let value = value_of_digits(eight << (64 - 8 * digits));
+            number = number.wrapping_mul(POWERS[digits]).wrapping_add(value);
+        }
+        at += digits;
+        if digits < 8 {
+            return (number, at);
+        }
+    }
+    while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
+        number = number.wrapping_mul(10).wrapping_add(digit.into());
+        at += 1;
+    }
+    (number, at)
+}
+
+/// The whole number of eight digits, the first the lowest byte; bytes of zero before them count as the digit 0. Neighbours are put
+/// together, then pairs, then fours (Langdale and Lemire, Parsing Gigabytes of JSON per Second, 2019, section 3.1.4).
+#[inline(always)]
+fn value_of_digits(eight: u64) -> u64 {
+    let digits = eight & 0x0f0f_0f0f_0f0f_0f0f;
+    let pairs = (digits.wrapping_mul(10 * 256 + 1) >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = (pairs.wrapping_mul(100 * 65_536 + 1) >> 16) & 0x0000_ffff_0000_ffff;
+    fours.wrapping_mul(10_000 * (1 << 32) + 1) >> 32
 }
 
 /// The bytes of a string literal: quotes taken off, `""` a quote, `\\` a backslash, `\0D` the byte of these
@@ -159,7 +188,8 @@ mod tests {
                 text.extend_from_slice([&b"e"[..], b"E+", b"E-", b"e-"][below(4) as usize]);
                 run(below(4), &mut below, &mut text);
             }
-            text.extend_from_slice([&b""[..], b",", b"]", b"e", b".", b"x"][below(6) as usize]);
+            let ends = [&b""[..], b",", b"]", b"e", b".", b"x", b",9.50000000", b"][[[[[[[[["];
+            text.extend_from_slice(ends[below(8) as usize]);
             let expected = fast_float2::parse_partial::<f64, _>(&text).ok();
             assert_eq!(leading_decimal(&text), expected, "{}", String::from_utf8_lossy(&text));
             if let Some((value, length)) = short_decimal(&text) {

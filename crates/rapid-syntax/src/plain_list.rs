@@ -120,7 +120,7 @@ fn past_digits(text: &[u8], mut at: usize) -> usize {
 
 /// How many of eight bytes, the first the lowest, are digits before another is.
 #[inline(always)]
-fn leading_digits(eight: u64) -> usize {
+pub(super) fn leading_digits(eight: u64) -> usize {
     const EACH: u64 = 0x0101_0101_0101_0101;
     let values = eight ^ (EACH * 0x30); // a digit becomes 0 to 9, all else more
     let others = (values.wrapping_add(EACH * 0x76) | values) & (EACH * 0x80); // a carry comes from no digit

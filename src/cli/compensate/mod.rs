@@ -344,8 +344,8 @@ fn recording(args: &Args, made: &Compensated<'_>) -> Result<Vec<Pending>, Diagno
     let Some(path) = &args.mcap else { return Ok(Vec::new()) };
     let [mut file, mut arm] = [Pending::new(path)?, Pending::new(&path.with_extension("urdf"))?];
     let bytes = made.recording()?.mcap().map_err(|cause| no_output(&cause))?;
-    file.fill(&mut bytes.as_slice())?;
-    arm.fill(&mut report::urdf(made.robot).as_bytes())?;
+    file.fill(&bytes)?;
+    arm.fill(report::urdf(made.robot).as_bytes())?;
     Ok(vec![file, arm])
 }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
+use super::aggregate::Singles;
 use super::choice::ChoiceData;
 use super::context::EmitContext;
 use super::correction::CorrectionData;
@@ -31,13 +32,18 @@ pub enum Declaration<'p> {
 }
 
 impl Declaration<'_> {
-    /// Appends it; gives what it is recognised by.
+    /// Appends it; gives what it is recognised by. `reader` reads originals.
     ///
     /// # Errors
     /// Those of its parts.
-    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Result<Vec<u8>, EmitError> {
+    pub fn write(
+        &self,
+        out: &mut Vec<u8>,
+        style: &LayoutStyle,
+        reader: &mut Singles,
+    ) -> Result<Vec<u8>, EmitError> {
         match self {
-            Self::Array(array) => array.write(out, style),
+            Self::Array(array) => array.write(out, style, reader),
             Self::Correction(data) => Ok(data.write(out, style)),
             Self::Choice(data) => Ok(data.write(out, style)),
             Self::RowHash(name, hash) => Ok(hash.write(name, out, style)),

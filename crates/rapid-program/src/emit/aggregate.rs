@@ -133,7 +133,8 @@ impl Singles {
 
 /// How many bytes two texts end with alike.
 fn common_end(a: &[u8], b: &[u8]) -> usize {
-    let eights = a.rchunks_exact(8).zip(b.rchunks_exact(8)).take_while(|(a, b)| a == b).count();
+    let (of_a, of_b) = (a.as_rchunks::<8>().1.iter().rev(), b.as_rchunks::<8>().1.iter().rev());
+    let eights = of_a.zip(of_b).take_while(|(a, b)| a == b).count();
     let ones = a.iter().rev().zip(b.iter().rev()).skip(8 * eights).take_while(|(a, b)| a == b).count();
     8 * eights + ones
 }
@@ -143,27 +144,30 @@ fn each_single(text: &[u8], mut visit: impl FnMut(usize, f32)) -> bool {
     let mut at = 0;
     while let Some(next) = text[at..].iter().position(|&b| !(parts(b) || white(b))) {
         at += next;
-        let rest = &text[at..];
-        let digits = rest.strip_prefix(b"-").unwrap_or(rest);
-        let plain = leading_decimal(digits).filter(|(_, length)| {
-            let is_digit = digits.first().is_some_and(|first| first.is_ascii_digit());
-            is_digit && digits.get(*length).is_none_or(|&next| parts(next))
-        });
-        let (value, end) = match plain {
-            Some((value, length)) => {
-                let sign = rest.len() - digits.len();
-                (Some(if sign > 0 { -value } else { value } as f32), sign + length)
-            }
-            None => {
-                let end = rest.iter().position(|&b| parts(b)).unwrap_or(rest.len());
-                (single(&rest[..end]), end)
-            }
-        };
-        let Some(value) = value else { return false };
+        let Some((value, length)) = leading_single(&text[at..]) else { return false };
         visit(at, value);
-        at += end;
+        at += length;
     }
     true
+}
+
+/// The number that an aggregate's text goes on with, in single precision, and its length; `None` where it cannot be read.
+pub(super) fn leading_single(rest: &[u8]) -> Option<(f32, usize)> {
+    let digits = rest.strip_prefix(b"-").unwrap_or(rest);
+    let plain = leading_decimal(digits).filter(|(_, length)| {
+        let is_digit = digits.first().is_some_and(|first| first.is_ascii_digit());
+        is_digit && digits.get(*length).is_none_or(|&next| parts(next))
+    });
+    match plain {
+        Some((value, length)) => {
+            let sign = rest.len() - digits.len();
+            Some((if sign > 0 { -value } else { value } as f32, sign + length))
+        }
+        None => {
+            let end = rest.iter().position(|&b| parts(b)).unwrap_or(rest.len());
+            Some((single(&rest[..end])?, end))
+        }
+    }
 }
 
 /// Whether a byte stands between an aggregate's numbers.

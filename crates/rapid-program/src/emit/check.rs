@@ -88,20 +88,19 @@ pub fn of_no_numbers() -> [u8; 3] {
 pub struct Elements {
     all: Fnv,
     each: Vec<u8>,
-    reader: Singles,
 }
 
 impl Elements {
     /// The letters of no element yet; so many will come.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        Self { all: Fnv::new(), each: Vec::with_capacity(2 * count), reader: Singles::default() }
+        Self { all: Fnv::new(), each: Vec::with_capacity(2 * count) }
     }
 
-    /// Takes in the next element's text.
-    pub fn add(&mut self, element: &[u8]) {
+    /// Takes in the next element's text, which `reader` reads.
+    pub fn add(&mut self, element: &[u8], reader: &mut Singles) {
         let mut own = Fnv::new();
-        if let Some(values) = self.reader.of(element) {
+        if let Some(values) = reader.of(element) {
             values.for_each(|value| {
                 self.all.add_single(value);
                 own.add_single(value);
@@ -194,9 +193,9 @@ mod tests {
         assert_eq!(of_numbers(literal), of_numbers(same));
         assert_ne!(of_numbers(literal), of_numbers(moved));
         let all = |one: &[u8]| {
-            let mut elements = Elements::new(2);
-            elements.add(literal);
-            elements.add(one);
+            let (mut elements, mut reader) = (Elements::new(2), Singles::default());
+            elements.add(literal, &mut reader);
+            elements.add(one, &mut reader);
             elements.letters()
         };
         assert_eq!((all(literal), all(same).len()), (all(same), 7));

@@ -17,10 +17,18 @@ pub fn line() -> String {
 
 /// Puts the digest into a file, and into the edits that made it of its source.
 pub fn seal(bytes: &mut [u8], edits: &mut [Edit]) {
-    let digest = of(bytes);
-    places(bytes).into_iter().for_each(|place| bytes[place].copy_from_slice(digest.as_bytes()));
+    let in_file = places(bytes);
+    let digest = of(bytes, &in_file);
+    let mut left = in_file.len();
+    in_file.into_iter().for_each(|place| bytes[place].copy_from_slice(digest.as_bytes()));
     for edit in edits {
-        places(&edit.text).into_iter().for_each(|place| edit.text[place].copy_from_slice(digest.as_bytes()));
+        // Each that an edit brings is one of the file's; behind the last there is much text.
+        if left == 0 {
+            break;
+        }
+        let in_edit = places(&edit.text);
+        left = left.saturating_sub(in_edit.len());
+        in_edit.into_iter().for_each(|place| edit.text[place].copy_from_slice(digest.as_bytes()));
     }
 }
 
@@ -29,7 +37,7 @@ pub fn seal(bytes: &mut [u8], edits: &mut [Edit]) {
 pub fn is_as_written(bytes: &[u8]) -> Option<bool> {
     let places = places(bytes);
     let first = bytes.get(places.first()?.clone())?;
-    let digest = of(bytes);
+    let digest = of(bytes, &places);
     Some(first == digest.as_bytes() && places.into_iter().all(|place| bytes.get(place) == Some(first)))
 }
 
@@ -43,11 +51,11 @@ fn places(bytes: &[u8]) -> Vec<Range<usize>> {
     begins.map(|at| at..at + DIGITS).filter(|place| place.end <= bytes.len()).collect()
 }
 
-/// The digest of all bytes but those of digests.
-fn of(bytes: &[u8]) -> String {
+/// The digest of all bytes but those of digests, which stand at `places`.
+fn of(bytes: &[u8], places: &[Range<usize>]) -> String {
     let mut digest = Sha256::new();
     let mut at = 0;
-    for place in places(bytes) {
+    for place in places {
         digest.update(bytes.get(at..place.start).unwrap_or_default());
         at = place.end;
     }

@@ -7,6 +7,7 @@
 
 mod added;
 mod aggregate;
+mod array_reader;
 mod change;
 mod check;
 mod choice;

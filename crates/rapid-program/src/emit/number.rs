@@ -25,11 +25,17 @@ pub fn write_num(out: &mut Vec<u8>, value: f64) -> f32 {
     }
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format_finite(single).as_bytes();
-    match memchr::memchr(b'e', text) {
+    match exponent_at(text) {
         None => out.extend_from_slice(text.strip_suffix(b".0").unwrap_or(text)),
         Some(at) => write_expanded(out, &text[..at], &text[at + 1..]),
     }
     single
+}
+
+/// Where a number's exponent begins; it is one of two digits at most, and a sign.
+fn exponent_at(text: &[u8]) -> Option<usize> {
+    let from = text.len().saturating_sub(4);
+    text[from..].iter().position(|&byte| byte == b'e').map(|at| from + at)
 }
 
 /// `mantissa`e`exponent` without an exponent.

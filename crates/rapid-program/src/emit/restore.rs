@@ -9,6 +9,7 @@ mod arrays;
 mod comment_block;
 mod declared;
 mod findings;
+mod lines;
 mod removal;
 
 pub use altered::altered_core;
@@ -20,6 +21,7 @@ use super::insertion;
 use super::names::{ASKED, words};
 use altered::altered_code;
 use comment_block::{comment_block, header_of};
+use lines::Lines;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::FileItem;
 use rapid_syntax::{apply, parse};
@@ -52,7 +54,7 @@ pub struct Restored {
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
 pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let (tree, _) = parse(bytes);
-    let lines = LineIndex::new(bytes);
+    let lines = Lines::new(bytes);
     let mut edits = Vec::new();
     let mut touched = Vec::new();
     let mut altered = Vec::new();

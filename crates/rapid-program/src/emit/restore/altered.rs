@@ -2,8 +2,9 @@
 
 use super::comment_block::{comment_block, header_of};
 use super::findings::Altered;
+use super::lines::Lines;
 use crate::emit::{check, header};
-use rapid_syntax::diagnostic::{LineIndex, TextRange};
+use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::parse;
 use rapid_syntax::tree::{FileItem, ModuleItem};
 
@@ -11,7 +12,7 @@ use rapid_syntax::tree::{FileItem, ModuleItem};
 #[must_use]
 pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
     let (tree, _) = parse(bytes);
-    let lines = LineIndex::new(bytes);
+    let lines = Lines::new(bytes);
     let mut altered = Vec::new();
     for item in &tree.items {
         let FileItem::Module(module) = item else { continue };
@@ -38,7 +39,7 @@ pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
 /// What of added data and routines (name, range) is not as `letters` say.
 pub(super) fn altered_code(
     bytes: &[u8],
-    lines: &LineIndex,
+    lines: &Lines<'_>,
     code: &[(TextRange, TextRange)],
     letters: &[u8],
     module: TextRange,

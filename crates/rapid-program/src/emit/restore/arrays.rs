@@ -1,7 +1,6 @@
 //! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
 
 use crate::emit::aggregate::{is_plain, singles};
-use crate::emit::check::Elements;
 use crate::emit::number::{write_num, write_orient};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
@@ -26,6 +25,14 @@ pub(super) struct Array<'b> {
     pub(super) was: Vec<u8>,
     /// Letters of its elements as they were made.
     letters: &'b [u8],
+    /// The same as they are now.
+    now: Vec<u8>,
+}
+
+/// The elements of an array, row by row, and their letters.
+pub(super) struct Rows {
+    pub(super) ranges: Vec<Vec<TextRange>>,
+    pub(super) letters: Vec<u8>,
 }
 
 /// An original that a touched-up element means.
@@ -118,7 +125,7 @@ impl<'b> Array<'b> {
     /// `None` where a row has no element 1 of numbers, or a dimension is none.
     pub(super) fn new(
         (bytes, data): (&'b [u8], &DataDecl),
-        rows: Vec<Vec<TextRange>>,
+        Rows { ranges: rows, letters: now }: Rows,
         letters: &'b [u8],
         was: Option<Vec<u8>>,
     ) -> Option<Self> {
@@ -132,7 +139,7 @@ impl<'b> Array<'b> {
             Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
             _ => first_element.to_vec(),
         });
-        plain.then_some(Self { bytes, range: data.range, dims, rows, was, letters })
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, letters, now })
     }
 
     /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
@@ -152,13 +159,10 @@ impl<'b> Array<'b> {
         shares: &[f64],
         trusted: bool,
     ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
-        let mut now = Elements::new(self.rows.iter().map(Vec::len).sum());
-        self.rows.iter().flatten().for_each(|range| now.add(range.of(self.bytes)));
-        let now = now.letters();
-        if !trusted || now == self.letters {
+        if !trusted || self.now == self.letters {
             return Ok(vec![None; self.rows.len()]);
         }
-        let mut each = now.get(3..).unwrap_or_default().chunks(2);
+        let mut each = self.now.get(3..).unwrap_or_default().chunks(2);
         let mut made = self.letters.get(3..).unwrap_or_default().chunks(2);
         let mut all = Vec::new();
         for row in &self.rows {

@@ -36,13 +36,12 @@ impl<'w> Remover<'w> {
                         false => format!("{was}{{{}}}", with_commas(&indices_of(&array.dims, row))),
                     }
                 };
-                let line = self.lines.line(value.start);
                 match new {
                     Some(new) if !new.allows(text) => {
                         return Err(RestoreError::DeclaredOtherwise {
                             target: target(),
                             array: name.clone(),
-                            line,
+                            line: self.lines.line(value.start),
                             declared: self.text(value),
                             meant: String::from_utf8_lossy(&new.text).into_owned(),
                         });
@@ -56,7 +55,7 @@ impl<'w> Remover<'w> {
                                 array: Some(name.clone()),
                                 target: target(),
                                 value: self.text(value),
-                                line,
+                                line: self.lines.line(value.start),
                                 into: ModifiedIn::DeclarationAlone,
                                 moved,
                                 unit,

@@ -1,12 +1,15 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
-use super::arrays::{Array, Meant};
+use super::arrays::{Array, Meant, Rows};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
-use crate::emit::check;
+use super::lines::Lines;
+use crate::emit::aggregate::Singles;
+use crate::emit::array_reader::ArrayReader;
+use crate::emit::check::{self, Elements};
 use crate::emit::header::Record;
 use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Points};
-use rapid_syntax::diagnostic::{LineIndex, TextRange};
+use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 use rapid_syntax::{Edit, ranges_of_numbers};
 use std::collections::BTreeMap;
@@ -17,7 +20,7 @@ const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcL
 /// Takes a module apart.
 pub(super) struct Remover<'w> {
     pub(super) bytes: &'w [u8],
-    pub(super) lines: &'w LineIndex,
+    pub(super) lines: &'w Lines<'w>,
     pub(super) module: &'w Module,
     pub(super) record: &'w Record,
     pub(super) edits: &'w mut Vec<Edit>,
@@ -67,15 +70,15 @@ impl<'w> Remover<'w> {
         self.edits.push(removal(insertion::whole_lines(self.bytes, first.range.cover(last.range))));
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays = BTreeMap::new();
+        let mut reader = ArrayReader::default();
         let mut letters = self.record.letters.as_slice();
         for data in ours.iter().skip(self.record.data) {
             let is_target = [b"robtarget".as_slice(), b"jointtarget"]
                 .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
             let init = data.init.as_ref();
             if is_target && !data.dims.is_empty() {
-                let rows = self.rows(data)?;
-                let own = rows.iter().map(Vec::len).sum::<usize>() * 2 + 3;
-                let (own, rest) = letters.split_at_checked(own).unwrap_or((letters, &[]));
+                let rows = self.rows(data, &mut reader)?;
+                let (own, rest) = letters.split_at_checked(rows.letters.len()).unwrap_or((letters, &[]));
                 letters = rest;
                 let name = self.text(data.name);
                 let was = self.record.was.get(&name).cloned();
@@ -96,9 +99,20 @@ impl<'w> Remover<'w> {
     }
 
     /// The elements of an array, row by row.
-    fn rows(&self, data: &DataDecl) -> Result<Vec<Vec<TextRange>>, RestoreError> {
+    fn rows(&self, data: &DataDecl, reader: &mut ArrayReader<'w>) -> Result<Rows, RestoreError> {
         let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
         let dims = data.dims.len();
+        if dims == 1 && init.kind == ExprKind::Numbers {
+            let (mut now, mut row) = (Elements::new(32), Vec::with_capacity(32));
+            let at = |at: usize| init.range.start + at as u32;
+            let read = reader.each(init.range.of(self.bytes), |from, to, numbers| {
+                now.add_numbers(numbers.iter().copied());
+                row.push(TextRange::new(at(from), at(to)));
+            });
+            if read.is_some() {
+                return Ok(Rows { ranges: vec![row], letters: now.letters() });
+            }
+        }
         let rows = self.elements(init, dims.saturating_sub(1)).len();
         let elements = self.elements(init, dims);
         let columns = elements
@@ -107,20 +121,25 @@ impl<'w> Remover<'w> {
             .filter(|columns| columns * rows == elements.len() && *columns > 0);
         let columns = columns
             .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
-        Ok(elements.chunks(columns).map(<[TextRange]>::to_vec).collect())
+        let (mut now, mut reader) = (Elements::new(elements.len()), Singles::default());
+        elements.iter().for_each(|element| now.add(element.of(self.bytes), &mut reader));
+        let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
+        Ok(Rows { ranges, letters: now.letters() })
     }
 
     /// The elements of an array of so many dimensions, the last one fastest.
     pub(super) fn elements(&self, init: &Expr, dims: usize) -> Vec<TextRange> {
-        let parts = |all: Vec<TextRange>| -> Vec<TextRange> {
-            all.into_iter().flat_map(|part| ranges_of_numbers(self.bytes, part)).collect()
-        };
         match (&init.kind, dims.checked_sub(1)) {
             (_, None) => vec![init.range],
             (ExprKind::Aggregate(all), Some(rest)) => {
                 all.iter().flat_map(|part| self.elements(part, rest)).collect()
             }
-            (ExprKind::Numbers, Some(_)) => (0..dims).fold(vec![init.range], |all, _| parts(all)),
+            (ExprKind::Numbers, Some(_)) => {
+                let parts = |all: Vec<TextRange>| -> Vec<TextRange> {
+                    all.into_iter().flat_map(|part| ranges_of_numbers(self.bytes, part)).collect()
+                };
+                (0..dims).fold(vec![init.range], |all, _| parts(all))
+            }
             _ => Vec::new(),
         }
     }
@@ -207,13 +226,13 @@ impl<'w> Remover<'w> {
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let mut meant: BTreeMap<&str, Vec<Option<Meant>>> = BTreeMap::new();
         for (name, array) in arrays {
-            let line = self.lines.line(array.range.start);
             let trusted = self.record.is_whole;
             let rows = array.meant(&self.record.shares, trusted).map_err(|what| match what {
-                Some((first, second)) => RestoreError::Disagree { array: name.clone(), line, first, second },
-                None => {
-                    RestoreError::Damaged { line, what: format!("what was changed of {name} cannot be told") }
+                Some((first, second)) => {
+                    let line = self.lines.line(array.range.start);
+                    RestoreError::Disagree { array: name.clone(), line, first, second }
                 }
+                None => self.damaged(array.range, format!("what was changed of {name} cannot be told")),
             })?;
             meant.insert(name, rows);
         }
