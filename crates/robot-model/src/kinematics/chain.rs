@@ -226,12 +226,6 @@ impl Chain {
         NominalFrames::of(robot).chain(offsets)
     }
 
-    /// Pose of the flange in the base at joints of radians.
-    #[must_use]
-    pub fn forward(&self, q_rad: &[f64; 6]) -> Isometry3<f64> {
-        self.pose(q_rad).isometry()
-    }
-
     /// `base_from_flange` and the geometric Jacobian at the flange origin in base axes: rows vx vy vz (m/rad) wx
     /// wy wz (rad/rad), columns joints.
     #[must_use]
@@ -254,14 +248,7 @@ impl Chain {
         frames
     }
 
-    /// How far the flange stands from `base_from_flange`: metres, and the angle in radians, exact where it is tiny.
-    #[must_use]
-    pub fn distance(&self, q_rad: &[f64; 6], base_from_flange: &Isometry3<f64>) -> (f64, f64) {
-        let [vx, vy, vz, wx, wy, wz] = Pose::of(base_from_flange).twist_from(&self.pose(q_rad));
-        (matrix::norm(&[vx, vy, vz]), matrix::norm(&[wx, wy, wz]))
-    }
-
-    /// The same for lanes of several poses.
+    /// Pose of the flange in the base, for one number a joint or lanes of several.
     #[inline(always)]
     pub(crate) fn pose<T: Real>(&self, q_rad: &[T; 6]) -> Pose<T> {
         Walk::to_flange(self, &sin_cos(q_rad))

@@ -5,11 +5,12 @@
 //!
 //! `unsafe` stands here alone. What makes it sound: a function marked `target_feature` is called only after the processor
 //! was asked for exactly that feature; the vector types are private to this file and reach a [`Kernel`] only through those
-//! functions, so that no intrinsic runs without it; and no pointer is taken but to the 64 aligned bytes of a [`Lanes`].
+//! functions, so that no intrinsic runs without it; and no pointer is taken but to the 64 aligned bytes of a [`Lanes`] and to four
+//! numbers on the stack.
 
 #![allow(unsafe_code, reason = "intrinsics need it; the argument stands above")]
 
-use super::lanes::{Lanes, Wide};
+use super::lanes::{Column, Lanes, Wide};
 
 /// Work on eight numbers at a time.
 pub(crate) trait Kernel {
@@ -72,6 +73,18 @@ pub(crate) fn on_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Lanes>()
 }
 
+/// The same for a kernel whose operations wait for each other: registers of four, from which single numbers are had at once, while one
+/// that is taken out of eight just stored must wait until they are in the cache.
+#[inline]
+pub(crate) fn on_quickest<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has AVX2.
+        return unsafe { x86::on_avx2(kernel) };
+    }
+    kernel.run::<Lanes>()
+}
+
 /// Runs a kernel on vectors of [`Width::all`]; on others than the machine has, on plain arrays.
 #[cfg(test)]
 pub(crate) fn on<K: Kernel>(width: Width, kernel: K) -> K::Output {
@@ -89,7 +102,7 @@ pub(crate) fn on<K: Kernel>(width: Width, kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use super::super::real::Real;
-    use super::{Kernel, Lanes, Wide};
+    use super::{Column, Kernel, Lanes, Wide};
     use std::arch::x86_64::*;
     use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -111,6 +124,10 @@ mod x86 {
     #[derive(Clone, Copy)]
     struct TwiceFour(__m256d, __m256d);
 
+    /// Made only within [`on_avx512`] or [`on_avx2`]: whoever has one may use AVX.
+    #[derive(Clone, Copy)]
+    struct OneFour(__m256d);
+
     macro_rules! elementwise {
         ($trait:ident, $method:ident, $eight:ident, $four:ident) => {
             impl $trait for Eight {
@@ -127,6 +144,14 @@ mod x86 {
                 fn $method(self, other: Self) -> Self {
                     // SAFETY: there is a `TwiceFour`, so there is AVX2.
                     unsafe { Self($four(self.0, other.0), $four(self.1, other.1)) }
+                }
+            }
+            impl $trait for OneFour {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: there is a `OneFour`, so there is AVX.
+                    Self(unsafe { $four(self.0, other.0) })
                 }
             }
         };
@@ -209,7 +234,29 @@ mod x86 {
         }
     }
 
+    impl Column for OneFour {
+        #[inline(always)]
+        fn splat(value: f64) -> Self {
+            Self(unsafe { _mm256_set1_pd(value) })
+        }
+
+        #[inline(always)]
+        fn load(values: &[f64; 4]) -> Self {
+            let [a, b, c, d] = *values;
+            Self(unsafe { _mm256_setr_pd(a, b, c, d) })
+        }
+
+        #[inline(always)]
+        fn store(self) -> [f64; 4] {
+            let mut values = [0.0; 4];
+            unsafe { _mm256_storeu_pd(values.as_mut_ptr(), self.0) };
+            values
+        }
+    }
+
     impl Wide for Eight {
+        type Column = OneFour;
+
         #[inline(always)]
         fn load(values: &Lanes) -> Self {
             Self(unsafe { _mm512_loadu_pd(values.0.as_ptr()) })
@@ -313,6 +360,8 @@ mod x86 {
     }
 
     impl Wide for TwiceFour {
+        type Column = OneFour;
+
         #[inline(always)]
         fn load(values: &Lanes) -> Self {
             let [a, b, c, d, e, f, g, h] = values.0;

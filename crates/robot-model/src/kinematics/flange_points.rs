@@ -56,7 +56,7 @@ impl Chain {
     #[inline]
     #[must_use]
     pub fn point_m(&self, q_rad: &[f64; 6], on_flange_m: &Vector3<f64>) -> Vector3<f64> {
-        carried(&self.pose(q_rad), &(*on_flange_m).into()).into()
+        carried(&self.flange(q_rad), &(*on_flange_m).into()).into()
     }
 
     /// Calls `visit` for each point in its order with where it stands: what [`point_m`](Self::point_m) answers, to the bit.

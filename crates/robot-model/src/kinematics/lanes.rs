@@ -7,8 +7,37 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// How many numbers lie side by side.
 pub(crate) const LANES: usize = 8;
 
+/// A vector of space, and a fourth number beside it that nothing is asked of.
+pub(crate) trait Column: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    fn splat(value: f64) -> Self;
+    fn load(values: &[f64; 4]) -> Self;
+    fn store(self) -> [f64; 4];
+}
+
+/// A [`Column`] on any machine.
+#[derive(Clone, Copy)]
+pub(crate) struct Four([f64; 4]);
+
+impl Column for Four {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self([value; 4])
+    }
+
+    #[inline(always)]
+    fn load(values: &[f64; 4]) -> Self {
+        Self(*values)
+    }
+
+    #[inline(always)]
+    fn store(self) -> [f64; 4] {
+        self.0
+    }
+}
+
 /// Eight numbers that the kernels take for one.
 pub(crate) trait Wide: Real {
+    type Column: Column;
     fn load(values: &Lanes) -> Self;
     fn store(self) -> Lanes;
     /// Whether any of them is more than one half.
@@ -21,6 +50,8 @@ pub(crate) trait Wide: Real {
 pub(crate) struct Lanes(pub(crate) [f64; LANES]);
 
 impl Wide for Lanes {
+    type Column = Four;
+
     #[inline(always)]
     fn load(values: &Lanes) -> Self {
         *values
@@ -38,8 +69,8 @@ impl Wide for Lanes {
 }
 
 macro_rules! elementwise {
-    ($trait:ident, $method:ident, $op:tt) => {
-        impl $trait for Lanes {
+    ($of:ident, $trait:ident, $method:ident, $op:tt) => {
+        impl $trait for $of {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -49,10 +80,13 @@ macro_rules! elementwise {
     };
 }
 
-elementwise!(Add, add, +);
-elementwise!(Sub, sub, -);
-elementwise!(Mul, mul, *);
-elementwise!(Div, div, /);
+elementwise!(Lanes, Add, add, +);
+elementwise!(Lanes, Sub, sub, -);
+elementwise!(Lanes, Mul, mul, *);
+elementwise!(Lanes, Div, div, /);
+elementwise!(Four, Add, add, +);
+elementwise!(Four, Sub, sub, -);
+elementwise!(Four, Mul, mul, *);
 
 impl Neg for Lanes {
     type Output = Self;

@@ -160,9 +160,13 @@ pub(crate) const SMALL_RAD: f64 = 1e-2;
 pub(crate) const IDENTITY: Mat3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 pub(crate) fn isometry(rotation: &Mat3, position: &Vec3) -> Isometry3<f64> {
-    let m = Matrix3::from_fn(|i, j| rotation[i][j]);
+    isometry_of(Matrix3::from_fn(|i, j| rotation[i][j]), *position)
+}
+
+#[inline]
+pub(crate) fn isometry_of(m: Matrix3<f64>, position: Vec3) -> Isometry3<f64> {
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m));
-    Isometry3::from_parts(Translation3::from(*position), rotation)
+    Isometry3::from_parts(Translation3::from(position), rotation)
 }
 
 #[cfg(test)]

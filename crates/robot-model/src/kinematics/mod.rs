@@ -13,6 +13,7 @@ mod dispatch;
 mod eight_branches;
 mod flange_points;
 mod follow;
+mod forward;
 mod lanes;
 mod linear;
 mod matrix;
