@@ -17,6 +17,7 @@ mod forward;
 mod lanes;
 mod linear;
 mod matrix;
+mod offset_columns;
 mod real;
 mod serial_chain;
 mod solve;
