@@ -69,8 +69,8 @@ pub mod command_line {
 }
 
 pub use application::{
-    Arm, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Named, ProgramFiles, Question,
-    Refusal, Rehearsal, Simulation,
+    Arm, ClosedLoop, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Named, ProgramFiles,
+    Question, Refusal, Simulation,
 };
 pub use metrology::measure::{Measurements, Touches};
 pub use rapid_syntax::diagnostic::{Diagnostic, Severity};

@@ -17,9 +17,9 @@ mod own_data;
 mod page;
 mod program_files;
 
+mod closed_loop;
 #[cfg(feature = "mcap")]
 mod recording;
-mod rehearsal;
 mod simulation;
 mod touch;
 
@@ -37,6 +37,6 @@ pub use named::{Named, model_of_another_robot, sha256};
 pub use own_data::{OwnData, is_own_name};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 
-pub use rehearsal::{Identification, LeftAtTargets, Rehearsal};
+pub use closed_loop::{ClosedLoop, Identification, LeftAtTargets};
 pub use simulation::{Course, Simulation};
 pub use touch::TouchRequest;

@@ -5,7 +5,7 @@ use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use driftpost::application::Rehearsal;
+use driftpost::application::ClosedLoop;
 use exam::rng::Rng;
 use metrology::diagnose::describe;
 use serde_json::json;
@@ -82,13 +82,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         },
         &mut rng,
     )?;
-    let rehearsal = Rehearsal { robot: robot.into(), recipe, withheld: args.inject.clone() };
-    let identification = rehearsal.identify(&mut rng)?;
+    let closed_loop = ClosedLoop { robot: robot.into(), recipe, withheld: args.inject.clone() };
+    let identification = closed_loop.identify(&mut rng)?;
     if let Some(file) = model_out {
         file.write(identification.model.to_toml().as_bytes())?;
     }
     let diagnosis = &identification.findings;
-    let [before, after] = rehearsal.measure_again(&identification, &given.program(), &mut rng)?;
+    let [before, after] = closed_loop.measure_again(&identification, &given.program(), &mut rng)?;
     let floor_mm = args.sigma_mm * 3.0_f64.sqrt();
     let good = after.measured_mm <= args.limit * floor_mm;
     let answer = json!({

@@ -113,7 +113,7 @@ mod tests {
     use super::*;
     use rapid_program::compensate::plan::Summary;
     use rapid_program::program::Overrides;
-    use rapid_program::program::few::Few;
+    use rapid_program::program::one_or_many::OneOrMany;
     use rapid_program::schedule::Schedule;
     use rapid_syntax::SourceFile;
     use rapid_syntax::diagnostic::FileId;
@@ -137,7 +137,7 @@ mod tests {
         let planned = |motion: &Motion| PlannedMotion {
             status: Status::Compensated,
             form: Form::Schedule,
-            targets: Few::default(),
+            targets: OneOrMany::default(),
             max_correction_m: m_from_mm(f64::from(correction_mm(motion.line))),
             max_correction_rad: 0.0,
             mid_path_m: None,

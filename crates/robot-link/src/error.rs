@@ -18,7 +18,7 @@ pub enum LinkError {
         cause: String,
     },
     /// No answer, or only a part of one, in time.
-    #[error("no whole answer to the {request} ({cause})")]
+    #[error("no complete answer to the {request} ({cause})")]
     NoAnswer {
         /// The request, by what it asks of the controller.
         request: &'static str,
@@ -27,7 +27,7 @@ pub enum LinkError {
     },
     /// A write without an answer.
     #[error(
-        "no whole answer to the {request} ({cause}): whether it took effect is not known; it is not repeated"
+        "no complete answer to the {request} ({cause}): whether it took effect is not known; it is not repeated"
     )]
     Uncertain {
         /// The request, by what it asks of the controller.
@@ -36,13 +36,13 @@ pub enum LinkError {
         cause: String,
     },
     /// What answers is no robot controller.
-    #[error("what answers there is no Robot Web Services: {0}")]
+    #[error("what answers there is not Robot Web Services: {0}")]
     NoController(String),
     /// A RobotWare that is not known.
     #[error("the controller says RobotWare {0}; known are 6, 7 and 8")]
     Version(String),
     /// Wrong user or password.
-    #[error("the controller does not take user {user} with this password")]
+    #[error("the controller refuses the login of user {user}")]
     Login {
         /// Name of the user.
         user: String,

@@ -103,7 +103,7 @@ pub(super) enum Op {
     Call(Rc<Call>),
     Jump(usize),
     /// The beginning of a loop that only what stands in its body may end: how it does.
-    LoopEnter(Rc<Exits>),
+    LoopEnter(Rc<LoopExits>),
     /// The end of an endless loop's body: jump back and count a pass.
     LoopBack(usize),
     JumpUnless(Expr, usize),
@@ -145,7 +145,7 @@ pub(super) enum Op {
 
 /// How a loop's body leaves the loop, or a routine what calls it.
 #[derive(Debug)]
-pub(super) struct Exits {
+pub(super) struct LoopExits {
     /// It does on some way.
     pub leaves: bool,
     /// What decides on the ways there.
@@ -195,7 +195,7 @@ pub(super) struct Code {
     /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
     pub handlers: Vec<(Vec<Expr>, usize)>,
     /// How its statements leave what calls it.
-    pub exits: Exits,
+    pub exits: LoopExits,
     /// Where the BACKWARD section begins.
     pub backward: Option<usize>,
 }

@@ -81,14 +81,14 @@ impl PoseError {
 
 /// Compares moves of two runs by the controller's nominal kinematics.
 #[derive(Clone, Copy, Debug)]
-pub struct Evaluator<'r> {
+pub struct MoveComparator<'r> {
     /// Nominal inverse kinematics.
     pub closed: &'r ClosedForm,
     /// Nominal forward kinematics.
     pub nominal: &'r Chain,
 }
 
-impl Evaluator<'_> {
+impl MoveComparator<'_> {
     /// The moves must be the same instructions of the same routines in the same order.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! From the tree of a routine to the flat form it is executed in.
 
 use super::code::{
-    Arg, Call, Callee, Code, Exits, Expr, ExprKind, Instruction, LocalDecl, Name, NameRef, Op, Param,
+    Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, LoopExits, Name, NameRef, Op, Param,
 };
 use super::exits;
 use rapid_syntax::diagnostic::TextRange;
@@ -272,10 +272,10 @@ impl<'f> Compiler<'f> {
         }
     }
 
-    fn exits(&self, found: &exits::Exits<'_>) -> Exits {
+    fn exits(&self, found: &exits::LoopExits<'_>) -> LoopExits {
         let all = |of: &[&tree::Expr]| of.iter().map(|expr| self.expr(expr)).collect();
         let calls = found.calls.iter().map(|(name, way)| (lower_case_name(self.file, *name), all(way)));
-        Exits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
+        LoopExits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
     }
 
     fn declaration(&mut self, decl: &tree::DataDecl) {

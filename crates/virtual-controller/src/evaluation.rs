@@ -1,7 +1,7 @@
 //! How far the moves of a pass are from what the original means, collected into the session's report.
 
 use super::arm::Move;
-use super::compare::Evaluator;
+use super::compare::MoveComparator;
 use super::findings::{BucketSwitch, ErrorStatistics, Pass, WorstMove};
 use super::session::{ExecutedPass, Session};
 use robot_model::deform::DeformedArm;
@@ -10,7 +10,7 @@ impl Session {
     /// Evaluates every move of a pass; `arm_at` gives the true arm at the program's move of an index.
     pub fn evaluate(&mut self, pass: ExecutedPass, t_min: f64, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
         let ExecutedPass { intended, executed, at_min, failure } = pass;
-        let evaluator = Evaluator { closed: &self.closed, nominal: &self.nominal };
+        let evaluator = MoveComparator { closed: &self.closed, nominal: &self.nominal };
         let mut pass = Pass {
             t_min,
             at_min,
@@ -24,7 +24,7 @@ impl Session {
             worst: None,
             failure,
             unreached: 0,
-            mismatch: Evaluator::same_moves(&intended, &executed).err(),
+            mismatch: MoveComparator::same_moves(&intended, &executed).err(),
         };
         let mut now: Option<(f64, DeformedArm)> = None;
         let mut unchanged = Vec::new();
@@ -47,7 +47,7 @@ impl Session {
                 unchanged.push((b, after.position_m));
             } else {
                 pass.corrected.add(&after);
-                pass.mismatch = pass.mismatch.or_else(|| Evaluator::other_joints(a, b));
+                pass.mismatch = pass.mismatch.or_else(|| MoveComparator::other_joints(a, b));
                 self.changed.insert((b.at.file.clone(), b.at.line));
             }
             if pass.worst.as_ref().is_none_or(|w| after.position_m > w.error_m) {
@@ -89,7 +89,7 @@ impl Session {
         executed: Vec<Move>,
         arm_at: &mut dyn FnMut(usize) -> DeformedArm,
     ) {
-        let evaluator = Evaluator { closed: &self.closed, nominal: &self.nominal };
+        let evaluator = MoveComparator { closed: &self.closed, nominal: &self.nominal };
         if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
             && index != *last
         {

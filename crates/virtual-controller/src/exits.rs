@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 /// How a body is left.
 #[derive(Debug, Default)]
-pub(super) struct Exits<'t> {
+pub(super) struct LoopExits<'t> {
     /// It is left on some way.
     pub leaves: bool,
     /// What decides on the ways to where it is left.
@@ -18,7 +18,7 @@ pub(super) struct Exits<'t> {
 /// How a loop's body leaves the loop: by RETURN, EXIT, RAISE or a GOTO to a label outside.
 ///
 /// `label` gives a label's name the same for every spelling.
-pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> Exits<'t> {
+pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> LoopExits<'t> {
     let mut inside = BTreeSet::new();
     labels(body, label, &mut inside);
     let jumps_out = |stmt: &Stmt| match stmt.kind {
@@ -26,14 +26,14 @@ pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<Str
         StmtKind::Goto(_) => label(stmt).is_some_and(|to| !inside.contains(&to)),
         _ => false,
     };
-    let mut found = Found { jumps_out, way: Vec::new(), out: Exits::default() };
+    let mut found = Found { jumps_out, way: Vec::new(), out: LoopExits::default() };
     found.block(body);
     found.out
 }
 
 /// How a routine's body leaves what calls it: by EXIT or RAISE.
-pub(super) fn of_routine(body: &[Stmt]) -> Exits<'_> {
-    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: Exits::default() };
+pub(super) fn of_routine(body: &[Stmt]) -> LoopExits<'_> {
+    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: LoopExits::default() };
     found.block(body);
     found.out
 }
@@ -43,7 +43,7 @@ struct Found<'t, J> {
     jumps_out: J,
     /// What has decided on the way to the present statement.
     way: Vec<&'t Expr>,
-    out: Exits<'t>,
+    out: LoopExits<'t>,
 }
 
 impl<'t, J: Fn(&Stmt) -> bool> Found<'t, J> {

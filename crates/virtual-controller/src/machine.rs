@@ -14,7 +14,7 @@ pub(super) use interrupts::Interrupts;
 pub(super) use limits::{LimitReached, RunLimits};
 pub(super) use log::Log;
 pub(super) use outside::{Disk, Signals};
-pub(super) use stack::{Binding, CallStack, Deciding, Frame, Slot, StackMark};
+pub(super) use stack::{Binding, CallStack, ExitConditions, Frame, Slot, StackMark};
 
 use super::calendar::Calendar;
 use super::effort::EffortMeter;

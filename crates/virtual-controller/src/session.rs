@@ -227,7 +227,7 @@ impl Session {
         &self.report
     }
 
-    /// Evaluator the program at warm-up minutes: cold start called, and its clock (`tcUpdate`) asked once a
+    /// Executes the program at warm-up minutes: cold start called, and its clock (`tcUpdate`) asked once a
     /// minute since. Date and time stand
     /// still during each pass, so that every move meets the robot at just that minute. Where the robot
     /// deforms by temperature the minutes are degrees, and the thermometer shows them.

@@ -83,7 +83,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         .while_busy("asking the controller", || check.run(&mut session, &program, &robot, start_rad))??;
     session.end()?;
     if !json.is_standard() {
-        let robot = identity.robot.as_deref().unwrap_or("(a robot that is not told)");
+        let robot = identity.robot.as_deref().unwrap_or("(unknown robot)");
         writeln!(console.out(), "{robot} at {}, {}", args.connection.host, identity.dialect)?;
         write!(console.out(), "{}", checked.text(args.all))?;
     }

@@ -60,12 +60,12 @@ impl Shown {
         let kind = if i.is_virtual { ", virtual" } else { "" };
         writeln!(out, "controller  {}{kind}", i.controller.as_deref().unwrap_or("(no name)"))?;
         writeln!(out, "system      {}, RobotWare {} ({})", i.system, i.version, i.dialect)?;
-        writeln!(out, "robot       {}", i.robot.as_deref().unwrap_or("(not told)"))?;
+        writeln!(out, "robot       {}", i.robot.as_deref().unwrap_or("(unknown)"))?;
         writeln!(out, "mode        {}, motors {}, RAPID {}", i.mode, i.motors, i.execution)?;
         let accuracy = match i.absolute_accuracy {
             Some(true) => "ON: corrected targets are made for nominal kinematics and need it off",
             Some(false) => "off",
-            None => "(not told)",
+            None => "(unknown)",
         };
         writeln!(out, "Absolute Accuracy {accuracy}")?;
         writeln!(out, "right to write    {}", i.writer.as_deref().unwrap_or("nobody holds it"))?;

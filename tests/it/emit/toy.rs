@@ -7,10 +7,10 @@ use rapid_program::compensate::plan::{
 };
 use rapid_program::program::Program;
 use rapid_program::program::data::{ConfData, JointTarget, RobTarget};
-use rapid_program::program::few::Few;
 use rapid_program::program::motion::{
     Loop, Motion, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
 };
+use rapid_program::program::one_or_many::OneOrMany;
 use rapid_program::schedule::{Bucket, Schedule};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
@@ -224,7 +224,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
         let mut planned = PlannedMotion {
             status: Status::Compensated,
             form: Form::Schedule,
-            targets: Few::default(),
+            targets: OneOrMany::default(),
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
             mid_path_m: None,

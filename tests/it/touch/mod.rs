@@ -20,7 +20,7 @@ use rapid_program::compensate::FormChoice;
 use rapid_program::emit::{Core, TouchBy};
 use robot_model::deform::{DeformedArm, GrowthLaw, Warmth};
 use robot_model::kinematics::{Chain, ClosedForm};
-use virtual_controller::compare::Evaluator;
+use virtual_controller::compare::MoveComparator;
 use virtual_controller::{Controller, Move, Sphere, TrueRobot};
 
 /// The sphere's centre in the base, mm, and the distance of a touch.
@@ -194,7 +194,7 @@ impl Cell {
         self.call("main");
         let moves = self.controller.arm_mut().unwrap().take_moves();
         assert_eq!(moves.len(), self.intended.len());
-        let evaluator = Evaluator { closed: &self.closed, nominal: &self.nominal };
+        let evaluator = MoveComparator { closed: &self.closed, nominal: &self.nominal };
         let arm = self.arm();
         let error = |(a, b)| evaluator.pose_error(&arm, a, b).unwrap().position_m * 1e3;
         self.intended.iter().zip(&moves).map(error).collect()

@@ -8,7 +8,7 @@ use super::placement::keep;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
-use super::warm_joints::{Sent, SentTo};
+use super::warm_joints::{CommandedJoints, CommandedOrKept};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
@@ -43,7 +43,7 @@ pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
 /// bucket `k`, or why it is kept. What is left with time functions, [`add_errors_of_ramp`](super::ramp_errors::add_errors_of_ramp) says.
 pub(super) fn correct(
     (motion, points): (&Motion, &[Point]),
-    warm: &[&[Sent]],
+    warm: &[&[CommandedOrKept]],
     at: &Moments,
     model: &Model,
     options: &Options,
@@ -72,7 +72,7 @@ pub(super) fn correct(
         };
         made.crossing = made.crossing.or_else(|| Crossing::of(motion, &value, &point.q_rad, &joints));
         let meant = point.object_from_tcp();
-        let commanded = |sent: &SentTo| point.placement.object_from_tcp(&sent.base_from_flange);
+        let commanded = |sent: &CommandedJoints| point.placement.object_from_tcp(&sent.base_from_flange);
         let commanded: Vec<Isometry3<f64>> = of_buckets().flatten().map(commanded).collect();
         made.add_corrections(&meant, &commanded);
         let by_joints = matches!(value, TargetValue::Joint(_));
@@ -184,7 +184,7 @@ enum NoJoints {
 /// The deformed arm's joints for each bucket.
 fn joints_per_bucket<'j>(
     point: &Point,
-    warm: impl Iterator<Item = &'j Sent>,
+    warm: impl Iterator<Item = &'j CommandedOrKept>,
     model: &Model,
 ) -> Result<Vec<[f64; 6]>, NoJoints> {
     let own = model.closed.configuration(&point.q_rad);

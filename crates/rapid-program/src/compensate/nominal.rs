@@ -10,8 +10,8 @@ use super::placement::{Placement, keep};
 use super::ways_back::{before, ways_back};
 use crate::program::Program;
 use crate::program::data::JointTarget;
-use crate::program::few::Few;
 use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
+use crate::program::one_or_many::OneOrMany;
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Conditions, Payload};
@@ -76,7 +76,7 @@ pub(super) struct Resolved {
     /// Where tool and work object are; `None` where that is not known.
     placement: Option<Arc<Placement>>,
     /// Nominal joints at each of its targets' values on the branch that is meant, radians; none where they are not known.
-    joints: Few<[f64; 6]>,
+    joints: OneOrMany<[f64; 6]>,
     /// Why it stays as it is.
     kept: Option<Arc<SkipReason>>,
     /// For each value load and direction, where a model asks for them.

@@ -3,8 +3,8 @@
 use super::live_basis::LiveBasis;
 use crate::program::Program;
 use crate::program::data::RobTarget;
-use crate::program::few::Few;
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
+use crate::program::one_or_many::OneOrMany;
 use crate::schedule::{Schedule, TimeFunctions};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Conditions;
@@ -39,7 +39,7 @@ pub struct PlannedMotion {
     pub form: Form,
     /// For each value of each of the motion's targets ([`Target::values`](crate::program::motion::Target::values));
     /// empty unless compensated or refused over a limit, and where values are known at run time alone.
-    pub targets: Few<PlannedTarget>,
+    pub targets: OneOrMany<PlannedTarget>,
     /// Largest distance between original and corrected TCP over all buckets, metres.
     pub max_correction_m: f64,
     /// Largest angle between original and corrected TCP frame over all buckets, radians.
@@ -83,7 +83,7 @@ pub enum Corrections {
     /// bucket.
     InBuckets(Box<[Corrected]>),
     /// In the form `ramp` the correction at the node of each of the [`TimeFunctions`].
-    AtNodes(Few<Correction>),
+    AtNodes(OneOrMany<Correction>),
 }
 
 /// How a motion asks for its target.
@@ -164,7 +164,7 @@ impl PlannedMotion {
         Self {
             status: Status::Compensated,
             form,
-            targets: Few::default(),
+            targets: OneOrMany::default(),
             max_correction_m: 0.0,
             max_correction_rad: 0.0,
             mid_path_m: None,

@@ -21,7 +21,7 @@ use super::ramp::{Ramp, Sample};
 use super::ramp_errors::add_errors_of_ramp;
 use super::shared_corrections::share_corrections;
 use super::unknown_branch::keep_unknown_branches;
-use super::warm_joints::{Sent, sent_each, warm_joints_of};
+use super::warm_joints::{CommandedOrKept, sent_each, warm_joints_of};
 use super::{clock_gaps, conditions, placement, plausible};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
@@ -212,12 +212,12 @@ impl Corrector<'_> {
             placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
         let all: Vec<&Point<'_>> = points.iter().flatten().collect();
         let arms = self.at.arms().as_slice().iter();
-        let warm: Vec<Vec<Sent>> = arms.map(|arm| sent_each(&all, arm, self.model)).collect();
+        let warm: Vec<Vec<CommandedOrKept>> = arms.map(|arm| sent_each(&all, arm, self.model)).collect();
         let mut at = 0;
         let one = |((motion, resolved), points): ((&Motion, &Resolved), &Vec<Point<'_>>)| {
             let own = at..at + points.len();
             at = own.end;
-            let warm: Vec<&[Sent]> =
+            let warm: Vec<&[CommandedOrKept]> =
                 warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
             self.correct((motion, resolved), points, &warm)
         };
@@ -248,7 +248,7 @@ impl Corrector<'_> {
         &self,
         (motion, resolved): (&Motion, &Resolved),
         points: &[Point<'_>],
-        warm: &[&[Sent]],
+        warm: &[&[CommandedOrKept]],
     ) -> MotionCorrection {
         if let Some(why) = resolved.kept() {
             return self.at_run_time(motion, why);

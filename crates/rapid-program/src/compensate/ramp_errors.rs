@@ -5,7 +5,7 @@ use super::model::Model;
 use super::nominal::Point;
 use super::plan::{Correction, Corrections, Form};
 use super::ramp::{LEVER_M, Ramp, Sample, values};
-use super::warm_joints::{Sent, SentTo, sent_each};
+use super::warm_joints::{CommandedJoints, CommandedOrKept, sent_each};
 use crate::schedule::Moment;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
@@ -102,7 +102,7 @@ impl Ramp {
         let of_some = |some: &[Sample<'_>]| {
             let points: Vec<&Point<'_>> = some.iter().map(|sample| &sample.point).collect();
             let nodes = self.nodes.as_slice().iter();
-            let warm: Vec<Vec<Sent>> = nodes.map(|arm| sent_each(&points, arm, model)).collect();
+            let warm: Vec<Vec<CommandedOrKept>> = nodes.map(|arm| sent_each(&points, arm, model)).collect();
             let corrected = some.iter().enumerate().filter_map(|(i, Sample { point, by_joints })| {
                 let nodes = || warm.iter().map(|of_node| of_node.get(i)?.as_ref().ok());
                 let meant = point.object_from_tcp();
@@ -112,7 +112,7 @@ impl Ramp {
                         &nodes().map(|sent| Some(sent?.q_rad)).collect::<Option<Vec<_>>>()?,
                     ),
                     false => {
-                        let commanded = |sent: Option<&SentTo>| {
+                        let commanded = |sent: Option<&CommandedJoints>| {
                             Some(point.placement.object_from_tcp(&sent?.base_from_flange))
                         };
                         Self::shifts(&meant, &nodes().map(commanded).collect::<Option<Vec<_>>>()?)

@@ -54,11 +54,11 @@ pub(super) fn warm_joints_of(
 }
 
 /// Where the nominal controller is sent so that the warm arm stands where a point is meant to be, or why the point is kept.
-pub(super) type Sent = Result<SentTo, SkipReason>;
+pub(super) type CommandedOrKept = Result<CommandedJoints, SkipReason>;
 
 /// Joints, and what the nominal controller takes them for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SentTo {
+pub(super) struct CommandedJoints {
     /// Radians.
     pub(super) q_rad: [f64; 6],
     /// By nominal kinematics.
@@ -66,13 +66,13 @@ pub(super) struct SentTo {
 }
 
 /// The same for each of many points.
-pub(super) fn sent_each(points: &[&Point<'_>], arm: &DeformedArm, model: &Model<'_>) -> Vec<Sent> {
+pub(super) fn sent_each(points: &[&Point<'_>], arm: &DeformedArm, model: &Model<'_>) -> Vec<CommandedOrKept> {
     let warm = warm_joints_of(points, arm, model);
     let known: Vec<[f64; 6]> = warm.iter().flatten().copied().collect();
     let mut frames = Vec::with_capacity(known.len());
     model.nominal.forward_each(&known, |base_from_flange| frames.push(base_from_flange));
     let mut frames = frames.into_iter();
-    let mut sent = |q_rad| SentTo { q_rad, base_from_flange: frames.next().unwrap_or_default() };
+    let mut sent = |q_rad| CommandedJoints { q_rad, base_from_flange: frames.next().unwrap_or_default() };
     warm.into_iter().map(|q_rad| q_rad.map(&mut sent)).collect()
 }
 

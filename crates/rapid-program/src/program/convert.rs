@@ -14,10 +14,10 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 const UNIT_LENGTH_TOLERANCE: f64 = 0.002;
 
 /// Why a value is not a datum of its type: code and sentence.
-pub(super) type NotThat = (&'static str, String);
+pub(super) type ConversionError = (&'static str, String);
 
 /// A value as `robtarget`.
-pub(super) fn robtarget(value: &Value) -> Result<RobTarget, NotThat> {
+pub(super) fn robtarget(value: &Value) -> Result<RobTarget, ConversionError> {
     let [trans, rot, conf, ext] = parts(value, "robtarget")?;
     Ok(RobTarget { object_from_tcp: frame(trans, rot)?, conf: confdata(conf)?, ext: extjoint(ext)? })
 }
@@ -46,7 +46,7 @@ pub(super) fn robtarget_as_written(text: &[u8]) -> Option<RobTarget> {
 }
 
 /// A value as `jointtarget`.
-pub(super) fn jointtarget(value: &Value) -> Result<JointTarget, NotThat> {
+pub(super) fn jointtarget(value: &Value) -> Result<JointTarget, ConversionError> {
     let [robax, ext] = parts(value, "jointtarget")?;
     let degrees = numbers::<6>(robax, "robjoint")?;
     Ok(JointTarget { q_rad: degrees.map(|d| used(d).map(rad_from_deg)), ext: extjoint(ext)? })
@@ -77,13 +77,13 @@ pub(super) fn corrected(original: &TargetValue, correction: &Value) -> Option<Ta
 }
 
 /// A value as `tooldata`.
-pub(super) fn tooldata(value: &Value) -> Result<ToolData, NotThat> {
+pub(super) fn tooldata(value: &Value) -> Result<ToolData, ConversionError> {
     let [robhold, tframe, tload] = parts(value, "tooldata")?;
     Ok(ToolData { robhold: boolean(robhold)?, frame_from_tcp: pose(tframe)?, load: loaddata(tload)? })
 }
 
 /// A value as `wobjdata`.
-pub(super) fn wobjdata(value: &Value) -> Result<WobjData, NotThat> {
+pub(super) fn wobjdata(value: &Value) -> Result<WobjData, ConversionError> {
     let [robhold, ufprog, ufmec, uframe, oframe] = parts(value, "wobjdata")?;
     let Value::Text(ufmec) = ufmec else { return Err(wrong("wobjdata")) };
     Ok(WobjData {
@@ -96,35 +96,35 @@ pub(super) fn wobjdata(value: &Value) -> Result<WobjData, NotThat> {
 }
 
 /// A value as `loaddata`.
-pub(super) fn loaddata(value: &Value) -> Result<LoadData, NotThat> {
+pub(super) fn loaddata(value: &Value) -> Result<LoadData, ConversionError> {
     let [mass, cog, ..] = parts::<6>(value, "loaddata")?;
     Ok(LoadData { mass_kg: number(mass)?, cog_m: numbers::<3>(cog, "pos")?.map(m_from_mm) })
 }
 
 /// A value as `speeddata`.
-pub(super) fn speeddata(value: &Value) -> Result<SpeedData, NotThat> {
+pub(super) fn speeddata(value: &Value) -> Result<SpeedData, ConversionError> {
     let [v_tcp, v_ori, ..] = numbers::<4>(value, "speeddata")?;
     Ok(SpeedData { v_tcp_m_s: m_from_mm(v_tcp), v_ori_rad_s: rad_from_deg(v_ori) })
 }
 
 /// A value as `zonedata`.
-pub(super) fn zonedata(value: &Value) -> Result<ZoneData, NotThat> {
+pub(super) fn zonedata(value: &Value) -> Result<ZoneData, ConversionError> {
     let [finep, pzone_tcp, ..] = parts::<7>(value, "zonedata")?;
     Ok(ZoneData { finep: boolean(finep)?, pzone_tcp_m: m_from_mm(number(pzone_tcp)?) })
 }
 
 /// A value as `pose`: metres.
-pub(super) fn pose(value: &Value) -> Result<Isometry3<f64>, NotThat> {
+pub(super) fn pose(value: &Value) -> Result<Isometry3<f64>, ConversionError> {
     let [trans, rot] = parts(value, "pose")?;
     frame(trans, rot)
 }
 
 /// A value as `orient`, normalised.
-pub(super) fn orient(value: &Value) -> Result<UnitQuaternion<f64>, NotThat> {
+pub(super) fn orient(value: &Value) -> Result<UnitQuaternion<f64>, ConversionError> {
     rotation(numbers::<4>(value, "orient")?)
 }
 
-fn rotation([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, NotThat> {
+fn rotation([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, ConversionError> {
     let quaternion = Quaternion::new(w, x, y, z);
     let length = quaternion.norm();
     if (length - 1.0).abs() > UNIT_LENGTH_TOLERANCE {
@@ -137,7 +137,7 @@ fn rotation([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, NotThat> {
 }
 
 /// A value as so many numbers.
-pub(super) fn numbers<const N: usize>(value: &Value, type_name: &str) -> Result<[f64; N], NotThat> {
+pub(super) fn numbers<const N: usize>(value: &Value, type_name: &str) -> Result<[f64; N], ConversionError> {
     let mut out = [0.0; N];
     for (out, part) in out.iter_mut().zip(parts::<N>(value, type_name)?) {
         *out = number(part)?;
@@ -149,7 +149,7 @@ pub(super) fn numbers<const N: usize>(value: &Value, type_name: &str) -> Result<
 pub(super) fn parts<'v, const N: usize>(
     value: &'v Value,
     type_name: &str,
-) -> Result<&'v [Value; N], NotThat> {
+) -> Result<&'v [Value; N], ConversionError> {
     match value {
         Value::Parts(parts) => parts.as_ref().try_into().map_err(|_| wrong(type_name)),
         Value::Unknown(why) => Err((why.code, why.reason.clone())),
@@ -157,16 +157,16 @@ pub(super) fn parts<'v, const N: usize>(
     }
 }
 
-fn frame(trans: &Value, rot: &Value) -> Result<Isometry3<f64>, NotThat> {
+fn frame(trans: &Value, rot: &Value) -> Result<Isometry3<f64>, ConversionError> {
     let [x, y, z] = numbers::<3>(trans, "pos")?.map(m_from_mm);
     Ok(Isometry3::from_parts(Translation3::new(x, y, z), orient(rot)?))
 }
 
-fn confdata(value: &Value) -> Result<ConfData, NotThat> {
+fn confdata(value: &Value) -> Result<ConfData, ConversionError> {
     quadrants(numbers::<4>(value, "confdata")?)
 }
 
-fn quadrants(numbers: [f64; 4]) -> Result<ConfData, NotThat> {
+fn quadrants(numbers: [f64; 4]) -> Result<ConfData, ConversionError> {
     let mut whole = [0; 4];
     for (whole, n) in whole.iter_mut().zip(numbers) {
         if n.round() != n || n.abs() > f64::from(i16::MAX) {
@@ -179,7 +179,7 @@ fn quadrants(numbers: [f64; 4]) -> Result<ConfData, NotThat> {
 }
 
 /// A value as `extjoint`: `None` for an axis that is not used.
-pub(super) fn extjoint(value: &Value) -> Result<ExtJoint, NotThat> {
+pub(super) fn extjoint(value: &Value) -> Result<ExtJoint, ConversionError> {
     Ok(numbers::<6>(value, "extjoint")?.map(used))
 }
 
@@ -188,7 +188,7 @@ fn used(n: f64) -> Option<f64> {
     (n as f32 != 9e9).then_some(n)
 }
 
-fn number(value: &Value) -> Result<f64, NotThat> {
+fn number(value: &Value) -> Result<f64, ConversionError> {
     match value {
         Value::Num(n) if n.abs() <= f64::from(f32::MAX) => Ok(*n),
         Value::Num(n) => Err(("keep::bad-number", format!("{n:e} is beyond what a num can hold"))),
@@ -197,7 +197,7 @@ fn number(value: &Value) -> Result<f64, NotThat> {
     }
 }
 
-fn boolean(value: &Value) -> Result<bool, NotThat> {
+fn boolean(value: &Value) -> Result<bool, ConversionError> {
     match value {
         Value::Bool(b) => Ok(*b),
         Value::Unknown(why) => Err((why.code, why.reason.clone())),
@@ -205,7 +205,7 @@ fn boolean(value: &Value) -> Result<bool, NotThat> {
     }
 }
 
-fn wrong(type_name: &str) -> NotThat {
+fn wrong(type_name: &str) -> ConversionError {
     ("keep::wrong-type", format!("what stands here is no {type_name}"))
 }
 

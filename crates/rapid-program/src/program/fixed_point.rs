@@ -1,7 +1,7 @@
 //! A target that is named from outside, with a tool and a work object: where a fixed point is touched.
 
 use super::const_eval::ConstEvaluator;
-use super::convert::{self, NotThat};
+use super::convert::{self, ConversionError};
 use super::data::{RobTarget, ToolData, WobjData};
 use super::index::{Ctx, Datum, Index, RoutineEntry};
 use super::motion::MotionSetup;
@@ -109,7 +109,7 @@ fn module_at(index: &Index<'_>, ctx: Ctx) -> (FileId, usize) {
     (ctx.file, before.count())
 }
 
-fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, NotThat>) -> Result<T, String> {
+fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, ConversionError>) -> Result<T, String> {
     convert(value).map_err(|(_, reason)| reason)
 }
 

@@ -3,7 +3,7 @@
 //! Angles in and out are degrees and lengths mm, as RAPID has them; ABB, "RAPID Instructions, Functions
 //! and Data types", gives each function's meaning.
 
-use super::convert::{self, NotThat};
+use super::convert::{self, ConversionError};
 use super::value::{Value, Why, needs_kinematics, why, wrong_type};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rapid_syntax::tree::BinaryOp;
@@ -224,7 +224,7 @@ fn finite(n: f64) -> Result<Value, Why> {
     }
 }
 
-fn converted<T>(result: Result<T, NotThat>) -> Result<T, Why> {
+fn converted<T>(result: Result<T, ConversionError>) -> Result<T, Why> {
     result.map_err(|(code, reason)| why(code, reason))
 }
 

@@ -5,9 +5,9 @@
 //! deformation.
 
 pub mod data;
-pub mod few;
 pub mod module_facts;
 pub mod motion;
+pub mod one_or_many;
 pub mod pgf;
 
 mod built_in;
@@ -21,7 +21,6 @@ mod finite_set;
 mod fixed_point;
 mod flow;
 mod functions;
-mod handed;
 mod index;
 mod instructions;
 mod late_bound;
@@ -34,6 +33,7 @@ mod order;
 mod other_tasks;
 mod overrides;
 mod own_position;
+mod parameter_flow;
 mod predefined;
 mod read;
 mod read_as_data;

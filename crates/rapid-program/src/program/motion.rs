@@ -4,7 +4,7 @@
 //! A program may have a million of them: what neighbours have in common stands once, in a [`MotionSetup`].
 
 use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
-use super::few::Few;
+use super::one_or_many::OneOrMany;
 pub use super::target::{Indices, Origin, Target, TargetValue, indices_of};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use std::num::NonZeroU32;
@@ -54,7 +54,7 @@ pub struct Motion {
     /// Instruction, tool, work object and whatever else it shares with its neighbours.
     pub setup: Arc<MotionSetup>,
     /// Its targets: circle point and end point for an arc, else one.
-    pub targets: Few<Target>,
+    pub targets: OneOrMany<Target>,
     /// The motion that runs just before this one, where the program's text alone says so.
     pub previous: Option<MotionId>,
     /// It is, or may be, the first: the arm comes from where it stands when the program's entry is called, which is `main`, or without

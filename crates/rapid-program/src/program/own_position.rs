@@ -4,9 +4,9 @@
 //! narrows that down (`state`).
 
 use super::expressions::{every_call, expressions_of, root_of};
-use super::handed::Handed;
 use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies};
 use super::names::lower_case;
+use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::writes::match_arguments;
@@ -66,9 +66,9 @@ impl OwnPositions {
         let mut found = self;
         let (mut sources, mut handed_back) =
             (sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)), handed_back(index));
-        let late = Handed::new(index);
-        sources.extend(late.over);
-        handed_back.extend(late.back);
+        let late = ParameterFlow::new(index);
+        sources.extend(late.into);
+        handed_back.extend(late.out_of);
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
         let mut set: BTreeSet<DatumId> = found.data.keys().copied().collect();
         loop {

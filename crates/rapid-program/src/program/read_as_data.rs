@@ -1,11 +1,11 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
 use super::expressions::{every_call, expressions_of, value_of};
-use super::handed::Handed;
 use super::index::{Ctx, DatumId, Index, bodies};
 use super::instructions::move_form;
 use super::motion::SkipReason;
 use super::names::{as_text, lower_case};
+use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -63,8 +63,8 @@ impl ReadAsData {
         }
         // What a target's value goes into counts as the target.
         let mut goes_into: BTreeMap<DatumId, Vec<DatumId>> = BTreeMap::new();
-        let late = Handed::new(index);
-        for (to, from) in sources(index).into_iter().chain(late.over).chain(late.back) {
+        let late = ParameterFlow::new(index);
+        for (to, from) in sources(index).into_iter().chain(late.into).chain(late.out_of) {
             goes_into.entry(from).or_default().push(to);
         }
         let mut found = BTreeMap::new();

@@ -165,6 +165,6 @@ pub(super) fn set_flag(vm: &mut Interpreter<'_>, flag: Option<&Expr>, value: boo
     let Some(flag) = flag else { return Ok(()) };
     match vm.data_ref(flag)? {
         Some((place, _)) => vm.write(&place, Value::Bool(value)),
-        None => fatal("\\TimeFlag wants a variable"),
+        None => fatal("\\TimeFlag expects a variable"),
     }
 }

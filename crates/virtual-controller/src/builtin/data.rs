@@ -88,7 +88,7 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
     instruction!("break", (), |vm, args| stop(vm)),
     instruction!("exitcycle", (), |vm, args| Err(Fault::Ended(Outcome::Passes))),
     instruction!("bookerrno", (number: Data), |vm, args| {
-        let Some((place, _)) = number else { return fatal("BookErrNo wants a variable") };
+        let Some((place, _)) = number else { return fatal("BookErrNo expects a variable") };
         vm.machine.errors.booked += 1;
         let number = Value::num(f64::from(vm.machine.errors.booked) + 2000.0);
         vm.write(&place, number)

@@ -43,7 +43,7 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
 
 /// Open with `\Append` or `\Write`: what follows is added to the file, or takes the place of what it holds.
 fn open(vm: &mut Interpreter<'_>, args: &Args<'_>, object: &str, device: Data) -> Result<(), Fault> {
-    let Some((place, _)) = device else { return fatal("Open wants a variable of type iodev") };
+    let Some((place, _)) = device else { return fatal("Open expects a variable of type iodev") };
     let name = match args.named("file") {
         Some(file) => string(vm, file)?,
         None => object.to_owned(),

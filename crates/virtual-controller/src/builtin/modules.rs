@@ -28,7 +28,7 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
             return raise("err_filnotfnd", format!("there is no file {file}"));
         }
         let Some((place, _)) = session else {
-            return fatal("StartLoad wants a variable of type loadsession");
+            return fatal("StartLoad expects a variable of type loadsession");
         };
         vm.machine.disk.load_sessions.push(Some(file));
         let session = Value::num(vm.machine.disk.load_sessions.len() as f64);

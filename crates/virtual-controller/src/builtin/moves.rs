@@ -281,7 +281,7 @@ fn store_found(
     let found = arm.robtarget_of(&joints, &arm.last_setup(), &vm.program.types.robtarget)?;
     match vm.data_ref(args.at(1)?)? {
         Some((place, _)) => vm.write(&place, found),
-        None => fatal("a search wants a variable for the point that it finds"),
+        None => fatal("a search expects a variable for the point that it finds"),
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) const FUNCTIONS: &[Function] = &[
         Ok(Value::Bool(a.0.iter().map(rank).le(b.0.iter().map(rank))))
     }),
     function!("strtoval", Nothing, (text: String, to: Data), |vm, args| {
-        let Some((place, ty)) = to else { return fatal("StrToVal wants a variable") };
+        let Some((place, ty)) = to else { return fatal("StrToVal expects a variable") };
         match parse(&text, &ty) {
             Some(value) => {
                 vm.write(&place, value)?;

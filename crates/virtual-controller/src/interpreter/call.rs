@@ -137,7 +137,7 @@ impl Interpreter<'_> {
             return raise("err_refunkprc", format!("there is no trap {trap}"));
         };
         let Some((place, _)) = self.data_ref(interrupt)? else {
-            return fatal("CONNECT wants a variable");
+            return fatal("CONNECT expects a variable");
         };
         let old = self.read(&place)?.number().unwrap_or(0.0) as f32;
         if self.machine.interrupts.list.iter().any(|i| i.number == old) {

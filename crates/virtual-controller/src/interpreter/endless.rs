@@ -1,8 +1,8 @@
 //! Loops that wait for what nothing here brings about: found, and named, instead of being run for ever.
 
 use super::Interpreter;
-use crate::code::{Arg, Exits, Expr, ExprKind, Instruction, NameRef, Op};
-use crate::machine::{Access, DataRef, Deciding};
+use crate::code::{Arg, Expr, ExprKind, Instruction, LoopExits, NameRef, Op};
+use crate::machine::{Access, DataRef, ExitConditions};
 use crate::outcome::{Fault, Outcome, SourceLine};
 use crate::predefined;
 use crate::value::Value;
@@ -30,13 +30,13 @@ pub(super) enum Waiting {
 }
 
 /// The ways out of a loop, as they are collected.
-struct Ways {
+struct ExitQuestions {
     asked: Vec<(Option<usize>, Expr)>,
     /// Of routines that were looked at: whether they leave what calls them.
     leaving: BTreeMap<usize, bool>,
 }
 
-impl Ways {
+impl ExitQuestions {
     fn ask(&mut self, expressions: &[Expr], of: Option<usize>) {
         let mut found = Vec::new();
         expressions.iter().for_each(|expr| leaves(expr, &mut found));
@@ -93,17 +93,22 @@ impl Interpreter<'_> {
     }
 
     /// What decides whether the loop at whose beginning the program is is left from inside, by itself or by what it calls.
-    pub(super) fn deciding(&mut self, exits: &Exits) -> Deciding {
-        let mut ways = Ways { asked: Vec::new(), leaving: BTreeMap::new() };
+    pub(super) fn deciding(&mut self, exits: &LoopExits) -> ExitConditions {
+        let mut ways = ExitQuestions { asked: Vec::new(), leaving: BTreeMap::new() };
         self.ways_out(exits, (self.machine.stack.scope.0, None), &mut ways);
         let asked: Rc<[_]> = ways.asked.into();
         let values = self.worth(&asked);
-        Deciding { asked, values }
+        ExitConditions { asked, values }
     }
 
     /// Collects what decides on the ways out of a body whose names are those of a module, and of what it calls; whether there
     /// is one. Names are looked up in `of`, `None` for those of the routine in execution.
-    fn ways_out(&self, exits: &Exits, (module, of): (usize, Option<usize>), ways: &mut Ways) -> bool {
+    fn ways_out(
+        &self,
+        exits: &LoopExits,
+        (module, of): (usize, Option<usize>),
+        ways: &mut ExitQuestions,
+    ) -> bool {
         ways.ask(&exits.deciding, of);
         let mut leaves = exits.leaves;
         for (name, way) in &exits.calls {

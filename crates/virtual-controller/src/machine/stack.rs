@@ -51,14 +51,14 @@ pub(crate) struct Frame {
     /// Passes of each endless loop, by the instruction that jumps back.
     pub passes: BTreeMap<usize, u64>,
     /// What decides whether a loop is left, when its present pass began, by the loop's first instruction.
-    pub deciding: BTreeMap<usize, Deciding>,
+    pub deciding: BTreeMap<usize, ExitConditions>,
     /// What is known of each loop that may wait in vain, by the instruction that jumps back.
-    pub polls: BTreeMap<usize, Poll>,
+    pub polls: BTreeMap<usize, WaitLoop>,
 }
 
 /// What decides whether a loop is left from inside.
 #[derive(Debug)]
-pub(crate) struct Deciding {
+pub(crate) struct ExitConditions {
     /// The names that it hangs on, each with the module in which it is looked up; `None`: in the loop's own routine.
     pub asked: Rc<[(Option<usize>, Expr)]>,
     /// What they were worth when the present pass began; `None` where that takes work to find out.
@@ -67,7 +67,7 @@ pub(crate) struct Deciding {
 
 /// A loop that may wait for what never comes.
 #[derive(Debug, Default)]
-pub(crate) struct Poll {
+pub(crate) struct WaitLoop {
     pub passes: u64,
     /// What its conditions asked for when it was last looked at.
     pub values: Vec<Option<Value>>,

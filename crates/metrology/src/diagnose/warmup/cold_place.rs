@@ -1,6 +1,6 @@
 //! Where the cold arm has each touched point: as its first touch says, unless the later ones say that this one was false.
 
-use super::thermal_run::{ColdPlace, LEAST_M, PlacedTouch, StateOptions, ThermalRun};
+use super::thermal_run::{ColdReference, LEAST_M, PlacedTouch, StateOptions, ThermalRun};
 use crate::measure::Touches;
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
@@ -21,7 +21,7 @@ const LEAST_LATER: usize = 3;
 
 /// A first touch that does not stand where the cold arm has its point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FalseFirst {
+pub struct FirstTouchOutlier {
     /// Its line in the file.
     pub line: u64,
     /// The touched point, as an index into the points of the file.
@@ -37,13 +37,13 @@ pub(super) fn placed(
     touches: &Touches,
     tip_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
     along_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
-) -> (Vec<PlacedTouch>, Vec<Option<ColdPlace>>) {
-    let mut places: Vec<Option<ColdPlace>> = vec![None; touches.points.len()];
+) -> (Vec<PlacedTouch>, Vec<Option<ColdReference>>) {
+    let mut places: Vec<Option<ColdReference>> = vec![None; touches.points.len()];
     let all = touches.touches.iter().map(|touch| {
         let (line, point, at_m) = (touch.line, touch.point, tip_m(&touch.q_rad));
         let is_first = places[point].is_none();
         if is_first {
-            places[point] = Some(ColdPlace { line, at_m, along_m: along_m(&touch.q_rad) });
+            places[point] = Some(ColdReference { line, at_m, along_m: along_m(&touch.q_rad) });
         }
         PlacedTouch { line, point, t_min: touch.t_min, at_m, is_first }
     });
@@ -56,11 +56,11 @@ pub(super) fn placed(
 /// Across the drift that is where these lie; along it, where all touches are likeliest on an arm that was cold. `filter` is one
 /// of which only the table is known.
 pub(super) fn set_right(
-    places: &mut [Option<ColdPlace>],
+    places: &mut [Option<ColdReference>],
     touches: &[PlacedTouch],
     filter: &ThermalFilter,
     options: &StateOptions,
-) -> Vec<FalseFirst> {
+) -> Vec<FirstTouchOutlier> {
     let filter = cold(filter);
     let mut found = Vec::new();
     let mut left: Vec<usize> = (0..places.len()).collect();
@@ -79,7 +79,7 @@ pub(super) fn set_right(
         left.retain(|other| *other != point);
         if let Some(place) = &mut places[point] {
             let off_m = place.at_m - candidate.at_m;
-            found.push(FalseFirst { line: place.line, point, off_m, sigma_m: candidate.sigma_m });
+            found.push(FirstTouchOutlier { line: place.line, point, off_m, sigma_m: candidate.sigma_m });
             place.at_m = candidate.at_m;
         }
     }
@@ -104,7 +104,7 @@ struct Candidate {
 
 fn candidate(
     point: usize,
-    places: &[Option<ColdPlace>],
+    places: &[Option<ColdReference>],
     touches: &[PlacedTouch],
     filter: &ThermalFilter,
     options: &StateOptions,

@@ -17,7 +17,7 @@ mod thermal_run;
 mod thermal_state;
 mod touch_residuals;
 
-pub use cold_place::FalseFirst;
+pub use cold_place::FirstTouchOutlier;
 pub use fit::{FitError, FitOptions, fit};
 pub use fitted::{TouchedPoint, WarmUp};
 pub use history::Standstill;

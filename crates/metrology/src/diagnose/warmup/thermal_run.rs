@@ -58,7 +58,7 @@ pub(super) struct PlacedTouch {
 
 /// A point as the cold arm touches it.
 #[derive(Clone)]
-pub(super) struct ColdPlace {
+pub(super) struct ColdReference {
     /// Line of its first touch.
     pub line: u64,
     pub at_m: Vector3<f64>,
@@ -89,7 +89,7 @@ impl ThermalRun {
     pub fn new(
         mut filter: ThermalFilter,
         touches: &[PlacedTouch],
-        places: &[Option<ColdPlace>],
+        places: &[Option<ColdReference>],
         options: &StateOptions,
     ) -> Self {
         let mut now_min = touches.first().map_or(0.0, |touch| touch.t_min);
@@ -167,7 +167,7 @@ impl ThermalRun {
         &mut self,
         (point, sigma_m): (usize, f64),
         first: &ThermalFilter,
-        (touches, places): (&[PlacedTouch], &[Option<ColdPlace>]),
+        (touches, places): (&[PlacedTouch], &[Option<ColdReference>]),
         options: &StateOptions,
     ) {
         let mut moved = places.to_vec();

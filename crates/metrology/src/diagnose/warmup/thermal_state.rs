@@ -1,6 +1,6 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
-use super::cold_place::{self, FalseFirst};
+use super::cold_place::{self, FirstTouchOutlier};
 use super::thermal_run::{LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
 use robot_model::deform::thermal_filter::{Covariance, State, ThermalFilter};
@@ -56,7 +56,7 @@ pub struct RobotState {
     /// Every touch after the first of each point.
     pub touches: Vec<TouchState>,
     /// First touches that the later ones contradict: the cold arm's place is theirs.
-    pub false_first: Vec<FalseFirst>,
+    pub false_first: Vec<FirstTouchOutlier>,
     /// Lags, amount, logarithms of both time constants (minutes) at the end.
     pub state: State,
     /// Covariance of the state, rows and columns in its order.

@@ -89,7 +89,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         expr: &'a Expr,
         ctx: Ctx,
         seen: &Seen<'_>,
-        convert: fn(&Value) -> Result<T, convert::NotThat>,
+        convert: fn(&Value) -> Result<T, convert::ConversionError>,
     ) -> Result<Passes<T>, Why> {
         let mut in_state = |state: Option<&State>| {
             let known: &dyn TrackedValues = match state {
@@ -219,7 +219,7 @@ fn later_frames(tool: &Passes<ToolData>, wobj: &Passes<WobjData>) -> Result<Vec<
 }
 
 /// A value converted; the reason of a part that is not known keeps its place.
-fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::NotThat>) -> Result<T, Why> {
+fn whole<T>(value: &Value, convert: fn(&Value) -> Result<T, convert::ConversionError>) -> Result<T, Why> {
     match value.unknown() {
         Some(why) => Err(why.clone()),
         None => convert(value).map_err(|(code, reason)| why(code, reason)),

@@ -20,9 +20,9 @@ use robot_model::units::{m_from_mm, mm_from_m};
 use std::collections::BTreeMap;
 use virtual_controller::{Controller, Move};
 
-/// A rehearsal that waits for its program.
+/// A closed loop that waits for its program.
 #[derive(Clone, Debug)]
-pub struct Rehearsal {
+pub struct ClosedLoop {
     /// The robot as its model says.
     pub robot: Named<Robot>,
     /// How the virtual robot differs from it, and how it is measured.
@@ -41,7 +41,7 @@ pub struct Identification {
     set: DataSet,
 }
 
-impl Rehearsal {
+impl ClosedLoop {
     /// Measures the virtual robot and diagnoses it.
     ///
     /// # Errors

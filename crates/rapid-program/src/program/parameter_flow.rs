@@ -8,17 +8,17 @@ use super::writes::match_arguments;
 use rapid_syntax::tree::{Arg, Callee, ParamMode, StmtKind};
 
 /// What late-bound calls hand from datum to datum: `(to, from)`.
-pub(super) struct Handed {
+pub(super) struct ParameterFlow {
     /// Arguments into parameters.
-    pub(super) over: Vec<(DatumId, DatumId)>,
+    pub(super) into: Vec<(DatumId, DatumId)>,
     /// What a parameter by reference has become into what was handed over.
-    pub(super) back: Vec<(DatumId, DatumId)>,
+    pub(super) out_of: Vec<(DatumId, DatumId)>,
 }
 
-impl Handed {
+impl ParameterFlow {
     /// By all late-bound calls of a program.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let mut handed = Self { over: Vec::new(), back: Vec::new() };
+        let mut handed = Self { into: Vec::new(), out_of: Vec::new() };
         for routine in &index.routines {
             for body in bodies(routine.tree) {
                 every_statement(body, &mut |stmt| {
@@ -39,7 +39,7 @@ impl Handed {
     fn call(&mut self, index: &Index<'_>, ctx: Ctx, callee: RoutineIndex, args: &[Arg]) {
         for (param, value, own) in match_arguments(index, ctx, callee, args) {
             if let Some(value) = value {
-                names_in(index, ctx, value, &mut |from| self.over.push((param, from)));
+                names_in(index, ctx, value, &mut |from| self.into.push((param, from)));
             }
             let root = value.and_then(root_of).map(|(root, _)| root).or(own);
             let Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) =
@@ -48,10 +48,10 @@ impl Handed {
                 continue;
             };
             if own.is_some() {
-                self.over.push((param, datum));
+                self.into.push((param, datum));
             }
             if !matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. }) {
-                self.back.push((datum, param));
+                self.out_of.push((datum, param));
             }
         }
     }

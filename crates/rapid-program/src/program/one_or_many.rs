@@ -4,20 +4,20 @@ use std::ops::{Deref, DerefMut};
 
 /// A short list that is a slice in every other respect.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Few<T> {
+pub enum OneOrMany<T> {
     /// A single one, in place.
     One(T),
     /// None, or more than one.
     Several(Box<[T]>),
 }
 
-impl<T> Default for Few<T> {
+impl<T> Default for OneOrMany<T> {
     fn default() -> Self {
         Self::Several(Box::default())
     }
 }
 
-impl<T> Deref for Few<T> {
+impl<T> Deref for OneOrMany<T> {
     type Target = [T];
 
     fn deref(&self) -> &[T] {
@@ -28,7 +28,7 @@ impl<T> Deref for Few<T> {
     }
 }
 
-impl<T> DerefMut for Few<T> {
+impl<T> DerefMut for OneOrMany<T> {
     fn deref_mut(&mut self) -> &mut [T] {
         match self {
             Self::One(one) => std::slice::from_mut(one),
@@ -37,7 +37,7 @@ impl<T> DerefMut for Few<T> {
     }
 }
 
-impl<'t, T> IntoIterator for &'t Few<T> {
+impl<'t, T> IntoIterator for &'t OneOrMany<T> {
     type Item = &'t T;
     type IntoIter = std::slice::Iter<'t, T>;
 
@@ -46,7 +46,7 @@ impl<'t, T> IntoIterator for &'t Few<T> {
     }
 }
 
-impl<T> FromIterator<T> for Few<T> {
+impl<T> FromIterator<T> for OneOrMany<T> {
     fn from_iter<I: IntoIterator<Item = T>>(all: I) -> Self {
         let mut all = all.into_iter();
         match (all.next(), all.next()) {
@@ -58,15 +58,15 @@ impl<T> FromIterator<T> for Few<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::Few;
+    use super::OneOrMany;
 
     #[test]
     fn a_few_are_as_many_as_were_given() {
         for count in 0..4 {
-            let few: Few<usize> = (0..count).collect();
+            let few: OneOrMany<usize> = (0..count).collect();
             assert_eq!(few.to_vec(), (0..count).collect::<Vec<_>>());
-            assert_eq!(matches!(few, Few::One(_)), count == 1);
+            assert_eq!(matches!(few, OneOrMany::One(_)), count == 1);
         }
-        assert!(Few::<u8>::default().is_empty());
+        assert!(OneOrMany::<u8>::default().is_empty());
     }
 }
