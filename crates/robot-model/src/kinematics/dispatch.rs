@@ -73,8 +73,8 @@ pub(crate) fn on_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Lanes>()
 }
 
-/// The same for a kernel whose operations wait for each other: registers of four, from which single numbers are had at once, while one
-/// that is taken out of eight just stored must wait until they are in the cache.
+/// The same for a kernel whose operations wait for each other and take single numbers out of vectors: registers of four, on which that
+/// took half of the time that it took on registers of eight.
 #[inline]
 pub(crate) fn on_quickest<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
