@@ -42,7 +42,7 @@
 //! # What to know of it
 //!
 //! Numbers are SI (metres, radians) and say so in their names (`_m`, `_rad`); mm and degrees stand where RAPID, CSV and JSON are read and
-//! written. Every job of [`application`] has a `run` that prints nothing. What cannot be done is a [`Diagnostic`] with a stable code, listed in
+//! written. No job of [`application`] prints. What cannot be done is a [`Diagnostic`] with a stable code, listed in
 //! `docs/MESSAGES.md`, or a [`Refusal`] that holds several. [`Fit`] makes a table of drift from touches of fixed points, [`Exam`] puts
 //! sets with sealed truth to the diagnosis.
 //!

@@ -1,4 +1,5 @@
-//! What a user of the library calls: one job a file, each a struct with a `run` that gives a result with its text and JSON.
+//! What a user of the library calls: one job a file, each a struct with a `run` that gives its result; a
+//! `ClosedLoop` has two steps, for its program is made between them.
 //!
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 

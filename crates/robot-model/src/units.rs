@@ -38,14 +38,14 @@ pub fn mrad_from_rad(rad: f64) -> f64 {
     rad * 1000.0
 }
 
-/// Milliseconds from seconds.
+/// Milliseconds, as RAPID's clocks count, from seconds.
 #[inline]
 #[must_use]
 pub fn ms_from_s(s: f64) -> f64 {
     s * 1000.0
 }
 
-/// Seconds from milliseconds.
+/// Seconds from milliseconds, as scenarios and RAPID's clocks give them.
 #[inline]
 #[must_use]
 pub fn seconds_from_ms(ms: f64) -> f64 {

@@ -44,7 +44,7 @@ pub enum Mismatch {
         line: u32,
         /// The target as it is written.
         target: String,
-        /// Which joint.
+        /// The joint that ends elsewhere.
         joint: Axis,
         /// How far apart they are, degrees.
         deg: f64,

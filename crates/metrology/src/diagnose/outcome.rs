@@ -54,7 +54,7 @@ impl Verdict {
 pub struct Cause {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link.
+    /// Joint that it sits in, or link; `None` for effects of the whole arm, its base or its target.
     pub joint: Option<Axis>,
     /// Driven joint.
     pub joint_b: Option<Axis>,
@@ -125,7 +125,7 @@ impl Cause {
 /// Where the gap lies.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Location {
-    /// Joint or link.
+    /// Joint or link where it lies; `None` where it is of no single one.
     pub joint: Option<Axis>,
     /// constant, drift or step.
     pub time: Option<&'static str>,
@@ -224,7 +224,7 @@ pub struct Untestable {
 pub struct Detectable {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link.
+    /// Joint that it sits in, or link; `None` for effects of the whole arm, its base or its target.
     pub joint: Option<Axis>,
     /// Smallest size that would have passed the alarm.
     pub size: f64,

@@ -12,7 +12,7 @@ use robot_model::robot::Axis;
 /// Scatter of a joint, seen through the residuals of the best model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointScatter {
-    /// Which joint.
+    /// The joint along whose motion it runs.
     pub joint: Axis,
     /// How much likelier than scatter that is alike in all directions, nats, over all joints.
     pub gain_nats: f64,

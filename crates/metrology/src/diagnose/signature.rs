@@ -29,7 +29,7 @@ pub struct PlannedMeasurement {
 pub struct Signature {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link.
+    /// Joint that it sits in, or link; `None` for effects of the whole arm, its base or its target.
     pub joint: Option<Axis>,
     /// The joint that is driven.
     pub joint_b: Option<Axis>,

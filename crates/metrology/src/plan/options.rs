@@ -56,7 +56,7 @@ pub enum PlanError {
         "joint {joint} cannot be swept so far in any pose that is allowed: fewer or smaller steps, or more room"
     )]
     NoSweep {
-        /// Which joint.
+        /// The joint that has no room for it.
         joint: Axis,
     },
 }
@@ -99,7 +99,7 @@ impl fmt::Display for Restriction {
 /// Sweeps of joints, each from one pose.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sweeps {
-    /// Joints to sweep.
+    /// Joints that are moved alone, in this order.
     pub joints: Vec<Axis>,
     /// Number of poses of each sweep.
     pub n: usize,

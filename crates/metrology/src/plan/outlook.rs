@@ -17,7 +17,7 @@ const CONTAINED: f64 = 0.97;
 pub struct EffectName {
     /// Kind of the effect, which names it.
     pub effect: EffectKind,
-    /// Joint or link.
+    /// Joint that it sits in, or link; `None` for effects of the whole arm, its base or its target.
     pub joint: Option<Axis>,
     /// The joint that is driven.
     pub joint_b: Option<Axis>,

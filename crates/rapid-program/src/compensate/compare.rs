@@ -87,7 +87,7 @@ pub struct TargetChange {
 pub struct ArmChange {
     /// Largest change of a joint, radians.
     pub joint_rad: f64,
-    /// That joint.
+    /// The joint that changes most.
     pub joint: Axis,
     /// Smallest distance of a joint of the second target from the end of its range, radians; `None` where
     /// the robot has no ranges.

@@ -13,7 +13,7 @@ use thiserror::Error;
     deg_from_rad(range_rad[1])
 )]
 pub struct OutOfRange {
-    /// Which joint.
+    /// The first joint that would leave its range.
     pub joint: Axis,
     /// Where it would stand, radians.
     pub q_rad: f64,

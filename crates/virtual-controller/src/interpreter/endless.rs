@@ -30,13 +30,13 @@ pub(super) enum Waiting {
 }
 
 /// The ways out of a loop, as they are collected.
-struct ExitQuestions {
+struct ExitSearch {
     asked: Vec<(Option<usize>, Expr)>,
     /// Of routines that were looked at: whether they leave what calls them.
     leaving: BTreeMap<usize, bool>,
 }
 
-impl ExitQuestions {
+impl ExitSearch {
     fn ask(&mut self, expressions: &[Expr], of: Option<usize>) {
         let mut found = Vec::new();
         expressions.iter().for_each(|expr| leaves(expr, &mut found));
@@ -94,7 +94,7 @@ impl Interpreter<'_> {
 
     /// What decides whether the loop at whose beginning the program is is left from inside, by itself or by what it calls.
     pub(super) fn deciding(&mut self, exits: &LoopExits) -> ExitConditions {
-        let mut ways = ExitQuestions { asked: Vec::new(), leaving: BTreeMap::new() };
+        let mut ways = ExitSearch { asked: Vec::new(), leaving: BTreeMap::new() };
         self.ways_out(exits, (self.machine.stack.scope.0, None), &mut ways);
         let asked: Rc<[_]> = ways.asked.into();
         let values = self.worth(&asked);
@@ -107,7 +107,7 @@ impl Interpreter<'_> {
         &self,
         exits: &LoopExits,
         (module, of): (usize, Option<usize>),
-        ways: &mut ExitQuestions,
+        ways: &mut ExitSearch,
     ) -> bool {
         ways.ask(&exits.deciding, of);
         let mut leaves = exits.leaves;
