@@ -1,6 +1,6 @@
 //! Causes as lines for people: in words, with their size at the tool.
 
-use metrology::diagnose::{Cause, GearBand, describe, gear_bands};
+use metrology::diagnose::{Cause, GearBand, SizeUnit, describe, gear_bands};
 use robot_model::deform::EffectKind;
 use robot_model::units::mrad_from_rad;
 use std::fmt::Write;
@@ -73,7 +73,7 @@ fn in_words(cause: &Cause, causes: &[Cause]) -> String {
         let _ = write!(text, " ({plain})");
     }
     if let Some(size) = cause.size {
-        let unit = if cause.unit == "1" { String::new() } else { format!(" {}", cause.unit) };
+        let unit = if cause.unit == SizeUnit::One { String::new() } else { format!(" {}", cause.unit) };
         // Writing to a String cannot fail.
         let _ = match cause.sigma {
             Some(sigma) if sigma > size => {

@@ -107,7 +107,7 @@ fn expected(out: &mut dyn Write, parameters: &[Parameter]) -> io::Result<()> {
             format!("{:.1e}", best.usual),
             from(best),
             if own.len() > 1 { from(worst) } else { String::new() },
-            best.unit.to_owned(),
+            best.unit.to_string(),
             weak.join(", "),
         ]);
     }

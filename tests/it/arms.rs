@@ -56,7 +56,7 @@ fn assert_named(
         summary(&found)
     );
     assert_eq!(found.verdict, Verdict::Explained, "{name}: {}", summary(&found));
-    assert_eq!(first.unit, unit, "{name}");
+    assert_eq!(first.unit.symbol(), unit, "{name}");
     if let Some(scale) = scale {
         let (is, was) = (first.size.unwrap(), set.truth.effects[0].amplitude * scale);
         assert!((is / was - 1.0).abs() < 0.15, "{name}: {is} {unit}, made {was} {unit}");
@@ -99,7 +99,7 @@ fn what_is_planted_at_a_joint_that_slides_is_named_in_mm_with_what_looks_the_sam
     let found = diagnose(&read(&set), &arm, &TOLD);
     let first = found.causes.first().unwrap();
     assert_eq!(
-        (first.effect.name(), first.joint, first.unit),
+        (first.effect.name(), first.joint, first.unit.symbol()),
         ("joint_offset", Axis::numbered(3), "mm"),
         "{}",
         summary(&found)

@@ -243,6 +243,15 @@ impl Observation {
     }
 }
 
+/// An observation together with the data set that it belongs to: what an effect's signature is evaluated at.
+#[derive(Clone, Copy)]
+pub struct DataPoint<'a> {
+    /// Ranges of time, temperature, load over all observations.
+    pub dataset: &'a Dataset,
+    /// The arm at this one.
+    pub observation: &'a Observation,
+}
+
 /// So much of a sliding joint's travel is as much as a radian of a turning one's, metres: spindles travel a few tenths.
 const LENGTH_PER_RAD_M: f64 = 0.1;
 
@@ -321,6 +330,12 @@ impl Dataset {
             masses_known: robot.links.is_some(),
             rows_per_observation: if channels.orientation { 6 } else { 3 },
         }
+    }
+
+    /// The data point of one of its observations, or of one that could be added to it.
+    #[must_use]
+    pub fn at<'a>(&'a self, observation: &'a Observation) -> DataPoint<'a> {
+        DataPoint { dataset: self, observation }
     }
 
     /// Number of joints of the arm, 4 to 7.

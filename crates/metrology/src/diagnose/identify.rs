@@ -12,6 +12,7 @@ use super::normal_equations::ModelColumns;
 use super::search::ChosenCause;
 use super::spectrum;
 use super::terms::{agree_on_centre, terms};
+use super::time_course::TimeCourse;
 use crate::measure::{Measurements, RegisterError, Registration, Station, Stations, register};
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
@@ -232,13 +233,13 @@ fn is_of_mounting(term: &Term) -> bool {
 /// Whether `chosen` has a drift of the arm by the order of rows: such a clock means nothing to another file.
 pub(super) fn drifts_by_rows(dataset: &Dataset, candidates: &[Candidate], chosen: &[ChosenCause]) -> bool {
     let mut chosen = chosen.iter().map(|cause| &candidates[cause.candidate]);
-    chosen.any(|candidate| candidate.effect().time() == "drift" && is_by_rows(dataset, candidate))
+    chosen.any(|candidate| candidate.effect().time() == TimeCourse::Drift && is_by_rows(dataset, candidate))
 }
 
 /// Whether `candidate` is a drift or a step of the arm with the order of rows in the place of time.
 pub(super) fn is_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
     dataset.time_min.is_none()
-        && candidate.effect().time() != "constant"
+        && candidate.effect().time() != TimeCourse::Constant
         && !matches!(candidate.effect().motion(&candidate.variant), Some(Motion::Body(_)))
         && !matches!(candidate.variant.growth, Growth::Temperature { .. })
 }

@@ -29,9 +29,11 @@ mod scatter;
 mod search;
 mod set_aside;
 pub mod signature;
+mod size_unit;
 mod slow_noise;
 mod spectrum;
 mod terms;
+mod time_course;
 mod validate;
 mod verdict;
 pub mod warmup;
@@ -45,5 +47,7 @@ pub use outcome::{
     Cause, Detectable, Diagnosis, ErrorReduction, FalseRow, HeldOutBlock, JointZero, JointZeros, Location,
     NextMeasurement, NextStep, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
+pub use size_unit::SizeUnit;
+pub use time_course::TimeCourse;
 pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
 pub use verdict::{GearBand, describe, gear_bands};

@@ -9,6 +9,7 @@ use super::marginal::NoisePrior;
 use super::search::{ALARM_NATS, ChosenCause, Library, NULL_PRIOR, cause_columns};
 use super::set_aside::SetAside;
 use super::slow_noise::{self, SlowNoise};
+use super::time_course::TimeCourse;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -95,7 +96,7 @@ pub fn build<'a>(
     let start = Start::new(linear, noise, targets, group_of);
     let wanders = start.slow.is_some();
     let plain = settled(linear, candidates, noise, targets, group_of, Start { slow: None, ..start.clone() });
-    let in_time = |c: &ChosenCause| candidates[c.candidate].effect().time() != "constant";
+    let in_time = |c: &ChosenCause| candidates[c.candidate].effect().time() != TimeCourse::Constant;
     if !wanders || !plain.0.chosen.iter().any(in_time) {
         return plain;
     }

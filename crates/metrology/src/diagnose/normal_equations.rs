@@ -109,13 +109,13 @@ impl ModelColumns<'_> {
         for (row, &i) in observations.iter().enumerate() {
             let observation = &self.dataset.observations[i];
             twists.clear();
-            registration::twists(self.dataset, observation, self.targets, &mut twists);
+            registration::twists(self.dataset.at(observation), self.targets, &mut twists);
             for frame in 1..self.dataset.joints() {
                 twists
                     .extend((0..6).map(|k| scaled(observation.frame_offset(frame, k), Design::tolerance(k))));
             }
             for cause in &self.causes {
-                cause.scaled_signature(self.dataset, observation, &mut twists);
+                cause.scaled_signature(self.dataset.at(observation), &mut twists);
             }
             let weighted = |twist: Twist| self.whitening.rows(i, observation.observed(twist), d);
             for (column, twist) in twists.iter().enumerate() {

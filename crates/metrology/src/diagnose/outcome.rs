@@ -1,6 +1,8 @@
 //! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
 
 use super::effects;
+use super::size_unit::SizeUnit;
+use super::time_course::TimeCourse;
 use crate::measure::Fault;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
@@ -73,7 +75,7 @@ pub struct Cause {
     /// Standard deviation of the size.
     pub sigma: Option<f64>,
     /// Unit of `size` and `sigma`.
-    pub unit: &'static str,
+    pub unit: SizeUnit,
     /// The effect's own size at the measured point over these poses.
     pub rms_mm: Option<f64>,
     /// What of `rms_mm` is left where base and target stand as well as they can beside it: the part that measurements show.
@@ -86,7 +88,7 @@ pub struct Cause {
     pub source: &'static str,
     /// How it shows over time.
     #[serde(skip)]
-    pub time: &'static str,
+    pub time: TimeCourse,
 }
 
 impl Cause {
@@ -111,13 +113,13 @@ impl Cause {
             posterior: posterior.clamp(0.0, 1.0),
             size: None,
             sigma: None,
-            unit: effect.map_or("", |e| e.unit()),
+            unit: effect.unit(),
             rms_mm: None,
             rms_seen_mm: None,
             evidence_nats: None,
-            usual: effect.map_or("", |e| e.usual_size()),
-            source: effect.map_or("", |e| e.source()),
-            time: effect.map_or("", |e| e.time()),
+            usual: effect.usual_size(),
+            source: effect.source(),
+            time: effect.time(),
         }
     }
 }
@@ -127,8 +129,8 @@ impl Cause {
 pub struct Location {
     /// Joint or link where it lies; `None` where it is of no single one.
     pub joint: Option<Axis>,
-    /// constant, drift or step.
-    pub time: Option<&'static str>,
+    /// How it shows over time; `None` where there is no gap.
+    pub time: Option<TimeCourse>,
     /// Where in the workspace (robot's base) it is largest.
     pub region: Region,
 }
@@ -229,7 +231,7 @@ pub struct Detectable {
     /// Smallest size that would have passed the alarm.
     pub size: f64,
     /// Unit of that size.
-    pub unit: &'static str,
+    pub unit: SizeUnit,
 }
 
 /// The noise, as found.

@@ -2,6 +2,8 @@
 
 use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::effects::{self, Candidate};
+use super::size_unit::SizeUnit;
+use super::time_course::TimeCourse;
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::EffectKind;
@@ -36,7 +38,7 @@ pub struct Signature {
     /// Whether it changes with time.
     pub in_time: bool,
     /// Unit of its size.
-    pub unit: &'static str,
+    pub unit: SizeUnit,
     /// Usual size of its first parameter, in that unit.
     pub usual: f64,
     /// Its first column; the first is the effect itself, the others leave its shape open.
@@ -123,7 +125,7 @@ pub fn signatures(
                 effect: c.kind,
                 joint: c.variant.joint,
                 joint_b: c.variant.joint_b,
-                in_time: c.effect().time() != "constant",
+                in_time: c.effect().time() != TimeCourse::Constant,
                 unit: c.unit(),
                 usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,
                 first,
@@ -204,7 +206,7 @@ fn twists(
         }
     }
     for candidate in candidates {
-        candidate.scaled_signature(dataset, observation, &mut out);
+        candidate.scaled_signature(dataset.at(observation), &mut out);
     }
     out
 }

@@ -322,7 +322,7 @@ mod tests {
             let mut signatures: Vec<Vec<Twist>> = Vec::new();
             for observation in &dataset.observations {
                 let mut out = Vec::new();
-                candidate.effect().signature(&candidate.variant, &dataset, observation, &mut out);
+                candidate.effect().signature(&candidate.variant, dataset.at(observation), &mut out);
                 signatures.push(out);
             }
             for k in 0..held(&candidate, dataset.joints()) {

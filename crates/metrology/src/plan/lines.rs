@@ -2,6 +2,7 @@
 //! periods look like another over the angles that are planned.
 
 use super::information::{APART, NAMED_NATS};
+use crate::diagnose::SizeUnit;
 use crate::diagnose::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
@@ -24,7 +25,7 @@ pub struct GearLines {
     /// The joint whose gear it is.
     pub joint: Axis,
     /// Unit of the sizes.
-    pub unit: &'static str,
+    pub unit: SizeUnit,
     /// Usual size of a sine or cosine.
     pub usual: f64,
     /// Expected standard deviation of a line, it being the only cause: the middle one over all periods.
@@ -96,7 +97,7 @@ fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<GearLines> {
     Some(GearLines {
         effect: EffectKind::GearMesh,
         joint: Axis::at(j),
-        unit: "rad",
+        unit: SizeUnit::Radian,
         usual: USUAL_RAD,
         sigma,
         seen_from: sigma * (2.0 * NAMED_NATS).sqrt(),

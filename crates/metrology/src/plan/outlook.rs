@@ -2,6 +2,7 @@
 
 use super::information::{APART, Information, NAMED_NATS, Reduced};
 use super::lines::GearLines;
+use crate::diagnose::SizeUnit;
 use crate::diagnose::signature::{Signature, Signatures};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
@@ -30,7 +31,7 @@ pub struct Parameter {
     #[serde(flatten)]
     pub of: EffectName,
     /// Unit of the sizes.
-    pub unit: &'static str,
+    pub unit: SizeUnit,
     /// Size that the effect usually has.
     pub usual: f64,
     /// Expected standard deviation, it being the only cause.

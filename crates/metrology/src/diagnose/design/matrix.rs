@@ -87,7 +87,7 @@ impl Design {
         design.gram = vec![DMatrix::zeros(0, 0); design.groups.len()];
         design.columns = design.stack(dataset, 1, |i, _, out| out.push(residuals[i]));
         let flat = design.stack(dataset, registration::width(dataset, targets), |_, observation, out| {
-            registration::twists(dataset, observation, targets, out);
+            registration::twists(dataset.at(observation), targets, out);
         });
         let geometry = design.stack(dataset, 6 * (dataset.joints() - 1), |_, observation, out| {
             for frame in 1..dataset.joints() {
@@ -221,7 +221,7 @@ impl Design {
     #[must_use]
     pub fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> DMatrix<f64> {
         self.stack(dataset, candidate.prior_sigma.len(), |_, observation, out| {
-            candidate.scaled_signature(dataset, observation, out);
+            candidate.scaled_signature(dataset.at(observation), out);
         })
     }
 

@@ -1,6 +1,6 @@
 //! Columns of what is not known of base, targets and fixed points: flat, never a finding.
 
-use crate::diagnose::dataset::{Dataset, Observation, ObservationKind, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, ObservationKind, Twist, scaled};
 use nalgebra::Vector3;
 
 /// Number of columns of the registration of `targets`.
@@ -9,8 +9,9 @@ pub fn width(dataset: &Dataset, targets: usize) -> usize {
     6 * dataset.stands + 3 * targets + 3 * dataset.fixed_points + turn
 }
 
-/// Their motions at `observation`: base as seen from each stand, each target, each place, and the orientation of the target.
-pub fn twists(dataset: &Dataset, observation: &Observation, targets: usize, out: &mut Vec<Twist>) {
+/// Their motions at the observation: base as seen from each stand, each target, each place, and the orientation of the target.
+pub fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
+    let DataPoint { dataset, observation } = at;
     // Touches and lengths know nothing of an instrument.
     let by_instrument = matches!(observation.kind, ObservationKind::Instrument | ObservationKind::Nest);
     for stand in 0..dataset.stands {

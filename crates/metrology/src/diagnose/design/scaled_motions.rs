@@ -58,7 +58,8 @@ impl Design {
             Motion::Joint(_) => 1,
             Motion::Body(_) => members.first().map_or(0, |&c| candidates[c].prior_sigma.len()),
         };
-        let plain = self.stack(dataset, width, |_, observation, out| motion.plain(dataset, observation, out));
+        let plain =
+            self.stack(dataset, width, |_, observation, out| motion.plain(dataset.at(observation), out));
         let mut factors_before = 0;
         let parameters = members
             .iter()
@@ -80,12 +81,8 @@ impl Design {
             of_observation.clear();
             for &c in &members {
                 let Candidate { variant, .. } = &candidates[c];
-                candidates[c].effect().factors(
-                    variant,
-                    dataset,
-                    &dataset.observations[i],
-                    &mut of_observation,
-                );
+                let at = dataset.at(&dataset.observations[i]);
+                candidates[c].effect().factors(variant, at, &mut of_observation);
             }
             factors.extend(of_observation.iter().map(|factor| *factor as f32));
         }

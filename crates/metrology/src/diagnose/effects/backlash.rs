@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant, GravityHold};
 use super::rigid::{Motion, of_arm};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times half the gap, on the side of the last motion; where gravity's torque is large, on its side.
@@ -17,8 +18,8 @@ impl Effect for Backlash {
     fn kind(&self) -> EffectKind {
         EffectKind::Backlash
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.05 to 0.5 mrad in the wrist, 0.02 to 0.2 in the arm (the full gap)"
@@ -44,7 +45,7 @@ impl Effect for Backlash {
                 let variant = EffectVariant { gravity_hold, ..EffectVariant::of_joint(j) };
                 let one =
                     Candidate { weight, ..Candidate::new(EffectKind::Backlash, variant, vec![prior_sigma]) };
-                dataset.by_kind(j, one.clone(), one.of_slide("mm"))
+                dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre))
             };
             all.push(one(GravityHold::Never, 1.0));
             let limits = dataset.torque_limit_n_m[j].len();
@@ -58,13 +59,8 @@ impl Effect for Backlash {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        let DataPoint { dataset, observation } = at;
         let j = of_arm(variant.joint, observation);
         let mut side = f64::from(observation.direction.map_or(0, |d| d[j]));
         let torque = observation.loads.torque_n_m[j];

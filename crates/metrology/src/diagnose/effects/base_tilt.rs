@@ -3,7 +3,8 @@
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::scaled;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
+use crate::diagnose::size_unit::SizeUnit;
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 
@@ -17,8 +18,8 @@ impl Effect for BaseTilt {
     fn kind(&self) -> EffectKind {
         EffectKind::BaseTilt
     }
-    fn unit(&self) -> &'static str {
-        "rad/(N.m)"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::RadianPerNewtonMetre
     }
     fn usual_size(&self) -> &'static str {
         "1e-4 rad per 100 N.m"
@@ -38,13 +39,8 @@ impl Effect for BaseTilt {
             ..Candidate::new(EffectKind::BaseTilt, EffectVariant::PLAIN, sizes)
         }]
     }
-    fn signature(
-        &self,
-        _variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
+    fn signature(&self, _variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let observation = at.observation;
         let about = |moment: &Vector3<f64>| {
             [
                 scaled(observation.frame_offset(0, 3), moment.x),

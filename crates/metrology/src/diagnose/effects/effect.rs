@@ -1,7 +1,9 @@
 //! What an effect is: parameters, unit, usual size and linear signature; nothing of evidence.
 
 use super::rigid::Motion;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
 use robot_model::robot::Axis;
@@ -12,14 +14,14 @@ pub trait Effect: Sync {
     /// The effect's kind, which gives it its name in every output.
     fn kind(&self) -> EffectKind;
     /// Unit of its size: mm, rad, rad/(N.m), 1, ppm, kg.
-    fn unit(&self) -> &'static str;
+    fn unit(&self) -> SizeUnit;
     /// The size it usually has, in words for people.
     fn usual_size(&self) -> &'static str;
     /// The literature that signature and usual size come from.
     fn source(&self) -> &'static str;
     /// How it shows over time: constant, drift, step.
-    fn time(&self) -> &'static str {
-        "constant"
+    fn time(&self) -> TimeCourse {
+        TimeCourse::Constant
     }
     /// Why these data cannot show it; `None` where they can.
     fn untestable(&self, _dataset: &Dataset) -> Option<String> {
@@ -32,29 +34,16 @@ pub trait Effect: Sync {
     fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
         None
     }
-    /// By how much [`Self::motion`] goes at `observation`, pushed onto `out`: of a joint's motion per unit of each parameter, of a
+    /// By how much [`Self::motion`] goes at the observation, pushed onto `out`: of a joint's motion per unit of each parameter, of a
     /// body's one number for all.
-    fn factors(
-        &self,
-        _variant: &EffectVariant,
-        _dataset: &Dataset,
-        _observation: &Observation,
-        _out: &mut Vec<f64>,
-    ) {
-    }
-    /// The effect's linear signature: the measured point's twist at `observation` per unit of each parameter (SI),
+    fn factors(&self, _variant: &EffectVariant, _at: DataPoint<'_>, _out: &mut Vec<f64>) {}
+    /// The effect's linear signature: the measured point's twist at the observation per unit of each parameter (SI),
     /// pushed onto `out` in the order of [`Candidate::prior_sigma`].
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         if let Some(motion) = self.motion(variant) {
             let mut factors = Vec::new();
-            self.factors(variant, dataset, observation, &mut factors);
-            motion.signature(dataset, observation, &factors, out);
+            self.factors(variant, at, &mut factors);
+            motion.signature(at, &factors, out);
         }
     }
 }
@@ -137,7 +126,7 @@ pub struct Candidate {
     /// Factor from SI to its unit.
     pub display_scale: f64,
     /// Its unit where that is not the effect's: of a joint that slides.
-    pub own_unit: Option<&'static str>,
+    pub own_unit: Option<SizeUnit>,
     /// Prior weight within the effect, normalised by the library.
     pub weight: f64,
     /// Physics gives its first parameter a sign: a gear gives way to gravity, a warm link grows.
@@ -162,7 +151,7 @@ impl Candidate {
 
     /// The same of a joint that slides: sizes in mm, or in `unit` that has mm in it.
     #[must_use]
-    pub fn of_slide(self, unit: &'static str) -> Self {
+    pub fn of_slide(self, unit: SizeUnit) -> Self {
         Self { display_scale: mm_from_m(1.0), own_unit: Some(unit), ..self }
     }
 }

@@ -3,7 +3,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{Motion, of_arm};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times a sine and a cosine of n q_j, and of 2 n q_j, which are part of the same gear.
@@ -28,8 +29,8 @@ impl Effect for GearHarmonic {
     fn kind(&self) -> EffectKind {
         self.kind
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.02 to 0.3 mrad"
@@ -55,15 +56,9 @@ impl Effect for GearHarmonic {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         for overtone in 1..=if variant.refined { 2 } else { 1 } {
-            out.extend(self.at(overtone, variant, observation));
+            out.extend(self.at(overtone, variant, at.observation));
         }
     }
 }

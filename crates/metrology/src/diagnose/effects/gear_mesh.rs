@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{Motion, of_arm};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use std::f64::consts::TAU;
 
@@ -17,8 +18,8 @@ impl Effect for GearMesh {
     fn kind(&self) -> EffectKind {
         EffectKind::GearMesh
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.02 to 0.3 mrad, 3 to 320 times per turn"
@@ -49,14 +50,8 @@ impl Effect for GearMesh {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        let q_rad = observation.q_rad[of_arm(variant.joint, observation)];
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        let q_rad = at.observation.q_rad[of_arm(variant.joint, at.observation)];
         out.extend(<[f64; 2]>::from((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos()));
     }
 }

@@ -1,7 +1,8 @@
 //! The instrument's lengths are scaled: air temperature and pressure, an uncalibrated scale.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::units::ppm_from_ratio;
 
@@ -12,8 +13,8 @@ impl Effect for InstrumentScale {
     fn kind(&self) -> EffectKind {
         EffectKind::InstrumentScale
     }
-    fn unit(&self) -> &'static str {
-        "ppm"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::PartsPerMillion
     }
     fn usual_size(&self) -> &'static str {
         "1 ppm/K of air, 10 to 50 ppm"
@@ -27,13 +28,14 @@ impl Effect for InstrumentScale {
             ..Candidate::new(EffectKind::InstrumentScale, EffectVariant::PLAIN, vec![3e-5])
         }]
     }
-    fn signature(
-        &self,
-        _variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
-        out.push([observation.point_m.x, observation.point_m.y, observation.point_m.z, 0.0, 0.0, 0.0]);
+    fn signature(&self, _variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        out.push([
+            at.observation.point_m.x,
+            at.observation.point_m.y,
+            at.observation.point_m.z,
+            0.0,
+            0.0,
+            0.0,
+        ]);
     }
 }

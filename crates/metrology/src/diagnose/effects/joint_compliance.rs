@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{LEVER_M, MASS_ERROR, Motion, of_arm, sag_per_load};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times the torque about joint j, or the force along one that slides; each link's share may be wrong, and the payload's centre elsewhere.
@@ -29,8 +30,8 @@ impl Effect for JointCompliance {
     fn kind(&self) -> EffectKind {
         EffectKind::JointCompliance
     }
-    fn unit(&self) -> &'static str {
-        "rad/(N.m)"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::RadianPerNewtonMetre
     }
     fn usual_size(&self) -> &'static str {
         "0.2 to 1 mrad under the largest torque: 2 to 20 urad/(N.m) in the arm, 20 to 200 in the wrist"
@@ -63,7 +64,7 @@ impl Effect for JointCompliance {
                         weight,
                         ..Candidate::new(EffectKind::JointCompliance, variant, sizes)
                     };
-                    dataset.by_kind(j, one.clone(), one.of_slide("mm/N"))
+                    dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::MillimetrePerNewton))
                 })
             })
             .collect()
@@ -71,13 +72,8 @@ impl Effect for JointCompliance {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        let DataPoint { dataset, observation } = at;
         let j = of_arm(variant.joint, observation);
         let torque_n_m = observation.loads.torque_n_m[j];
         out.push(torque_n_m);

@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{Motion, of_arm};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use robot_model::units::m_from_mm;
@@ -14,8 +15,8 @@ impl Effect for JointCoupling {
     fn kind(&self) -> EffectKind {
         EffectKind::JointCoupling
     }
-    fn unit(&self) -> &'static str {
-        "1"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::One
     }
     fn usual_size(&self) -> &'static str {
         "1e-5 to 1e-3"
@@ -38,10 +39,12 @@ impl Effect for JointCoupling {
                 let one =
                     Candidate { weight, ..Candidate::new(EffectKind::JointCoupling, variant, vec![1e-4]) };
                 all.push(match (dataset.slides[a], dataset.slides[b]) {
-                    (false, true) => one.of_slide("mm/rad"),
-                    (true, false) => {
-                        Candidate { display_scale: m_from_mm(1.0), own_unit: Some("rad/mm"), ..one }
-                    }
+                    (false, true) => one.of_slide(SizeUnit::MillimetrePerRadian),
+                    (true, false) => Candidate {
+                        display_scale: m_from_mm(1.0),
+                        own_unit: Some(SizeUnit::RadianPerMillimetre),
+                        ..one
+                    },
                     _ => one,
                 });
             }
@@ -51,13 +54,7 @@ impl Effect for JointCoupling {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint_b.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        out.push(observation.q_rad[of_arm(variant.joint, observation)]);
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        out.push(at.observation.q_rad[of_arm(variant.joint, at.observation)]);
     }
 }

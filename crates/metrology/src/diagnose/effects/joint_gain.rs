@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{Motion, of_arm};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// The Jacobian's column J_j times q_j.
@@ -12,8 +13,8 @@ impl Effect for JointGain {
     fn kind(&self) -> EffectKind {
         EffectKind::JointGain
     }
-    fn unit(&self) -> &'static str {
-        "1"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::One
     }
     fn usual_size(&self) -> &'static str {
         "1e-5 to 2e-4"
@@ -29,13 +30,7 @@ impl Effect for JointGain {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        out.push(observation.q_rad[of_arm(variant.joint, observation)]);
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        out.push(at.observation.q_rad[of_arm(variant.joint, at.observation)]);
     }
 }

@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::Motion;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
@@ -13,8 +14,8 @@ impl Effect for JointOffset {
     fn kind(&self) -> EffectKind {
         EffectKind::JointOffset
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.1 to 2 mrad"
@@ -29,7 +30,7 @@ impl Effect for JointOffset {
             .enumerate()
             .map(|(j, sigma)| {
                 let one = Candidate::new(EffectKind::JointOffset, EffectVariant::of_joint(j), vec![sigma]);
-                dataset.by_kind(j, one.clone(), one.of_slide("mm"))
+                dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre))
             })
             .collect();
         // All at once, for an arm that was never calibrated: the search takes it apart again.
@@ -42,23 +43,11 @@ impl Effect for JointOffset {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        _variant: &EffectVariant,
-        _dataset: &Dataset,
-        _observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
+    fn factors(&self, _variant: &EffectVariant, _at: DataPoint<'_>, out: &mut Vec<f64>) {
         out.push(1.0);
     }
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
-        let joints = variant.joint.map_or(0..observation.joints(), |axis| axis.index()..axis.index() + 1);
-        joints.for_each(|j| Motion::Joint(Axis::at(j)).signature(dataset, observation, &[1.0], out));
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let joints = variant.joint.map_or(0..at.observation.joints(), |axis| axis.index()..axis.index() + 1);
+        joints.for_each(|j| Motion::Joint(Axis::at(j)).signature(at, &[1.0], out));
     }
 }

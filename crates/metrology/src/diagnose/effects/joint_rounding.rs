@@ -2,6 +2,7 @@
 
 use super::effect::{Candidate, Effect};
 use crate::diagnose::dataset::Dataset;
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Joints in the file are rounded: uniform errors of each joint, looked for by the data checks.
@@ -11,8 +12,8 @@ impl Effect for JointRounding {
     fn kind(&self) -> EffectKind {
         EffectKind::JointRounding
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.1 deg gives about 0.5 mm"

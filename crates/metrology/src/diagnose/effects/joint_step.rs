@@ -3,7 +3,9 @@
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
 use super::rigid::Motion;
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 
@@ -14,8 +16,8 @@ impl Effect for JointStep {
     fn kind(&self) -> EffectKind {
         EffectKind::JointStep
     }
-    fn unit(&self) -> &'static str {
-        "rad"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Radian
     }
     fn usual_size(&self) -> &'static str {
         "0.1 to 2 mrad"
@@ -23,8 +25,8 @@ impl Effect for JointStep {
     fn source(&self) -> &'static str {
         "Mooring, Roth, Driels, Fundamentals of Manipulator Calibration, 1991, ch. 2: joint offsets before and after"
     }
-    fn time(&self) -> &'static str {
-        "step"
+    fn time(&self) -> TimeCourse {
+        TimeCourse::Step
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
         no_clock(dataset)
@@ -42,7 +44,7 @@ impl Effect for JointStep {
                             dataset.by_kind(j, vec![4e-4; 2], vec![2e-4; 2]),
                         )
                     };
-                    dataset.by_kind(j, one.clone(), one.of_slide("mm"))
+                    dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre))
                 })
             })
             .collect()
@@ -50,13 +52,7 @@ impl Effect for JointStep {
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
         variant.joint.map(Motion::Joint)
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        out.extend([variant.growth.at(&observation.thermal_state(), None), 1.0]);
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        out.extend([variant.growth.at(&at.observation.thermal_state(), None), 1.0]);
     }
 }

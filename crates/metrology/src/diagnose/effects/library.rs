@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect};
 use super::*;
-use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist, scaled};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Every effect, in the order of the documentation.
@@ -31,25 +32,22 @@ pub static LIBRARY: [&dyn Effect; 22] = [
     &swapped_axes::SwappedAxes,
 ];
 
-/// The effect of this kind; `None` for kinds that only models have.
+/// The effect of this kind; of a gear's whole spectrum, which only models have, that of its lines.
 #[must_use]
-pub fn effect(kind: EffectKind) -> Option<&'static dyn Effect> {
-    LIBRARY.into_iter().find(|effect| effect.kind() == kind)
+pub fn effect(kind: EffectKind) -> &'static dyn Effect {
+    LIBRARY.into_iter().find(|effect| effect.kind() == kind).unwrap_or(&gear_mesh::GearMesh)
 }
 
 impl Candidate {
     /// The effect that it is a variant of.
-    ///
-    /// # Panics
-    /// Never: candidates are made by the library's effects.
     #[must_use]
     pub fn effect(&self) -> &'static dyn Effect {
-        effect(self.kind).unwrap_or(LIBRARY[0])
+        effect(self.kind)
     }
 
     /// Unit of its size.
     #[must_use]
-    pub fn unit(&self) -> &'static str {
+    pub fn unit(&self) -> SizeUnit {
         self.own_unit.unwrap_or_else(|| self.effect().unit())
     }
 
@@ -66,10 +64,10 @@ impl Candidate {
         }
     }
 
-    /// The linear signature at `observation` per prior standard deviation of each parameter, pushed onto `out`.
-    pub fn scaled_signature(&self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+    /// The linear signature at the observation per prior standard deviation of each parameter, pushed onto `out`.
+    pub fn scaled_signature(&self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let from = out.len();
-        self.effect().signature(&self.variant, dataset, observation, out);
+        self.effect().signature(&self.variant, at, out);
         for (twist, sigma) in out.iter_mut().skip(from).zip(&self.prior_sigma) {
             *twist = scaled(*twist, *sigma);
         }

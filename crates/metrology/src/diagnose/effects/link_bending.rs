@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::{MASS_ERROR, sag_per_load};
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Bend;
 use robot_model::robot::Axis;
@@ -26,8 +27,8 @@ impl Effect for LinkBending {
     fn kind(&self) -> EffectKind {
         EffectKind::LinkBending
     }
-    fn unit(&self) -> &'static str {
-        "rad/(N.m)"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::RadianPerNewtonMetre
     }
     fn usual_size(&self) -> &'static str {
         "5 to 30 % of the joints' sag"
@@ -62,13 +63,8 @@ impl Effect for LinkBending {
             })
             .collect()
     }
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let observation = at.observation;
         let i = variant.joint.map_or(0, Axis::index).min(observation.joints() - 2);
         let (from_m, to_m) = (observation.origins_m[i], observation.origins_m[i + 1]);
         let moved = |bend: &Bend| {

@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::of_arm;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
@@ -13,8 +14,8 @@ impl Effect for LinkGeometry {
     fn kind(&self) -> EffectKind {
         EffectKind::LinkGeometry
     }
-    fn unit(&self) -> &'static str {
-        "mm"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Millimetre
     }
     fn usual_size(&self) -> &'static str {
         "0.05 to 0.5 mm and 0.1 to 0.5 mrad"
@@ -35,16 +36,10 @@ impl Effect for LinkGeometry {
             })
             .collect()
     }
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
-        let link = of_arm(variant.joint, observation);
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let link = of_arm(variant.joint, at.observation);
         for k in 0..6 {
-            out.push(observation.frame_offset(link + 1, k));
+            out.push(at.observation.frame_offset(link + 1, k));
         }
     }
 }

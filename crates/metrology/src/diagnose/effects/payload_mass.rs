@@ -2,7 +2,8 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::LEVER_M;
-use crate::diagnose::dataset::{Dataset, Observation, ObservationKind, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, ObservationKind, Twist, scaled};
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::PayloadScaling;
 use robot_model::robot::Joints;
@@ -30,8 +31,8 @@ impl Effect for PayloadMass {
     fn kind(&self) -> EffectKind {
         EffectKind::PayloadMass
     }
-    fn unit(&self) -> &'static str {
-        "kg"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Kilogram
     }
     fn usual_size(&self) -> &'static str {
         "0.2 to 2 kg"
@@ -71,13 +72,8 @@ impl Effect for PayloadMass {
         })
         .collect()
     }
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let DataPoint { dataset, observation } = at;
         let payload_kg = observation.payload_kg.unwrap_or(0.0);
         // In proportion: the parameter is the excess at the largest payload.
         let unit_kg = match variant.payload_scaling {

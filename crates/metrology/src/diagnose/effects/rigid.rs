@@ -1,7 +1,7 @@
 //! What signatures of several effects share: a joint that turns, a base or a target that moves rigidly, each by numbers that differ
 //! from observation to observation.
 
-use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Observation, Twist, scaled};
 use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
@@ -34,26 +34,21 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// The twists of the motion itself at `observation`: of a joint one, of a body one for each of its parameters.
-    pub fn plain(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+    /// The twists of the motion itself at the observation: of a joint one, of a body one for each of its parameters.
+    pub fn plain(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let observation = at.observation;
         match self {
             Self::Joint(joint) => {
                 out.push(observation.jacobian_column(of_arm(Some(joint), observation)));
             }
-            Self::Body(body) => body.signature(dataset, observation, out),
+            Self::Body(body) => body.signature(at, out),
         }
     }
 
     /// The motion, whole, times each of `factors`, pushed onto `out`.
-    pub fn signature(
-        self,
-        dataset: &Dataset,
-        observation: &Observation,
-        factors: &[f64],
-        out: &mut Vec<Twist>,
-    ) {
+    pub fn signature(self, at: DataPoint<'_>, factors: &[f64], out: &mut Vec<Twist>) {
         let from = out.len();
-        self.plain(dataset, observation, out);
+        self.plain(at, out);
         let plain = out.split_off(from);
         out.extend(factors.iter().flat_map(|factor| plain.iter().map(|twist| scaled(*twist, *factor))));
     }
@@ -70,8 +65,9 @@ pub enum RigidBody {
 }
 
 impl RigidBody {
-    /// Its motion at `observation` per unit of each parameter, pushed onto `out`.
-    fn signature(self, dataset: &Dataset, observation: &Observation, out: &mut Vec<Twist>) {
+    /// Its motion at the observation per unit of each parameter, pushed onto `out`.
+    fn signature(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let DataPoint { dataset, observation } = at;
         match self {
             Self::Base => out.extend((0..6).map(|k| observation.frame_offset(0, k))),
             Self::Tool => {

@@ -2,6 +2,7 @@
 
 use super::effect::{Candidate, Effect};
 use crate::diagnose::dataset::Dataset;
+use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Measured points are mirrored, looked for by the data checks.
@@ -11,8 +12,8 @@ impl Effect for SwappedAxes {
     fn kind(&self) -> EffectKind {
         EffectKind::SwappedAxes
     }
-    fn unit(&self) -> &'static str {
-        "1"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::One
     }
     fn usual_size(&self) -> &'static str {
         "hundreds of mm"

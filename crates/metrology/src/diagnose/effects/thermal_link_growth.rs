@@ -2,7 +2,9 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::thermal;
-use crate::diagnose::dataset::{Dataset, Observation, Twist};
+use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use robot_model::units::ppm_from_ratio;
@@ -14,8 +16,8 @@ impl Effect for ThermalLinkGrowth {
     fn kind(&self) -> EffectKind {
         EffectKind::ThermalLinkGrowth
     }
-    fn unit(&self) -> &'static str {
-        "ppm"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::PartsPerMillion
     }
     fn usual_size(&self) -> &'static str {
         "11 to 23 ppm/K over 5 to 25 K"
@@ -23,8 +25,8 @@ impl Effect for ThermalLinkGrowth {
     fn source(&self) -> &'static str {
         "Heisel, Richter, Wurst 1997, Thermal behaviour of industrial robots"
     }
-    fn time(&self) -> &'static str {
-        "drift"
+    fn time(&self) -> TimeCourse {
+        TimeCourse::Drift
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
         thermal::untestable(dataset)
@@ -45,13 +47,8 @@ impl Effect for ThermalLinkGrowth {
         }
         all
     }
-    fn signature(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<Twist>,
-    ) {
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+        let observation = at.observation;
         let mut grown = [[0.0; 6]; 2];
         for i in 0..observation.joints() {
             // Link i, counted from 0, lies between the origins i and i+1 and warms with joint i.

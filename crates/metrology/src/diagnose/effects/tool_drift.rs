@@ -3,7 +3,9 @@
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{drift, no_clock};
 use super::rigid::{Motion, RigidBody};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
@@ -14,8 +16,8 @@ impl Effect for ToolDrift {
     fn kind(&self) -> EffectKind {
         EffectKind::ToolDrift
     }
-    fn unit(&self) -> &'static str {
-        "mm"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Millimetre
     }
     fn usual_size(&self) -> &'static str {
         "5 to 50 um per hour"
@@ -23,8 +25,8 @@ impl Effect for ToolDrift {
     fn source(&self) -> &'static str {
         "rigid motion of the target on the flange"
     }
-    fn time(&self) -> &'static str {
-        "drift"
+    fn time(&self) -> TimeCourse {
+        TimeCourse::Drift
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
         no_clock(dataset)
@@ -48,13 +50,7 @@ impl Effect for ToolDrift {
     fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
         Some(Motion::Body(RigidBody::Tool))
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        out.push(variant.growth.at(&observation.thermal_state(), None));
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        out.push(variant.growth.at(&at.observation.thermal_state(), None));
     }
 }

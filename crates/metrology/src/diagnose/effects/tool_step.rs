@@ -3,7 +3,9 @@
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
 use super::rigid::{Motion, RigidBody};
-use crate::diagnose::dataset::{Dataset, Observation};
+use crate::diagnose::dataset::{DataPoint, Dataset};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
@@ -15,8 +17,8 @@ impl Effect for ToolStep {
     fn kind(&self) -> EffectKind {
         EffectKind::ToolStep
     }
-    fn unit(&self) -> &'static str {
-        "mm"
+    fn unit(&self) -> SizeUnit {
+        SizeUnit::Millimetre
     }
     fn usual_size(&self) -> &'static str {
         "any size"
@@ -24,8 +26,8 @@ impl Effect for ToolStep {
     fn source(&self) -> &'static str {
         "rigid motion of the target on the flange"
     }
-    fn time(&self) -> &'static str {
-        "step"
+    fn time(&self) -> TimeCourse {
+        TimeCourse::Step
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
         no_clock(dataset)
@@ -47,13 +49,7 @@ impl Effect for ToolStep {
     fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
         Some(Motion::Body(RigidBody::Tool))
     }
-    fn factors(
-        &self,
-        variant: &EffectVariant,
-        _dataset: &Dataset,
-        observation: &Observation,
-        out: &mut Vec<f64>,
-    ) {
-        out.push(variant.growth.at(&observation.thermal_state(), None));
+    fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
+        out.push(variant.growth.at(&at.observation.thermal_state(), None));
     }
 }

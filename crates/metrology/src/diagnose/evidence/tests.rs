@@ -44,7 +44,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
         .iter()
         .map(|observation| {
             let mut all = Vec::new();
-            candidate.scaled_signature(&dataset, observation, &mut all);
+            candidate.scaled_signature(dataset.at(observation), &mut all);
             let mut sum = all[0].map(|v| v * size);
             for (error, twist) in errors.iter().zip(geometry_columns(observation)) {
                 sum.iter_mut().zip(twist).for_each(|(to, from)| *to += error * from);
@@ -88,7 +88,7 @@ impl Problem {
         );
         let flat = dense(&self.dataset, |o| {
             let mut out = Vec::new();
-            registration::twists(&self.dataset, o, 1, &mut out);
+            registration::twists(self.dataset.at(o), 1, &mut out);
             out
         });
         let outer = &flat * flat.clone().pseudo_inverse(1e-12).unwrap();
@@ -101,7 +101,7 @@ impl Problem {
         let g = basis.tr_mul(&dense(&self.dataset, geometry_columns));
         let a = basis.tr_mul(&dense(&self.dataset, |o| {
             let mut out = Vec::new();
-            self.candidate.scaled_signature(&self.dataset, o, &mut out);
+            self.candidate.scaled_signature(self.dataset.at(o), &mut out);
             out
         }));
         let signal = (a.norm_squared() / m).sqrt();
@@ -210,13 +210,13 @@ fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
 
     let flat = dense(&problem.dataset, |o| {
         let mut out = Vec::new();
-        registration::twists(&problem.dataset, o, 1, &mut out);
+        registration::twists(problem.dataset.at(o), 1, &mut out);
         out
     });
     let geometry = dense(&problem.dataset, geometry_columns);
     let a = dense(&problem.dataset, |o| {
         let mut out = Vec::new();
-        problem.candidate.scaled_signature(&problem.dataset, o, &mut out);
+        problem.candidate.scaled_signature(problem.dataset.at(o), &mut out);
         out
     });
     let data = DVector::from_iterator(a.nrows(), problem.residuals.iter().flat_map(|r| r[..3].to_vec()));

@@ -12,6 +12,7 @@ use super::linearise::Linearised;
 use super::model::{Model, Workspace};
 use super::options::Options;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
+use super::time_course::TimeCourse;
 use super::verdict::{OpenPlace, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
@@ -161,7 +162,7 @@ impl Question {
         for (place, columns) in places.iter().zip(&columns) {
             question.add(model, design, workspace.library.candidates, place, columns)?;
         }
-        let drifts = |c: usize| workspace.library.candidates[c].effect().time() == "drift";
+        let drifts = |c: usize| workspace.library.candidates[c].effect().time() == TimeCourse::Drift;
         question.grows = linear.dataset.time_min.is_some()
             && places[0].rivals.iter().take(MOST_RIVALS).any(|r| drifts(r.candidate));
         Some(question)
@@ -261,7 +262,7 @@ impl Question {
         let design = &workspace.design;
         let mut all: Vec<(usize, Twist)> = Vec::new();
         let mut twists = Vec::new();
-        registration::twists(&linear.dataset, observation, self.targets, &mut twists);
+        registration::twists(linear.dataset.at(observation), self.targets, &mut twists);
         all.extend(design.registration.clone().zip(twists.drain(..)));
         for (column, k) in design.geometry.clone().zip(0..) {
             let offset = observation.frame_offset(1 + k / 6, k % 6);
@@ -269,7 +270,7 @@ impl Question {
         }
         for (candidate, columns) in &self.candidates {
             let candidate = &workspace.library.candidates[*candidate];
-            candidate.scaled_signature(&linear.dataset, observation, &mut twists);
+            candidate.scaled_signature(linear.dataset.at(observation), &mut twists);
             all.extend(columns.iter().copied().zip(twists.drain(..)));
         }
         let (arm_m, root) = (design.whitening().arm_m, self.visit_weight.sqrt());

@@ -7,6 +7,8 @@ use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{Fit, Model, Workspace, solve};
 use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
+use crate::diagnose::size_unit::SizeUnit;
+use crate::diagnose::time_course::TimeCourse;
 use nalgebra::{DMatrix, DVector};
 use robot_model::units::mm_from_m;
 
@@ -183,7 +185,8 @@ fn seen_m(
 
 /// How many of an effect's columns are its own: what a warm-up effect adds as a constant is no part of it.
 fn reported(candidate: &Candidate, columns: usize) -> usize {
-    let constant = candidate.effect().unit() != "mm" && candidate.effect().time() == "drift";
+    let constant =
+        candidate.effect().unit() != SizeUnit::Millimetre && candidate.effect().time() == TimeCourse::Drift;
     if constant { candidate.n_reported } else { columns }
 }
 
@@ -196,7 +199,7 @@ fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: 
         .iter()
         .map(|observation| {
             buffer.clear();
-            candidate.effect().signature(&candidate.variant, &linear.dataset, observation, &mut buffer);
+            candidate.effect().signature(&candidate.variant, linear.dataset.at(observation), &mut buffer);
             let n_reported = reported(candidate, buffer.len());
             let mut sum = [0.0; 6];
             for ((twist, &column), prior_sigma) in

@@ -14,6 +14,7 @@ use crate::diagnose::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
     UNEXPLAINED_PRIOR,
 };
+use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
@@ -261,8 +262,8 @@ pub fn location_of_gp(
             | GpAlternative::JointTime(_)
             | GpAlternative::HiddenLoad
             | GpAlternative::Cycle(_)
-            | GpAlternative::TimeVaryingCause(_) => "drift",
-            _ => "constant",
+            | GpAlternative::TimeVaryingCause(_) => TimeCourse::Drift,
+            _ => TimeCourse::Constant,
         }),
         region: region_of(linear, &left),
     }
@@ -280,7 +281,7 @@ pub fn over_time(
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
         .without_slow(&workspace.design);
     let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
-    Location { joint: None, time: Some("drift"), region: region_of(linear, &left) }
+    Location { joint: None, time: Some(TimeCourse::Drift), region: region_of(linear, &left) }
 }
 
 /// Where in the workspace stations move most.
