@@ -35,7 +35,7 @@ pub struct ClosedLoop {
 #[derive(Clone, Debug)]
 pub struct Identification {
     /// The diagnosis, which was not told what was withheld.
-    pub findings: diagnose::Diagnosis,
+    pub findings: diagnose::Findings,
     /// The model of what it found.
     pub model: Identified,
     set: DataSet,

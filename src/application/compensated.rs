@@ -136,8 +136,7 @@ impl Compensated<'_> {
     /// # Errors
     /// There is none where the schedule goes by temperature.
     pub fn check_joints(&self) -> Result<(), Diagnostic> {
-        let error = self.plan.temperature_c.map(|_| CompensateError::Temperature);
-        error.map_or(Ok(()), |error| Err(Diagnostic::error(error.code(), error.to_string())))
+        self.plan.temperature_c.map_or(Ok(()), |_| Err(CompensateError::Temperature.into()))
     }
 
     /// The table of joints at every minute, of several tasks one below the other: the file of a row says whose it is.
@@ -148,7 +147,7 @@ impl Compensated<'_> {
         let mut table = report::JointTable::new(out)?;
         for Self { program, plan, robot, deformation, options, .. } in all {
             let rows = joints_every_minute(program, plan, robot, deformation, options)
-                .map_err(|error| io::Error::other(Diagnostic::error(error.code(), error.to_string())))?;
+                .map_err(|error| io::Error::other(Diagnostic::from(error)))?;
             for row in rows {
                 if let Some(row) = JointRow::of_program(program, &row) {
                     table.add(row)?;

@@ -32,7 +32,7 @@ pub struct Diagnosis {
 #[derive(Clone, Debug)]
 pub struct Diagnosed {
     /// Verdict, causes, shrink and what to measure next.
-    pub findings: diagnose::Diagnosis,
+    pub findings: diagnose::Findings,
     /// The model, where one was asked for and can be made.
     pub model: Option<Identified>,
     robot: SerialArm,

@@ -51,8 +51,7 @@ pub fn targets_of_program(
         max_correction_rad: rad_from_deg(90.0),
         ..compensate::Options::default()
     };
-    let plan = compensate::plan(&program, robot, &warm_up.deformation(), &loose)
-        .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+    let plan = compensate::plan(&program, robot, &warm_up.deformation(), &loose)?;
     let mut targets = Vec::new();
     for (motion, planned) in program.motions.iter().zip(&plan.motions) {
         let tool = motion.setup.tool.as_ref().filter(|tool| tool.robhold);

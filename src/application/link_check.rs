@@ -1,7 +1,6 @@
 //! A program's targets put to the controller's own kinematics: nothing moves, it calculates.
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
-use rapid_program::compensate::CompensateError;
 use rapid_program::compensate::commanded::{Commanded, commanded};
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -91,8 +90,7 @@ impl LinkCheck {
         robot: &Robot,
         start_rad: Option<[f64; 6]>,
     ) -> Result<Result<LinkChecked, LinkError>, Diagnostic> {
-        let (targets, unknown) = commanded(program, robot, start_rad)
-            .map_err(|e: CompensateError| Diagnostic::error(e.code(), e.to_string()))?;
+        let (targets, unknown) = commanded(program, robot, start_rad)?;
         Ok(self.ask(session, program, &targets, unknown))
     }
 

@@ -23,8 +23,7 @@ impl Compensated<'_> {
     /// A plan that goes by temperature has no time to be recorded over.
     pub fn recording(&self) -> Result<Recording<'_>, Diagnostic> {
         self.check_joints()?;
-        let drift = tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options)
-            .map_err(|error| Diagnostic::error(error.code(), error.to_string()))?;
+        let drift = tcp_drift(&self.program, &self.plan, self.robot, self.deformation, self.options)?;
         let step = drift.points.len().div_ceil(MOST_TARGETS).max(1);
         let points: Vec<&DriftPoint> = drift.points.iter().step_by(step).collect();
         let nominal = Chain::nominal(self.robot);

@@ -7,7 +7,7 @@ use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
 use driftpost::report::{LocatedDiagnostic, accuracy as report};
-use metrology::measure::{ComparisonFrame, PerformanceError, performance};
+use metrology::measure::{ComparisonFrame, performance};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
@@ -72,7 +72,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
-    let found = performance(&measurements, &robot, compared).map_err(|error| refused(&error))?;
+    let found = performance(&measurements, &robot, compared).map_err(Diagnostic::from)?;
     let worst = report::worst(&found);
     let mut beyond = Vec::new();
     for ((name, limit), found) in limits.into_iter().zip([worst.ap_m, worst.rp_m, worst.drift_m]) {
@@ -103,15 +103,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         writeln!(to, "{said}")?;
     }
     Ok(if beyond.is_empty() { Outcome::Done } else { Outcome::Difference })
-}
-
-fn refused(error: &PerformanceError) -> Diagnostic {
-    let code = match error {
-        PerformanceError::Register(_) => "measure::registration",
-        PerformanceError::NoPoints => "measure::no-points",
-        PerformanceError::Fault { .. } => "measure::fault",
-    };
-    Diagnostic::error(code, error.to_string())
 }
 
 fn compared(register: RefitScopeName, tool_m: Option<Vector3<f64>>) -> Result<ComparisonFrame, Diagnostic> {

@@ -6,7 +6,7 @@ use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
 use driftpost::application::sha256;
 use driftpost::report::changed as report;
-use metrology::diagnose::{CompareError, MeasurementComparison, compare_measurements};
+use metrology::diagnose::{MeasurementComparison, compare_measurements};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 use std::io::Write;
@@ -60,7 +60,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;
-    let found = compare_measurements(&before, &after, &robot, &options).map_err(|error| refused(&error))?;
+    let found = compare_measurements(&before, &after, &robot, &options).map_err(Diagnostic::from)?;
     let said = verdict(&found, args.limit_mm);
     let takes_standard_output = json.is_standard();
     let data = report::json(&found, said);
@@ -83,14 +83,4 @@ fn verdict(found: &MeasurementComparison, limit_mm: Option<f64>) -> bool {
     let largest = found.worst.first().map_or(0.0, |w| w.2);
     let tool = found.tools_moved_m.iter().map(|(by, _)| by.norm()).fold(0.0, f64::max);
     found.is_changed && (largest > limit_m || tool > limit_m)
-}
-
-fn refused(error: &CompareError) -> Diagnostic {
-    let code = match error {
-        CompareError::TooFew { .. } => "changed::too-few",
-        CompareError::Fault { .. } => "measure::fault",
-        CompareError::Register(_) => "measure::registration",
-    };
-    Diagnostic::error(code, error.to_string())
-        .help("measure the same poses with the same target each time, 30 spread ones")
 }

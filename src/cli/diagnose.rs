@@ -7,7 +7,7 @@ use super::{Console, Outcome, files};
 use driftpost::application::Diagnosis;
 use driftpost::report::plots;
 use driftpost::report::rapid_data::{self, ControllerData};
-use metrology::diagnose::Diagnosis as Findings;
+use metrology::diagnose::Findings;
 use metrology::measure::{FaultKind, check_rows};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;

@@ -82,7 +82,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let robot = made_with.robot(args.settings.robot.as_deref())?;
         let start_rad = made_with.start_rad(args.settings.start_joints)?;
         let found = compare(&before, &after, &pairs, &robot, (start_rad, hint.as_deref()))
-            .map_err(|e| Diagnostic::error(e.code(), e.to_string()))?;
+            .map_err(Diagnostic::from)?;
         let of_task = |program: &Program, motion: &usize| {
             is_of_task(&program.file(program.motions[*motion].file).path, task.as_deref())
         };

@@ -4,7 +4,6 @@ use super::{Console, Outcome, files, model};
 use driftpost::application::{Exam, Question};
 use exam::generate::Task;
 use metrology::measure::Measurements;
-use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 
 /// Command line of `driftpost exam`.
@@ -44,6 +43,6 @@ fn read(folder: &Path) -> anyhow::Result<Question> {
     let robot = model::arm(&task.robot)?;
     let path = folder.join("measurements.csv");
     let measurements = Measurements::from_csv(&files::read(&path, "measurement file")?)
-        .map_err(|e| Diagnostic::error("measure::file", format!("{}: {e}", path.display())))?;
+        .map_err(|error| model::in_file(&path.display().to_string(), error.into()))?;
     Ok(Question { task, robot, measurements })
 }

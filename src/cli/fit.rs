@@ -7,7 +7,7 @@ use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
 use driftpost::application::{Fit, targets_of_program};
 use driftpost::report::fit as report;
-use metrology::diagnose::warmup::{FitError, FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget};
+use metrology::diagnose::warmup::{FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget};
 use nalgebra::Vector3;
 use rapid_program::compensate::{self, targets};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -86,7 +86,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
 
     let job = Fit { robot, options };
-    let warm_up = job.run(&touches).map_err(|error| refused(&error))?;
+    let warm_up = job.run(&touches).map_err(Diagnostic::from)?;
     let places = places(args, &job.robot, &warm_up)?;
     let there = job.forecast_at_targets(&warm_up, &places);
 
@@ -137,18 +137,6 @@ pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnos
     }
     stops.sort_by(|a: &Standstill, b| a.from_min.total_cmp(&b.from_min));
     Ok(Some(stops))
-}
-
-fn refused(error: &FitError) -> Diagnostic {
-    let code = match error {
-        FitError::TooFew { .. } => "fit::too-few",
-        FitError::OtherPose { .. } => "fit::other-pose",
-        FitError::NoTime { .. } => "fit::no-time",
-        FitError::NoDrift { .. } => "fit::no-drift",
-        FitError::Register(_) => "measure::registration",
-    };
-    Diagnostic::error(code, error.to_string())
-        .help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
 }
 
 /// Where the fit is to hold.

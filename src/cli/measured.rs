@@ -1,9 +1,10 @@
 //! Measurements as the options name them: one file or two, in our layout or another.
 
+use super::model::in_file;
 use super::{Console, files, model};
 use clap::ValueEnum;
 use driftpost::report::LocatedDiagnostic;
-use metrology::measure::{ColumnMap, Joined, MatchBy, MeasureError, Measurements, Table, Touches, join};
+use metrology::measure::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::{counted, plural};
 use std::path::{Path, PathBuf};
@@ -106,7 +107,8 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn read(&self, console: &mut Console) -> Result<(Measurements, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let measurements = Measurements::from_table(&input.table).map_err(|e| refused(&input.name, &e))?;
+        let measurements =
+            Measurements::from_table(&input.table).map_err(|error| in_file(&input.name, error.into()))?;
         Ok((measurements, input))
     }
 
@@ -116,7 +118,8 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn touches(&self, console: &mut Console) -> Result<(Touches, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let touches = Touches::from_table(&input.table).map_err(|e| refused(&input.name, &e))?;
+        let touches =
+            Touches::from_table(&input.table).map_err(|error| in_file(&input.name, error.into()))?;
         Ok((touches, input))
     }
 }
@@ -127,19 +130,19 @@ impl MeasurementArgs {
 /// A file that cannot be read, or what is wrong in it.
 pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<Measurements, Diagnostic> {
     let input = input(path, columns)?;
-    Measurements::from_table(&input.table).map_err(|e| refused(&path.display().to_string(), &e))
+    Measurements::from_table(&input.table).map_err(|error| in_file(&path.display().to_string(), error.into()))
 }
 
 fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagnostic> {
     let bytes = files::read(path, "measurement file")?;
     let shown = path.display().to_string();
     let table = match columns {
-        None => Table::from_csv(&bytes).map_err(|e| refused(&shown, &e))?,
+        None => Table::from_csv(&bytes).map_err(|error| in_file(&shown, error.into()))?,
         Some(map) => {
             let text = files::read(map, "column map")?;
             let map = ColumnMap::from_toml(&String::from_utf8_lossy(&text))
                 .map_err(|e| Diagnostic::error("measure::map", format!("{}: {e}", map.display())))?;
-            map.table(&bytes).map_err(|e| refused(&shown, &e))?
+            map.table(&bytes).map_err(|error| in_file(&shown, error.into()))?
         }
     };
     Ok(MeasurementInput {
@@ -147,10 +150,6 @@ fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagno
         name: model::file_name(path),
         sha256: driftpost::application::sha256(&bytes),
     })
-}
-
-fn refused(name: &str, error: &MeasureError) -> Diagnostic {
-    Diagnostic::error("measure::file", format!("{name}: {error}"))
 }
 
 fn unmatched(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {

@@ -4,7 +4,7 @@ use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files};
 use driftpost::report::plan as report;
-use metrology::plan::{PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
+use metrology::plan::{PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Axis;
@@ -110,7 +110,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let planned =
-        console.while_busy("choosing poses", || plan(&robot, &options)).map_err(|error| refused(&error))?;
+        console.while_busy("choosing poses", || plan(&robot, &options)).map_err(Diagnostic::from)?;
     if let Some(file) = csv {
         file.write(poses_csv(&planned, &robot).as_bytes())?;
     }
@@ -125,15 +125,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     report::write(to, &planned, &robot.name)?;
     Ok(Outcome::Done)
-}
-
-fn refused(error: &PlanError) -> Diagnostic {
-    let code = match error {
-        PlanError::TooFew { .. } => "plan::too-few",
-        PlanError::NoRoom { .. } => "plan::no-room",
-        PlanError::NoSweep { .. } => "plan::no-sweep",
-    };
-    Diagnostic::error(code, error.to_string())
 }
 
 fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {

@@ -273,8 +273,7 @@ fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRob
         || made_with.one("temperature-c").ok().flatten().and_then(|text| temperatures(text).ok());
     let temperature_c = args.temperature_c.or_else(of_modules).map(|t| t.0);
     if !identified.model.is_six_axis() {
-        let error = CompensateError::ModelJoints { joints: identified.model.joint_kinds.len() };
-        return Err(Diagnostic::error(error.code(), error.to_string()));
+        return Err(CompensateError::ModelJoints { joints: identified.model.joint_kinds.len() }.into());
     }
     if identified.model.needs_temperature() && temperature_c.is_none() {
         return Err(Diagnostic::error("model::temperature", "the model has terms in joint temperature")

@@ -90,7 +90,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             (table.growth().copied(), [of(&FrameOffsets::default()), of(&table.settled())])
         }
     };
-    let law = law.ok_or_else(|| refused(&StateError::NoLaw))?;
+    let law = law.ok_or_else(|| Diagnostic::from(StateError::NoLaw))?;
     let options = StateOptions {
         tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
         stops: stops(&args.stop)?.unwrap_or_default(),
@@ -99,22 +99,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let (touches, _) = args.source.touches(console)?;
     let json = files::Output::new(args.json.as_deref())?;
-    let state = thermal_state(&touches, &robot, (law, [&cold, &settled]), &options)
-        .map_err(|error| refused(&error))?;
+    let state =
+        thermal_state(&touches, &robot, (law, [&cold, &settled]), &options).map_err(Diagnostic::from)?;
     let takes_standard_output = json.is_standard();
     let data = report::json(&state, &touches.points);
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(report::text(&state, &touches.points, args.plan).as_bytes())?;
     Ok(Outcome::Done)
-}
-
-fn refused(error: &StateError) -> Diagnostic {
-    let code = match error {
-        StateError::NoLaw => "state::no-law",
-        StateError::TooFew => "state::too-few",
-        StateError::NoDrift => "state::no-drift",
-    };
-    Diagnostic::error(code, error.to_string())
-        .help("touch a fixed point with the cold arm, and again every half hour of work or so")
 }

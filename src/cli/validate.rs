@@ -6,7 +6,7 @@ use super::shared::RobotName;
 use super::{Console, Outcome, files, model};
 use clap::ValueEnum;
 use driftpost::report::LocatedDiagnostic;
-use metrology::diagnose::{PoseSubset, RefitScope, ValidateError, Validation, validate};
+use metrology::diagnose::{PoseSubset, RefitScope, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::counted;
 use serde_json::json;
@@ -75,7 +75,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         RefitScopeName::Base => RefitScope::Base,
         RefitScopeName::None => RefitScope::Nothing,
     };
-    let found = validate(&measurements, &robot, &identified.model, which).map_err(refused)?;
+    let found = validate(&measurements, &robot, &identified.model, which).map_err(Diagnostic::from)?;
     let within = args.limit_mm.is_none_or(|limit_mm| found.all.model.rms_mm <= limit_mm);
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", as_json(&found)).into_bytes()))?;
@@ -89,16 +89,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         writeln!(to, "WORSE than the nominal robot: the model does not hold for these measurements")?;
     }
     Ok(if within && better { Outcome::Done } else { Outcome::Difference })
-}
-
-fn refused(error: ValidateError) -> Diagnostic {
-    let code = match error {
-        ValidateError::Register(_) => "measure::registration",
-        ValidateError::Joints { .. } => "measure::fault",
-        ValidateError::ModelJoints { .. } => "model::joints",
-        ValidateError::NoMounting | ValidateError::Targets { .. } => "model::mounting",
-    };
-    Diagnostic::error(code, error.to_string())
 }
 
 fn as_json(found: &Validation) -> serde_json::Value {

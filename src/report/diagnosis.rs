@@ -2,7 +2,7 @@
 
 use super::cause_rows::{number, percent, plainly, rows};
 use super::counted;
-use metrology::diagnose::{Cause, Diagnosis, FalseRow, Verdict, describe};
+use metrology::diagnose::{Cause, FalseRow, Findings, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::deg_from_rad;
@@ -16,7 +16,7 @@ const MOST_FALSE: usize = 12;
 
 /// The page in the terminal.
 #[must_use]
-pub fn text(d: &Diagnosis, arm: &SerialArm) -> String {
+pub fn text(d: &Findings, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
     if let Some(said) = mostly_explained(d) {
@@ -43,7 +43,7 @@ const LIKELY_CANDIDATE: f64 = 0.4;
 
 /// The share of the gap's square that the model takes, where that is most of it although the verdict is that something is not
 /// explained.
-fn share_explained(d: &Diagnosis) -> Option<f64> {
+fn share_explained(d: &Findings) -> Option<f64> {
     let unexplained = matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
     let share = 1.0 - d.shrink.ratio?.powi(2);
     (unexplained && share >= MOST).then_some(share)
@@ -51,7 +51,7 @@ fn share_explained(d: &Diagnosis) -> Option<f64> {
 
 /// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
 /// what they move the tool by beside base and target.
-pub(super) fn mostly_explained(d: &Diagnosis) -> Option<String> {
+pub(super) fn mostly_explained(d: &Findings) -> Option<String> {
     let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
     let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
@@ -69,7 +69,7 @@ pub(super) fn mostly_explained(d: &Diagnosis) -> Option<String> {
 }
 
 /// What is left, in one line.
-fn left(page: &mut String, d: &Diagnosis) {
+fn left(page: &mut String, d: &Findings) {
     let s = &d.shrink;
     if let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) {
         line(
@@ -82,7 +82,7 @@ fn left(page: &mut String, d: &Diagnosis) {
 }
 
 /// How many rows where, what they decide, and what else can tell.
-fn poses_below(d: &Diagnosis) -> String {
+fn poses_below(d: &Findings) -> String {
     let step = &d.next_step;
     let other = step.other_means.as_deref();
     let n = d.next_measurements.len();
@@ -107,7 +107,7 @@ fn poses_below(d: &Diagnosis) -> String {
 }
 
 /// What to do with this verdict.
-pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
+pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
     let poses = poses_below(d);
     let write = match d.no_model {
         Some(_) => "no model can be written",
@@ -142,19 +142,19 @@ pub(super) fn next_step(d: &Diagnosis, arm: &SerialArm) -> String {
 }
 
 /// Whether an effect cannot be tested at all, for the file lacks what drives it.
-fn misses_a_channel(d: &Diagnosis) -> bool {
+fn misses_a_channel(d: &Findings) -> bool {
     let whole = d.untestable_detail.iter().filter(|entry| entry.joints.is_empty());
     whole.map(|entry| entry.effect).any(|effect| effect != EffectKind::InstrumentScale)
 }
 
 /// Whether play is named in a file that has no directions.
-fn play_or_spring(d: &Diagnosis) -> bool {
+fn play_or_spring(d: &Findings) -> bool {
     d.causes.iter().any(|c| c.effect == EffectKind::Backlash)
         && d.untestable_detail.iter().any(|u| u.effect == EffectKind::Backlash && u.joints.is_empty())
 }
 
 /// What the one cause means, in brackets.
-fn in_short_plainly(d: &Diagnosis) -> String {
+fn in_short_plainly(d: &Findings) -> String {
     match d.causes.first() {
         Some(cause) if d.verdict == Verdict::Explained => format!(" ({})", plainly(cause.effect)),
         _ => String::new(),
@@ -180,7 +180,7 @@ fn heading(verdict: Verdict) -> &'static str {
     }
 }
 
-fn noise(page: &mut String, d: &Diagnosis) {
+fn noise(page: &mut String, d: &Findings) {
     let Some(model) = d.noise.model_sigma_mm else { return };
     match d.noise.repeats_sigma_mm {
         Some(known) => {
@@ -210,7 +210,7 @@ fn noise(page: &mut String, d: &Diagnosis) {
 }
 
 /// Rows to look at again, the furthest first.
-fn false_rows(page: &mut String, d: &Diagnosis) {
+fn false_rows(page: &mut String, d: &Findings) {
     if d.false_rows.is_empty() {
         return;
     }
@@ -237,7 +237,7 @@ fn false_rows(page: &mut String, d: &Diagnosis) {
 }
 
 /// First of all, of an arm that was never calibrated.
-fn zeros(page: &mut String, d: &Diagnosis) {
+fn zeros(page: &mut String, d: &Findings) {
     let Some(zeros) = &d.zeros_alone else { return };
     let all: Vec<String> = zeros
         .joints
@@ -254,7 +254,7 @@ fn zeros(page: &mut String, d: &Diagnosis) {
     );
 }
 
-fn evidence(page: &mut String, d: &Diagnosis) {
+fn evidence(page: &mut String, d: &Findings) {
     if d.causes.is_empty() {
         return;
     }
@@ -288,7 +288,7 @@ fn evidence(page: &mut String, d: &Diagnosis) {
     }
 }
 
-fn limits(page: &mut String, d: &Diagnosis) {
+fn limits(page: &mut String, d: &Findings) {
     if d.untestable_detail.is_empty() {
         return;
     }
@@ -315,7 +315,7 @@ fn limits(page: &mut String, d: &Diagnosis) {
     }
 }
 
-fn gain(page: &mut String, d: &Diagnosis) {
+fn gain(page: &mut String, d: &Findings) {
     let s = &d.shrink;
     let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) else {
         return;
@@ -362,7 +362,7 @@ fn gain(page: &mut String, d: &Diagnosis) {
     }
 }
 
-fn next(page: &mut String, d: &Diagnosis, arm: &SerialArm) {
+fn next(page: &mut String, d: &Findings, arm: &SerialArm) {
     if d.next_measurements.is_empty() {
         return;
     }
@@ -384,7 +384,7 @@ fn next(page: &mut String, d: &Diagnosis, arm: &SerialArm) {
 
 /// Residuals of every row, mm in the robot's base.
 #[must_use]
-pub fn residuals_csv(d: &Diagnosis) -> String {
+pub fn residuals_csv(d: &Findings) -> String {
     let mut text =
         "line,id,before_x_mm,before_y_mm,before_z_mm,after_x_mm,after_y_mm,after_z_mm,false\n".to_owned();
     for row in &d.residuals {

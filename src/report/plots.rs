@@ -2,7 +2,7 @@
 //! Computes nothing but where to draw.
 
 use super::svg::{Panel, Picture};
-use metrology::diagnose::{Diagnosis, RowResidual};
+use metrology::diagnose::{Findings, RowResidual};
 use robot_model::robot::SerialArm;
 
 /// More rows than this are thinned: a picture of them shows no more.
@@ -14,7 +14,7 @@ const ARROW_SHARE: f64 = 0.04;
 
 /// Each picture's file name and text. None where no residual is known.
 #[must_use]
-pub fn pictures(d: &Diagnosis, arm: &SerialArm) -> Vec<(&'static str, String)> {
+pub fn pictures(d: &Findings, arm: &SerialArm) -> Vec<(&'static str, String)> {
     let robot = arm.name.as_str();
     let step = d.residuals.len().div_ceil(MOST_ROWS).max(1);
     let rows: Vec<&RowResidual> = d.residuals.iter().filter(|r| !r.outlier).step_by(step).collect();

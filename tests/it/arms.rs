@@ -6,7 +6,7 @@ use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
 use exam::rng::Rng;
 use metrology::diagnose::{
-    Diagnosis, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
+    Findings, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
 use metrology::measure::Measurements;
 use metrology::plan::{PlanOptions, Space, Sweeps, plan_from, poses_csv};
@@ -31,7 +31,7 @@ fn read(set: &DataSet) -> Measurements {
     Measurements::from_csv(set.csv.as_bytes()).unwrap()
 }
 
-fn summary(found: &Diagnosis) -> String {
+fn summary(found: &Findings) -> String {
     let causes: Vec<_> = found.causes.iter().map(|c| (c.effect.name(), c.joint, c.posterior)).collect();
     format!("{:?}, {}: {causes:?}", found.verdict, found.reason)
 }

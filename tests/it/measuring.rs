@@ -8,7 +8,7 @@ use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot};
 use metrology::diagnose::{
-    Diagnosis, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
+    Findings, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
 use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
@@ -101,14 +101,14 @@ fn mm(p: &Vector3<f64>) -> String {
     format!("{:.5},{:.5},{:.5}", p.x * 1e3, p.y * 1e3, p.z * 1e3)
 }
 
-fn answer(csv: &str) -> Diagnosis {
+fn answer(csv: &str) -> Findings {
     let robot = SerialArm::built_in("irb140").unwrap();
     let measurements = Measurements::from_csv(csv.as_bytes()).unwrap();
     diagnose(&measurements, &robot, &Options { tool_m: None, sigma_m: Some(SIGMA_M) })
 }
 
 /// The first cause, and that nothing else is claimed.
-fn assert_found(found: &Diagnosis, effect: &str, joint: usize) {
+fn assert_found(found: &Findings, effect: &str, joint: usize) {
     let first = found.causes.first().map(|c| (c.effect.name(), c.joint));
     let summary: Vec<_> = found.causes.iter().map(|c| (c.effect, c.joint, c.posterior)).collect();
     assert_eq!(
@@ -142,7 +142,7 @@ fn three_reflectors_say_together_what_gives() {
 }
 
 /// An arm that stands 0.04 mm and 0.2 mrad elsewhere each time it comes, read by an instrument that is good to 0.01 mm.
-fn unsteady(mut cell: Cell) -> Diagnosis {
+fn unsteady(mut cell: Cell) -> Findings {
     let mut csv = format!("pose_id,target,{HEADER},x_mm,y_mm,z_mm\n");
     for (k, at) in cell.at.clone().iter().enumerate() {
         let [shift_m, turn_rad] = [4e-5, 2e-4].map(|sigma| Vector3::from(cell.rng.normal3()) * sigma);

@@ -50,7 +50,7 @@ fn again(seed: u64, number: u64, robot: &SerialArm, tries: u64, more: MoreRows<'
     continued_set(robot, ROBOT, &recipe, more, &mut rng)
 }
 
-fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Diagnosis {
+fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Findings {
     let measurements = Measurements::from_csv(set.csv.as_bytes()).unwrap();
     let mut diagnosis = Diagnosis::new(robot.clone());
     diagnosis.options = Options {
@@ -68,12 +68,12 @@ fn right(truth: &Truth, cause: &diagnose::Cause) -> bool {
 }
 
 /// No set is left, and what is named is what is there.
-fn resolved(truth: &Truth, answer: &diagnose::Diagnosis) -> bool {
+fn resolved(truth: &Truth, answer: &diagnose::Findings) -> bool {
     matches!(answer.verdict, Verdict::Explained | Verdict::Several)
         && answer.causes.iter().all(|cause| right(truth, cause))
 }
 
-fn wrong(truth: &Truth, answer: &diagnose::Diagnosis) -> bool {
+fn wrong(truth: &Truth, answer: &diagnose::Findings) -> bool {
     matches!(answer.verdict, Verdict::Explained | Verdict::Several) && !resolved(truth, answer)
 }
 
@@ -110,7 +110,7 @@ fn random(robot: &SerialArm, seed: u64, recipe: &Recipe, rows: usize) -> Vec<Com
         .collect()
 }
 
-fn causes(d: &diagnose::Diagnosis) -> String {
+fn causes(d: &diagnose::Findings) -> String {
     let one = |c: &diagnose::Cause| {
         format!(
             "{}:{}{}={:.2}",

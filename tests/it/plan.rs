@@ -7,7 +7,7 @@ use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use metrology::diagnose::signature::{PlannedMeasurement, signatures};
-use metrology::diagnose::{Diagnosis, Options, diagnose};
+use metrology::diagnose::{Findings, Options, diagnose};
 use metrology::measure::Measurements;
 use metrology::plan::{
     MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,
@@ -214,7 +214,7 @@ fn recipe(effect: Effect, rho: f64, n: usize) -> Recipe {
     }
 }
 
-fn right(found: &Diagnosis, effect: &Effect) -> bool {
+fn right(found: &Findings, effect: &Effect) -> bool {
     found.causes.first().is_some_and(|c| {
         Some(c.effect.name()) == effect.name()
             && (effect.joint().is_none() || c.joint == effect.joint().and_then(Axis::numbered))

@@ -4,7 +4,7 @@ use super::embed::Decimals;
 use super::scene::robot;
 use super::{Page, write_page};
 use crate::report::diagnosis::{mostly_explained, next_step};
-use metrology::diagnose::{Diagnosis, GearLine, GearSpectrum, RowResidual};
+use metrology::diagnose::{Findings, GearLine, GearSpectrum, RowResidual};
 use robot_model::robot::SerialArm;
 use robot_model::units::{mm_from_m, mrad_from_rad};
 use serde_json::{Value, json};
@@ -19,7 +19,7 @@ pub struct DiagnosisPage<'a> {
     /// The measurement file's name.
     pub title: &'a str,
     /// Result of the diagnosis.
-    pub findings: &'a Diagnosis,
+    pub findings: &'a Findings,
     /// The robot as its model says, of four to seven joints.
     pub robot: &'a SerialArm,
     /// Lines of the gears, joint by joint, as far as a model holds them.

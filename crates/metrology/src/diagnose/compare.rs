@@ -3,12 +3,13 @@
 
 use super::examine::diagnose;
 use super::options::Options;
-use super::outcome::{Diagnosis, Verdict};
+use super::outcome::{Findings, Verdict};
 use crate::measure::{
     Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, Station, Stations,
     check_rows, gather, register,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 
@@ -45,6 +46,25 @@ pub enum CompareError {
     Register(#[from] RegisterError),
 }
 
+impl CompareError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "changed::too-few",
+            Self::Fault { .. } => "measure::fault",
+            Self::Register(error) => error.code(),
+        }
+    }
+}
+
+impl From<CompareError> for Diagnostic {
+    fn from(error: CompareError) -> Self {
+        Self::error(error.code(), error.to_string())
+            .help("measure the same poses with the same target each time, 30 spread ones")
+    }
+}
+
 /// What has changed between two measurements.
 #[derive(Clone, Debug)]
 pub struct MeasurementComparison {
@@ -63,7 +83,7 @@ pub struct MeasurementComparison {
     /// Largest changes: line before, line after, metres.
     pub worst: Vec<(u64, u64, f64)>,
     /// The diagnosis of the differences.
-    pub diagnosis: Diagnosis,
+    pub diagnosis: Findings,
     /// Whether arm or tool have changed.
     pub is_changed: bool,
 }

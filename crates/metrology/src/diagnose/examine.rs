@@ -6,9 +6,7 @@ use super::linearise::{Linearised, linearise};
 use super::marginal::NoisePrior;
 use super::model::{Model, Workspace};
 use super::options::Options;
-use super::outcome::{
-    Cause, Detectable, Diagnosis, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
-};
+use super::outcome::{Cause, Detectable, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning};
 use super::rounding::Suspicion;
 use super::{
     dataset, design, effects, false_row, heldout, identify, model, next_measurements, noise_fault, rounding,
@@ -39,7 +37,7 @@ const UNTIMED: &str = "what drifts from row to row cannot be carried to another 
 
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
-pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Options) -> Diagnosis {
+pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Options) -> Findings {
     examine(measurements, robot, options, None)
 }
 
@@ -49,7 +47,7 @@ pub fn diagnose_and_identify(
     measurements: &Measurements,
     robot: &SerialArm,
     options: &Options,
-) -> (Diagnosis, Option<Identified>) {
+) -> (Findings, Option<Identified>) {
     let mut identified = None;
     let diagnosis = examine(measurements, robot, options, Some(&mut identified));
     if let Some(model) = &mut identified {
@@ -68,12 +66,12 @@ fn examine(
     robot: &SerialArm,
     options: &Options,
     identified: Option<&mut Option<Identified>>,
-) -> Diagnosis {
+) -> Findings {
     let checked = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
         measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
     let rows = measurements.rows.len();
-    let finish = |mut d: Diagnosis, warnings: Vec<Warning>| {
+    let finish = |mut d: Findings, warnings: Vec<Warning>| {
         d.rows = rows;
         d.warnings = warnings;
         d
@@ -124,14 +122,14 @@ fn examine(
             "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot",
             poses.len()
         );
-        return finish(Diagnosis::without_causes(Verdict::InsufficientData, reason), warnings);
+        return finish(Findings::without_causes(Verdict::InsufficientData, reason), warnings);
     }
     let chain = SerialChain::nominal(robot);
     let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = match register(&stations.stations, &flange, stations.targets, options.tool_m) {
         Ok(registration) => registration,
         Err(error) => {
-            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
+            return finish(Findings::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
         }
     };
     if let Some(fault) =
@@ -143,7 +141,7 @@ fn examine(
     let linear = match linearise(robot, &stations, &registration, options.tool_m, channels) {
         Ok(linear) => linear,
         Err(error) => {
-            return finish(Diagnosis::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
+            return finish(Findings::without_causes(Verdict::InsufficientData, error.to_string()), warnings);
         }
     };
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
@@ -188,8 +186,8 @@ fn seen_from_first_stand(
     }
 }
 
-fn faulty(fault: &Fault) -> Diagnosis {
-    let mut diagnosis = Diagnosis::without_causes(Verdict::DataFault, fault.reason.clone());
+fn faulty(fault: &Fault) -> Findings {
+    let mut diagnosis = Findings::without_causes(Verdict::DataFault, fault.reason.clone());
     let kind = match fault.kind {
         FaultKind::SwappedAxes => Some(EffectKind::SwappedAxes),
         FaultKind::RoundedJoints => Some(EffectKind::JointRounding),
@@ -208,7 +206,7 @@ fn evaluate(
     noise: NoisePrior,
     options: &Options,
     identified: Option<&mut Option<Identified>>,
-) -> Diagnosis {
+) -> Findings {
     let (all, mut untestable) = effects::candidates(&linear.dataset);
     let folds = heldout::folds(&linear.dataset);
     let (candidates, mut detail) = visible(linear, all, stations.targets, noise);
@@ -256,7 +254,7 @@ fn evaluate(
     workspace.library.gp_alternatives.clear();
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let far_off = model.peak.geometry_ratio * model.peak.sigma_m > BEYOND;
-    let mut diagnosis = Diagnosis::without_causes(judgement.verdict, judgement.reason);
+    let mut diagnosis = Findings::without_causes(judgement.verdict, judgement.reason);
     if untimed && no_model.is_none() {
         diagnosis.warnings.push(Warning {
             code: "diagnose::untimed",

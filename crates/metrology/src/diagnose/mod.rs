@@ -44,7 +44,7 @@ pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use options::Options;
 pub use outcome::{
-    Cause, Detectable, Diagnosis, ErrorReduction, FalseRow, HeldOutBlock, JointZero, JointZeros, Location,
+    Cause, Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,
     NextMeasurement, NextStep, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
 pub use size_unit::SizeUnit;

@@ -310,7 +310,7 @@ pub struct FalseRow {
 
 /// All that a diagnosis says of a data set.
 #[derive(Clone, Debug, Serialize)]
-pub struct Diagnosis {
+pub struct Findings {
     /// The verdict in one word.
     pub verdict: Verdict,
     /// The verdict in one sentence.
@@ -378,7 +378,7 @@ impl From<&Diagnostic> for Warning {
     }
 }
 
-impl Diagnosis {
+impl Findings {
     /// An answer without causes.
     #[must_use]
     pub fn without_causes(verdict: Verdict, reason: impl Into<String>) -> Self {

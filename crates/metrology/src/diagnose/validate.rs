@@ -6,6 +6,7 @@ use crate::measure::{
     register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, SerialArm};
@@ -55,6 +56,25 @@ pub enum ValidateError {
         /// Targets in the measurement file.
         found: usize,
     },
+}
+
+impl ValidateError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Register(error) => error.code(),
+            Self::Joints { .. } => "measure::fault",
+            Self::ModelJoints { .. } => "model::joints",
+            Self::NoMounting | Self::Targets { .. } => "model::mounting",
+        }
+    }
+}
+
+impl From<ValidateError> for Diagnostic {
+    fn from(error: ValidateError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
 
 /// Statistics of distances, mm.

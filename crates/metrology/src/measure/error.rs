@@ -1,5 +1,6 @@
 //! Why a measurement file cannot be read.
 
+use rapid_syntax::diagnostic::Diagnostic;
 use thiserror::Error;
 
 /// Why a measurement file cannot be read.
@@ -117,6 +118,20 @@ pub enum MeasureError {
     /// A header and nothing else.
     #[error("the file has a header but no rows with a pose")]
     NoRows,
+}
+
+impl MeasureError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        "measure::file"
+    }
+}
+
+impl From<MeasureError> for Diagnostic {
+    fn from(error: MeasureError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
 
 /// The error of a column that is missing from `header`, with what is likely the matter.

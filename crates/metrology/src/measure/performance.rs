@@ -7,6 +7,7 @@ use super::{
     register, register_with,
 };
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use std::collections::BTreeMap;
@@ -29,6 +30,24 @@ pub enum PerformanceError {
         /// In what way, as a sentence.
         reason: String,
     },
+}
+
+impl PerformanceError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Register(error) => error.code(),
+            Self::NoPoints => "measure::no-points",
+            Self::Fault { .. } => "measure::fault",
+        }
+    }
+}
+
+impl From<PerformanceError> for Diagnostic {
+    fn from(error: PerformanceError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
 
 /// In what frame commanded and attained poses are compared.

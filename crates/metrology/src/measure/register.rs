@@ -37,6 +37,14 @@ pub enum RegisterError {
     Degenerate,
 }
 
+impl RegisterError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        "measure::registration"
+    }
+}
+
 /// Registers `stations` whose flange poses are `base_from_flange`; `tool_m` is the target's nominal place.
 ///
 /// # Errors

@@ -1,6 +1,7 @@
 //! What is to be measured, where the robot may go for it, and why there may be no plan.
 
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Axis;
 use std::fmt;
 use thiserror::Error;
@@ -59,6 +60,24 @@ pub enum PlanError {
         /// The joint that has no room for it.
         joint: Axis,
     },
+}
+
+impl PlanError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "plan::too-few",
+            Self::NoRoom { .. } => "plan::no-room",
+            Self::NoSweep { .. } => "plan::no-sweep",
+        }
+    }
+}
+
+impl From<PlanError> for Diagnostic {
+    fn from(error: PlanError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
 
 /// Where the robot may go.

@@ -104,3 +104,9 @@ impl CompensateError {
         }
     }
 }
+
+impl From<CompensateError> for Diagnostic {
+    fn from(error: CompensateError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
+}

@@ -10,6 +10,7 @@ use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
 use crate::measure::{self, RegisterError, Station, Touch, Touches, register};
 use nalgebra::{DMatrix, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::{Chain, SerialChain};
@@ -67,6 +68,27 @@ pub enum FitError {
     /// The instrument cannot be registered.
     #[error(transparent)]
     Register(#[from] RegisterError),
+}
+
+impl FitError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "fit::too-few",
+            Self::OtherPose { .. } => "fit::other-pose",
+            Self::NoTime { .. } => "fit::no-time",
+            Self::NoDrift { .. } => "fit::no-drift",
+            Self::Register(error) => error.code(),
+        }
+    }
+}
+
+impl From<FitError> for Diagnostic {
+    fn from(error: FitError) -> Self {
+        Self::error(error.code(), error.to_string())
+            .help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
+    }
 }
 
 /// What the caller knows beside the touches.

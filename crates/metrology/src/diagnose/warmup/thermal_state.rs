@@ -3,6 +3,7 @@
 use super::cold_place::{self, FirstTouchOutlier};
 use super::thermal_run::{LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, State, ThermalFilter};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::Chain;
@@ -28,6 +29,25 @@ pub enum StateError {
     /// No point moves as the arm warms, so touches tell nothing.
     #[error("no point moves by more than 0.02 mm as the arm warms: they tell nothing of it")]
     NoDrift,
+}
+
+impl StateError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NoLaw => "state::no-law",
+            Self::TooFew => "state::too-few",
+            Self::NoDrift => "state::no-drift",
+        }
+    }
+}
+
+impl From<StateError> for Diagnostic {
+    fn from(error: StateError) -> Self {
+        Self::error(error.code(), error.to_string())
+            .help("touch a fixed point with the cold arm, and again every half hour of work or so")
+    }
 }
 
 /// How well a plan of touches keeps the state.
