@@ -1,7 +1,7 @@
 //! A file as read: its name, its bytes, where its lines begin, and its tree.
 
 use super::parse::parse;
-use super::tree::{FileItem, ModuleItem, Tree};
+use super::tree::{FileItem, ModuleItem, Stmt, StmtKind, Tree};
 use crate::diagnostic::{Diagnostic, FileId, LineIndex, Span, TextRange};
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub struct SourceFile {
     pub bytes: Arc<[u8]>,
     /// Where its lines begin.
     pub lines: LineIndex,
-    /// What was read out of it; without what stands inside routines after [`forget_bodies`](Self::forget_bodies).
+    /// What was read out of it; of a routine's statements only those that declare after [`keep_declarations`](Self::keep_declarations).
     pub tree: Tree,
     /// What could not be read, and where.
     pub warnings: Vec<Diagnostic>,
@@ -34,25 +34,18 @@ impl SourceFile {
         Self { id, path: path.into(), lines: LineIndex::new(&bytes), bytes, tree, warnings }
     }
 
-    /// Lets go of what stands inside routines: of a large program that takes several times the text's room.
-    ///
-    /// [`whole_tree`](Self::whole_tree) reads it again.
-    pub fn forget_bodies(&mut self) {
+    /// Lets go of all statements but those that declare data, loop variables and labels, and those round them: the moves of a large
+    /// program take several times the text's room, and once they are known only names are still asked for.
+    pub fn keep_declarations(&mut self) {
         for item in &mut self.tree.items {
             let FileItem::Module(module) = item else { continue };
             for item in &mut module.items {
                 if let ModuleItem::Routine(routine) = item {
-                    routine.body = Vec::new();
-                    routine.handlers = Vec::new();
+                    keep_declaring(&mut routine.body);
+                    routine.handlers.iter_mut().for_each(|handler| keep_declaring(&mut handler.body));
                 }
             }
         }
-    }
-
-    /// The tree with all that stands inside routines, read anew.
-    #[must_use]
-    pub fn whole_tree(&self) -> Tree {
-        parse(&self.bytes).0
     }
 
     /// The bytes of a range.
@@ -74,26 +67,66 @@ impl SourceFile {
     }
 }
 
+/// Keeps the statements of a body that declare something, or hold one that does.
+fn keep_declaring(body: &mut Vec<Stmt>) {
+    body.retain_mut(declares);
+    body.shrink_to_fit();
+}
+
+/// Whether a statement declares something itself or in what is kept of its bodies.
+fn declares(stmt: &mut Stmt) -> bool {
+    let holds = |body: &mut Vec<Stmt>| {
+        keep_declaring(body);
+        !body.is_empty()
+    };
+    match &mut stmt.kind {
+        StmtKind::Data(_) | StmtKind::Label(_) => true,
+        StmtKind::For(looped) => {
+            keep_declaring(&mut looped.body);
+            true
+        }
+        StmtKind::While(looped) => holds(&mut looped.body),
+        StmtKind::CompactIf(branch) => declares(&mut branch.then),
+        StmtKind::If(branch) => {
+            let bodies = branch.arms.iter_mut().map(|(_, body)| body).chain(&mut branch.otherwise);
+            bodies.map(holds).max() == Some(true) // each of them is shortened
+        }
+        StmtKind::Test(test) => {
+            let bodies = test.cases.iter_mut().map(|(_, body)| body).chain(&mut test.default);
+            bodies.map(holds).max() == Some(true) // each of them is shortened
+        }
+        _ => false,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn what_stands_in_routines_can_be_forgotten_and_read_again() {
-        let text = "MODULE m\n PROC main()\n MoveL p,v100,fine,t;\n ERROR\n RETRY;\n ENDPROC\nENDMODULE\n";
+    fn of_statements_those_are_kept_that_declare() {
+        let text = "MODULE m\n PROC main()\n VAR num n;\n MoveL p,v100,fine,t;\n IF a THEN\n MoveL p,v100,fine,t;\n ELSE\n \
+            FOR i FROM 1 TO 2 DO\n n:=i;\n ENDFOR\n ENDIF\n IF b THEN\n Stop;\n ENDIF\n TEST n\n CASE 1:\n Stop;\n DEFAULT:\n \
+            again:\n ENDTEST\n ERROR\n RETRY;\n ENDPROC\nENDMODULE\n";
         let mut file = SourceFile::read(FileId(0), "m.mod", text.as_bytes().to_vec());
-        let whole = file.tree.clone();
-        file.forget_bodies();
-        let bodies = |tree: &Tree| match tree.items.as_slice() {
-            [FileItem::Module(module)] => match module.items.as_slice() {
-                [ModuleItem::Routine(routine)] => (routine.body.len(), routine.handlers.len(), routine.range),
-                _ => panic!(),
-            },
-            _ => panic!(),
+        let routine = |tree: &Tree| match tree.items.as_slice() {
+            [FileItem::Module(module)] => module.routines().next().cloned(),
+            _ => None,
         };
-        let range = bodies(&whole).2;
-        assert_eq!((bodies(&whole), bodies(&file.tree)), ((1, 1, range), (0, 0, range)));
-        assert_eq!(file.whole_tree(), whole);
+        let whole = routine(&file.tree).unwrap();
+        file.keep_declarations();
+        let kept = routine(&file.tree).unwrap();
+        assert_eq!((whole.body.len(), whole.handlers[0].body.len()), (5, 1));
+        assert_eq!((kept.range, kept.handlers.len(), kept.handlers[0].body.len()), (whole.range, 1, 0));
+        let [data, branch, test] = kept.body.as_slice() else { panic!("{:?}", kept.body) };
+        assert_eq!(data, &whole.body[0]);
+        let StmtKind::If(branch) = &branch.kind else { panic!() };
+        let looped = branch.otherwise.as_deref().unwrap();
+        assert!(branch.arms[0].1.is_empty());
+        assert!(matches!(&looped[0].kind, StmtKind::For(looped) if looped.body.is_empty()));
+        let StmtKind::Test(test) = &test.kind else { panic!() };
+        let default = test.default.as_deref().unwrap();
+        assert!(test.cases[0].1.is_empty() && matches!(default[0].kind, StmtKind::Label(_)));
     }
 
     #[test]

@@ -27,9 +27,8 @@ impl SentModule {
     /// # Errors
     /// `input::no-module`.
     pub fn of(source: &SourceFile) -> Result<Self, Diagnostic> {
-        let tree = source.whole_tree();
         let text = |range| String::from_utf8_lossy(source.text(range)).into_owned();
-        let found = tree.items.iter().find_map(|item| match item {
+        let found = source.tree.items.iter().find_map(|item| match item {
             FileItem::Module(module) => Some(module),
             _ => None,
         });

@@ -114,12 +114,10 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
 fn emitted_file(context: &EmitContext<'_>, id: FileId, changes: &Changes) -> Result<EmittedFile, EmitError> {
     let file = context.program.file(id);
     let mut edits: Vec<Edit> = Vec::new();
-    let tree = file.whole_tree();
     for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
-        let Some(FileItem::Module(module)) = tree.items.get(index) else { continue };
+        let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
         edits.extend(module::edits(context, (file, module), motions)?);
     }
-    drop(tree);
     edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
     let mut bytes = apply(&file.bytes, &edits)
         .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;

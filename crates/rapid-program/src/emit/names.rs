@@ -154,7 +154,7 @@ fn declares(file: &SourceFile, name: &str) -> bool {
     let mut named = false;
     words(&file.bytes, |word| named |= word.eq_ignore_ascii_case(name.as_bytes()));
     named
-        && file.whole_tree().items.iter().any(|item| match item {
+        && file.tree.items.iter().any(|item| match item {
             FileItem::Module(module) => {
                 is(module.name)
                     || module.items.iter().any(|item| match item {

@@ -82,8 +82,8 @@ pub struct Overrides {
 /// A program: all given files, read and understood together.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The files, in the order given; [`FileId`] is the position. Of what stands inside routines their trees keep
-    /// nothing.
+    /// The files, in the order given; [`FileId`] is the position. Of the statements inside routines
+    /// their trees keep those that declare.
     pub files: Vec<SourceFile>,
     /// Routines that hold motion, in file order.
     pub routines: Vec<RoutineInfo>,

@@ -121,7 +121,7 @@ impl Program {
         diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
-        files.iter_mut().for_each(SourceFile::forget_bodies);
+        files.iter_mut().for_each(SourceFile::keep_declarations);
         Self {
             files,
             routines,
