@@ -5,9 +5,11 @@
 
 use super::dataset::{ObservationKind, Twist};
 use super::linearise::{Linearised, shift_m};
-use super::model::{Model, median};
+use super::measured_robot::MeasuredRobot;
+use super::model::FittedModel;
 use super::outcome::FalseRow;
-use crate::measure::{Measurements, Reading, Stations};
+use super::robust_weights::median;
+use crate::measure::{Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -18,12 +20,9 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Every row set aside, in the file's order.
 #[must_use]
-pub(super) fn false_rows(
-    measurements: &Measurements,
-    stations: &Stations,
-    linear: &Linearised,
-    model: &Model,
-) -> Vec<FalseRow> {
+pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Vec<FalseRow> {
+    let MeasuredRobot { measurements, stations, .. } = measured;
+    let FittedModel { linear, model, .. } = fitted;
     let mut all = Vec::new();
     let middle_m = median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());
     for (i, station) in stations.stations.iter().enumerate().filter(|(i, _)| model.outliers[*i]) {

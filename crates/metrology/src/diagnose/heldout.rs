@@ -1,8 +1,9 @@
 //! How far the gap shrinks: poses held out, selection done anew without them, and an interval.
 
 use super::dataset::{Dataset, Observation};
-use super::linearise::{Linearised, shift_m};
-use super::model::{Model, Workspace, solve};
+use super::linear_fit::solve;
+use super::linearise::shift_m;
+use super::model::FittedModel;
 use super::outcome::{ErrorReduction, HeldOutBlock};
 use super::search::ALARM_NATS;
 use robot_model::units::mm_from_m;
@@ -82,52 +83,39 @@ pub fn folds(dataset: &Dataset) -> Folds {
     }
 }
 
-/// Squared distances of the held-out stations, metres: registration only, causes, causes and geometry.
-type Squares = [f64; 3];
-/// Index of the causes among the numbers of a fold.
-const CAUSES: usize = 1;
-const ALL: usize = 2;
+/// Squared distances that a fit without a station leaves there, metres.
+#[derive(Clone, Copy, Debug)]
+struct HeldOutSquares {
+    /// Index of the station.
+    station: usize,
+    /// Base and target alone.
+    before_m2: f64,
+    /// With the causes.
+    causes_m2: f64,
+    /// With causes and geometry.
+    after_m2: f64,
+}
 
 /// Holds out every fold, the last of the time and a region.
 #[must_use]
-pub fn shrink(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
-    folds: &Folds,
-) -> ErrorReduction {
-    let n = linear.dataset.observations.len();
-    let mut squares: Vec<Option<Squares>> = vec![None; n];
-    for fold in &folds.folds {
-        held_out(model, workspace, folds, fold, &mut squares);
-    }
-    let n_reported: Vec<(usize, Squares)> = (0..n)
-        .filter(|&i| !model.outliers[i])
-        .filter_map(|i| squares[i].map(|s| (linear.dataset.observations[i].pose, s)))
-        .collect();
-    let Some(rms) = rms_mm(&n_reported) else { return ErrorReduction::default() };
-    let ratio = if rms[0] > 0.0 { rms[ALL] / rms[0] } else { 1.0 };
-    let mut block = |groups: &[usize]| {
-        let mut squares: Vec<Option<Squares>> = vec![None; n];
-        held_out(model, workspace, folds, groups, &mut squares);
-        let n_reported: Vec<(usize, Squares)> =
-            (0..n).filter(|&i| !model.outliers[i]).filter_map(|i| squares[i].map(|s| (i, s))).collect();
-        rms_mm(&n_reported).map(|rms| HeldOutBlock {
-            n: n_reported.len(),
-            before_rms_mm: rms[0],
-            after_rms_mm: rms[ALL],
-            causes_only_rms_mm: rms[CAUSES],
-        })
-    };
-    let time_block = folds.time.as_ref().and_then(|groups| block(groups));
-    let region_block = block(&folds.region);
+pub fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduction {
+    let mut all: Vec<HeldOutSquares> =
+        folds.folds.iter().flat_map(|fold| held_out(fitted, folds, fold)).collect();
+    all.sort_by_key(|squares| squares.station);
+    let Some(whole) = block(&all) else { return ErrorReduction::default() };
+    let ratio = if whole.before_rms_mm > 0.0 { whole.after_rms_mm / whole.before_rms_mm } else { 1.0 };
+    let time_block = folds.time.as_ref().and_then(|groups| block(&held_out(fitted, folds, groups)));
+    let region_block = block(&held_out(fitted, folds, &folds.region));
+    let observations = &fitted.linear.dataset.observations;
+    let by_pose: Vec<(usize, HeldOutSquares)> =
+        all.iter().map(|squares| (observations[squares.station].pose, *squares)).collect();
     ErrorReduction {
-        before_rms_mm: Some(rms[0]),
-        after_rms_mm: Some(rms[ALL]),
-        causes_only_rms_mm: Some(rms[CAUSES]),
-        floor_rms_mm: Some(mm_from_m(floor_m(model, linear))),
+        before_rms_mm: Some(whole.before_rms_mm),
+        after_rms_mm: Some(whole.after_rms_mm),
+        causes_only_rms_mm: Some(whole.causes_only_rms_mm),
+        floor_rms_mm: Some(mm_from_m(floor_m(fitted))),
         ratio: Some(ratio),
-        ci90: Some(interval(&n_reported, ratio)),
+        ci90: Some(interval(&by_pose, ratio)),
         time_block,
         region_block,
     }
@@ -135,7 +123,8 @@ pub fn shrink(
 
 /// What noise alone leaves on a station, 3-D.
 #[must_use]
-pub(super) fn floor_m(model: &Model, linear: &Linearised) -> f64 {
+pub(super) fn floor_m(fitted: &FittedModel<'_>) -> f64 {
+    let FittedModel { model, linear, .. } = fitted;
     let n = linear.dataset.observations.len() as f64;
     let observations = linear.dataset.observations.iter();
     // What a visit shares is no smaller where a row stands for several.
@@ -145,16 +134,12 @@ pub(super) fn floor_m(model: &Model, linear: &Linearised) -> f64 {
     model.peak.sigma_m * mean.sqrt()
 }
 
-fn held_out(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    folds: &Folds,
-    groups: &[usize],
-    squares: &mut [Option<Squares>],
-) {
+/// The stations of `groups` that are not set aside, by fits and a search for causes without them.
+fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Vec<HeldOutSquares> {
+    let FittedModel { model, workspace, .. } = fitted;
     let width = workspace.design.width();
-    let all: Vec<usize> = (0..workspace.design.groups()).collect();
-    let train: Vec<usize> = (0..workspace.design.groups()).filter(|a| !groups.contains(a)).collect();
+    let all = workspace.design.all_groups();
+    let train: Vec<usize> = all.iter().copied().filter(|a| !groups.contains(a)).collect();
     // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
     let alarm = ALARM_NATS * workspace.design.rows(&train) as f64 / workspace.design.rows(&all) as f64;
     let chosen = workspace.library.search(
@@ -172,28 +157,39 @@ fn held_out(
     ];
     let left = fits.map(|fit| workspace.design.residuals(&fit.without_slow(&workspace.design).coefficients));
     workspace.truncate(width);
-    for (i, square) in squares.iter_mut().enumerate() {
-        if groups.contains(&folds.group_of[i]) {
-            *square = Some([0, 1, 2].map(|k| shift_m(&left[k][i]).powi(2)));
-        }
-    }
+    (0..folds.group_of.len())
+        .filter(|&station| groups.contains(&folds.group_of[station]) && !model.outliers[station])
+        .map(|station| {
+            let [before_m2, causes_m2, after_m2] =
+                left.each_ref().map(|left| shift_m(&left[station]).powi(2));
+            HeldOutSquares { station, before_m2, causes_m2, after_m2 }
+        })
+        .collect()
 }
 
-fn rms_mm(n_reported: &[(usize, Squares)]) -> Option<Squares> {
-    if n_reported.is_empty() {
+/// What is left of the stations of a block, rms; `None` of none.
+fn block(stations: &[HeldOutSquares]) -> Option<HeldOutBlock> {
+    if stations.is_empty() {
         return None;
     }
-    let n = n_reported.len() as f64;
-    Some([0, 1, 2].map(|k| mm_from_m((n_reported.iter().map(|c| c.1[k]).sum::<f64>() / n).sqrt())))
+    let n = stations.len();
+    let rms_mm =
+        |of: fn(&HeldOutSquares) -> f64| mm_from_m((stations.iter().map(of).sum::<f64>() / n as f64).sqrt());
+    Some(HeldOutBlock {
+        n,
+        before_rms_mm: rms_mm(|s| s.before_m2),
+        after_rms_mm: rms_mm(|s| s.after_m2),
+        causes_only_rms_mm: rms_mm(|s| s.causes_m2),
+    })
 }
 
 /// 90 % interval of after/before by resampling whole poses (Efron and Tibshirani 1993, ch. 13), widened.
-fn interval(n_reported: &[(usize, Squares)], ratio: f64) -> [f64; 2] {
+fn interval(stations: &[(usize, HeldOutSquares)], ratio: f64) -> [f64; 2] {
     let mut poses: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
-    for (pose, s) in n_reported {
+    for (pose, s) in stations {
         let sum = poses.entry(*pose).or_default();
-        sum[0] += s[0];
-        sum[1] += s[ALL];
+        sum[0] += s.before_m2;
+        sum[1] += s.after_m2;
     }
     let sums: Vec<[f64; 2]> = poses.into_values().collect();
     let mut random = SplitMix64::new(0xd1b5_4a32_d192_ed03);
@@ -260,8 +256,14 @@ mod tests {
     /// the number of poses, and by 1 + 9 / poses more.
     #[test]
     fn an_interval_of_few_poses_is_wider_by_what_base_and_target_take_of_them() {
-        let rows = |poses: usize| -> Vec<(usize, Squares)> {
-            (0..poses).map(|pose| (pose, [1.0, 0.3, if pose % 2 == 0 { 0.2 } else { 0.4 }])).collect()
+        let row = |pose: usize| HeldOutSquares {
+            station: pose,
+            before_m2: 1.0,
+            causes_m2: 0.3,
+            after_m2: if pose.is_multiple_of(2) { 0.2 } else { 0.4 },
+        };
+        let rows = |poses: usize| -> Vec<(usize, HeldOutSquares)> {
+            (0..poses).map(|pose| (pose, row(pose))).collect()
         };
         let width = |poses: usize| {
             let [low, high] = interval(&rows(poses), 0.3_f64.sqrt());

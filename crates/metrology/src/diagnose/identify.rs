@@ -7,13 +7,14 @@ use super::dataset::{Dataset, Twist};
 use super::effects::{Candidate, Motion};
 use super::heldout::floor_m;
 use super::linearise::{Linearised, shift_m};
-use super::model::{Model, Workspace};
+use super::measured_robot::MeasuredRobot;
+use super::model::FittedModel;
 use super::normal_equations::ModelColumns;
 use super::search::ChosenCause;
 use super::spectrum;
 use super::terms::{agree_on_centre, terms};
 use super::time_course::TimeCourse;
-use crate::measure::{Measurements, RegisterError, Registration, Station, Stations, register};
+use crate::measure::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
@@ -32,14 +33,12 @@ const ROUNDS: usize = 3;
 /// # Errors
 /// [`NoModel`]: what was found makes no model.
 pub(super) fn identify(
-    measurements: &Measurements,
-    robot: &SerialArm,
-    stations: &Stations,
-    linear: &Linearised,
-    model: &Model,
-    workspace: &Workspace<'_>,
+    measured: MeasuredRobot<'_>,
+    fitted: &FittedModel<'_>,
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Identified, NoModel> {
+    let MeasuredRobot { robot, measurements, stations } = measured;
+    let FittedModel { linear, model, workspace } = fitted;
     let dataset = &linear.dataset;
     let measured_range = measured_range(measurements.rows.len(), stations, robot.joints.len());
     let stations = &by_the_clock(stations, dataset);
@@ -95,7 +94,7 @@ pub(super) fn identify(
     identified.terms = terms(&columns, &named, candidates, &solved, sigmas.as_deref());
     let whole = Arc::new(identified.clone());
     let (left, registration) = residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
-    plausible(&identified, &left, linear, model)?;
+    plausible(&identified, &left, fitted)?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
@@ -111,7 +110,7 @@ pub(super) fn identify(
                 let stepped = Arc::new(identified.clone());
                 let (left, _) = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?;
                 let before: Vec<Twist> = since.iter().map(|&i| linear.nominal[i]).collect();
-                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), linear, model)?;
+                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), fitted)?;
             }
         }
         identified.terms.retain(|term| !is_of_mounting(term));
@@ -171,12 +170,8 @@ const FURTHEST_TURN_RAD: f64 = 0.015;
 const USUAL_TURN_RAD: f64 = 3e-4;
 
 /// Whether a model is one: exact on its own rows, of sizes that can be.
-fn plausible(
-    identified: &Identified,
-    left: &[Twist],
-    linear: &Linearised,
-    model: &Model,
-) -> Result<(), NoModel> {
+fn plausible(identified: &Identified, left: &[Twist], fitted: &FittedModel<'_>) -> Result<(), NoModel> {
+    let FittedModel { linear, model, .. } = fitted;
     let name = |term: &Term| {
         let joint = term.joint.map_or_else(String::new, |joint| format!(" of joint {joint}"));
         format!("{}{joint}", term.kind)
@@ -198,12 +193,12 @@ fn plausible(
         }
     }
     let kept = |i: usize| !model.outliers[i];
-    holds(rms_m(left, kept), rms_m(&linear.nominal, kept), linear, model)
+    holds(rms_m(left, kept), rms_m(&linear.nominal, kept), fitted)
 }
 
 /// Whether what a model leaves of its own rows is no more than noise, and less than was there before.
-fn holds(left_m: f64, before_m: f64, linear: &Linearised, model: &Model) -> Result<(), NoModel> {
-    let floor_m = floor_m(model, linear);
+fn holds(left_m: f64, before_m: f64, fitted: &FittedModel<'_>) -> Result<(), NoModel> {
+    let floor_m = floor_m(fitted);
     if left_m > OWN_ROWS * floor_m || left_m > before_m {
         let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
         return Err(NoModel::Misses { left_mm, floor_mm, before_mm });

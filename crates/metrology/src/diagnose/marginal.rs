@@ -15,11 +15,20 @@ const STATED_FREEDOM: f64 = 20.0;
 /// Repeats with fewer degrees of freedom than this say nothing of the noise.
 const FEWEST_FREEDOM: usize = 6;
 
+/// The noise of a row of weight 1, from repeats or as stated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnownNoise {
+    /// Standard deviation of one coordinate, metres.
+    pub sigma_m: f64,
+    /// Degrees of freedom that it is worth.
+    pub freedom: f64,
+}
+
 /// What is known of the noise before the fit.
 #[derive(Clone, Copy, Debug)]
 pub struct NoisePrior {
-    /// Sigma of a row of weight 1 and its degrees of freedom, from repeats or as stated.
-    pub known: Option<(f64, f64)>,
+    /// Size of the noise, where repeats or a statement say one.
+    pub known: Option<KnownNoise>,
     /// Whether repeats stand behind it; a statement alone can be wrong.
     pub from_repeats: bool,
 }
@@ -36,15 +45,20 @@ impl NoisePrior {
                 let freedom = STATED_FREEDOM + seen;
                 let squares = STATED_FREEDOM * stated_m * stated_m + seen * r.sigma_m * r.sigma_m;
                 Self {
-                    known: Some(((squares / freedom).sqrt(), freedom.min(MOST_FREEDOM))),
+                    known: Some(KnownNoise {
+                        sigma_m: (squares / freedom).sqrt(),
+                        freedom: freedom.min(MOST_FREEDOM),
+                    }),
                     from_repeats: true,
                 }
             }
             (Some(r), _) => {
                 let freedom = (r.degrees_of_freedom as f64).min(MOST_FREEDOM);
-                Self { known: Some((r.sigma_m, freedom)), from_repeats: true }
+                Self { known: Some(KnownNoise { sigma_m: r.sigma_m, freedom }), from_repeats: true }
             }
-            (None, Some(sigma_m)) => Self { known: Some((sigma_m, STATED_FREEDOM)), from_repeats: false },
+            (None, Some(sigma_m)) => {
+                Self { known: Some(KnownNoise { sigma_m, freedom: STATED_FREEDOM }), from_repeats: false }
+            }
             (None, None) => Self { known: None, from_repeats: false },
         }
     }
@@ -63,13 +77,15 @@ impl NoisePrior {
     pub fn marginal_over(&self, m: f64) -> Marginal {
         let (low_m, high_m, share) = match self.known {
             None => (SIGMA_M[0], SIGMA_M[1], 1.0),
-            Some((sigma_m, _)) => (sigma_m, (30.0 * sigma_m).max(SIGMA_M[1]), 1.0 - REPEATS_HOLD),
+            Some(KnownNoise { sigma_m, .. }) => {
+                (sigma_m, (30.0 * sigma_m).max(SIGMA_M[1]), 1.0 - REPEATS_HOLD)
+            }
         };
         let width = 1.0 / (2.0 * m).sqrt();
         let (low, high) = (low_m.ln(), high_m.ln());
         let log_uniform =
             share.ln() + (width * std::f64::consts::TAU.sqrt()).ln() - (high - low).ln() - 0.5 * m;
-        let repeatability = self.known.map(|(sigma_m, freedom)| {
+        let repeatability = self.known.map(|KnownNoise { sigma_m, freedom }| {
             let scatter = freedom * sigma_m * sigma_m;
             let constant = REPEATS_HOLD.ln() + 0.5 * freedom * (0.5 * scatter).ln() - ln_gamma(0.5 * freedom)
                 + ln_gamma(0.5 * (m + freedom));
@@ -197,7 +213,7 @@ mod tests {
     #[test]
     fn sigma_is_integrated_as_a_fine_sum_does() {
         let (m, q) = (120.0, 120.0 * 2.5e-5_f64.powi(2));
-        for known in [None, Some((2e-5, 30.0))] {
+        for known in [None, Some(KnownNoise { sigma_m: 2e-5, freedom: 30.0 })] {
             let noise = NoisePrior { known, from_repeats: known.is_some() };
             let steps = 40_000;
             let (low, high) = (SIGMA_M[0].ln(), 3e-3_f64.ln());
@@ -208,7 +224,7 @@ mod tests {
                 let flat = |from: f64| if x > from { 1.0 / (high - from) } else { 0.0 };
                 let prior = match known {
                     None => flat(low),
-                    Some((s, v)) => {
+                    Some(KnownNoise { sigma_m: s, freedom: v }) => {
                         let c = 0.5 * v * s * s;
                         let repeatability = (2.0_f64.ln() + 0.5 * v * c.ln()
                             - ln_gamma(0.5 * v)
@@ -227,7 +243,7 @@ mod tests {
     #[test]
     fn a_statement_and_repeats_that_agree_are_taken_together() {
         let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6, sigma_rad: None };
-        let NoisePrior { known: Some((sigma_m, freedom)), from_repeats: true } =
+        let NoisePrior { known: Some(KnownNoise { sigma_m, freedom }), from_repeats: true } =
             NoisePrior::new(Some(&repeats), Some(3e-5))
         else {
             panic!()
@@ -237,6 +253,9 @@ mod tests {
         // Three times the statement in 60 degrees of freedom contradict it.
         let repeats = Repeats { sigma_m: 9e-5, degrees_of_freedom: 60, sigma_rad: None };
         assert!(NoisePrior::contradicted(Some(&repeats), Some(3e-5)));
-        assert_eq!(NoisePrior::new(Some(&repeats), Some(3e-5)).known, Some((9e-5, 60.0)));
+        assert_eq!(
+            NoisePrior::new(Some(&repeats), Some(3e-5)).known,
+            Some(KnownNoise { sigma_m: 9e-5, freedom: 60.0 })
+        );
     }
 }

@@ -1,13 +1,13 @@
 //! Scatter that no instrument has whose noise was stated or repeated, and that nothing recorded explains: a fault of the file.
 
 use super::linearise::{Linearised, shift_m};
-use super::model::{Model, Workspace};
+use super::measured_robot::MeasuredRobot;
+use super::model::FittedModel;
 use super::rounding::{self, Suspicion};
 use super::verdict::Judgement;
 use super::{Verdict, dataset::Twist};
-use crate::measure::{Fault, FaultKind, Measurements, Stations};
+use crate::measure::{Fault, FaultKind};
 use nalgebra::Vector3;
-use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
 
 /// Noise about the best model over what is stated or repeated, from which on the file is wrong.
@@ -22,20 +22,18 @@ const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 /// not recorded.
 #[must_use]
 pub(super) fn noise_beyond_stated(
-    measurements: &Measurements,
-    robot: &SerialArm,
-    stations: &Stations,
-    linear: &Linearised,
-    model: &Model,
-    workspace: &Workspace<'_>,
+    measured: MeasuredRobot<'_>,
+    fitted: &FittedModel<'_>,
     judgement: &Judgement,
 ) -> Option<Fault> {
-    let (known_m, _) = model.noise.known?;
+    let MeasuredRobot { robot, stations, .. } = measured;
+    let FittedModel { linear, model, .. } = fitted;
+    let known_m = model.noise.known?.sigma_m;
     let noise_m = model.noise_m();
     if judgement.verdict == Verdict::UnexplainedStructure || noise_m < BEYOND * known_m {
         return None;
     }
-    let rounded = rounding::find(measurements, robot, linear, model, workspace, Suspicion::FileIsWrong);
+    let rounded = rounding::find(measured, fitted, Suspicion::FileIsWrong);
     if rounded.is_some() {
         return rounded;
     }
@@ -43,7 +41,7 @@ pub(super) fn noise_beyond_stated(
     let limit_m = BEYOND * known_m;
     let far = kept().filter(|&i| shift_m(&model.residuals[i]) > limit_m);
     let rows = far.filter_map(|i| stations.stations.get(i)).flat_map(|station| &station.rows);
-    let lines: Vec<u64> = rows.filter_map(|&row| measurements.rows.get(row)).map(|row| row.line).collect();
+    let lines = measured.lines(rows);
     let column = one_coordinate(linear, kept().map(|i| &model.residuals[i])).map(str::to_owned);
     let of_joint = || judgement.place.joint.map(|joint| robot.column(joint));
     let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));

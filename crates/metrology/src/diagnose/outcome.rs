@@ -3,7 +3,7 @@
 use super::effects;
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
-use crate::measure::Fault;
+use crate::measure::{Fault, FaultKind};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, Joints};
@@ -379,6 +379,21 @@ impl From<&Diagnostic> for Warning {
 }
 
 impl Findings {
+    /// What is said of a file that contradicts itself or the robot.
+    #[must_use]
+    pub(super) fn of_fault(fault: Fault) -> Self {
+        let kind = match fault.kind {
+            FaultKind::SwappedAxes => Some(EffectKind::SwappedAxes),
+            FaultKind::RoundedJoints => Some(EffectKind::JointRounding),
+            _ => None,
+        };
+        Self {
+            causes: kind.map(|kind| Cause::of(kind, 1.0)).into_iter().collect(),
+            fault: Some(fault.clone()),
+            ..Self::without_causes(Verdict::DataFault, fault.reason)
+        }
+    }
+
     /// An answer without causes.
     #[must_use]
     pub fn without_causes(verdict: Verdict, reason: impl Into<String>) -> Self {

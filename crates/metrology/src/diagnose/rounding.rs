@@ -1,8 +1,9 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
 use super::evidence::NuisanceModel;
-use super::linearise::Linearised;
-use super::model::{Model, Workspace, odds_of, solve};
+use super::linear_fit::solve;
+use super::measured_robot::MeasuredRobot;
+use super::model::FittedModel;
 use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::robot::{Axis, SerialArm};
@@ -39,14 +40,9 @@ pub enum Suspicion {
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
-pub fn find(
-    measurements: &Measurements,
-    robot: &SerialArm,
-    linear: &Linearised,
-    model: &Model,
-    workspace: &Workspace<'_>,
-    suspicion: Suspicion,
-) -> Option<Fault> {
+pub fn find(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>, suspicion: Suspicion) -> Option<Fault> {
+    let MeasuredRobot { measurements, robot, .. } = measured;
+    let FittedModel { linear, model, workspace } = fitted;
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
     if !all_seen {
         return None;
@@ -102,14 +98,18 @@ pub fn find(
         [0.05, 0.15, 0.4, 0.7]
             .into_iter()
             .map(|k| log_likelihood(residuals, 0.9, k * plain_m2))
-            .chain([log_likelihood(residuals, 0.9, model.noise.known.map_or(1e-10, |(s, _)| s * s))])
+            .chain([log_likelihood(
+                residuals,
+                0.9,
+                model.noise.known.map_or(1e-10, |known| known.sigma_m * known.sigma_m),
+            )])
             .fold(f64::NEG_INFINITY, f64::max)
     };
     let points = |twists: &[super::dataset::Twist]| -> Vec<Vector3<f64>> {
         twists.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let groups = workspace.design.all_groups();
     let ratio = NuisanceModel::new(&workspace.design, &groups, &[], model.noise).null().geometry_ratio;
     let bare = points(
         &workspace.design.residuals(&solve(&workspace.design, &groups, &[], Some(ratio)).coefficients),
@@ -120,9 +120,10 @@ pub fn find(
     let gain_nats = rounded(&bare) - plain(&bare);
     let best_m2 = mean_square(&best);
     let as_large = best_m2 < 4.0 * expected_m2 && 4.0 * best_m2 > expected_m2;
-    let contradicted = model.noise.known.is_some_and(|(s, _)| best_m2 > (MORE_SCATTER * s).powi(2));
+    let contradicted =
+        model.noise.known.is_some_and(|known| best_m2 > (MORE_SCATTER * known.sigma_m).powi(2));
     let clear_nats = if as_large && contradicted { clear_nats.min(BY_SIZE_NATS) } else { clear_nats };
-    let without_causes = gain_nats > clear_nats && gain_nats > odds_of(model, workspace);
+    let without_causes = gain_nats > clear_nats && gain_nats > fitted.log_odds();
     let beside_causes = best_m2 > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
     let plain_m2 = mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {

@@ -1,7 +1,7 @@
 //! What every effect would do to measurements that are not yet taken: the diagnosis's own signatures, for planning.
 
 use super::dataset::{Dataset, Observation, Twist, scaled};
-use super::effects::{self, Candidate};
+use super::effects::{Candidate, testable_effects};
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
 use crate::measure::{Channels, Reading, Registration, Station};
@@ -160,7 +160,7 @@ pub fn signatures(
 /// One variant of each effect and joint: the likeliest.
 fn variants(dataset: &Dataset) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
-    for candidate in effects::candidates(dataset).0 {
+    for candidate in testable_effects(dataset).candidates {
         let kind = candidate.kind;
         // Offsets of all joints at once are no cause of their own.
         if kind == EffectKind::GearMesh

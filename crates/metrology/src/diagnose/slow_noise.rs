@@ -5,7 +5,7 @@
 //! tau are those that are likeliest beside the causes; without 5 nats for it there is none.
 
 use super::dataset::{Dataset, Twist};
-use super::design::Design;
+use super::design::{Design, SlowColumns};
 use super::evidence::NuisanceModel;
 use super::marginal::NoisePrior;
 use super::search::{ALARM_NATS, ChosenCause, cause_columns};
@@ -36,8 +36,8 @@ pub struct SlowNoise {
 impl SlowNoise {
     /// Puts it into `design`.
     pub fn put(&self, design: &mut Design, dataset: &Dataset) {
-        let at = design.append(&columns(design, dataset, TAUS[self.tau]));
-        design.set_slow(at, self.size / UNIT_M);
+        let columns = design.append(&columns(design, dataset, TAUS[self.tau]));
+        design.set_slow(SlowColumns { columns, size_ratio: self.size / UNIT_M });
     }
 }
 
@@ -77,13 +77,13 @@ pub fn likeliest(
     let groups: Vec<usize> = (0..design.groups()).collect();
     let also = cause_columns(chosen, None);
     let mut trial = design.clone();
-    trial.set_slow(0..0, 0.0);
+    trial.set_slow(SlowColumns::default());
     let without = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence;
     let mut best: Option<(f64, SlowNoise)> = None;
     for (which, tau) in TAUS.into_iter().enumerate() {
         let at = trial.append(&columns(&trial, dataset, tau));
         for size in SIZES {
-            trial.set_slow(at.clone(), size / UNIT_M);
+            trial.set_slow(SlowColumns { columns: at.clone(), size_ratio: size / UNIT_M });
             let gain = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence - without;
             if gain > ALARM_NATS && best.is_none_or(|(most, _)| gain > most) {
                 best = Some((gain, SlowNoise { tau: which, size }));

@@ -207,7 +207,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
 mod tests {
     use super::*;
     use crate::diagnose::dataset::{Observation, Twist};
-    use crate::diagnose::effects::candidates;
+    use crate::diagnose::effects::testable_effects;
     use crate::diagnose::identify::predicted;
     use crate::measure::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, UnitQuaternion};
@@ -313,7 +313,7 @@ mod tests {
         };
         let dataset = Dataset::new(&robot, observations, channels);
         let mut tried: BTreeSet<EffectKind> = BTreeSet::new();
-        for candidate in candidates(&dataset).0 {
+        for candidate in testable_effects(&dataset).candidates {
             // Offsets of all joints at once are taken apart by the search; gear lines are all alike.
             if candidate.variant.n.is_some_and(|n| n > 3 && n != 40) {
                 continue;

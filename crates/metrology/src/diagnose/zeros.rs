@@ -3,8 +3,9 @@
 //! Geometry wide enough to hold them leaves the evidence little to tell offsets by, and they are then not named as causes.
 //! They are still the first thing to look at, and the cheapest to mend.
 
+use super::linear_fit::solve;
 use super::linearise::shift_m;
-use super::model::{Model, Workspace, solve};
+use super::model::{FittedModel, Workspace};
 use super::outcome::{JointZero, JointZeros};
 use super::search::ChosenCause;
 use robot_model::deform::EffectKind;
@@ -14,7 +15,8 @@ use robot_model::units::mm_from_m;
 const WORTH: f64 = 0.3;
 
 /// The zeros fitted with base and target alone; none where they take little.
-pub(super) fn zeros(model: &Model, workspace: &mut Workspace<'_>) -> Option<JointZeros> {
+pub(super) fn zeros(fitted: &mut FittedModel<'_>) -> Option<JointZeros> {
+    let FittedModel { model, workspace, .. } = fitted;
     let candidates = workspace.library.candidates;
     let offsets: Vec<usize> = (0..candidates.len())
         .filter(|&c| candidates[c].kind == EffectKind::JointOffset && candidates[c].variant.joint.is_some())
@@ -25,7 +27,7 @@ pub(super) fn zeros(model: &Model, workspace: &mut Workspace<'_>) -> Option<Join
     let free = |(candidate, columns)| ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 1e9 };
     let chosen: Vec<ChosenCause> = offsets.into_iter().zip(columns).map(free).collect();
     workspace.library.extend(&workspace.design);
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let groups = workspace.design.all_groups();
     let rms_m = |chosen: &[ChosenCause]| {
         let fit = solve(&workspace.design, &groups, chosen, None);
         let left = workspace.design.residuals(&fit.coefficients);

@@ -14,6 +14,15 @@ use std::ops::Range;
 /// Manufacturing tolerance of a joint's frame: metres, and radians.
 const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
 
+/// Columns of slow noise in the design; an empty range where there is none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SlowColumns {
+    /// Where they stand.
+    pub columns: Range<usize>,
+    /// Their prior standard deviation over the noise's.
+    pub size_ratio: f64,
+}
+
 /// Columns with their meaning: data first, then registration, geometry, and what was added.
 #[derive(Clone, Debug)]
 pub struct Design {
@@ -32,8 +41,7 @@ pub struct Design {
     pub registration: Range<usize>,
     /// Columns of geometry, scaled by tolerance.
     pub geometry: Range<usize>,
-    /// Columns of slow noise, and their prior standard deviation over the noise's.
-    slow: (Range<usize>, f64),
+    slow: SlowColumns,
     /// Products of all columns for each group.
     gram: Vec<DMatrix<f64>>,
 }
@@ -81,7 +89,7 @@ impl Design {
             columns: DMatrix::zeros(0, 0),
             registration: 0..0,
             geometry: 0..0,
-            slow: (0..0, 0.0),
+            slow: SlowColumns::default(),
             gram: Vec::new(),
         };
         design.gram = vec![DMatrix::zeros(0, 0); design.groups.len()];
@@ -108,14 +116,14 @@ impl Design {
         &self.whitening
     }
 
-    /// Takes `columns` for slow noise of `ratio` standard deviations over the noise's.
-    pub fn set_slow(&mut self, columns: Range<usize>, ratio: f64) {
-        self.slow = (columns, ratio);
+    /// Takes columns of the design for slow noise.
+    pub fn set_slow(&mut self, slow: SlowColumns) {
+        self.slow = slow;
     }
 
-    /// Columns of slow noise, and their prior standard deviation over the noise's; none: an empty range.
+    /// Columns of slow noise.
     #[must_use]
-    pub fn slow(&self) -> (Range<usize>, f64) {
+    pub fn slow(&self) -> SlowColumns {
         self.slow.clone()
     }
 
@@ -141,6 +149,12 @@ impl Design {
     #[must_use]
     pub fn groups(&self) -> usize {
         self.groups.len()
+    }
+
+    /// The numbers of all groups: the whole of the data, as a subset.
+    #[must_use]
+    pub fn all_groups(&self) -> Vec<usize> {
+        (0..self.groups.len()).collect()
     }
 
     /// Numbers measured in a subset of groups.
@@ -280,7 +294,7 @@ impl Design {
         for (rows, &i) in left.chunks_exact(d).zip(&self.order) {
             let root = self.whitening.weights[i].sqrt().max(1e-12);
             for (k, (to, value)) in out[i].iter_mut().zip(rows).enumerate() {
-                *to = value / root / if k < 3 { 1.0 } else { self.whitening.arm_m };
+                *to = value / root / if k < 3 { 1.0 } else { self.whitening.characteristic_length_m };
             }
         }
         out

@@ -12,7 +12,7 @@ mod visits;
 mod whitening;
 
 pub use inner_products::inner_products;
-pub use matrix::{Design, side_by_side};
+pub use matrix::{Design, SlowColumns, side_by_side};
 pub use products::{Products, Sums};
 pub use scaled_motions::ScaledMotions;
 pub use visits::Visits;

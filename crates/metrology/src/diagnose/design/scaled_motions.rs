@@ -180,7 +180,7 @@ mod tests {
     use super::*;
     use crate::diagnose::dataset::evenly_spread;
     use crate::diagnose::design::Whitening;
-    use crate::diagnose::effects::{RigidBody, candidates};
+    use crate::diagnose::effects::{RigidBody, testable_effects};
     use robot_model::robot::Axis;
 
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn scaled_motions_have_the_products_of_their_columns() {
         let (dataset, design) = problem();
-        let all = candidates(&dataset).0;
+        let all = testable_effects(&dataset).candidates;
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
             let mut design = design.clone();

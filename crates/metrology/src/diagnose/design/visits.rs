@@ -208,7 +208,7 @@ mod tests {
             }
         }
         let weights = (0..n).map(|i| 1.0 + (i % 4) as f64).collect();
-        (dataset, Whitening { weights, arm_m: 0.2, shared: SHARED })
+        (dataset, Whitening { weights, characteristic_length_m: 0.2, shared: SHARED })
     }
 
     /// Against the covariance as written, inverted; of a turn its second moment about the centre of the targets.

@@ -17,7 +17,7 @@ pub struct Whitening {
     /// Weight of each station: 1 = one row of usual noise.
     pub weights: Vec<f64>,
     /// An orientation residual counts as if at this distance, metres.
-    pub arm_m: f64,
+    pub characteristic_length_m: f64,
     /// What the targets of a visit share.
     pub shared: SharedError,
 }
@@ -25,8 +25,8 @@ pub struct Whitening {
 impl Whitening {
     /// Errors of all stations independent.
     #[must_use]
-    pub fn independent(weights: Vec<f64>, arm_m: f64) -> Self {
-        Self { weights, arm_m, shared: SharedError::default() }
+    pub fn independent(weights: Vec<f64>, characteristic_length_m: f64) -> Self {
+        Self { weights, characteristic_length_m, shared: SharedError::default() }
     }
 
     /// The first `rows_per_observation` rows of a motion at observation `i`, weighted.
@@ -36,8 +36,8 @@ impl Whitening {
         motion: Twist,
         rows_per_observation: usize,
     ) -> impl Iterator<Item = f64> + use<> {
-        let (root, arm_m) = (self.weights[i].sqrt(), self.arm_m);
-        let weighted = move |(k, value)| value * root * if k < 3 { 1.0 } else { arm_m };
+        let (root, characteristic_length_m) = (self.weights[i].sqrt(), self.characteristic_length_m);
+        let weighted = move |(k, value)| value * root * if k < 3 { 1.0 } else { characteristic_length_m };
         motion.into_iter().take(rows_per_observation).enumerate().map(weighted)
     }
 }

@@ -83,10 +83,19 @@ pub struct UntestableEffect {
     pub reason: String,
 }
 
-/// All candidates that these data can show, weights normalised within each effect; and the effects that they cannot.
+/// What a data set can show of the library, and what it cannot.
+#[derive(Clone, Debug)]
+pub struct TestableEffects {
+    /// Every variant that it can show, weights normalised within each effect.
+    pub candidates: Vec<Candidate>,
+    /// The effects that it cannot.
+    pub untestable: Vec<UntestableEffect>,
+}
+
+/// The variants of all effects that these data can show.
 #[must_use]
-pub fn candidates(dataset: &Dataset) -> (Vec<Candidate>, Vec<UntestableEffect>) {
-    let mut all = Vec::new();
+pub fn testable_effects(dataset: &Dataset) -> TestableEffects {
+    let mut candidates = Vec::new();
     let mut untestable = Vec::new();
     for effect in LIBRARY {
         if let Some(reason) = effect.untestable(dataset) {
@@ -98,7 +107,7 @@ pub fn candidates(dataset: &Dataset) -> (Vec<Candidate>, Vec<UntestableEffect>) 
         for candidate in &mut variants {
             candidate.weight /= total;
         }
-        all.extend(variants);
+        candidates.extend(variants);
     }
-    (all, untestable)
+    TestableEffects { candidates, untestable }
 }

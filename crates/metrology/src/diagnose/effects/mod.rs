@@ -31,7 +31,7 @@ mod tool_step;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
 pub use effect::{Candidate, EffectVariant};
-pub use library::{candidates, effect};
+pub use library::{TestableEffects, UntestableEffect, effect, testable_effects};
 pub use over_time::steps_too_near;
 pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};
 pub use rigid::{Motion, RigidBody};

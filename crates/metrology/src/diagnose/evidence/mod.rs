@@ -16,7 +16,7 @@ mod tests;
 
 pub use candidate::{Projected, ScreeningPoint};
 
-use super::design::Design;
+use super::design::{Design, SlowColumns};
 use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};
 use nalgebra::{DMatrix, DVector};
 use prior::{NO_GEOMETRY, geometry_prior, grids, size_prior};
@@ -79,8 +79,8 @@ pub struct NuisanceModel {
     directions: Vec<Direction>,
     /// How many of them are slow noise's: integrated, not projected out.
     n_slow: usize,
-    /// Columns of slow noise, and the precision of their prior at unit noise.
-    slow: (std::ops::Range<usize>, f64),
+    /// Columns of slow noise, integrated over.
+    slow: SlowColumns,
     /// Columns that were left out because those before them tell all of them.
     dependent: Vec<usize>,
     /// ln determinant of slow noise.
@@ -102,14 +102,14 @@ impl NuisanceModel {
         Self::with_slow(design, subset, also, noise, design.slow())
     }
 
-    /// The same with `slow` noise in the place of the design's: its columns, and its standard deviation over the noise's.
+    /// The same with `slow` noise in the place of the design's.
     #[must_use]
     pub fn with_slow(
         design: &Design,
         subset: &[usize],
         also: &[usize],
         noise: NoisePrior,
-        slow: (std::ops::Range<usize>, f64),
+        slow: SlowColumns,
     ) -> Self {
         let gram = design.gram(subset);
         let flat: Vec<usize> = design.registration.clone().collect();
@@ -134,7 +134,7 @@ impl NuisanceModel {
             yy: gram[(0, 0)],
             directions: Vec::new(),
             n_slow: 0,
-            slow: (0..0, 0.0),
+            slow: SlowColumns::default(),
             dependent: Vec::new(),
             slow_log_det: 0.0,
             gg,
@@ -234,8 +234,9 @@ impl NuisanceModel {
             // Twice: the second pass takes out what rounding left of the first.
             for _ in 0..2 {
                 let mut seen = times(gram, &direction);
-                let (slow, precision) = self.slow.clone();
-                slow.for_each(|column| seen[column] += precision * direction[column]);
+                let SlowColumns { columns, size_ratio } = self.slow.clone();
+                let precision = 1.0 / (size_ratio * size_ratio);
+                columns.for_each(|column| seen[column] += precision * direction[column]);
                 for known in &self.directions {
                     let along = dot(&known.weights, &seen);
                     for (to, from) in direction.iter_mut().zip(&known.weights) {
@@ -257,7 +258,8 @@ impl NuisanceModel {
     /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
     /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
     /// the flat ones have.
-    fn add_slow(&mut self, gram: &DMatrix<f64>, (columns, ratio): (std::ops::Range<usize>, f64)) {
+    fn add_slow(&mut self, gram: &DMatrix<f64>, slow: SlowColumns) {
+        let SlowColumns { columns, size_ratio: ratio } = slow;
         if columns.is_empty() || ratio <= 0.0 {
             return;
         }
@@ -291,7 +293,7 @@ impl NuisanceModel {
             self.push(gram, direction);
         }
         self.n_slow = self.directions.len() - from;
-        self.slow = (columns, 1.0 / (ratio * ratio));
+        self.slow = SlowColumns { columns, size_ratio: ratio };
     }
 
     fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {

@@ -21,7 +21,7 @@ pub fn grids(
     // Rounding may leave a little less than nothing.
     let high_m = (yy.max(0.0) / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
     let left = ((yy - explained).max(0.0) / m).sqrt() / 2.0;
-    let low_m = noise.known.map_or(left, |(sigma_m, _)| sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
+    let low_m = noise.known.map_or(left, |known| known.sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
     let doubling = |from: f64, to: f64| {
         let steps = (to / from).log2().ceil().max(0.0) as i32;
         (0..=steps).map(move |k| from * f64::from(k).exp2())

@@ -5,7 +5,7 @@ use super::prior::{NO_GEOMETRY, geometry_prior, size_prior};
 use super::*;
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::design::{Whitening, registration};
-use crate::diagnose::effects::{Candidate, candidates};
+use crate::diagnose::effects::{Candidate, testable_effects};
 use crate::diagnose::heldout::SplitMix64;
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
@@ -37,7 +37,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
     let gain = |c: &Candidate| {
         c.kind == robot_model::deform::EffectKind::JointGain && c.variant.joint == Axis::numbered(3)
     };
-    let candidate = candidates(&dataset).0.into_iter().find(gain).unwrap();
+    let candidate = testable_effects(&dataset).candidates.into_iter().find(gain).unwrap();
     let errors: Vec<f64> = (0..30).map(|_| geometry * random.normal()).collect();
     let residuals = dataset
         .observations
@@ -238,7 +238,7 @@ fn causes_taken_out_leave_the_nuisance_model_of_the_others() {
     let problem = problem(6, 2e-5, 1.0, 0.5);
     let noise = NoisePrior::new(None, None);
     let (mut design, _) = problem.nuisance(noise);
-    let library = candidates(&problem.dataset).0;
+    let library = testable_effects(&problem.dataset).candidates;
     let column = |design: &mut Design, kind, joint| {
         let wanted = |c: &&Candidate| c.kind == kind && c.variant.joint == Some(Axis::at(joint));
         let candidate = library.iter().find(wanted).unwrap();
@@ -251,7 +251,7 @@ fn causes_taken_out_leave_the_nuisance_model_of_the_others() {
         design.append(&DMatrix::from_fn(72, 3, |r, c| ((r % 3 == c) as u8 as f64) * (r as f64 / 9.0).cos()));
     let sums = design.products(&design.columns_of(&problem.dataset, &problem.candidate)).sum(&[0]);
     for ratio in [0.0, 1.5] {
-        design.set_slow(slow.clone(), ratio);
+        design.set_slow(SlowColumns { columns: slow.clone(), size_ratio: ratio });
         let of = |also: &[&Vec<usize>]| {
             let also: Vec<usize> = also.iter().flat_map(|columns| columns.iter().copied()).collect();
             NuisanceModel::new(&design, &[0], &also, noise)

@@ -8,12 +8,11 @@ mod separation;
 use super::dataset::{Observation, Twist, scaled};
 use super::design::{Design, registration};
 use super::effects;
-use super::linearise::Linearised;
-use super::model::{Model, Workspace};
+use super::model::{FittedModel, Model, Workspace};
 use super::options::Options;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
 use super::time_course::TimeCourse;
-use super::verdict::{OpenPlace, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
+use super::verdict::{Judgement, OpenPlace, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
 use separation::{Pair, RivalModel, Separation, ShapeDoubt};
@@ -35,38 +34,47 @@ const MOST_RIVALS: usize = 4;
 const MORE_PLACES: usize = 2;
 const OPEN_NATS: f64 = 0.1;
 
-/// The poses that part the causes of the places in `open`, the least certain first, and what they are good for.
+/// Measurements worth taking, and what they are good for.
+#[derive(Clone, Debug, Default)]
+pub struct NextMeasurements {
+    /// The poses, with payload and direction.
+    pub measurements: Vec<NextMeasurement>,
+    /// What they decide, and how many rows it takes.
+    pub step: NextStep,
+}
+
+/// The poses that part the causes of the open places, the least certain first, and what they are good for.
 #[must_use]
 pub fn next_measurements(
     robot: &SerialArm,
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
-    open: &[OpenPlace],
-    verdict: Verdict,
+    fitted: &mut FittedModel<'_>,
+    judgement: &Judgement,
     options: &Options,
-) -> (Vec<NextMeasurement>, NextStep) {
+) -> NextMeasurements {
+    let Judgement { open, verdict, .. } = judgement;
+    let verdict = *verdict;
     let mut places: Vec<&OpenPlace> = open.iter().collect();
     places.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
-    let Some(&place) = places.first() else { return (Vec::new(), NextStep::default()) };
+    let Some(&place) = places.first() else { return NextMeasurements::default() };
     let also = places[1..].iter().filter(|p| p.uncertainty() > OPEN_NATS).take(MORE_PLACES);
     let asked: Vec<&OpenPlace> = std::iter::once(place).chain(also.copied()).collect();
-    let Some(question) = Question::new(model, workspace, linear, &asked) else {
-        return (Vec::new(), NextStep::default());
+    let Some(question) = Question::new(fitted, &asked) else {
+        return NextMeasurements::default();
     };
     let mut best: Option<Planned> = None;
     for when in question.times() {
-        let pool = pool(robot, linear, options, when, MOST);
+        let pool = pool(robot, fitted.linear, options, when, MOST);
         // What is decided is only made surer.
         let most = if verdict == Verdict::Ambiguous { [MOST, MOST_TIMES] } else { [FEWEST, 1] };
-        let Some(planned) = question.plan(linear, workspace, pool, when, most) else { continue };
+        let Some(planned) = question.plan(fitted, pool, when, most) else { continue };
         // A second warm-up has to be worth the night.
         let worth = |p: &Planned| if p.when == When::FromCold { 2.0 * p.confusion } else { p.confusion };
         if best.as_ref().is_none_or(|b| worth(&planned) < worth(b)) {
             best = Some(planned);
         }
     }
-    let Some(planned) = best else { return (Vec::new(), NextStep::default()) };
+    let Some(planned) = best else { return NextMeasurements::default() };
+    let FittedModel { linear, workspace, .. } = fitted;
     let names: Vec<String> = place
         .rivals
         .iter()
@@ -105,9 +113,9 @@ pub fn next_measurements(
     };
     if planned.lambda < HOPELESS && verdict == Verdict::Ambiguous && step.other_means.is_some() {
         let step = NextStep { rows: 0, readings_per_pose: 0, from_cold: false, ..step };
-        return (Vec::new(), step);
+        return NextMeasurements { measurements: Vec::new(), step };
     }
-    (planned.poses, step)
+    NextMeasurements { measurements: planned.poses, step }
 }
 
 /// Poses with what they reach.
@@ -134,12 +142,8 @@ struct Question {
 }
 
 impl Question {
-    fn new(
-        model: &Model,
-        workspace: &mut Workspace<'_>,
-        linear: &Linearised,
-        places: &[&OpenPlace],
-    ) -> Option<Self> {
+    fn new(fitted: &mut FittedModel<'_>, places: &[&OpenPlace]) -> Option<Self> {
+        let FittedModel { linear, model, workspace } = fitted;
         let mut columns: Vec<Vec<Vec<usize>>> = Vec::new();
         for place in places {
             let Workspace { design, library, column_index } = &mut *workspace;
@@ -253,12 +257,8 @@ impl Question {
     }
 
     /// All columns at `observation`, whitened: one row for each coordinate.
-    fn rows(
-        &self,
-        linear: &Linearised,
-        workspace: &Workspace<'_>,
-        observation: &Observation,
-    ) -> Vec<Vec<f64>> {
+    fn rows(&self, fitted: &FittedModel<'_>, observation: &Observation) -> Vec<Vec<f64>> {
+        let FittedModel { linear, workspace, .. } = fitted;
         let design = &workspace.design;
         let mut all: Vec<(usize, Twist)> = Vec::new();
         let mut twists = Vec::new();
@@ -273,12 +273,13 @@ impl Question {
             candidate.scaled_signature(linear.dataset.at(observation), &mut twists);
             all.extend(columns.iter().copied().zip(twists.drain(..)));
         }
-        let (arm_m, root) = (design.whitening().arm_m, self.visit_weight.sqrt());
+        let (characteristic_length_m, root) =
+            (design.whitening().characteristic_length_m, self.visit_weight.sqrt());
         (0..linear.dataset.rows_per_observation)
             .map(|r| {
                 let mut row = vec![0.0; self.gram.ncols()];
                 for (column, twist) in &all {
-                    row[*column] = twist[r] * root * if r < 3 { 1.0 } else { arm_m };
+                    row[*column] = twist[r] * root * if r < 3 { 1.0 } else { characteristic_length_m };
                 }
                 row
             })
@@ -288,14 +289,13 @@ impl Question {
     /// The poses of `pool` that part the pairs most, taken one by one until every pair is told apart.
     fn plan(
         &self,
-        linear: &Linearised,
-        workspace: &Workspace<'_>,
+        fitted: &FittedModel<'_>,
         pool: Vec<Candidate>,
         when: When,
         [most, most_times]: [usize; 2],
     ) -> Option<Planned> {
         let rows: Vec<Vec<Vec<f64>>> =
-            pool.iter().map(|(observation, _)| self.rows(linear, workspace, observation)).collect();
+            pool.iter().map(|(observation, _)| self.rows(fitted, observation)).collect();
         let mut separation =
             Separation::new(&self.gram, &self.models, self.pairs.clone(), &rows, self.sigma_m)?;
         let mut taken: Vec<usize> = Vec::new();

@@ -80,7 +80,7 @@ impl Library<'_> {
             let mut pairs = self.likely_pairs(&pool, single);
             if now.geometry_ratio > 0.0 && search.chosen.len() <= 1 {
                 // What small errors of all geometry take now may be two causes on an arm that is as drawn.
-                let sigma_m = search.noise.known.map_or(now.sigma_m, |(sigma_m, _)| sigma_m);
+                let sigma_m = search.noise.known.map_or(now.sigma_m, |known| known.sigma_m);
                 let pool = self.pool(search, &bare, (0.0, sigma_m), &others, single);
                 let more = self.likely_pairs(&pool, single);
                 pairs.extend(more.into_iter().filter(|pair| !pairs.contains(pair)).collect::<Vec<_>>());

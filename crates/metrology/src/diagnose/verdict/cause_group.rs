@@ -2,7 +2,7 @@
 
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::model::{Model, Workspace};
+use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, RankedHypothesis, cause_columns};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
@@ -167,12 +167,12 @@ pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
 /// Every hypothesis in the place `without` of the model (none: beside it), and how much geometry is needed there.
 #[must_use]
 pub fn scan(
-    model: &Model,
-    workspace: &Workspace<'_>,
+    fitted: &FittedModel<'_>,
     chosen: &[ChosenCause],
     without: Option<usize>,
 ) -> (HypothesisRanking, f64) {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let FittedModel { model, workspace, .. } = fitted;
+    let groups = workspace.design.all_groups();
     let nuisance =
         NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, without), model.noise);
     let taken: Vec<usize> =

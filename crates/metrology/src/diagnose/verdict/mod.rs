@@ -12,14 +12,13 @@ pub use wording::{GearBand, describe, describe_candidate, gear_bands};
 
 use super::evidence::NuisanceModel;
 use super::gp_alternative::GpAlternative;
-use super::linearise::Linearised;
-use super::model::{Model, Workspace};
+use super::model::{FittedModel, Workspace};
 use super::outcome::{Cause, Location, Verdict};
 use super::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use cause_group::{CauseGroup, cause_groups, credible, doubt_shapes, join_nested, scan};
 use noise::{
-    MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, joint_scatter, reduced_chi_square, slow_noise,
-    slowness,
+    MAX_RESIDUAL_SHARE, ReducedChiSquare, SLOW_NOISE, Scatter, Slowness, joint_scatter, reduced_chi_square,
+    slow_noise, slowness,
 };
 use robot_model::deform::EffectKind;
 use size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
@@ -68,20 +67,20 @@ const AS_A_CANDIDATE: f64 = 0.5;
 
 /// Judges the best model of the data.
 #[must_use]
-pub fn judge(model: &Model, workspace: &mut Workspace<'_>, linear: &Linearised) -> Judgement {
-    let chosen = model.chosen.clone();
-    workspace.library.forget_columns();
-    add_gp_alternatives(workspace, linear, model);
-    let (rest, geometry_gain) = scan(model, workspace, &chosen, None);
-    let chi = reduced_chi_square(model, workspace, linear, &chosen);
-    let along = joint_scatter(model, workspace, linear).filter(|j| j.gain_nats > ALARM_NATS);
-    let scatter = Scatter { chi: chi.filter(|&(value, limit)| value > limit).map(|c| c.0), along };
+pub fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
+    let chosen = fitted.model.chosen.clone();
+    fitted.workspace.library.forget_columns();
+    add_gp_alternatives(fitted);
+    let (rest, geometry_gain) = scan(fitted, &chosen, None);
+    let chi = reduced_chi_square(fitted, &chosen);
+    let along = joint_scatter(fitted).filter(|j| j.gain_nats > ALARM_NATS);
+    let scatter = Scatter { chi: chi.filter(ReducedChiSquare::is_exceeded).map(|chi| chi.value), along };
     let mut judgement = if chosen.is_empty() {
-        without_cause(model, workspace, linear, &rest, geometry_gain, scatter)
+        without_cause(fitted, &rest, geometry_gain, scatter)
     } else {
-        with_causes(model, workspace, linear, &chosen, &rest, scatter)
+        with_causes(fitted, &chosen, &rest, scatter)
     };
-    judgement.reduced_chi_square = chi.map(|c| c.0);
+    judgement.reduced_chi_square = chi.map(|chi| chi.value);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
         for candidate in &mut judgement.causes {
             candidate.posterior *= AS_A_CANDIDATE;
@@ -91,17 +90,15 @@ pub fn judge(model: &Model, workspace: &mut Workspace<'_>, linear: &Linearised) 
 }
 
 fn without_cause(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
+    fitted: &mut FittedModel<'_>,
     ranking: &HypothesisRanking,
     geometry_gain: f64,
     scatter: Scatter,
 ) -> Judgement {
-    let cause_groups = cause_groups(workspace, ranking);
+    let cause_groups = cause_groups(&fitted.workspace, ranking);
     let mut causes = Vec::new();
     for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > WORTH_SAYING) {
-        causes.push(cause(model, workspace, linear, &[], None, cause_group));
+        causes.push(cause(fitted, &[], None, cause_group));
     }
     let mut judgement = Judgement {
         verdict: Verdict::NothingAboveNoise,
@@ -112,28 +109,28 @@ fn without_cause(
         open: vec![OpenPlace::new(None, &cause_groups, 1)],
         reduced_chi_square: None,
     };
-    let slowness = slowness(model, workspace, linear, &[]);
-    let found = structure_in(workspace, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
+    let slowness = slowness(fitted, &[]);
+    let found = structure_in(&fitted.workspace, ranking).filter(|(gain, _)| *gain > ALARM_NATS);
     let slow = slowness == Slowness::WithinNoise && found.is_none()
-        || found.is_some_and(|(_, gp_alternative)| slow_noise(model, workspace, linear, gp_alternative));
+        || found.is_some_and(|(_, gp_alternative)| slow_noise(fitted, gp_alternative));
     if slow {
         SLOW_NOISE.clone_into(&mut judgement.reason);
     }
     if let (Slowness::Structure { .. }, None) = (slowness, found) {
         judgement.verdict = Verdict::UnexplainedStructure;
-        judgement.place = over_time(model, workspace, linear, &[]);
-        judgement.reason = structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some());
+        judgement.place = over_time(fitted, &[]);
+        judgement.reason = structure_reason(GpAlternative::Time, fitted.linear.dataset.time_min.is_some());
     } else if let Some((_, gp_alternative)) = found.filter(|_| !slow) {
         judgement.verdict = Verdict::UnexplainedStructure;
-        judgement.place = location_of_gp(model, workspace, linear, &[], gp_alternative);
+        judgement.place = location_of_gp(fitted, &[], gp_alternative);
         judgement.reason = structure_reason(
-            workspace.library.gp_alternatives[gp_alternative].gp_alternative,
-            linear.dataset.time_min.is_some(),
+            fitted.workspace.library.gp_alternatives[gp_alternative].gp_alternative,
+            fitted.linear.dataset.time_min.is_some(),
         );
     } else if scatter.chi.is_some() || scatter.along.is_some() {
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.place.joint = scatter.along.map(|a| a.joint);
-        judgement.reason = scatter.reason(&linear.dataset);
+        judgement.reason = scatter.reason(&fitted.linear.dataset);
     } else if geometry_gain > ALARM_NATS && !slow {
         judgement.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out"
@@ -143,9 +140,7 @@ fn without_cause(
 }
 
 fn with_causes(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
+    fitted: &mut FittedModel<'_>,
     chosen: &[ChosenCause],
     rest: &HypothesisRanking,
     scatter: Scatter,
@@ -159,18 +154,19 @@ fn with_causes(
     let mut lost = Vec::new();
     let mut named = Vec::new();
     for i in 0..chosen.len() {
-        if chosen.len() > MANY_CAUSES && workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
+        if chosen.len() > MANY_CAUSES
+            && fitted.workspace.library.candidates[chosen[i].candidate].variant.n.is_some()
         {
-            let line = line_among_many(model, workspace, linear, chosen, i);
+            let line = line_among_many(fitted, chosen, i);
             causes.push(Cause { slot: i + 1, ..line });
             needed += 1;
             clear += 1;
             continue;
         }
-        let (ranking, _) = scan(model, workspace, chosen, Some(i));
-        let mut cause_groups = cause_groups(workspace, &ranking);
-        join_nested(workspace, &mut cause_groups);
-        doubt_shapes(workspace, &mut cause_groups);
+        let (ranking, _) = scan(fitted, chosen, Some(i));
+        let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
+        join_nested(&fitted.workspace, &mut cause_groups);
+        doubt_shapes(&fitted.workspace, &mut cause_groups);
         let Some(first) = cause_groups.first() else { continue };
         let near = credible(&cause_groups);
         let nothing =
@@ -179,19 +175,19 @@ fn with_causes(
             // Beside the others it is no longer needed.
             continue;
         }
-        if is_named(workspace, first, &named) {
+        if is_named(&fitted.workspace, first, &named) {
             // The same cause once more, in another variant: what the first leaves of it.
             continue;
         }
         named.push(first.best);
         needed += 1;
-        let gp_alternatives = alternative_share(workspace, &ranking, first.best);
+        let gp_alternatives = alternative_share(&fitted.workspace, &ranking, first.best);
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
         if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
-            winning_gp = structure_in(workspace, &ranking).map(|s| s.1);
+            winning_gp = structure_in(&fitted.workspace, &ranking).map(|s| s.1);
             lost.push(i);
         }
-        let play_too = looks_like_play(workspace, linear, first.best);
+        let play_too = looks_like_play(fitted, first.best);
         clear += usize::from(
             near.len() == 1
                 && !play_too
@@ -200,7 +196,7 @@ fn with_causes(
         );
         open.push(OpenPlace::new(Some(i), &cause_groups, near.len()));
         for cause_group in &near {
-            let found = cause(model, workspace, linear, chosen, Some(i), cause_group);
+            let found = cause(fitted, chosen, Some(i), cause_group);
             causes.push(Cause { slot: i + 1, ..found });
         }
         if play_too && let Some(spring) = causes.iter_mut().find(|c| c.slot == i + 1) {
@@ -210,7 +206,7 @@ fn with_causes(
             causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
-            alternatives.push(cause_unfitted(workspace, cause_group));
+            alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
         }
     }
     for a in (1..causes.len()).rev() {
@@ -234,16 +230,17 @@ fn with_causes(
     causes.retain(likely);
     renumber(&mut causes);
     let alternatives = rejected(alternatives, &causes);
-    let cause_rms_m = total_rms_m(model, workspace, chosen);
-    let left = structure_in(workspace, rest).filter(|(gain, _)| *gain > ALARM_NATS);
-    let spread = model.visit_spread(&linear.dataset).sqrt();
+    let cause_rms_m = total_rms_m(fitted, chosen);
+    let left = structure_in(&fitted.workspace, rest).filter(|(gain, _)| *gain > ALARM_NATS);
+    let spread = fitted.model.visit_spread(&fitted.linear.dataset).sqrt();
     let left_rms_m = left.map_or(0.0, |(_, k)| spread * left_over_m(rest, k));
-    let odds = odds_over_causes(model, workspace, chosen);
+    let odds = odds_over_causes(fitted, chosen);
     let together = chosen.len() > 1 && odds > 0.0;
     // Structure alone that is likelier than the causes with structure beside them.
-    let all = odds > structure_in(workspace, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
-    let shape = shape_of_lines(model, workspace, chosen);
-    let varies = varying_cause(workspace, rest);
+    let all =
+        odds > structure_in(&fitted.workspace, rest).map_or(0.0, |(gain, _)| structure_odds(gain).max(0.0));
+    let shape = shape_of_lines(fitted, chosen);
+    let varies = varying_cause(&fitted.workspace, rest);
     winning_gp = shape.or(varies).or(winning_gp);
     // Structure that stays small beside the causes does not make them wrong.
     let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
@@ -252,7 +249,7 @@ fn with_causes(
     // Nor does structure that stands where a small one of them would.
     let kept: Vec<ChosenCause> =
         (0..chosen.len()).filter(|i| !lost.contains(i)).map(|i| chosen[i].clone()).collect();
-    let kept_rms_m = if lost.is_empty() { cause_rms_m } else { total_rms_m(model, workspace, &kept) };
+    let kept_rms_m = if lost.is_empty() { cause_rms_m } else { total_rms_m(fitted, &kept) };
     let lost_rms_m = (cause_rms_m.powi(2) - kept_rms_m.powi(2)).max(0.0).sqrt();
     if lost_rms_m < MAX_RESIDUAL_SHARE * cause_rms_m {
         winning_gp = None;
@@ -261,13 +258,13 @@ fn with_causes(
 
     let mut switched: Vec<u64> = chosen
         .iter()
-        .filter_map(|c| workspace.library.candidates[c.candidate].variant.t0_min())
-        .filter_map(|t0| linear.dataset.line_from(t0))
+        .filter_map(|c| fitted.workspace.library.candidates[c.candidate].variant.t0_min())
+        .filter_map(|t0| fitted.linear.dataset.line_from(t0))
         .collect();
     switched.sort_unstable();
     switched.dedup();
-    let slowness = slowness(model, workspace, linear, chosen);
-    let moved_m = moved_m(model, workspace, linear, chosen);
+    let slowness = slowness(fitted, chosen);
+    let moved_m = moved_m(fitted, chosen);
     // Where nothing says how much noise there is, slow scatter as large as all that the causes move may be noise.
     let largest_slow_m = match slowness {
         Slowness::Structure { noise_known: false, .. } => cause_rms_m.max(rms(&moved_m)),
@@ -276,22 +273,23 @@ fn with_causes(
 
     let mut place = Location { joint: causes.first().and_then(|c| c.joint), ..Location::default() };
     place.time = causes.first().map(|c| c.time);
-    place.region = region_of(linear, &moved_m);
+    place.region = region_of(fitted.linear, &moved_m);
     let (verdict, reason) = if alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m {
         let gp_alternative = winning_gp.or(left.map(|l| l.1)).or_else(|| {
-            let groups: Vec<usize> = (0..workspace.design.groups()).collect();
-            let bare = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
-            structure_in(workspace, &workspace.library.rank_gp_alternatives(&bare)).map(|s| s.1)
+            let groups = fitted.workspace.design.all_groups();
+            let bare = NuisanceModel::new(&fitted.workspace.design, &groups, &[], fitted.model.noise);
+            structure_in(&fitted.workspace, &fitted.workspace.library.rank_gp_alternatives(&bare))
+                .map(|s| s.1)
         });
         let reason = gp_alternative.map_or_else(String::new, |k| {
             structure_reason(
-                workspace.library.gp_alternatives[k].gp_alternative,
-                linear.dataset.time_min.is_some(),
+                fitted.workspace.library.gp_alternatives[k].gp_alternative,
+                fitted.linear.dataset.time_min.is_some(),
             )
         });
         match gp_alternative {
             Some(gp_alternative) => {
-                place = location_of_gp(model, workspace, linear, &[], gp_alternative);
+                place = location_of_gp(fitted, &[], gp_alternative);
                 (Verdict::UnexplainedStructure, reason)
             }
             None => (Verdict::UnexplainedStructure, reason),
@@ -299,24 +297,22 @@ fn with_causes(
     } else if let Slowness::Structure { rms_m, .. } = slowness
         && rms_m > largest_slow_m
     {
-        place = over_time(model, workspace, linear, chosen);
+        place = over_time(fitted, chosen);
         (
             Verdict::UnexplainedStructure,
-            structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some()),
+            structure_reason(GpAlternative::Time, fitted.linear.dataset.time_min.is_some()),
         )
-    } else if !matches!(slowness, Slowness::Structure { .. })
-        && scatter.is_comparable(model, linear, cause_rms_m)
-    {
+    } else if !matches!(slowness, Slowness::Structure { .. }) && scatter.is_comparable(fitted, cause_rms_m) {
         place.joint = scatter.along.map(|a| a.joint);
-        (Verdict::UnexplainedScatter, scatter.reason(&linear.dataset))
+        (Verdict::UnexplainedScatter, scatter.reason(&fitted.linear.dataset))
     } else if switched.len() > MOST_STEPS {
-        place = over_time(model, workspace, linear, &[]);
-        (Verdict::UnexplainedStructure, switched_reason(&switched, &linear.dataset))
+        place = over_time(fitted, &[]);
+        (Verdict::UnexplainedStructure, switched_reason(&switched, &fitted.linear.dataset))
     } else if causes.is_empty() && matches!(slowness, Slowness::Structure { .. }) {
-        place = over_time(model, workspace, linear, &[]);
+        place = over_time(fitted, &[]);
         (
             Verdict::UnexplainedStructure,
-            structure_reason(GpAlternative::Time, linear.dataset.time_min.is_some()),
+            structure_reason(GpAlternative::Time, fitted.linear.dataset.time_min.is_some()),
         )
     } else if causes.is_empty() {
         (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
@@ -332,7 +328,8 @@ fn with_causes(
 
 /// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity
 /// decides at most poses has the same shape.
-fn looks_like_play(workspace: &Workspace<'_>, linear: &Linearised, candidate: usize) -> bool {
+fn looks_like_play(fitted: &FittedModel<'_>, candidate: usize) -> bool {
+    let FittedModel { workspace, linear, .. } = fitted;
     let candidate = &workspace.library.candidates[candidate];
     candidate.kind == EffectKind::JointCompliance
         && candidate.variant.refined

@@ -5,8 +5,10 @@ use super::wording::missing_channels;
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::linearise::{Linearised, shift_m};
-use crate::diagnose::model::{Model, Workspace, solve};
+use crate::diagnose::linear_fit::solve;
+use crate::diagnose::linearise::shift_m;
+use crate::diagnose::marginal::KnownNoise;
+use crate::diagnose::model::{FittedModel, Model};
 use crate::diagnose::scatter::{self, JointScatter};
 use crate::diagnose::search::{ChosenCause, cause_columns};
 use crate::measure::variance_ratio;
@@ -41,9 +43,9 @@ pub struct Scatter {
 impl Scatter {
     /// Whether it is not small against what the causes take.
     #[must_use]
-    pub fn is_comparable(&self, model: &Model, linear: &Linearised, cause_rms_m: f64) -> bool {
+    pub fn is_comparable(&self, fitted: &FittedModel<'_>, cause_rms_m: f64) -> bool {
         self.along.is_some_and(|a| a.rms_m > MAX_RESIDUAL_SHARE * cause_rms_m)
-            || self.chi.is_some() && excess_m(model, linear) > MAX_RESIDUAL_SHARE * cause_rms_m
+            || self.chi.is_some() && excess_m(fitted) > MAX_RESIDUAL_SHARE * cause_rms_m
     }
 
     /// The scatter as a sentence for people.
@@ -60,8 +62,9 @@ impl Scatter {
 
 /// Scatter of the residuals along a joint.
 #[must_use]
-pub fn joint_scatter(model: &Model, workspace: &Workspace<'_>, linear: &Linearised) -> Option<JointScatter> {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
+    let FittedModel { model, workspace, linear } = fitted;
+    let groups = workspace.design.all_groups();
     let nuisance =
         NuisanceModel::new(&workspace.design, &groups, &cause_columns(&model.chosen, None), model.noise);
     // Orientation has rows of its own; half of the parameters are then the points'.
@@ -78,8 +81,9 @@ pub fn joint_scatter(model: &Model, workspace: &Workspace<'_>, linear: &Linearis
 }
 
 /// Scatter beyond the noise as known, 3-D rms, metres.
-fn excess_m(model: &Model, linear: &Linearised) -> f64 {
-    let Some((sigma_m, _)) = model.noise.known else { return 0.0 };
+fn excess_m(fitted: &FittedModel<'_>) -> f64 {
+    let FittedModel { model, linear, .. } = fitted;
+    let Some(KnownNoise { sigma_m, .. }) = model.noise.known else { return 0.0 };
     let kept: Vec<f64> = model
         .residuals
         .iter()
@@ -93,16 +97,29 @@ fn excess_m(model: &Model, linear: &Linearised) -> f64 {
     (rms(&kept).powi(2) - expected).max(0.0).sqrt()
 }
 
+/// Scatter about a model over what the noise as known allows, as a variance.
+#[derive(Clone, Copy, Debug)]
+pub struct ReducedChiSquare {
+    /// Squares left per degree of freedom, over the noise's variance.
+    pub value: f64,
+    /// Above this it is no chance, for as many repeats as there are.
+    pub limit: f64,
+}
+
+impl ReducedChiSquare {
+    /// Whether there is more scatter than chance would give.
+    #[must_use]
+    pub fn is_exceeded(&self) -> bool {
+        self.value > self.limit
+    }
+}
+
 /// Scatter about a model of `chosen` over what the repeats allow, and the limit for as many repeats as there are.
 #[must_use]
-pub fn reduced_chi_square(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-) -> Option<(f64, f64)> {
-    let (sigma_m, freedom) = model.noise.known?;
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn reduced_chi_square(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<ReducedChiSquare> {
+    let FittedModel { model, workspace, linear } = fitted;
+    let KnownNoise { sigma_m, freedom } = model.noise.known?;
+    let groups = workspace.design.all_groups();
     let nuisance = NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, None), model.noise);
     let ratio = nuisance.null().geometry_ratio;
     let fit = solve(&workspace.design, &groups, chosen, Some(ratio)).without_slow(&workspace.design);
@@ -122,7 +139,7 @@ pub fn reduced_chi_square(
     } else {
         STATED_SCATTER + spread
     };
-    Some((sum / (sigma_m * sigma_m) / free, limit))
+    Some(ReducedChiSquare { value: sum / (sigma_m * sigma_m) / free, limit })
 }
 
 /// What slow noise means beside `chosen`.
@@ -143,16 +160,12 @@ pub enum Slowness {
 
 /// Whether slow noise beside `chosen` is noise, or structure over time.
 #[must_use]
-pub fn slowness(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-) -> Slowness {
+pub fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slowness {
+    let model = &fitted.model;
     let Some(slow) = model.slow else { return Slowness::None };
-    let chi = reduced_chi_square(model, workspace, linear, chosen);
+    let chi = reduced_chi_square(fitted, chosen);
     match chi {
-        Some((value, limit)) if value <= limit && !beyond_statement(model, value) => Slowness::WithinNoise,
+        Some(chi) if !chi.is_exceeded() && !beyond_statement(model, chi.value) => Slowness::WithinNoise,
         _ => Slowness::Structure {
             rms_m: slow.size * model.peak.sigma_m * 3.0_f64.sqrt(),
             noise_known: chi.is_some(),
@@ -163,28 +176,24 @@ pub fn slowness(
 /// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
 /// in the model, no larger than the repeats or the statement say.
 #[must_use]
-pub fn slow_noise(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    gp_alternative: usize,
-) -> bool {
+pub fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> bool {
+    let FittedModel { model, workspace, linear } = fitted;
     let over_time = matches!(
         workspace.library.gp_alternatives[gp_alternative].gp_alternative,
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime
     );
     over_time
         && linear.dataset.time_min.is_some()
-        && reduced_chi_square(model, workspace, linear, &[])
-            .is_some_and(|(value, limit)| value <= limit && !beyond_statement(model, value))
+        && reduced_chi_square(fitted, &[])
+            .is_some_and(|chi| !chi.is_exceeded() && !beyond_statement(model, chi.value))
 }
 
 /// Whether what is slow comes on top of the noise that was stated, where all together are `total` times the statement's variance.
 /// A statement may be 1.4 times off, and then all noise is; but where noise that is not slow alone is as large as stated, the
 /// statement holds, and what is slow is none of it.
 fn beyond_statement(model: &Model, total: f64) -> bool {
-    let Some((stated_m, _)) = model.noise.known.filter(|_| !model.noise.from_repeats) else { return false };
-    model.slow.is_some() && comes_on_top((model.peak.sigma_m / stated_m).powi(2), total)
+    let Some(stated) = model.noise.known.filter(|_| !model.noise.from_repeats) else { return false };
+    model.slow.is_some() && comes_on_top((model.peak.sigma_m / stated.sigma_m).powi(2), total)
 }
 
 /// The same of variances over the one stated: `fast` of what is not slow, and `total`.

@@ -3,8 +3,9 @@
 use super::cause_group::CauseGroup;
 use crate::diagnose::design::Design;
 use crate::diagnose::effects::Candidate;
+use crate::diagnose::linear_fit::{LinearFit, solve};
 use crate::diagnose::linearise::{Linearised, shift_m};
-use crate::diagnose::model::{Fit, Model, Workspace, solve};
+use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
 use crate::diagnose::size_unit::SizeUnit;
@@ -14,14 +15,13 @@ use robot_model::units::mm_from_m;
 
 /// A cause with its size: fitted in place `i` of `chosen`, or alone.
 pub fn cause(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
+    fitted: &mut FittedModel<'_>,
     chosen: &[ChosenCause],
     i: Option<usize>,
     cause_group: &CauseGroup,
 ) -> Cause {
-    let Workspace { design, library, column_index } = workspace;
+    let FittedModel { model, workspace, linear } = fitted;
+    let Workspace { design, library, column_index } = &mut *workspace;
     let columns = library.columns_in_design(design, column_index, &[cause_group.best]).concat();
     let size_ratio = i.and_then(|i| chosen.get(i)).map_or(1.0 / model.peak.sigma_m, |c| c.size_ratio);
     let this = ChosenCause {
@@ -35,7 +35,7 @@ pub fn cause(
         Some(i) => all[i] = this,
         None => all.push(this),
     }
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+    let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, &all, Some(model.peak.geometry_ratio));
     let candidate = &workspace.library.candidates[cause_group.best];
     let (size, sigma) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
@@ -49,22 +49,17 @@ pub fn cause(
 }
 
 /// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
-pub fn line_among_many(
-    model: &Model,
-    workspace: &mut Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-    i: usize,
-) -> Cause {
+pub fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> Cause {
+    let library = &fitted.workspace.library;
     let one = &chosen[i];
-    let odds = one.gain_nats + workspace.library.log_prior[one.candidate] - NULL_PRIOR.ln();
+    let odds = one.gain_nats + library.log_prior[one.candidate] - NULL_PRIOR.ln();
     let cause_group = CauseGroup {
         best: one.candidate,
         probability: 1.0 / (1.0 + (-odds).exp()),
         gain_nats: one.gain_nats,
         size_ratio: one.size_ratio,
     };
-    cause(model, workspace, linear, chosen, Some(i), &cause_group)
+    cause(fitted, chosen, Some(i), &cause_group)
 }
 
 /// A cause without its size.
@@ -86,13 +81,9 @@ pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Ca
 
 /// How far all of `chosen` together move the point at each station, metres.
 #[must_use]
-pub fn moved_m(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-) -> Vec<f64> {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn moved_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<f64> {
+    let FittedModel { model, workspace, linear } = fitted;
+    let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
     let mut total = vec![0.0_f64; linear.dataset.observations.len()];
     for one in chosen {
@@ -106,8 +97,9 @@ pub fn moved_m(
 
 /// What `chosen` take off the residuals beyond registration and geometry, 3-D rms, metres.
 #[must_use]
-pub fn total_rms_m(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> f64 {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+    let FittedModel { model, workspace, .. } = fitted;
+    let groups = workspace.design.all_groups();
     let ratio = Some(model.peak.geometry_ratio);
     let left = |chosen: &[ChosenCause]| {
         let fit = solve(&workspace.design, &groups, chosen, ratio);
@@ -129,7 +121,7 @@ pub fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
-fn size_of(candidate: &Candidate, columns: &[usize], fit: &Fit, sigma_m: f64) -> (f64, f64) {
+fn size_of(candidate: &Candidate, columns: &[usize], fit: &LinearFit, sigma_m: f64) -> (f64, f64) {
     let values: Vec<f64> = columns
         .iter()
         .zip(&candidate.prior_sigma)
@@ -156,7 +148,7 @@ fn seen_m(
     groups: &[usize],
     candidate: &Candidate,
     columns: &[usize],
-    fit: &Fit,
+    fit: &LinearFit,
 ) -> Vec<f64> {
     let own = &columns[..reported(candidate, columns.len())];
     let gram = design.gram(groups);
@@ -191,7 +183,7 @@ fn reported(candidate: &Candidate, columns: usize) -> usize {
 }
 
 /// How far the effect moves the point at each station, metres.
-fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: &Fit) -> Vec<f64> {
+fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: &LinearFit) -> Vec<f64> {
     let mut buffer = Vec::new();
     linear
         .dataset

@@ -6,9 +6,10 @@ use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::{self, GpAlternative};
 use crate::diagnose::gp_over_time;
+use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
-use crate::diagnose::model::{Model, Workspace, solve};
+use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
@@ -79,7 +80,8 @@ pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Opti
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
-pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, model: &Model) {
+pub fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
+    let FittedModel { model, workspace, linear } = fitted;
     let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
     let mut list = gp_alternative::gp_alternatives(dataset.joints());
     let mut periods: BTreeSet<(Axis, u32)> = BTreeSet::new();
@@ -128,13 +130,14 @@ pub fn add_gp_alternatives(workspace: &mut Workspace<'_>, linear: &Linearised, m
 
 /// A GP alternative that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
 /// many gears.
-pub fn shape_of_lines(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> Option<usize> {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
-    let whole_m = total_rms_m(model, workspace, chosen);
+pub fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<usize> {
+    let FittedModel { model, workspace, .. } = fitted;
+    let groups = workspace.design.all_groups();
+    let whole_m = total_rms_m(fitted, chosen);
     for (joint, lines) in lines_by_joint(workspace, chosen) {
         let rest: Vec<ChosenCause> =
             (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
-        let taken_m = (whole_m.powi(2) - total_rms_m(model, workspace, &rest).powi(2)).max(0.0).sqrt();
+        let taken_m = (whole_m.powi(2) - total_rms_m(fitted, &rest).powi(2)).max(0.0).sqrt();
         if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
             continue;
         }
@@ -201,8 +204,9 @@ pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
 }
 
 /// ln odds of structure alone, of no cause a mere shape, over all causes together.
-pub fn odds_over_causes(model: &Model, workspace: &Workspace<'_>, chosen: &[ChosenCause]) -> f64 {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+    let FittedModel { model, workspace, .. } = fitted;
+    let groups = workspace.design.all_groups();
     let mut nuisance = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
     let ranking = workspace.library.rank_gp_alternatives(&nuisance);
     let structure =
@@ -232,14 +236,9 @@ pub fn structure_odds(gain_nats: f64) -> f64 {
 
 /// Where the structure lies.
 #[must_use]
-pub fn location_of_gp(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-    gp_alternative: usize,
-) -> Location {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn location_of_gp(fitted: &FittedModel<'_>, chosen: &[ChosenCause], gp_alternative: usize) -> Location {
+    let FittedModel { model, workspace, linear } = fitted;
+    let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
     let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
     let kind = workspace.library.gp_alternatives[gp_alternative].gp_alternative;
@@ -271,13 +270,9 @@ pub fn location_of_gp(
 
 /// Where structure over time lies that is no function of its own in the ranking.
 #[must_use]
-pub fn over_time(
-    model: &Model,
-    workspace: &Workspace<'_>,
-    linear: &Linearised,
-    chosen: &[ChosenCause],
-) -> Location {
-    let groups: Vec<usize> = (0..workspace.design.groups()).collect();
+pub fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
+    let FittedModel { model, workspace, linear } = fitted;
+    let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
         .without_slow(&workspace.design);
     let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();

@@ -1,0 +1,331 @@
+//! From linearised residuals to all that a diagnosis says: search, verdict, model, held-out errors, next measurements.
+//!
+//! Puts the answers of the other modules together; knows nothing of how the file was read and checked.
+
+use super::dataset::Twist;
+use super::design::{Design, Whitening};
+use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effects};
+use super::evidence::NuisanceModel;
+use super::false_row::false_rows;
+use super::heldout::{self, Folds};
+use super::identify::{NoModel, drifts_by_rows, identify, is_by_rows};
+use super::iterated_search::{SearchProblem, best_model};
+use super::linear_fit::solve;
+use super::linearise::Linearised;
+use super::marginal::NoisePrior;
+use super::measured_robot::MeasuredRobot;
+use super::model::FittedModel;
+use super::next_measurements::next_measurements;
+use super::noise_fault::noise_beyond_stated;
+use super::options::Options;
+use super::outcome::{Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Warning};
+use super::rounding::{self, Suspicion};
+use super::search::{ALARM_NATS, cause_columns};
+use super::verdict::{Judgement, judge};
+use super::zeros::zeros;
+use crate::measure::{Fault, FaultKind};
+use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Identified;
+use robot_model::kinematics::SerialChain;
+use robot_model::units::mm_from_m;
+
+/// Geometry this many tolerances off, all joints together, is no mere nuisance any more.
+const BEYOND: f64 = 1.0;
+/// Of which less than this share is left by the registration: no signal.
+const INVISIBLE: f64 = 1e-7;
+/// More than this share of the rows is not false by chance.
+const FALSE_SHARE: f64 = 0.2;
+/// Distance at which an orientation counts while it is only asked what leaves a signal at all, metres.
+const USUAL_LENGTH_M: f64 = 0.2;
+
+/// Why a drift over rows is in no model.
+const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
+
+/// Measurements, registered and linearised.
+pub struct Prepared<'a> {
+    /// The measurements of the robot, as stations.
+    pub measured: MeasuredRobot<'a>,
+    /// The arm at every station, with its residuals.
+    pub linear: &'a Linearised,
+    /// What is known of the noise before the fit.
+    pub noise: NoisePrior,
+    /// What the caller knows beside the file.
+    pub options: &'a Options,
+}
+
+/// The diagnosis and, where one was wanted and found, the model.
+pub struct Evaluation {
+    /// What is said of the data.
+    pub diagnosis: Findings,
+    /// What was found, as a model.
+    pub identified: Option<Identified>,
+}
+
+impl Evaluation {
+    /// A diagnosis of which no model can be made.
+    #[must_use]
+    pub fn without_model(diagnosis: Findings) -> Self {
+        Self { diagnosis, identified: None }
+    }
+}
+
+/// Searches, judges and says what follows; a model only where `wants_model`.
+#[must_use]
+pub fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation {
+    let Prepared { measured, linear, noise, .. } = *prepared;
+    let folds = heldout::folds(&linear.dataset);
+    let visible = visible(prepared, testable_effects(&linear.dataset));
+    let problem = SearchProblem {
+        linear,
+        candidates: &visible.candidates,
+        noise,
+        targets: measured.stations.targets,
+        group_of: &folds.group_of,
+    };
+    let mut fitted = best_model(&problem);
+    let fault = rounding::find(measured, &fitted, Suspicion::None);
+    if let Some(fault) = fault.or_else(|| too_many_false(measured, &fitted)) {
+        return Evaluation::without_model(Findings::of_fault(fault));
+    }
+    let judgement = judge(&mut fitted);
+    if let Some(fault) = noise_beyond_stated(measured, &fitted, &judgement) {
+        return Evaluation::without_model(Findings::of_fault(fault));
+    }
+    let identification = wants_model.then(|| Identification::of(prepared, &problem, &fitted));
+    fitted.workspace.library.gp_alternatives.clear();
+    let mut diagnosis = consequences(prepared, &folds, &mut fitted, judgement);
+    diagnosis.untestable_detail = visible.untestable;
+    diagnosis.untestable_detail.extend(hidden_scale(&diagnosis, &fitted));
+    diagnosis.untestable = diagnosis.untestable_detail.iter().map(|d| d.effect).collect();
+    diagnosis.untestable.sort_by_key(|kind| kind.name());
+    diagnosis.untestable.dedup();
+    let Some(identification) = identification else { return Evaluation::without_model(diagnosis) };
+    diagnosis.warnings.splice(0..0, identification.warning());
+    diagnosis.no_model = identification.no_model();
+    Evaluation { diagnosis, identified: identification.found.ok() }
+}
+
+/// What follows from a judged model: how far it carries, what to measure next, what could have been seen, row by row.
+fn consequences(
+    prepared: &Prepared<'_>,
+    folds: &Folds,
+    fitted: &mut FittedModel<'_>,
+    judgement: Judgement,
+) -> Findings {
+    let Prepared { measured, options, .. } = *prepared;
+    let geometry_tolerances = fitted.model.peak.geometry_ratio * fitted.model.peak.sigma_m;
+    let shrink = heldout::shrink(fitted, folds);
+    // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
+    let zeros_alone = (geometry_tolerances > BEYOND).then(|| zeros(fitted)).flatten();
+    let next = next_measurements(measured.robot, fitted, &judgement, options);
+    let false_rows = false_rows(measured, fitted);
+    Findings {
+        warnings: region_warning(&shrink, fitted).into_iter().collect(),
+        shrink,
+        zeros_alone,
+        noise: noise_estimate(prepared, fitted, judgement.reduced_chi_square),
+        next_measurements: next.measurements,
+        next_reason: next.step.reason.clone(),
+        next_step: next.step,
+        causes: judgement.causes,
+        alternatives: judgement.alternatives,
+        place: judgement.place,
+        detectable: detectable(fitted),
+        false_lines: false_rows.iter().map(|row| row.line).collect(),
+        false_rows,
+        residuals: residuals(measured, fitted),
+        ..Findings::without_causes(judgement.verdict, judgement.reason)
+    }
+}
+
+/// What became of the model that was wanted.
+struct Identification {
+    found: Result<Identified, NoModel>,
+    /// Something drifts over rows without times, and was left out of it.
+    untimed: bool,
+}
+
+impl Identification {
+    /// The model of `fitted`; where something drifts by the order of rows, of a search without all that does.
+    fn of(prepared: &Prepared<'_>, problem: &SearchProblem<'_>, fitted: &FittedModel<'_>) -> Self {
+        let Prepared { measured, linear, options, .. } = *prepared;
+        let untimed = drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen);
+        if !untimed {
+            return Self { found: identify(measured, fitted, options.tool_m), untimed };
+        }
+        let mut timeless = problem.candidates.to_vec();
+        // Nor steps: together they would climb as the drift does.
+        timeless.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
+        let fitted = best_model(&SearchProblem { candidates: &timeless, ..*problem });
+        Self { found: identify(measured, &fitted, options.tool_m), untimed }
+    }
+
+    /// Why there is none, for people.
+    fn no_model(&self) -> Option<String> {
+        let why = self.found.as_ref().err()?;
+        Some(if self.untimed { format!("{why}; {UNTIMED}") } else { why.to_string() })
+    }
+
+    fn warning(&self) -> Option<Warning> {
+        (self.untimed && self.found.is_ok()).then(|| Warning {
+            code: "diagnose::untimed",
+            message: format!("{UNTIMED}: the model is fitted without it"),
+        })
+    }
+}
+
+/// Where the model does not hold in a region that was held out whole.
+fn region_warning(shrink: &ErrorReduction, fitted: &FittedModel<'_>) -> Option<Warning> {
+    let region = shrink.region_block.as_ref()?;
+    let is_worse = !fitted.model.chosen.is_empty() && region.after_rms_mm >= region.before_rms_mm;
+    is_worse.then(|| Warning {
+        code: "diagnose::region",
+        message: format!(
+            "in a region of the workspace held out whole the model is no better than none ({:.3} mm before, {:.3} mm after): it holds where was measured, and nowhere else",
+            region.before_rms_mm, region.after_rms_mm
+        ),
+    })
+}
+
+fn noise_estimate(
+    prepared: &Prepared<'_>,
+    fitted: &FittedModel<'_>,
+    reduced_chi_square: Option<f64>,
+) -> NoiseEstimate {
+    let model = &fitted.model;
+    NoiseEstimate {
+        repeats_sigma_mm: prepared.noise.known.map(|known| mm_from_m(known.sigma_m)),
+        repeats_freedom: prepared.measured.stations.repeats.map_or(0, |r| r.degrees_of_freedom),
+        model_sigma_mm: Some(mm_from_m(model.noise_m())),
+        shared_sigma_mm: (model.shared_ratio > 0.0)
+            .then(|| mm_from_m(model.peak.sigma_m * model.shared_ratio.sqrt())),
+        reduced_chi_square,
+        geometry_tolerances: Some(model.peak.geometry_ratio * model.peak.sigma_m),
+    }
+}
+
+/// A file of which more than a fifth would have to be set aside.
+fn too_many_false(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Option<Fault> {
+    let stations = measured.stations;
+    let far = stations.stations.iter().zip(&fitted.model.outliers).filter(|(_, out)| **out);
+    let lines = measured.lines(far.flat_map(|(station, _)| &station.rows).chain(&stations.false_rows));
+    let used =
+        stations.stations.iter().map(|station| station.rows.len()).sum::<usize>() + stations.false_rows.len();
+    (lines.len() as f64 > FALSE_SHARE * used as f64).then(|| {
+        Fault::in_rows(FaultKind::TooManyFalse, "x_mm, y_mm, z_mm", lines, |count, which| {
+            format!("{count} of {used} rows ({which}) do not go with the others, each in its own way: look at them before anything else")
+        })
+    })
+}
+
+/// Candidates that leave a signal beside the registration, and the effects that these data cannot show.
+struct VisibleCandidates {
+    candidates: Vec<Candidate>,
+    untestable: Vec<Untestable>,
+}
+
+/// Takes out the candidates whose signal the registration takes whole.
+fn visible(prepared: &Prepared<'_>, testable: TestableEffects) -> VisibleCandidates {
+    let Prepared { measured, linear, noise, .. } = *prepared;
+    let n = linear.dataset.observations.len();
+    let whitening = Whitening::independent(vec![1.0; n], USUAL_LENGTH_M);
+    let targets = measured.stations.targets;
+    let design = Design::new(&linear.dataset, &linear.residuals, targets, whitening, &vec![0; n]);
+    let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
+    let mut candidates = Vec::new();
+    let mut untestable: Vec<Untestable> = Vec::new();
+    for candidate in testable.candidates {
+        // Lines of a gear never lie in the registration; there are thousands.
+        let is_line = candidate.kind == EffectKind::GearMesh;
+        let share = if is_line {
+            1.0
+        } else {
+            let columns = design.columns_of(&linear.dataset, &candidate);
+            nuisance.visible(&design.products(&columns).sum(&[0]))
+        };
+        if share > INVISIBLE {
+            candidates.push(candidate);
+            continue;
+        }
+        let effect = candidate.kind;
+        let joint = candidate.variant.joint;
+        let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
+        match untestable.iter_mut().find(|h| h.effect == effect) {
+            Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
+            None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
+        }
+    }
+    let whole = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
+    untestable.extend(testable.untestable.into_iter().map(whole));
+    VisibleCandidates { candidates, untestable }
+}
+
+/// The instrument's scale, where it hides in the links' lengths.
+fn hidden_scale(diagnosis: &Findings, fitted: &FittedModel<'_>) -> Option<Untestable> {
+    let is_named = diagnosis.causes.iter().any(|cause| cause.effect == EffectKind::InstrumentScale);
+    (fitted.model.peak.geometry_ratio > 0.0 && !is_named).then(|| Untestable {
+        effect: EffectKind::InstrumentScale,
+        joints: Vec::new(),
+        reason: "the links' lengths are free within their tolerance, and a small scale lies inside them: a scale bar tells"
+            .to_owned(),
+    })
+}
+
+/// For each effect and joint the size that would have passed the alarm.
+fn detectable(fitted: &FittedModel<'_>) -> Vec<Detectable> {
+    let FittedModel { model, workspace, .. } = fitted;
+    let groups = workspace.design.all_groups();
+    let also = cause_columns(&model.chosen, None);
+    let nuisance = NuisanceModel::new(&workspace.design, &groups, &also, model.noise);
+    let mut seen: Vec<Detectable> = Vec::new();
+    for (candidate, products) in workspace.library.candidates.iter().zip(&workspace.library.products) {
+        let effect = candidate.effect();
+        let joint = candidate.variant.joint;
+        let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
+        if known || candidate.variant.joint_b.is_some() {
+            continue;
+        }
+        let sums = products.sum(&groups);
+        let strength = nuisance.strength(&nuisance.project(&sums), model.peak.geometry_ratio);
+        // Less is what rounding leaves of a signal that lies wholly in base and target.
+        if strength * strength > INVISIBLE * sums.own[(0, 0)] {
+            // Half the squared signal over noise must pass the alarm and the price of its parameters.
+            let needed = (2.0 * (ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
+            let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
+            let size = needed / strength * prior_sigma * candidate.display_scale;
+            seen.push(Detectable { effect: effect.kind(), joint, size, unit: candidate.unit() });
+        }
+    }
+    seen
+}
+
+/// Residuals of every row, with registration alone and with the model.
+fn residuals(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Vec<RowResidual> {
+    let MeasuredRobot { robot, measurements, stations } = measured;
+    let FittedModel { linear, model, workspace } = fitted;
+    let groups = workspace.design.all_groups();
+    let before = workspace.design.residuals(
+        &solve(&workspace.design, &groups, &[], None).without_slow(&workspace.design).coefficients,
+    );
+    let mm = |m: &Twist| [m[0], m[1], m[2]].map(mm_from_m);
+    let mut all = Vec::new();
+    let chain = SerialChain::nominal(robot);
+    for (i, station) in stations.stations.iter().enumerate() {
+        // Of the nominal arm, as `tool_mm` is: the fitted arm's tool may lie far off along a direction that the poses hardly tell.
+        let point = linear.registration.predicted_m(station, &station.pose(&chain));
+        for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {
+            all.push(RowResidual {
+                line: row.line,
+                id: row.id.clone(),
+                q_deg: robot.in_deg_or_mm(&row.q_rad),
+                t_min: row.t_min,
+                point_mm: [point.x, point.y, point.z].map(mm_from_m),
+                before_mm: mm(&before[i]),
+                after_mm: mm(&model.residuals[i]),
+                outlier: model.outliers[i],
+            });
+        }
+    }
+    all.sort_by_key(|r| r.line);
+    all
+}

@@ -1,0 +1,85 @@
+//! Weights of stations that do not go with the model, and which of them are false readings; knows nothing of causes.
+
+use super::dataset::Twist;
+use super::linearise::{Linearised, shift_m};
+
+/// A station further than this many sigmas from the model, and alone there, is false.
+pub const FALSE_SIGMAS: f64 = 4.5;
+
+/// Weight of each station beside that of its repeats, and whether it is set aside as false.
+#[derive(Clone)]
+pub struct RobustWeights {
+    /// From 1 down to nearly 0, one for each station.
+    pub weights: Vec<f64>,
+    /// Whether the station is set aside.
+    pub outliers: Vec<bool>,
+}
+
+impl RobustWeights {
+    /// So many stations, all of full weight.
+    #[must_use]
+    pub fn full(stations: usize) -> Self {
+        Self { weights: vec![1.0; stations], outliers: vec![false; stations] }
+    }
+
+    /// From the `residuals` of stations whose repeats weigh `base_weights`: a station that is far from the model, and alone there, is
+    /// set aside.
+    #[must_use]
+    pub fn of(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Self {
+        let distances: Vec<f64> =
+            residuals.iter().zip(base_weights).map(|(m, w)| shift_m(m) * w.sqrt()).collect();
+        // 1.54 sigma is the middle of a 3-D normal distance, 0.67 that of a number alone.
+        let mut sigmas: Vec<f64> = distances
+            .iter()
+            .zip(&linear.dataset.observations)
+            .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { 1.54 })
+            .collect();
+        let sigma_m = median(&mut sigmas);
+        let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
+        let outliers: Vec<bool> = (0..residuals.len())
+            .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
+            .collect();
+        let weights = distances
+            .iter()
+            .zip(&outliers)
+            .map(|(d, out)| if *out { (limit_m / d).powi(4) } else { 1.0 })
+            .collect();
+        Self { weights, outliers }
+    }
+}
+
+/// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a
+/// false row.
+fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
+    let observations = &linear.dataset.observations;
+    let here = &residuals[i];
+    let alike = |k: usize| {
+        let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
+        shift_m(&residuals[k]) > 0.5 * limit_m && along > 0.7 * shift_m(here) * shift_m(&residuals[k])
+    };
+    // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
+    let same_visit =
+        linear.dataset.visits.iter().find(|visit| visit.contains(&i)).map_or(&[][..], Vec::as_slice);
+    let most = |distance: &dyn Fn(usize) -> f64, count: usize| {
+        let mut near: Vec<(f64, usize)> = (0..observations.len())
+            .filter(|&k| k != i && !same_visit.contains(&k))
+            .map(|k| (distance(k), k))
+            .collect();
+        let count = count.min(near.len().saturating_sub(1));
+        near.select_nth_unstable_by(count, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
+    };
+    let place = most(&|k| (observations[k].point_m - observations[i].point_m).norm_squared(), 3);
+    let time = || {
+        linear.dataset.time_min.is_some()
+            && most(&|k| (observations[k].clock() - observations[i].clock()).abs(), 3)
+    };
+    place || time()
+}
+
+/// Upper median of the values; 0 of none.
+#[must_use]
+pub fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
