@@ -12,10 +12,13 @@ mod exam;
 mod fit;
 #[cfg(feature = "link")]
 mod link_check;
+mod made_with;
 mod named;
+mod other_files;
 #[cfg(feature = "link")]
 mod own_data;
 mod page;
+mod program_comparison;
 mod program_files;
 
 mod closed_loop;
@@ -33,9 +36,12 @@ pub use diagnosis::{Diagnosed, Diagnosis};
 pub use fit::{Fit, targets_of_program};
 #[cfg(feature = "link")]
 pub use link_check::{LinkCheck, LinkChecked};
+pub use made_with::{MadeWith, Origin, joints_rad, temperatures_c};
 pub use named::{Named, model_of_another_robot, sha256};
+pub use other_files::{PlacedProgram, ReadOther};
 #[cfg(feature = "link")]
 pub use own_data::{OwnData, is_own_name};
+pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 
 pub use closed_loop::{ClosedLoop, Identification, LeftAtTargets};

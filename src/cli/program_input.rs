@@ -1,10 +1,10 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
-use driftpost::application::{ProgramFiles, check_text};
+use driftpost::application::{PlacedProgram, ProgramFiles, check_text};
 use rapid_program::program::{modules_of_pgf, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -85,10 +85,19 @@ impl ProgramInput {
         ProgramFiles::new(files).called(label)
     }
 
-    /// The place of each file in the result, `/` between folders.
+    /// The same with what lies beside the modules, which is read when it is asked for.
     #[must_use]
-    pub fn slashed_places(&self) -> Vec<String> {
-        self.places.iter().map(|place| slashed(place)).collect()
+    pub fn placed(&self) -> PlacedProgram<'_> {
+        let others: BTreeMap<&Path, &Path> =
+            self.others.iter().map(|(path, place)| (place.as_path(), path.as_path())).collect();
+        PlacedProgram {
+            files: self.program(),
+            places: self.places.iter().map(|place| slashed(place)).collect(),
+            others: others.keys().map(|place| slashed(place)).collect(),
+            read: Box::new(move |place| {
+                files::read(others.get(Path::new(place)).copied().unwrap_or(Path::new(place)), "file")
+            }),
+        }
     }
 
     /// The tasks (folders `TASKn`) that modules stand in, in the order of the files.

@@ -2,11 +2,12 @@
 
 use super::model;
 use super::number::positive;
+use driftpost::application::joints_rad;
 use metrology::diagnose;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Axis, Robot, SerialArm};
-use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
+use robot_model::units::{deg_from_rad, m_from_mm};
 
 /// The robot, by name, file or backup.
 #[derive(Debug, clap::Args)]
@@ -95,11 +96,7 @@ impl JointAngles {
 /// # Errors
 /// Anything else, as a sentence.
 pub fn joint_angles(text: &str) -> Result<JointAngles, String> {
-    let wrong = || "write six angles in degrees with commas, such as 0,0,0,0,30,0".to_owned();
-    let numbers = text.split(',').map(|q| q.trim().parse::<f64>().ok().filter(|q| q.is_finite()));
-    let degrees: Vec<f64> = numbers.collect::<Option<_>>().ok_or_else(wrong)?;
-    let degrees: [f64; 6] = degrees.try_into().map_err(|_| wrong())?;
-    Ok(JointAngles(degrees.map(rad_from_deg)))
+    joints_rad(text).map(JointAngles)
 }
 
 /// `NAME=VALUE`.

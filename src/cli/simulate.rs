@@ -2,14 +2,13 @@
 
 use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
-use super::made_with::MadeWith;
 use super::minutes::Minutes;
 use super::number::{at_least_one, positive};
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
-use super::{Console, Outcome, model, simulate_hints as hints};
-use driftpost::application::{Course, Simulation, check_names};
+use super::{Console, Outcome, made_with, model, simulate_hints as hints};
+use driftpost::application::{Course, MadeWith, Simulation, check_names};
 use driftpost::report::simulation;
 use rapid_program::compensate::CompensateError;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -154,7 +153,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
     let tasks = program.tasks();
     let task = args.task.clone().or(tasks.first().cloned());
-    let made_with = MadeWith::of(&[&program], task.as_deref());
+    let made_with = MadeWith::of(&[&program.program()], task.as_deref());
     if let (None, Some(first), [_, _, ..]) = (&args.task, &task, tasks.as_slice()) {
         console
             .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
@@ -169,7 +168,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         };
         return Err(Diagnostic::error("task::no-motion", text).help(help).into());
     }
-    let robot = made_with.robot(args.settings.robot.as_deref())?;
+    let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
     if let Some(joints) = args.settings.start_joints {
         joints.check(&robot)?;
     }
@@ -218,7 +217,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         None => Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())),
     };
     simulation.overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    simulation.start_rad = made_with.start_rad(args.settings.start_joints)?;
+    simulation.start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
     simulation.set = args.set.clone();
     let original = original.map(|given| given.program());
     let program = program.program();
@@ -258,7 +257,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRobot, Diagnostic> {
     let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
     let by_options = table.is_some() || args.model.is_some();
-    let of_modules = if by_options { None } else { made_with.deformed(growth)? };
+    let of_modules = if by_options { None } else { made_with::deformed(made_with, growth)? };
     let (deformation, identified) = match (of_modules, &args.model) {
         (Some(found), _) => found,
         (None, Some(path)) => {
@@ -269,9 +268,8 @@ fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRob
     };
     let truth = TrueRobot::new(robot, deformation);
     let Some(identified) = identified else { return Ok(truth) };
-    let of_modules =
-        || made_with.one("temperature-c").ok().flatten().and_then(|text| temperatures(text).ok());
-    let temperature_c = args.temperature_c.or_else(of_modules).map(|t| t.0);
+    let of_modules = || made_with.joint_temperature_c().ok().flatten();
+    let temperature_c = args.temperature_c.map(|t| t.0).or_else(of_modules);
     if !identified.model.is_six_axis() {
         return Err(CompensateError::ModelJoints { joints: identified.model.joint_kinds.len() }.into());
     }

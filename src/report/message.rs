@@ -60,6 +60,21 @@ impl LocatedDiagnostic {
     }
 }
 
+impl From<Diagnostic> for LocatedDiagnostic {
+    /// A message about the whole run, or of files that are not at hand.
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self::new(diagnostic, &[])
+    }
+}
+
+impl std::fmt::Display for LocatedDiagnostic {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.diagnostic.fmt(f)
+    }
+}
+
+impl std::error::Error for LocatedDiagnostic {}
+
 /// Writes messages in their order; of each code the first few in full, the rest as a count, or all.
 ///
 /// # Errors

@@ -8,6 +8,7 @@ mod cause_rows;
 pub mod changed;
 mod comparison;
 mod comparison_figures;
+mod comparison_lines;
 pub mod diagnosis;
 mod diff;
 pub mod fit;
@@ -29,7 +30,7 @@ pub mod state;
 mod svg;
 mod table;
 
-pub use comparison::Compared;
+pub(crate) use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
 pub use joints::{JointRow, JointTable};

@@ -2,6 +2,7 @@
 
 use crate::cli::suggest;
 use clap::ValueEnum;
+use driftpost::application::temperatures_c;
 use rapid_program::compensate::FormChoice;
 use rapid_program::emit::Sensor;
 use rapid_program::schedule::Until;
@@ -82,16 +83,7 @@ pub(super) fn until(text: &str) -> Result<Until, String> {
 
 /// One temperature for all joints, or six.
 pub(in crate::cli) fn temperatures(text: &str) -> Result<Temperatures, String> {
-    let all: Vec<f64> = text
-        .split(',')
-        .map(|t| t.trim().parse::<f64>().ok().filter(|t| t.is_finite()))
-        .collect::<Option<_>>()
-        .ok_or_else(|| "write one temperature in degrees Celsius, or six with commas".to_owned())?;
-    match all[..] {
-        [one] => Ok(Temperatures([one; 6])),
-        [a, b, c, d, e, f] => Ok(Temperatures([a, b, c, d, e, f])),
-        _ => Err(format!("one temperature or six are needed, there are {}", all.len())),
-    }
+    temperatures_c(text).map(Temperatures)
 }
 
 pub(super) fn external_axis(text: &str) -> Result<ExternalAxis, String> {

@@ -2,12 +2,11 @@
 
 use super::connection::Connection;
 use crate::cli::files::Output;
-use crate::cli::made_with::MadeWith;
 use crate::cli::number::positive;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::shared::ProgramSettings;
-use crate::cli::{Console, Outcome};
-use driftpost::application::{LinkCheck, LinkChecked, check_modules};
+use crate::cli::{Console, Outcome, made_with};
+use driftpost::application::{LinkCheck, LinkChecked, MadeWith, check_modules};
 use driftpost::report::LocatedDiagnostic;
 use rapid_program::program::Program;
 use robot_link::Unit;
@@ -57,11 +56,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--tolerance-deg", Some(args.tolerance_deg))])?;
     let json = Output::new(args.json.as_deref())?;
     let given = ProgramInput::read(std::slice::from_ref(&args.program))?;
-    let made_with = MadeWith::of(&[&given], None);
-    let robot = made_with.robot(args.settings.robot.as_deref())?;
+    let program = given.program();
+    let made_with = MadeWith::of(&[&program], None);
+    let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
     let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    let start_rad = made_with.start_rad(args.settings.start_joints)?;
-    let sources = given.program().sources();
+    let start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
+    let sources = program.sources();
     if let Err(message) = check_modules(&sources) {
         console.explain(&[LocatedDiagnostic::new(message, &sources)], true);
         return Ok(Outcome::Refused);
