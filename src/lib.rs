@@ -69,8 +69,8 @@ pub mod command_line {
 }
 
 pub use application::{
-    Arm, ClosedLoop, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Named, ProgramFiles,
-    Question, Refusal, Simulation,
+    Arm, ClosedLoop, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Fitted, Named,
+    ProgramFiles, Question, Refusal, Simulated, Simulation,
 };
 pub use metrology::measure::{Measurements, Touches};
 pub use rapid_syntax::diagnostic::{Diagnostic, Severity};

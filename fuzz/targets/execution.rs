@@ -2,7 +2,6 @@
 
 #![allow(clippy::expect_used, reason = "a target stops where its promise is broken")]
 
-use driftpost::report::simulation;
 use driftpost::{Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};
 use std::sync::LazyLock;
 
@@ -13,7 +12,7 @@ static PAPER: LazyLock<Deformation> = LazyLock::new(Deformation::paper);
 pub fn execution(data: &[u8]) {
     let simulation = Simulation::new(TrueRobot::new(ROBOT.clone(), PAPER.clone()));
     let files = ProgramFiles::one("Fuzzed.mod", data);
-    if let Ok(report) = simulation.run(&files, None, &Course::Minutes(vec![60.0])) {
-        assert!(simulation::json(&report).is_object(), "a report is JSON");
+    if let Ok(found) = simulation.run(&files, None, &Course::Minutes(vec![60.0])) {
+        assert!(found.json().is_object(), "a report is JSON");
     }
 }

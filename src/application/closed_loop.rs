@@ -17,6 +17,7 @@ use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, mm_from_m};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use virtual_controller::{Controller, Move};
 
@@ -31,23 +32,30 @@ pub struct ClosedLoop {
     pub withheld: String,
 }
 
-/// What was found in the measurements of a virtual robot.
-#[derive(Clone, Debug)]
-pub struct Identification {
-    /// The diagnosis, which was not told what was withheld.
-    pub findings: diagnose::Findings,
-    /// The model of what it found.
-    pub model: Identified,
-    set: DataSet,
-}
-
 impl ClosedLoop {
-    /// Measures the virtual robot and diagnoses it.
+    /// A virtual robot that differs from `robot` as `recipe` says, which `withheld` says in words.
+    pub fn new(robot: impl Into<Named<Robot>>, recipe: Recipe, withheld: impl Into<String>) -> Self {
+        Self { robot: robot.into(), recipe, withheld: withheld.into() }
+    }
+
+    /// Measures the virtual robot, diagnoses it, compensates `program` for what is found, and measures again at its targets.
     ///
     /// # Errors
     /// `rehearse::effect` for an effect that does not last, `synth::no-signal` for one that cannot be made, `model::none` where
-    /// nothing is found that a model could hold.
-    pub fn identify(&self, rng: &mut Rng) -> Result<Identification, Diagnostic> {
+    /// nothing is found that a model could hold; a program that cannot be compensated or executed, for its reason, with the model.
+    pub fn run(&self, program: &ProgramFiles, rng: &mut Rng) -> Result<LoopClosed, LoopFailure> {
+        let Identification { findings, model, set } = self.identify(rng)?;
+        match self.measure_again(&model, &set, program, rng) {
+            Ok([before, after]) => {
+                let (withheld, n) = (self.withheld.clone(), self.recipe.n);
+                let floor_mm = self.recipe.sigma_mm * 3.0_f64.sqrt();
+                Ok(LoopClosed { withheld, n, floor_mm, findings, model, before, after })
+            }
+            Err(why) => Err(LoopFailure { why, model: Some(Box::new(model)) }),
+        }
+    }
+
+    fn identify(&self, rng: &mut Rng) -> Result<Identification, Diagnostic> {
         let robot = &self.robot.model;
         if let Some((effect, _)) = self.recipe.effects.iter().find(|(effect, _)| !is_lasting(effect)) {
             let name = effect.name().unwrap_or("this effect");
@@ -64,8 +72,7 @@ impl ClosedLoop {
             )
             .help("it lies inside the registration of base and tool, or --rho is too large for it")
         })?;
-        let measurements = Measurements::from_csv(set.csv.as_bytes())
-            .map_err(|error| Diagnostic::error("measure::file", error.to_string()))?;
+        let measurements = Measurements::from_csv(set.csv.as_bytes())?;
         let mut diagnosis = Diagnosis::new(robot.clone()).and_identify();
         diagnosis.options = Options {
             tool_m: set.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
@@ -80,17 +87,15 @@ impl ClosedLoop {
     }
 
     /// What is left at a program's targets before it is compensated for what was found, and after.
-    ///
-    /// # Errors
-    /// A program that cannot be compensated or executed, for its reason.
-    pub fn measure_again(
+    fn measure_again(
         &self,
-        found: &Identification,
+        found: &Identified,
+        set: &DataSet,
         program: &ProgramFiles,
         rng: &mut Rng,
     ) -> Result<[LeftAtTargets; 2], Diagnostic> {
         let robot = &self.robot.model;
-        let model = Named::new(found.model.clone(), "what was found", &[]);
+        let model = Named::new(found.clone(), "what was found", &[]);
         let mut compensation = Compensation::with_model(self.robot.clone(), model);
         compensation.emit.clock = Clock::Elapsed;
         let made = compensation.run(program).map_err(|refusal| {
@@ -103,9 +108,86 @@ impl ClosedLoop {
         let plain: Vec<(&str, &[u8])> = program.iter().collect();
         let meant = moves(robot, &plain)?;
         let done = moves(robot, &made.loaded())?;
-        let under_test = VirtualRobot::from_truth(&robot.into(), &found.set.truth);
+        let under_test = VirtualRobot::from_truth(&robot.into(), &set.truth);
         let sigma_mm = self.recipe.sigma_mm;
         Ok([&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng)))
+    }
+}
+
+/// What was found in the measurements of a virtual robot.
+struct Identification {
+    findings: diagnose::Findings,
+    model: Identified,
+    set: DataSet,
+}
+
+/// A loop that was closed.
+#[derive(Clone, Debug)]
+pub struct LoopClosed {
+    /// The withheld effects in words.
+    pub withheld: String,
+    /// How many poses were measured.
+    pub n: usize,
+    /// Root mean square in space of what the instrument's noise alone leaves, mm.
+    pub floor_mm: f64,
+    /// The diagnosis, which was not told what was withheld.
+    pub findings: diagnose::Findings,
+    /// The model of what it found.
+    pub model: Identified,
+    /// What is left at the program's targets as it is.
+    pub before: LeftAtTargets,
+    /// What is left once it is compensated.
+    pub after: LeftAtTargets,
+}
+
+impl LoopClosed {
+    /// Whether what is measured again is at most `times` the noise floor.
+    #[must_use]
+    pub fn is_within(&self, times: f64) -> bool {
+        self.after.measured_mm <= times * self.floor_mm
+    }
+
+    /// What happened, and whether it ended within `times` the noise floor, for people.
+    #[must_use]
+    pub fn text(&self, times: f64) -> String {
+        let Self { withheld, n, floor_mm, findings, .. } = self;
+        let mut text = format!("withheld: {withheld}\nfound in {n} poses: {}\n", findings.reason);
+        text += &format!("noise floor {floor_mm:.4} mm, rms in space\n");
+        for (when, left) in [("before", &self.before), ("after", &self.after)] {
+            text += &format!(
+                "{when:>6}: {} targets measured, rms {:.4} mm with base and tool fitted; truly {:.4} mm rms, {:.4} mm at worst\n",
+                left.n, left.measured_mm, left.true_mm, left.max_mm
+            );
+        }
+        let verdict = if self.is_within(times) { "within" } else { "NOT within" };
+        text + &format!("{verdict} {times} times the noise floor\n")
+    }
+
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!({
+            "withheld": self.withheld, "verdict": self.findings.verdict,
+            "causes": self.findings.causes.iter().map(diagnose::describe).collect::<Vec<_>>(),
+            "targets": self.before.n, "floor_rms_mm": self.floor_mm,
+            "before": self.before.json(), "after": self.after.json(),
+        })
+    }
+}
+
+/// Why a loop was not closed.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{why}")]
+pub struct LoopFailure {
+    /// The reason.
+    pub why: Diagnostic,
+    /// The model of what was found, where it came so far.
+    pub model: Option<Box<Identified>>,
+}
+
+impl From<Diagnostic> for LoopFailure {
+    fn from(why: Diagnostic) -> Self {
+        Self { why, model: None }
     }
 }
 
@@ -141,6 +223,12 @@ pub struct LeftAtTargets {
     pub true_mm: f64,
     /// Largest true error, mm.
     pub max_mm: f64,
+}
+
+impl LeftAtTargets {
+    fn json(&self) -> Value {
+        json!({ "measured_rms_mm": self.measured_mm, "true_rms_mm": self.true_mm, "true_max_mm": self.max_mm })
+    }
 }
 
 /// The moves of `done` on the true robot, against where `meant` goes on a perfect one.

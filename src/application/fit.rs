@@ -1,16 +1,30 @@
 //! A deformation table from fixed points touched over a warm-up, and what it means where a robot works.
 
 use super::program_files::ProgramFiles;
+use crate::report::fit as report;
 use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
 use metrology::measure::Touches;
 use nalgebra::Vector3;
-use rapid_program::compensate;
+use rapid_program::compensate::tabulate::{TabulateError, tabulate};
+use rapid_program::compensate::targets::Target;
+use rapid_program::compensate::{self, CompensateError};
 use rapid_program::program::{Overrides, Program};
-use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, rad_from_deg};
 
 /// A fit that waits for its touches.
+///
+/// ```
+/// use driftpost::{Fit, Robot, Touches};
+///
+/// let robot = Robot::built_in("irb140").expect("it is one of the library's");
+/// let header = "fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
+/// let touches = Touches::from_csv(format!("{header}\npin,0,0,0,0,0,30,0\npin,30,0,0,0,0,30,0.01\n").as_bytes())?;
+/// let error = Fit::new(robot).run(&touches).err().expect("two touches say too little");
+/// assert_eq!(error.code(), "fit::too-few");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// The robot as its model says.
@@ -20,31 +34,95 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// A fit of touches by the flange's centre; the robot stood in the longest pause between two.
+    #[must_use]
+    pub fn new(robot: Robot) -> Self {
+        Self { robot, options: FitOptions::default() }
+    }
+
     /// The deformation table, its growth and its sigmas.
     ///
     /// # Errors
     /// Touches that say too little, or that no placement of the points explains.
-    pub fn run(&self, touches: &Touches) -> Result<WarmUp, FitError> {
-        warmup::fit(touches, &self.robot, &self.options)
+    pub fn run(&self, touches: &Touches) -> Result<Fitted, FitError> {
+        let warm_up = warmup::fit(touches, &self.robot, &self.options)?;
+        Ok(Fitted { warm_up, forecast: None, robot: self.robot.clone() })
+    }
+}
+
+/// A warm-up as touches tell it.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// The table, its growth and what is not known of both.
+    pub warm_up: WarmUp,
+    /// What is left at the targets of a work, and where one more point would help most; where that was asked for.
+    pub forecast: Option<TargetForecast>,
+    robot: Robot,
+}
+
+impl Fitted {
+    /// The same with what it means at the targets of a program.
+    ///
+    /// # Errors
+    /// A program that cannot be compensated, for its reason.
+    pub fn at_program(self, program: &ProgramFiles) -> Result<Self, CompensateError> {
+        let targets = targets_of_program(program, &self.robot, &self.warm_up)?;
+        Ok(self.at_targets(&targets))
     }
 
-    /// What is left at the targets of a work, and where one more point would help most; `None` without targets.
-    #[must_use]
-    pub fn forecast_at_targets(&self, warm_up: &WarmUp, targets: &[WorkTarget]) -> Option<TargetForecast> {
+    /// The same with what it means at poses of the flange.
+    ///
+    /// # Errors
+    /// A pose that the arm cannot take.
+    pub fn at_poses(self, poses: &[Target]) -> Result<Self, TabulateError> {
+        let table = tabulate(&self.robot, &self.warm_up.deformation(), poses, None, &[0.0])?;
+        let targets = poses.iter().zip(&table.nominal).map(|(pose, nominal)| WorkTarget {
+            name: pose.name.clone(),
+            q_rad: nominal.q_rad,
+            tool_m: Vector3::zeros(),
+        });
+        Ok(self.at_targets(&targets.collect::<Vec<_>>()))
+    }
+
+    fn at_targets(self, targets: &[WorkTarget]) -> Self {
         let others = neighbours(&self.robot, targets);
-        (!targets.is_empty()).then(|| warmup::forecast_at_targets(warm_up, &self.robot, targets, &others))
+        let there = || warmup::forecast_at_targets(&self.warm_up, &self.robot, targets, &others);
+        let forecast = (!targets.is_empty()).then(there);
+        Self { forecast, ..self }
+    }
+
+    /// The fit as people read it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        report::text(&self.warm_up, self.forecast.as_ref())
+    }
+
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        report::json(&self.warm_up, self.forecast.as_ref())
+    }
+
+    /// The scheduled deformation table, as CSV.
+    #[must_use]
+    pub fn table_csv(&self) -> String {
+        report::table_csv(&self.warm_up)
+    }
+
+    /// The same as a model; `name` and `sha256` are those of the touches.
+    #[must_use]
+    pub fn model(&self, name: &str, sha256: &str) -> Identified {
+        let model = self.warm_up.identified(&self.robot);
+        Identified { data: name.to_owned(), data_sha256: sha256.to_owned(), ..model }
     }
 }
 
 /// The targets of a program, where a fit is to hold.
-///
-/// # Errors
-/// A program that cannot be compensated, for its reason.
-pub fn targets_of_program(
+fn targets_of_program(
     program: &ProgramFiles,
     robot: &Robot,
     warm_up: &WarmUp,
-) -> Result<Vec<WorkTarget>, Diagnostic> {
+) -> Result<Vec<WorkTarget>, CompensateError> {
     let program = Program::read(program.sources(), &Overrides::default());
     let loose = compensate::Options {
         max_correction_m: m_from_mm(1e3),

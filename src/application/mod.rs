@@ -1,5 +1,5 @@
-//! What a user of the library calls: one job a file, each a struct with a `run` that gives its result; a
-//! `ClosedLoop` has two steps, for its program is made between them.
+//! What a user of the library calls: one job a file, each with a `new`, options, and a `run` that gives a result of its own or why
+//! there is none.
 //!
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
@@ -33,7 +33,7 @@ pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
-pub use fit::{Fit, targets_of_program};
+pub use fit::{Fit, Fitted};
 #[cfg(feature = "link")]
 pub use link_check::{LinkCheck, LinkChecked};
 pub use made_with::{MadeWith, Origin, joints_rad, temperatures_c};
@@ -44,6 +44,6 @@ pub use own_data::{OwnData, is_own_name};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 
-pub use closed_loop::{ClosedLoop, Identification, LeftAtTargets};
-pub use simulation::{Course, Simulation};
+pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
+pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use touch::TouchRequest;

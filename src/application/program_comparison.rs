@@ -68,7 +68,7 @@ impl<'f> ProgramComparison<'f> {
     pub fn run(
         &self,
         mut arm: impl FnMut(&MadeWith) -> Result<ArmOfTask, Diagnostic>,
-    ) -> Result<ComparedPrograms, LocatedDiagnostic> {
+    ) -> Result<ComparedPrograms, Box<LocatedDiagnostic>> {
         let overrides = self.made_with(None).overrides(&self.tools, &self.wobjs);
         let (before, after) = (read(&self.before, &overrides)?, read(&self.after, &overrides)?);
         let pairs = FilePairs::new((&before, &self.before.places), (&after, &self.after.places));
@@ -133,9 +133,9 @@ impl<'f> ProgramComparison<'f> {
     }
 }
 
-fn read(given: &PlacedProgram<'_>, overrides: &Overrides) -> Result<Program, LocatedDiagnostic> {
+fn read(given: &PlacedProgram<'_>, overrides: &Overrides) -> Result<Program, Box<LocatedDiagnostic>> {
     let files = given.files.sources();
-    check_modules(&files).map_err(|message| LocatedDiagnostic::new(message, &files))?;
+    check_modules(&files).map_err(|message| Box::new(LocatedDiagnostic::new(message, &files)))?;
     Ok(Program::read(files, overrides))
 }
 

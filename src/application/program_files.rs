@@ -67,6 +67,35 @@ impl ProgramFiles {
         names
     }
 
+    /// The tasks (folders `TASKn`) that modules stand in, in the order of the files.
+    #[must_use]
+    pub fn tasks(&self) -> Vec<String> {
+        let mut tasks: Vec<String> = Vec::new();
+        for task in self.files.iter().filter_map(|(path, _)| task_of(path)) {
+            if !tasks.iter().any(|known| known.eq_ignore_ascii_case(task)) {
+                tasks.push(task.to_owned());
+            }
+        }
+        tasks
+    }
+
+    /// Refuses a task that no module stands in.
+    ///
+    /// # Errors
+    /// `task::no-motion`.
+    pub(super) fn check_task(&self, task: &str) -> Result<(), Diagnostic> {
+        let tasks = self.tasks();
+        if tasks.iter().any(|known| known.eq_ignore_ascii_case(task)) {
+            return Ok(());
+        }
+        let text = format!("--task {task}: no module stands in a folder {task}");
+        let help = match tasks.as_slice() {
+            [] => "no file stands in a task's folder: leave it out".to_owned(),
+            tasks => format!("the tasks are {}", tasks.join(", ")),
+        };
+        Err(Diagnostic::error("task::no-motion", text).help(help))
+    }
+
     /// Whether a word stands anywhere in the modules, in whatever case.
     #[must_use]
     pub fn mentions(&self, word: &str) -> bool {

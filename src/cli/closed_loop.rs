@@ -7,8 +7,6 @@ use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::ClosedLoop;
 use exam::rng::Rng;
-use metrology::diagnose::describe;
-use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -82,36 +80,21 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         },
         &mut rng,
     )?;
-    let closed_loop = ClosedLoop { robot: robot.into(), recipe, withheld: args.inject.clone() };
-    let identification = closed_loop.identify(&mut rng)?;
-    if let Some(file) = model_out {
-        file.write(identification.model.to_toml().as_bytes())?;
+    let job = ClosedLoop::new(robot, recipe, args.inject.as_str());
+    let closed = job.run(&given.program(), &mut rng);
+    let model = match &closed {
+        Ok(closed) => Some(&closed.model),
+        Err(failure) => failure.model.as_deref(),
+    };
+    if let (Some(file), Some(model)) = (model_out, model) {
+        file.write(model.to_toml().as_bytes())?;
     }
-    let diagnosis = &identification.findings;
-    let [before, after] = closed_loop.measure_again(&identification, &given.program(), &mut rng)?;
-    let floor_mm = args.sigma_mm * 3.0_f64.sqrt();
-    let good = after.measured_mm <= args.limit * floor_mm;
-    let answer = json!({
-        "withheld": args.inject, "verdict": diagnosis.verdict,
-        "causes": diagnosis.causes.iter().map(describe).collect::<Vec<_>>(),
-        "targets": before.n, "floor_rms_mm": floor_mm,
-        "before": { "measured_rms_mm": before.measured_mm, "true_rms_mm": before.true_mm, "true_max_mm": before.max_mm },
-        "after": { "measured_rms_mm": after.measured_mm, "true_rms_mm": after.true_mm, "true_max_mm": after.max_mm },
-    });
-    page.write("closed-loop", &hashes(&given.program()), &answer, &diagnosis.reason)?;
+    let closed = closed.map_err(|failure| failure.why)?;
+    let answer = closed.json();
+    page.write("closed-loop", &hashes(&given.program()), &answer, &closed.findings.reason)?;
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    writeln!(to, "withheld: {}", args.inject)?;
-    writeln!(to, "found in {} poses: {}", args.n, diagnosis.reason)?;
-    writeln!(to, "noise floor {floor_mm:.4} mm, rms in space")?;
-    for (when, j) in [("before", &before), ("after", &after)] {
-        writeln!(
-            to,
-            "{when:>6}: {} targets measured, rms {:.4} mm with base and tool fitted; truly {:.4} mm rms, {:.4} mm at worst",
-            j.n, j.measured_mm, j.true_mm, j.max_mm
-        )?;
-    }
-    writeln!(to, "{} {} times the noise floor", if good { "within" } else { "NOT within" }, args.limit)?;
-    Ok(if good { Outcome::Done } else { Outcome::Difference })
+    to.write_all(closed.text(args.limit).as_bytes())?;
+    Ok(if closed.is_within(args.limit) { Outcome::Done } else { Outcome::Difference })
 }

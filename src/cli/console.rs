@@ -129,9 +129,9 @@ impl Console {
     /// Says why a command could not do its work.
     pub fn fail(&mut self, error: &anyhow::Error) -> Outcome {
         let _ = self.out.flush();
-        let of_run = || error.downcast_ref::<Diagnostic>().cloned().map(LocatedDiagnostic::from);
-        match error.downcast_ref::<LocatedDiagnostic>().cloned().or_else(of_run) {
-            Some(message) => self.explain(&[message], true),
+        let of_run = || error.downcast_ref::<Diagnostic>().cloned().map(Box::from);
+        match error.downcast_ref::<Box<LocatedDiagnostic>>().cloned().or_else(of_run) {
+            Some(message) => self.explain(std::slice::from_ref(&*message), true),
             None => {
                 let text = format!("{error:#}");
                 if let Some(errors) = &mut self.errors {

@@ -5,13 +5,11 @@ use super::page::ReportArgs;
 use super::program_input::ProgramInput;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
-use driftpost::application::{Fit, targets_of_program};
-use driftpost::report::fit as report;
-use metrology::diagnose::warmup::{FitOptions, Standstill, TargetForecast, WarmUp, WorkTarget};
+use driftpost::application::{Fit, Fitted};
+use metrology::diagnose::warmup::{FitOptions, Standstill};
 use nalgebra::Vector3;
-use rapid_program::compensate::{self, targets};
+use rapid_program::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::Robot;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -74,8 +72,8 @@ pub(super) fn stop(text: &str) -> Result<Standstill, String> {
 /// # Errors
 /// A file that cannot be read or written, touches that say too little.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let robot = args.robot.load()?;
-    let options = FitOptions {
+    let mut job = Fit::new(args.robot.load()?);
+    job.options = FitOptions {
         tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
         stops: stops(&args.stop)?,
     };
@@ -85,41 +83,47 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
-    let job = Fit { robot, options };
-    let warm_up = job.run(&touches).map_err(Diagnostic::from)?;
-    let places = places(args, &job.robot, &warm_up)?;
-    let there = job.forecast_at_targets(&warm_up, &places);
+    let found = at_work(args, job.run(&touches).map_err(Diagnostic::from)?)?;
 
     if let Some(file) = table_out {
-        file.write(report::table_csv(&warm_up).as_bytes())?;
+        file.write(found.table_csv().as_bytes())?;
     }
     if let Some(file) = model_out {
-        let mut identified = warm_up.identified(&job.robot);
-        (identified.data, identified.data_sha256) = (given.name.clone(), given.sha256.clone());
-        file.write(identified.to_toml().as_bytes())?;
+        file.write(found.model(&given.name, &given.sha256).to_toml().as_bytes())?;
     }
     let takes_standard_output = json.is_standard();
-    let (data, text) = (report::json(&warm_up, there.as_ref()), report::text(&warm_up, there.as_ref()));
+    let (data, text) = (found.json(), found.text());
     page.write("fit", &[(given.name, given.sha256)], &data, &text)?;
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(text.as_bytes())?;
-    hint(to, args, &warm_up, there.as_ref())?;
+    hint(to, args, &found)?;
     Ok(Outcome::Done)
 }
 
+/// With what it means where the robot works, as far as that is named.
+fn at_work(args: &Args, found: Fitted) -> anyhow::Result<Fitted> {
+    if let Some(path) = &args.targets {
+        let bytes = files::read(path, "file of targets")?;
+        let in_file = |error: Diagnostic| model::in_file(&path.display().to_string(), error);
+        let poses = targets::read(&bytes, None).map_err(|error| in_file(error.into()))?;
+        return Ok(found.at_poses(&poses).map_err(|error| in_file(error.into()))?);
+    }
+    if args.program.is_empty() {
+        return Ok(found);
+    }
+    let program = ProgramInput::read(&args.program)?.program();
+    Ok(found.at_program(&program).map_err(Diagnostic::from)?)
+}
+
 /// How to go on.
-fn hint(
-    to: &mut dyn Write,
-    args: &Args,
-    warm_up: &WarmUp,
-    there: Option<&TargetForecast>,
-) -> std::io::Result<()> {
+fn hint(to: &mut dyn Write, args: &Args, found: &Fitted) -> std::io::Result<()> {
     if let Some(file) = &args.table_out {
-        let cool = warm_up.tau_cool_min.map_or_else(|| "MIN".to_owned(), |[tau, _]| format!("{tau:.0}"));
+        let cool =
+            found.warm_up.tau_cool_min.map_or_else(|| "MIN".to_owned(), |[tau, _]| format!("{tau:.0}"));
         writeln!(to, "\ndriftpost compensate PROGRAM --deformation {} --tau-cool {cool}", file.display())?;
     }
-    if there.is_none() {
+    if found.forecast.is_none() {
         writeln!(to, "\n--targets FILE or --program FILE says how well this holds where you work")?;
     }
     Ok(())
@@ -137,25 +141,4 @@ pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnos
     }
     stops.sort_by(|a: &Standstill, b| a.from_min.total_cmp(&b.from_min));
     Ok(Some(stops))
-}
-
-/// Where the fit is to hold.
-fn places(args: &Args, robot: &Robot, warm_up: &WarmUp) -> anyhow::Result<Vec<WorkTarget>> {
-    if let Some(path) = &args.targets {
-        let bytes = files::read(path, "file of targets")?;
-        let in_file = |error: Diagnostic| model::in_file(&path.display().to_string(), error);
-        let read = targets::read(&bytes, None).map_err(|error| in_file(error.into()))?;
-        let table = compensate::tabulate::tabulate(robot, &warm_up.deformation(), &read, None, &[0.0])
-            .map_err(|error| in_file(error.into()))?;
-        let of = |(target, nominal): (&targets::Target, &robot_model::kinematics::Solution)| WorkTarget {
-            name: target.name.clone(),
-            q_rad: nominal.q_rad,
-            tool_m: Vector3::zeros(),
-        };
-        return Ok(read.iter().zip(&table.nominal).map(of).collect());
-    }
-    if args.program.is_empty() {
-        return Ok(Vec::new());
-    }
-    Ok(targets_of_program(&ProgramInput::read(&args.program)?.program(), robot, warm_up)?)
 }

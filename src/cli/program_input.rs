@@ -2,7 +2,7 @@
 
 use super::files;
 use driftpost::application::{PlacedProgram, ProgramFiles, check_text};
-use rapid_program::program::{modules_of_pgf, task_of};
+use rapid_program::program::modules_of_pgf;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -98,21 +98,6 @@ impl ProgramInput {
                 files::read(others.get(Path::new(place)).copied().unwrap_or(Path::new(place)), "file")
             }),
         }
-    }
-
-    /// The tasks (folders `TASKn`) that modules stand in, in the order of the files.
-    #[must_use]
-    pub fn tasks(&self) -> Vec<String> {
-        let mut tasks: Vec<String> = Vec::new();
-        for path in &self.paths {
-            let path = slashed(path);
-            if let Some(task) =
-                task_of(&path).filter(|task| !tasks.iter().any(|t| t.eq_ignore_ascii_case(task)))
-            {
-                tasks.push(task.to_owned());
-            }
-        }
-        tasks
     }
 
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.

@@ -8,12 +8,10 @@ use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, made_with, model, simulate_hints as hints};
-use driftpost::application::{Course, MadeWith, Simulation, check_names};
-use driftpost::report::simulation;
+use driftpost::application::{Course, MadeWith, ProgramFiles, Simulation};
 use rapid_program::compensate::CompensateError;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Robot;
-use robot_model::units::m_from_mm;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -149,49 +147,51 @@ impl From<WarmingArg> for Warming {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
     at_least_one("--passes", args.passes)?;
-    let program = ProgramInput::read(&args.program)?;
+    let given = ProgramInput::read(&args.program)?;
     let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
+    let program = given.program();
+    let mut job = simulation(args, &program, console)?;
+    let course = course(args)?;
+    let csv = Output::new(args.csv.as_deref())?;
+    let json = Output::new(args.json.as_deref())?;
+    let page = args.page.open()?;
+    job.disk = given.disk()?;
+    job.original_disk = original.as_ref().map_or(Ok(Vec::new()), ProgramInput::disk)?;
+    let original = original.map(|given| given.program());
+    let found = job
+        .run(&program, original.as_ref(), &course)
+        .map_err(|error| hints::diagnostic_of(&error, &program))?;
+
+    let takes_standard_output = [&csv, &json].into_iter().any(Output::is_standard);
+    csv.write(console, || Ok(found.csv()?))?;
+    let (data, mut text) = (found.json(), Vec::new());
+    found.write(&mut text)?;
+    page.write("simulate", &hashes(&program), &data, &String::from_utf8_lossy(&text))?;
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
+    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
+    to.write_all(&text)?;
+    Ok(match (found.judged(), found.is_within()) {
+        (0, _) => Outcome::Refused,
+        (_, true) => Outcome::Done,
+        (_, false) => Outcome::Difference,
+    })
+}
+
+/// What is asked for: as the options say, else as the emitted modules do.
+fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> anyhow::Result<Simulation> {
     let tasks = program.tasks();
     let task = args.task.clone().or(tasks.first().cloned());
-    let made_with = MadeWith::of(&[&program.program()], task.as_deref());
     if let (None, Some(first), [_, _, ..]) = (&args.task, &task, tasks.as_slice()) {
         console
             .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
     }
-    if let Some(task) = &args.task
-        && !tasks.iter().any(|known| known.eq_ignore_ascii_case(task))
-    {
-        let text = format!("--task {task}: no module stands in a folder {task}");
-        let help = match tasks.as_slice() {
-            [] => "no file stands in a task's folder: leave it out".to_owned(),
-            tasks => format!("the tasks are {}", tasks.join(", ")),
-        };
-        return Err(Diagnostic::error("task::no-motion", text).help(help).into());
-    }
+    let made_with = MadeWith::of(&[program], task.as_deref());
     let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
     if let Some(joints) = args.settings.start_joints {
         joints.check(&robot)?;
     }
-    let truth = true_robot(args, robot, &made_with)?;
-    let scenario = match &args.scenario {
-        Some(path) => {
-            let bytes = files::read(path, "scenario")?;
-            let text = String::from_utf8_lossy(&bytes);
-            let scenario = Scenario::from_toml(&text).map_err(|e| {
-                let mut said = model::in_file(&path.display().to_string(), hints::diagnostic_of(&e));
-                said.help = hints::of_step(&said.message).or(said.help);
-                said
-            })?;
-            Some(scenario)
-        }
-        None => None,
-    };
-    let csv = Output::new(args.csv.as_deref())?;
-    let json = Output::new(args.json.as_deref())?;
-    let page = args.page.open()?;
-
-    let mut simulation = Simulation::new(truth);
-    simulation.options = SessionOptions {
+    let mut job = Simulation::new(true_robot(args, robot, &made_with)?);
+    job.options = SessionOptions {
         entry: args.entry.clone(),
         passes: args.passes,
         paths: true,
@@ -203,54 +203,30 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         warming: args.warming.map(Into::into),
         gap_min: args.gap_min,
     };
-    if simulation.options.thermometer.is_none() && simulation.robot.is_by_temperature() {
+    if job.options.thermometer.is_none() && job.robot.is_by_temperature() {
         console.say(
             "the true robot deforms by temperature, and nothing shows it to the program: --thermometer NAME names the analog input or \
              persistent that does",
         );
     }
-    simulation.task = args.task.clone();
-    simulation.disk = program.disk()?;
-    simulation.original_disk = original.as_ref().map_or(Ok(Vec::new()), ProgramInput::disk)?;
-    let course = match scenario {
-        Some(scenario) => Course::Scenario(scenario),
-        None => Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())),
-    };
-    simulation.overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    simulation.start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
-    simulation.set = args.set.clone();
-    let original = original.map(|given| given.program());
-    let program = program.program();
-    for files in original.iter().chain([&program]) {
-        check_names(&files.sources())?;
-    }
-    let set = args.set.iter().map(|(name, _)| ("--set", name.as_str()));
-    let thermometer = args.thermometer.iter().map(|name| ("--thermometer", name.as_str()));
-    hints::check_mentioned(set.chain(thermometer), &program)?;
-    if let Course::Scenario(scenario) = &course {
-        hints::check_mentioned(scenario.signals().map(|name| ("scenario: signal", name)), &program)?;
-    }
-    let report = simulation.run(&program, original.as_ref(), &course).map_err(|error| {
-        let mut said = hints::diagnostic_of(&error);
-        said.help = hints::of_name(&error, &program.names()).or(said.help);
-        said
-    })?;
+    job.task.clone_from(&args.task);
+    job.overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
+    job.start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
+    job.set.clone_from(&args.set);
+    job.tolerance_mm = args.tolerance_mm;
+    Ok(job)
+}
 
-    let takes_standard_output = [&csv, &json].into_iter().any(|o| matches!(o, Output::Standard));
-    csv.write(console, || Ok(simulation::csv(&report)?))?;
-    let within = report.is_within(m_from_mm(args.tolerance_mm));
-    let data = simulation::json(&report);
-    let mut text = Vec::new();
-    simulation::write_summary(&mut text, &report, args.tolerance_mm, within)?;
-    page.write("simulate", &hashes(&program), &data, &String::from_utf8_lossy(&text))?;
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(&text)?;
-    Ok(match (report.judged(), within) {
-        (0, _) => Outcome::Refused,
-        (_, true) => Outcome::Done,
-        (_, false) => Outcome::Difference,
-    })
+/// What the cell does meanwhile.
+fn course(args: &Args) -> Result<Course, Diagnostic> {
+    let Some(path) = &args.scenario else {
+        return Ok(Course::Minutes(args.minutes.as_ref().map_or_else(|| vec![0.0], |m| m.0.clone())));
+    };
+    let bytes = files::read(path, "scenario")?;
+    let scenario = Scenario::from_toml(&String::from_utf8_lossy(&bytes));
+    scenario
+        .map(Course::Scenario)
+        .map_err(|error| model::in_file(&path.display().to_string(), hints::of_scenario(&error)))
 }
 
 /// The robot as it is: as the options say, else as the emitted modules do.

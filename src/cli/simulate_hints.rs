@@ -1,7 +1,7 @@
 //! What helps where `simulate` is asked for a name that is not there: a routine, data, a signal, a step of a scenario.
 
 use super::suggest;
-use driftpost::application::{DeclaredNames, ProgramFiles};
+use driftpost::application::{DeclaredNames, ProgramFiles, SimulationError};
 use rapid_syntax::diagnostic::Diagnostic;
 use virtual_controller::SimulateError;
 use virtual_controller::scenario::STEPS;
@@ -9,28 +9,33 @@ use virtual_controller::scenario::STEPS;
 /// So many names are listed; more are no help.
 const MOST_LISTED: usize = 8;
 
-/// Refuses names from outside, each with what gives it, that no module mentions: they could change nothing.
-pub fn check_mentioned<'n>(
-    names: impl IntoIterator<Item = (&'n str, &'n str)>,
-    program: &ProgramFiles,
-) -> Result<(), Diagnostic> {
-    match names.into_iter().find(|(_, name)| !program.mentions(name)) {
-        None => Ok(()),
-        Some((given_by, name)) => {
+/// An error with what is to be done about it; a name that is near to one that is not there comes first.
+pub fn diagnostic_of(error: &SimulationError, program: &ProgramFiles) -> Diagnostic {
+    let message = Diagnostic::from(error.clone());
+    match error {
+        SimulationError::Program(_) => message,
+        SimulationError::NotMentioned { name, .. } => {
             let words = program.words();
-            let help = match suggest::nearest(name, words.iter().map(String::as_str)) {
+            message.help(match suggest::nearest(name, words.iter().map(String::as_str)) {
                 Some(near) => did_you_mean(near),
                 None => "give the name of data or of a signal as the program has it".to_owned(),
-            };
-            let code = SimulateError::NoData(name.to_owned()).code();
-            Err(Diagnostic::error(code, format!("{given_by} {name}: no module mentions this name"))
-                .help(help))
+            })
+        }
+        SimulationError::Controller(error) => {
+            message.help(of_name(error, &program.names()).unwrap_or_else(|| of_kind(error).to_owned()))
         }
     }
 }
 
+/// A scenario's error with what is to be done about it.
+pub fn of_scenario(error: &SimulateError) -> Diagnostic {
+    let text = error.to_string();
+    let help = of_step(&text).unwrap_or_else(|| of_kind(error).to_owned());
+    Diagnostic::error(error.code(), text).help(help)
+}
+
 /// The name that is nearest to one that is not there, or the routines that are.
-pub fn of_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
+fn of_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
     let (wanted, known) = match error {
         SimulateError::NoRoutine(name) => (name, &names.routines),
         SimulateError::NoData(name) => (name, &names.data),
@@ -45,7 +50,7 @@ pub fn of_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
 }
 
 /// The step or the key that is nearest to one that no scenario has, by the message that quotes it.
-pub fn of_step(message: &str) -> Option<String> {
+fn of_step(message: &str) -> Option<String> {
     let mut quoted = message.split('`').skip(1).step_by(2);
     let step = quoted.next()?;
     let word = step.split_whitespace().next()?;
@@ -65,9 +70,9 @@ fn did_you_mean(near: &str) -> String {
     format!("did you mean {near}?")
 }
 
-/// An error with what is generally to be done about it.
-pub fn diagnostic_of(error: &SimulateError) -> Diagnostic {
-    let help = match error {
+/// What is generally to be done about an error.
+fn of_kind(error: &SimulateError) -> &'static str {
+    match error {
         SimulateError::NoEntry(_) | SimulateError::NoRoutine(_) => "name the routine with --entry",
         SimulateError::Load { .. } => "give each module once; a controller would not load this either",
         SimulateError::Scenario(_) | SimulateError::Value { .. } | SimulateError::NoData(_) => {
@@ -77,6 +82,5 @@ pub fn diagnostic_of(error: &SimulateError) -> Diagnostic {
             "say with --set NAME=VALUE what comes from outside"
         }
         SimulateError::Arm(_) => "use another robot",
-    };
-    Diagnostic::error(error.code(), error.to_string()).help(help)
+    }
 }

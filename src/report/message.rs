@@ -60,10 +60,10 @@ impl LocatedDiagnostic {
     }
 }
 
-impl From<Diagnostic> for LocatedDiagnostic {
+impl From<Diagnostic> for Box<LocatedDiagnostic> {
     /// A message about the whole run, or of files that are not at hand.
     fn from(diagnostic: Diagnostic) -> Self {
-        Self::new(diagnostic, &[])
+        Box::new(LocatedDiagnostic::new(diagnostic, &[]))
     }
 }
 

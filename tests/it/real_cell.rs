@@ -391,12 +391,12 @@ fn a_controller_tells_of_a_joint_over_its_quadrants_border() {
     let simulation = Simulation::new(TrueRobot::new(robot, Deformation::paper()));
     let corrected = ProgramFiles::one("Checked.mod", made.files[0].bytes.clone());
     let warm = Course::Minutes(vec![180.0]);
-    let report = simulation.run(&corrected, Some(&checked), &warm).unwrap();
+    let report = simulation.run(&corrected, Some(&checked), &warm).unwrap().report;
     let of_axis_1 =
         |m: &&virtual_controller::Message| m.text.contains("over the border of the quadrant that cf1 = 0");
     assert_eq!(report.messages.iter().filter(of_axis_1).count(), 9, "{:?}", report.messages);
     assert_eq!(report.messages.len(), 9);
-    let original = simulation.run(&checked, Some(&checked), &warm).unwrap();
+    let original = simulation.run(&checked, Some(&checked), &warm).unwrap().report;
     assert!(original.messages.is_empty(), "{:?}", original.messages);
 }
 
