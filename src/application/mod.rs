@@ -3,8 +3,11 @@
 //!
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
+mod accuracy_check;
 mod arm;
 mod calibration;
+mod change_check;
+mod closed_loop;
 mod compensated;
 mod compensation;
 mod diagnosis;
@@ -13,6 +16,7 @@ mod fit;
 #[cfg(feature = "link")]
 mod link_check;
 mod made_with;
+mod model_check;
 mod named;
 mod other_files;
 #[cfg(feature = "link")]
@@ -20,16 +24,19 @@ mod own_data;
 mod page;
 mod program_comparison;
 mod program_files;
-
-mod closed_loop;
 #[cfg(feature = "mcap")]
 mod recording;
 mod simulation;
+mod state_estimation;
+mod tabulation;
 mod touch;
 
 pub use self::exam::{Exam, Question, Scored};
+pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
+pub use change_check::{ChangeCheck, ChangeChecked};
+pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
 pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis};
@@ -37,6 +44,7 @@ pub use fit::{Fit, Fitted};
 #[cfg(feature = "link")]
 pub use link_check::{LinkCheck, LinkChecked};
 pub use made_with::{MadeWith, Origin, joints_rad, temperatures_c};
+pub use model_check::{ModelCheck, ModelChecked};
 pub use named::{Named, model_of_another_robot, sha256};
 pub use other_files::{PlacedProgram, ReadOther};
 #[cfg(feature = "link")]
@@ -44,6 +52,7 @@ pub use own_data::{OwnData, is_own_name};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
 
-pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
+pub use state_estimation::{StateEstimated, StateEstimation};
+pub use tabulation::{Tabulated, Tabulation};
 pub use touch::TouchRequest;

@@ -6,11 +6,11 @@ use super::page::ReportArgs;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
-use driftpost::report::{LocatedDiagnostic, accuracy as report};
-use metrology::measure::{ComparisonFrame, performance};
+use driftpost::application::AccuracyCheck;
+use driftpost::report::LocatedDiagnostic;
+use metrology::measure::ComparisonFrame;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -59,50 +59,36 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, base and tool that cannot be fitted, a limit that nothing was measured for.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    let limits = [
+    positive(&[
         ("--limit-ap-mm", args.limit_ap_mm),
         ("--limit-rp-mm", args.limit_rp_mm),
         ("--limit-drift-mm", args.limit_drift_mm),
-    ];
-    positive(&limits)?;
+    ])?;
     let robot = args.robot.load_arm()?;
     let tool_m = args.tool.as_deref().map(tool).transpose()?;
-    let compared = compared(args.register, tool_m)?;
+    let job = AccuracyCheck {
+        robot,
+        frame: compared(args.register, tool_m)?,
+        limit_ap_mm: args.limit_ap_mm,
+        limit_rp_mm: args.limit_rp_mm,
+        limit_drift_mm: args.limit_drift_mm,
+    };
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
-    let found = performance(&measurements, &robot, compared).map_err(Diagnostic::from)?;
-    let worst = report::worst(&found);
-    let mut beyond = Vec::new();
-    for ((name, limit), found) in limits.into_iter().zip([worst.ap_m, worst.rp_m, worst.drift_m]) {
-        let Some(limit_mm) = limit else { continue };
-        let Some(found_m) = found else {
-            return Err(Diagnostic::error(
-                "measure::no-repeats",
-                format!("{name}: nothing was measured that tells it"),
-            )
-            .help("repeatability needs a pose measured twice and more, drift at times more than 10 min apart")
-            .into());
-        };
-        if found_m > m_from_mm(limit_mm) {
-            beyond.push(format!("{name} {limit_mm}"));
-        }
-    }
+    let found = job.run(&measurements).map_err(Diagnostic::from)?;
     let takes_standard_output = json.is_standard();
-    let data = report::json(&found, beyond.is_empty(), &robot);
-    let mut text = Vec::new();
-    report::write(&mut text, &found)?;
+    let (data, mut text) = (found.json(), Vec::new());
+    found.write(&mut text)?;
     page.write("accuracy", &[(given.name, given.sha256)], &data, &String::from_utf8_lossy(&text))?;
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(&text)?;
-    if args.limit_ap_mm.is_some() || args.limit_rp_mm.is_some() || args.limit_drift_mm.is_some() {
-        let said =
-            if beyond.is_empty() { "GO".to_owned() } else { format!("NO GO: beyond {}", beyond.join(", ")) };
-        writeln!(to, "{said}")?;
+    if let Some(verdict) = found.verdict() {
+        writeln!(to, "{verdict}")?;
     }
-    Ok(if beyond.is_empty() { Outcome::Done } else { Outcome::Difference })
+    Ok(if found.is_within() { Outcome::Done } else { Outcome::Difference })
 }
 
 fn compared(register: RefitScopeName, tool_m: Option<Vector3<f64>>) -> Result<ComparisonFrame, Diagnostic> {

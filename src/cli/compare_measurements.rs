@@ -4,11 +4,8 @@ use super::number::positive;
 use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
-use driftpost::application::sha256;
-use driftpost::report::changed as report;
-use metrology::diagnose::{MeasurementComparison, compare_measurements};
+use driftpost::application::{ChangeCheck, sha256};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -54,18 +51,17 @@ pub struct Args {
 /// A file that cannot be read or written, too few poses in both.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--limit-mm", args.limit_mm)])?;
-    let robot = args.robot.load_arm()?;
-    let options = args.known.options()?;
+    let mut job = ChangeCheck::new(args.robot.load_arm()?);
+    job.options = args.known.options()?;
+    job.limit_mm = args.limit_mm;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;
-    let found = compare_measurements(&before, &after, &robot, &options).map_err(Diagnostic::from)?;
-    let said = verdict(&found, args.limit_mm);
+    let found = job.run(&before, &after).map_err(Diagnostic::from)?;
     let takes_standard_output = json.is_standard();
-    let data = report::json(&found, said);
-    let mut text = Vec::new();
-    report::write(&mut text, &found, said)?;
+    let (data, mut text) = (found.json(), Vec::new());
+    found.write(&mut text)?;
     let hashed = |path: &PathBuf| {
         let bytes = files::read(path, "measurement file")?;
         Ok::<_, Diagnostic>((path.display().to_string(), sha256(&bytes)))
@@ -75,12 +71,5 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(&text)?;
-    Ok(if said { Outcome::Difference } else { Outcome::Done })
-}
-
-fn verdict(found: &MeasurementComparison, limit_mm: Option<f64>) -> bool {
-    let Some(limit_m) = limit_mm.map(m_from_mm) else { return found.is_changed };
-    let largest = found.worst.first().map_or(0.0, |w| w.2);
-    let tool = found.tools_moved_m.iter().map(|(by, _)| by.norm()).fold(0.0, f64::max);
-    found.is_changed && (largest > limit_m || tool > limit_m)
+    Ok(if found.is_changed { Outcome::Difference } else { Outcome::Done })
 }

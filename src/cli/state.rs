@@ -5,17 +5,12 @@ use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
-use driftpost::report::state as report;
-use metrology::diagnose::warmup::{StateError, StateOptions, thermal_state};
+use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::DeformedArm;
-use robot_model::deform::identified::ThermalState;
-use robot_model::kinematics::FrameOffsets;
 use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// Command line of `driftpost state`.
 #[derive(Debug, clap::Args)]
@@ -72,39 +67,24 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--sigma-mm", Some(args.sigma_mm))])?;
     minutes(&[("--tau-cool", args.tau_cool)])?;
-    let robot = Arc::new(args.robot.load()?);
-    let (law, [cold, settled]) = match &args.model {
-        Some(path) => {
-            let identified = model::identified(path)?;
-            let model = Arc::new(identified.model.for_programs().0);
-            let law = model.growth().filter(|law| model.drifts_beside(*law).is_empty());
-            let of = |t_min: f64| {
-                let when = ThermalState { t_min, joint_temperature_c: None };
-                DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
-            };
-            (law, [of(0.0), of(f64::INFINITY)])
-        }
+    let robot = args.robot.load()?;
+    let mut job = match &args.model {
+        Some(path) => StateEstimation::with_model(robot, &model::identified(path)?.model),
         None => {
             let table = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
-            let of = |offsets: &FrameOffsets| DeformedArm::of_table(&robot, offsets);
-            (table.growth().copied(), [of(&FrameOffsets::default()), of(&table.settled())])
+            StateEstimation::new(robot, &table)
         }
     };
-    let law = law.ok_or_else(|| Diagnostic::from(StateError::NoLaw))?;
-    let options = StateOptions {
-        tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
-        stops: stops(&args.stop)?.unwrap_or_default(),
-        sigma_m: m_from_mm(args.sigma_mm),
-        tau_cool_min: args.tau_cool.or(law.tau_min()).unwrap_or(1.0),
-    };
+    job.tool_m = args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros);
+    job.stops = stops(&args.stop)?.unwrap_or_default();
+    job.sigma_m = m_from_mm(args.sigma_mm);
+    job.tau_cool_min = args.tau_cool;
     let (touches, _) = args.source.touches(console)?;
     let json = files::Output::new(args.json.as_deref())?;
-    let state =
-        thermal_state(&touches, &robot, (law, [&cold, &settled]), &options).map_err(Diagnostic::from)?;
+    let found = job.run(&touches).map_err(Diagnostic::from)?;
     let takes_standard_output = json.is_standard();
-    let data = report::json(&state, &touches.points);
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
+    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(report::text(&state, &touches.points, args.plan).as_bytes())?;
+    to.write_all(found.text(args.plan).as_bytes())?;
     Ok(Outcome::Done)
 }

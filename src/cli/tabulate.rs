@@ -10,14 +10,12 @@ use super::minutes::Minutes;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use anyhow::Context;
-use driftpost::report::{JointRow, JointTable, counted};
+use driftpost::application::Tabulation;
 use nalgebra::UnitQuaternion;
-use rapid_program::compensate::tabulate::{MinuteMiss, Miss, Table, tabulate};
-use rapid_program::compensate::targets::{self, Target};
+use rapid_program::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::Configuration;
-use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
-use serde_json::{Value, json};
+use robot_model::units::rad_from_deg;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -71,104 +69,31 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let file = args.targets.display().to_string();
     let robot = args.robot.load()?;
     let deformation = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
+    let mut job = Tabulation::new(robot, deformation);
+    job.configuration = args.confdata;
+    job.minutes.clone_from(&args.minutes.0);
     let orientation = args.orient_deg.map(|rpy_deg| {
         let [roll, pitch, yaw] = rpy_deg.map(rad_from_deg);
         UnitQuaternion::from_euler_angles(roll, pitch, yaw)
     });
     let bytes = files::read(&args.targets, "file of targets")?;
-    let targets = targets::read(&bytes, orientation.as_ref())
-        .map_err(|error| model::in_file(&file, Diagnostic::from(error)))?;
+    let in_file = |error: Diagnostic| model::in_file(&file, error);
+    let targets = targets::read(&bytes, orientation.as_ref()).map_err(|error| in_file(error.into()))?;
     let joints_csv = Output::new(args.joints_csv.as_deref())?;
     let json = Output::new(args.json.as_deref())?;
 
-    let table = tabulate(&robot, &deformation, &targets, args.confdata.as_ref(), &args.minutes.0)
-        .map_err(|error| model::in_file(&file, Diagnostic::from(error)))?;
-    let misses = table.misses();
+    let found = job.run(targets).map_err(|error| in_file(error.into()))?;
 
     let takes_standard_output = [&joints_csv, &json].into_iter().any(Output::is_standard);
-    joints_csv.write(console, || joints_text(&file, &targets, &table))?;
-    json.write(console, || Ok(format!("{:#}\n", summary_json(&targets, &table, &misses)).into_bytes()))?;
+    joints_csv.write(console, || {
+        let mut text = Vec::new();
+        found.write_joints(&file, &mut text).context("the table of joints")?;
+        Ok(text)
+    })?;
+    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    summarise(to, &targets, &table, &misses)?;
+    to.write_all(found.text().as_bytes())?;
     Ok(Outcome::Done)
-}
-
-fn joints_text(file: &str, targets: &[Target], table: &Table) -> anyhow::Result<Vec<u8>> {
-    let mut rows = table.rows.iter().filter_map(|row| {
-        let target = targets.get(row.target)?;
-        Some(JointRow {
-            target: target.name.as_str().into(),
-            file,
-            line: target.line,
-            t_min: row.t_min,
-            q_rad: row.q_rad,
-            position_m: row.position_m,
-            residual_m: row.residual_m,
-        })
-    });
-    let mut text = Vec::new();
-    let written = JointTable::new(&mut text).and_then(|mut table| {
-        rows.try_for_each(|row| table.add(row))?;
-        table.finish()
-    });
-    written.context("the table of joints")?;
-    Ok(text)
-}
-
-fn summary_json(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> Value {
-    let miss = |miss: &Miss| json!({ "max_mm": mm_from_m(miss.max_m), "rms_mm": mm_from_m(miss.rms_m), "max_deg": deg_from_rad(miss.max_rad) });
-    let minute = |minute: &MinuteMiss| {
-        json!({
-            "t_min": minute.t_min, "n": targets.len(), "before": miss(&minute.before), "after": miss(&minute.after),
-        })
-    };
-    let target = |(target, nominal): (&Target, &robot_model::kinematics::Solution)| {
-        let c = nominal.configuration;
-        json!({
-            "target": target.name, "line": target.line, "q_deg": nominal.q_rad.map(deg_from_rad),
-            "confdata": [c.cf1, c.cf4, c.cf6, c.cfx],
-        })
-    };
-    json!({
-        "rows": table.rows.len(),
-        "targets": targets.iter().zip(&table.nominal).map(target).collect::<Vec<_>>(),
-        "minutes": misses.iter().map(minute).collect::<Vec<_>>(),
-    })
-}
-
-fn summarise(
-    to: &mut dyn Write,
-    targets: &[Target],
-    table: &Table,
-    misses: &[MinuteMiss],
-) -> std::io::Result<()> {
-    let [targets, minutes, rows] =
-        [(targets.len(), "target"), (misses.len(), "minute"), (table.rows.len(), "row")]
-            .map(|(n, noun)| counted(n, noun));
-    writeln!(to, "{targets} x {minutes} = {rows}")?;
-    let worst =
-        |of: fn(&MinuteMiss) -> &Miss| misses.iter().max_by(|a, b| of(a).max_m.total_cmp(&of(b).max_m));
-    if let Some(worst) = worst(|minute| &minute.before) {
-        let Miss { max_m, rms_m, max_rad } = worst.before;
-        writeln!(
-            to,
-            "before: missed by up to {:.3} mm (rms {:.3} mm) and {:.3} deg, at minute {}",
-            mm_from_m(max_m),
-            mm_from_m(rms_m),
-            deg_from_rad(max_rad),
-            worst.t_min
-        )?;
-    }
-    if let Some(worst) = worst(|minute| &minute.after) {
-        let Miss { max_m, max_rad, .. } = worst.after;
-        writeln!(
-            to,
-            "after: missed by up to {:.1e} mm and {:.1e} deg",
-            mm_from_m(max_m),
-            deg_from_rad(max_rad)
-        )?;
-    }
-    Ok(())
 }
 
 fn three(text: &str) -> Result<[f64; 3], String> {

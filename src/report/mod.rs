@@ -29,6 +29,8 @@ pub mod simulation;
 pub mod state;
 mod svg;
 mod table;
+pub mod tabulation;
+pub mod validation;
 
 pub(crate) use comparison::Compared;
 pub use diff::{Cut, write_created, write_edits, write_texts};

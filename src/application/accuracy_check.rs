@@ -1,0 +1,148 @@
+//! Pose accuracy, repeatability and drift after ISO 9283, held to limits.
+
+use crate::report::accuracy as report;
+use metrology::measure::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::SerialArm;
+use robot_model::units::m_from_mm;
+use std::io::{self, Write};
+
+/// A judgement of a robot's performance that waits for its measurements.
+///
+/// ```
+/// use driftpost::application::AccuracyCheck;
+/// use driftpost::{Measurements, Robot};
+///
+/// let robot = Robot::from_toml(include_str!("../../fixtures/measurements/r2000ic/robot.toml"))?;
+/// let measured = Measurements::from_csv(include_bytes!("../../fixtures/measurements/r2000ic/measurements.csv"))?;
+/// let mut job = AccuracyCheck::new(robot);
+/// job.limit_ap_mm = Some(0.01);
+/// let found = job.run(&measured)?;
+/// assert_eq!(found.verdict().as_deref(), Some("NO GO: beyond --limit-ap-mm 0.01"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct AccuracyCheck {
+    /// The robot as its model says.
+    pub robot: SerialArm,
+    /// In what frame commanded and attained poses are compared.
+    pub frame: ComparisonFrame,
+    /// The largest accuracy AP of a pose, mm.
+    pub limit_ap_mm: Option<f64>,
+    /// The largest repeatability RP of a pose, mm.
+    pub limit_rp_mm: Option<f64>,
+    /// The largest drift of a pose's accuracy, mm.
+    pub limit_drift_mm: Option<f64>,
+}
+
+impl AccuracyCheck {
+    /// A judgement without limits, base and tool fitted.
+    #[must_use]
+    pub fn new(robot: impl Into<SerialArm>) -> Self {
+        let [limit_ap_mm, limit_rp_mm, limit_drift_mm] = [None; 3];
+        Self { robot: robot.into(), frame: ComparisonFrame::Fitted, limit_ap_mm, limit_rp_mm, limit_drift_mm }
+    }
+
+    /// The performance of every pose, and which limits are not kept.
+    ///
+    /// # Errors
+    /// [`AccuracyError`]
+    pub fn run(&self, measurements: &Measurements) -> Result<AccuracyChecked, AccuracyError> {
+        let performance = performance(measurements, &self.robot, self.frame)?;
+        let worst = report::worst(&performance);
+        let limits = [
+            ("--limit-ap-mm", self.limit_ap_mm, worst.ap_m),
+            ("--limit-rp-mm", self.limit_rp_mm, worst.rp_m),
+            ("--limit-drift-mm", self.limit_drift_mm, worst.drift_m),
+        ];
+        let mut beyond = Vec::new();
+        for (limit, limit_mm, found_m) in limits {
+            let Some(limit_mm) = limit_mm else { continue };
+            if found_m.ok_or(AccuracyError::NotMeasured { limit })? > m_from_mm(limit_mm) {
+                beyond.push(format!("{limit} {limit_mm}"));
+            }
+        }
+        let is_limited = limits.iter().any(|(_, limit_mm, _)| limit_mm.is_some());
+        Ok(AccuracyChecked { performance, beyond, is_limited, robot: self.robot.clone() })
+    }
+}
+
+/// A robot's performance, held to limits.
+#[derive(Clone, Debug)]
+pub struct AccuracyChecked {
+    /// Pose by pose, and over time.
+    pub performance: Performance,
+    /// The limits that are not kept, as options have them.
+    pub beyond: Vec<String>,
+    is_limited: bool,
+    robot: SerialArm,
+}
+
+impl AccuracyChecked {
+    /// Whether all limits are kept.
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.beyond.is_empty()
+    }
+
+    /// Go or no go; `None` where there was no limit.
+    #[must_use]
+    pub fn verdict(&self) -> Option<String> {
+        let said = match self.is_within() {
+            true => "GO".to_owned(),
+            false => format!("NO GO: beyond {}", self.beyond.join(", ")),
+        };
+        self.is_limited.then_some(said)
+    }
+
+    /// The performance for people.
+    ///
+    /// # Errors
+    /// Those of writing to `out`.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        report::write(out, &self.performance)
+    }
+
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        report::json(&self.performance, self.is_within(), &self.robot)
+    }
+}
+
+/// Why a robot's performance is not judged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum AccuracyError {
+    /// The measurements tell nothing.
+    #[error(transparent)]
+    Performance(#[from] PerformanceError),
+    /// There is a limit for what was not measured.
+    #[error("{limit}: nothing was measured that tells it")]
+    NotMeasured {
+        /// The limit, as an option.
+        limit: &'static str,
+    },
+}
+
+impl AccuracyError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Performance(error) => error.code(),
+            Self::NotMeasured { .. } => "measure::no-repeats",
+        }
+    }
+}
+
+impl From<AccuracyError> for Diagnostic {
+    fn from(error: AccuracyError) -> Self {
+        let message = Self::error(error.code(), error.to_string());
+        match error {
+            AccuracyError::Performance(_) => message,
+            AccuracyError::NotMeasured { .. } => message.help(
+                "repeatability needs a pose measured twice and more, drift at times more than 10 min apart",
+            ),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! An identified model on measurements that it has not seen.
+
+use super::named::model_of_another_robot;
+use crate::report::validation as report;
+use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
+use metrology::measure::Measurements;
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::identified::Identified;
+use robot_model::robot::SerialArm;
+
+/// A model that waits for measurements which it has not seen.
+#[derive(Clone, Debug)]
+pub struct ModelCheck {
+    /// The robot as its nominal model says.
+    pub robot: SerialArm,
+    /// The model that is put to the test.
+    pub model: Identified,
+    /// What of base and tool is fitted again; the rest is the model's.
+    pub refit: RefitScope,
+    /// The largest rms distance that passes, mm.
+    pub limit_mm: Option<f64>,
+}
+
+impl ModelCheck {
+    /// A test without a limit, base and tool fitted again.
+    #[must_use]
+    pub fn new(robot: impl Into<SerialArm>, model: Identified) -> Self {
+        Self { robot: robot.into(), model, refit: RefitScope::BaseAndTool, limit_mm: None }
+    }
+
+    /// What says that the model is of another robot.
+    #[must_use]
+    pub fn warning(&self) -> Option<Diagnostic> {
+        model_of_another_robot(&self.model, &self.robot.name)
+    }
+
+    /// What model and nominal robot leave of the measured distances.
+    ///
+    /// # Errors
+    /// [`ValidateError`]
+    pub fn run(&self, measurements: &Measurements) -> Result<ModelChecked, ValidateError> {
+        let validation = validate(measurements, &self.robot, &self.model, self.refit)?;
+        Ok(ModelChecked { validation, limit_mm: self.limit_mm })
+    }
+}
+
+/// What a model leaves of measurements that it has not seen.
+#[derive(Clone, Debug)]
+pub struct ModelChecked {
+    /// Distances that model and nominal robot leave, where the model was found and elsewhere.
+    pub validation: Validation,
+    limit_mm: Option<f64>,
+}
+
+impl ModelChecked {
+    /// Whether the rms distance is within the limit, if there is one.
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.limit_mm.is_none_or(|limit_mm| self.validation.all.model.rms_mm <= limit_mm)
+    }
+
+    /// Whether the model leaves no more than the nominal robot does.
+    #[must_use]
+    pub fn is_better(&self) -> bool {
+        self.validation.all.model.rms_mm <= self.validation.all.nominal.rms_mm
+    }
+
+    /// Whether the model holds: better than none, and within the limit.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.is_within() && self.is_better()
+    }
+
+    /// The distances, and what speaks against the model, for people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = report::text(&self.validation);
+        if let (false, Some(limit_mm)) = (self.is_within(), self.limit_mm) {
+            text += &format!("NOT within {limit_mm} mm\n");
+        }
+        if !self.is_better() {
+            text += "WORSE than the nominal robot: the model does not hold for these measurements\n";
+        }
+        text
+    }
+
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        report::json(&self.validation)
+    }
+}
