@@ -129,7 +129,7 @@ fn consequences(
         next_step: next.step,
         causes: judgement.causes,
         alternatives: judgement.alternatives,
-        place: judgement.place,
+        location: judgement.location,
         detectable: detectable(fitted),
         false_lines: false_rows.iter().map(|row| row.line).collect(),
         false_rows,

@@ -43,7 +43,7 @@ pub(super) fn noise_beyond_stated(
     let rows = far.filter_map(|i| stations.stations.get(i)).flat_map(|station| &station.rows);
     let lines = measured.lines(rows);
     let column = one_coordinate(linear, kept().map(|i| &model.residuals[i])).map(str::to_owned);
-    let of_joint = || judgement.place.joint.map(|joint| robot.column(joint));
+    let of_joint = || judgement.location.joint.map(|joint| robot.column(joint));
     let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));
     let said =
         if model.noise.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };

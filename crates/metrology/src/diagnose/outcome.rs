@@ -321,7 +321,7 @@ pub struct Findings {
     pub causes: Vec<Cause>,
     /// Where the gap lies: joint, time, region.
     #[serde(rename = "where")]
-    pub place: Location,
+    pub location: Location,
     /// How far the gap shrinks on held-out poses.
     pub shrink: ErrorReduction,
     /// Effects that these data cannot show.
@@ -402,7 +402,7 @@ impl Findings {
             reason: reason.into(),
             fault: None,
             causes: Vec::new(),
-            place: Location::default(),
+            location: Location::default(),
             shrink: ErrorReduction::default(),
             untestable: Vec::new(),
             untestable_detail: Vec::new(),

@@ -1,4 +1,4 @@
-//! What to measure next: poses, payloads and directions that tell the causes of the least certain place apart, how many rows it
+//! What to measure next: poses, payloads and directions that tell the causes of the least certain slot apart, how many rows it
 //! takes and what they would decide; and, where later poses cannot tell, what can.
 
 mod advice;
@@ -12,7 +12,7 @@ use super::model::{FittedModel, Model, Workspace};
 use super::options::Options;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
 use super::time_course::TimeCourse;
-use super::verdict::{Judgement, OpenPlace, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
+use super::verdict::{Judgement, OpenSlot, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
 use separation::{Pair, RivalModel, Separation, ShapeDoubt};
@@ -26,12 +26,12 @@ const MOST_TIMES: usize = 2;
 const DECIDES: f64 = 21.0;
 /// Less than this at the most rows: later poses cannot tell.
 const HOPELESS: f64 = 4.0;
-/// From this probability on that none of the place's causes is there, it is a rival.
+/// From this probability on that none of the slot's causes is there, it is a rival.
 const SOMETHING_ELSE: f64 = 0.02;
-/// Rivals of a place that are looked at.
+/// Rivals of a slot that are looked at.
 const MOST_RIVALS: usize = 4;
-/// Places beside the least certain one that the poses are for as well, and how uncertain they are, nats.
-const MORE_PLACES: usize = 2;
+/// Slots beside the least certain one that the poses are for as well, and how uncertain they are, nats.
+const MORE_SLOTS: usize = 2;
 const OPEN_NATS: f64 = 0.1;
 
 /// Measurements worth taking, and what they are good for.
@@ -43,7 +43,7 @@ pub struct NextMeasurements {
     pub step: NextStep,
 }
 
-/// The poses that part the causes of the open places, the least certain first, and what they are good for.
+/// The poses that part the causes of the open slots, the least certain first, and what they are good for.
 #[must_use]
 pub fn next_measurements(
     robot: &SerialArm,
@@ -53,11 +53,11 @@ pub fn next_measurements(
 ) -> NextMeasurements {
     let Judgement { open, verdict, .. } = judgement;
     let verdict = *verdict;
-    let mut places: Vec<&OpenPlace> = open.iter().collect();
-    places.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
-    let Some(&place) = places.first() else { return NextMeasurements::default() };
-    let also = places[1..].iter().filter(|p| p.uncertainty() > OPEN_NATS).take(MORE_PLACES);
-    let asked: Vec<&OpenPlace> = std::iter::once(place).chain(also.copied()).collect();
+    let mut slots: Vec<&OpenSlot> = open.iter().collect();
+    slots.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
+    let Some(&slot) = slots.first() else { return NextMeasurements::default() };
+    let also = slots[1..].iter().filter(|p| p.uncertainty() > OPEN_NATS).take(MORE_SLOTS);
+    let asked: Vec<&OpenSlot> = std::iter::once(slot).chain(also.copied()).collect();
     let Some(question) = Question::new(fitted, &asked) else {
         return NextMeasurements::default();
     };
@@ -75,13 +75,13 @@ pub fn next_measurements(
     }
     let Some(planned) = best else { return NextMeasurements::default() };
     let FittedModel { linear, workspace, .. } = fitted;
-    let names: Vec<String> = place
+    let names: Vec<String> = slot
         .rivals
         .iter()
         .take(MOST_RIVALS)
         .map(|r| describe_candidate(&workspace.library.candidates[r.candidate], &linear.dataset))
         .collect();
-    let kinds: Vec<_> = place
+    let kinds: Vec<_> = slot
         .rivals
         .iter()
         .take(MOST_RIVALS)
@@ -102,7 +102,7 @@ pub fn next_measurements(
         _ => String::new(),
     };
     let step = NextStep {
-        slot: place.place.map(|i| i + 1),
+        slot: slot.slot.map(|i| i + 1),
         rows: planned.poses.len() * planned.times,
         readings_per_pose: planned.times,
         from_cold: planned.when == When::FromCold,
@@ -127,7 +127,7 @@ struct Planned {
     confusion: f64,
 }
 
-/// The explanations of one place, in columns: those of the design first, in its order.
+/// The explanations of one slot, in columns: those of the design first, in its order.
 struct Question {
     /// Candidates whose columns are needed, with where they begin.
     candidates: Vec<(usize, Vec<usize>)>,
@@ -142,13 +142,13 @@ struct Question {
 }
 
 impl Question {
-    fn new(fitted: &mut FittedModel<'_>, places: &[&OpenPlace]) -> Option<Self> {
+    fn new(fitted: &mut FittedModel<'_>, slots: &[&OpenSlot]) -> Option<Self> {
         let FittedModel { linear, model, workspace } = fitted;
         let mut columns: Vec<Vec<Vec<usize>>> = Vec::new();
-        for place in places {
+        for slot in slots {
             let Workspace { design, library, column_index } = &mut *workspace;
             let rivals: Vec<usize> =
-                place.rivals.iter().take(MOST_RIVALS).map(|rival| rival.candidate).collect();
+                slot.rivals.iter().take(MOST_RIVALS).map(|rival| rival.candidate).collect();
             columns.push(library.columns_in_design(design, column_index, &rivals));
         }
         let design = &workspace.design;
@@ -163,22 +163,22 @@ impl Question {
             grows: false,
             targets: linear.registration.tools_m.len().max(1),
         };
-        for (place, columns) in places.iter().zip(&columns) {
-            question.add(model, design, workspace.library.candidates, place, columns)?;
+        for (slot, columns) in slots.iter().zip(&columns) {
+            question.add(model, design, workspace.library.candidates, slot, columns)?;
         }
         let drifts = |c: usize| workspace.library.candidates[c].effect().time() == TimeCourse::Drift;
         question.grows = linear.dataset.time_min.is_some()
-            && places[0].rivals.iter().take(MOST_RIVALS).any(|r| drifts(r.candidate));
+            && slots[0].rivals.iter().take(MOST_RIVALS).any(|r| drifts(r.candidate));
         Some(question)
     }
 
-    /// The pairs of one place: its likeliest cause against each of the others.
+    /// The pairs of one slot: its likeliest cause against each of the others.
     fn add(
         &mut self,
         model: &Model,
         design: &Design,
         candidates: &[effects::Candidate],
-        place: &OpenPlace,
+        slot: &OpenSlot,
         columns: &[Vec<usize>],
     ) -> Option<()> {
         let ratio = model.peak.geometry_ratio;
@@ -187,13 +187,13 @@ impl Question {
             common.extend(design.geometry.clone().map(|c| (c, ratio.powi(-2))));
         }
         let precision = |size_ratio: f64| (3.0 * size_ratio.max(1e-9)).powi(-2);
-        for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != place.place) {
+        for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != slot.slot) {
             common.extend(other.columns.iter().map(|&c| (c, precision(other.size_ratio))));
         }
         let from = self.models.len();
         self.models.push(RivalModel { columns: common.clone() });
         let mut signals: Vec<Vec<(usize, f64)>> = Vec::new();
-        for (rival, columns) in place.rivals.iter().zip(columns) {
+        for (rival, columns) in slot.rivals.iter().zip(columns) {
             if columns.iter().any(|c| common.iter().any(|(taken, _)| taken == c)) {
                 return None;
             }
@@ -205,8 +205,8 @@ impl Question {
             self.models.push(own);
         }
         let both = self.next_both();
-        let Some(first) = place.rivals.first() else { return Some(()) };
-        let rest = 1.0 - place.rivals.iter().map(|r| r.probability).sum::<f64>();
+        let Some(first) = slot.rivals.first() else { return Some(()) };
+        let rest = 1.0 - slot.rivals.iter().map(|r| r.probability).sum::<f64>();
         if signals.len() == 1 || rest > SOMETHING_ELSE {
             // What is not in the library is no better known than nothing.
             let weight = (first.probability * rest.max(SOMETHING_ELSE)).sqrt();
@@ -214,7 +214,7 @@ impl Question {
             self.pairs.push(Pair { weight, signal, rival: from, truth: 1.0, both: Some(both), shape: None });
         }
         let both = self.next_both();
-        for (b, other) in place.rivals.iter().enumerate().take(columns.len()).skip(1) {
+        for (b, other) in slot.rivals.iter().enumerate().take(columns.len()).skip(1) {
             let weight = (first.probability * other.probability).sqrt();
             let both = Some(both + b - 1);
             let truth = first.probability / (first.probability + other.probability);

@@ -1,4 +1,4 @@
-//! What stands in one place of the model, cause by cause: all variants of one effect in one joint together.
+//! What stands in one slot of the model, cause by cause: all variants of one effect in one joint together.
 
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
@@ -28,15 +28,15 @@ pub struct CauseGroup {
     pub size_ratio: f64,
 }
 
-/// Causes of one place in the model, the likeliest first.
-pub struct OpenPlace {
+/// A slot of the model whose cause is not beyond doubt.
+pub struct OpenSlot {
     /// Index of the cause that was chosen; `None`: none was.
-    pub place: Option<usize>,
-    /// Those that cannot be ruled out there, or, where one alone is left, it and the next.
+    pub slot: Option<usize>,
+    /// Causes that cannot be ruled out there, the likeliest first; where one alone is left, it and the next.
     pub rivals: Vec<Rival>,
 }
 
-/// A cause that may stand in a place.
+/// A cause that may stand in a slot.
 pub struct Rival {
     /// Index of its likeliest candidate.
     pub candidate: usize,
@@ -46,9 +46,9 @@ pub struct Rival {
     pub size_ratio: f64,
 }
 
-impl OpenPlace {
-    /// The place of `groups`, of which the first `near` cannot be ruled out.
-    pub fn new(place: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
+impl OpenSlot {
+    /// The slot of `groups`, of which the first `near` cannot be ruled out.
+    pub fn new(slot: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
         let rivals = groups
             .iter()
             .take(near.max(2))
@@ -58,7 +58,7 @@ impl OpenPlace {
                 size_ratio: g.size_ratio,
             })
             .collect();
-        Self { place, rivals }
+        Self { slot, rivals }
     }
 
     /// How little is decided: entropy of the causes and of all else, nats.
@@ -164,20 +164,28 @@ pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
         .collect()
 }
 
-/// Every hypothesis in the place `without` of the model (none: beside it), and how much geometry is needed there.
+/// Every hypothesis for one slot of the model.
+#[derive(Clone, Debug)]
+pub struct SlotScan {
+    /// All that may stand there, likeliest first.
+    pub ranking: HypothesisRanking,
+    /// How much the geometry's tolerances are needed beside the other causes, nats.
+    pub geometry_gain_nats: f64,
+}
+
+/// Ranks every hypothesis in the slot `without` of the model (none: beside all that is chosen).
 #[must_use]
-pub fn scan(
-    fitted: &FittedModel<'_>,
-    chosen: &[ChosenCause],
-    without: Option<usize>,
-) -> (HypothesisRanking, f64) {
+pub fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Option<usize>) -> SlotScan {
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let nuisance =
         NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, without), model.noise);
     let taken: Vec<usize> =
         chosen.iter().enumerate().filter(|(i, _)| Some(*i) != without).map(|(_, c)| c.candidate).collect();
-    (workspace.library.scan(&nuisance, &groups, &taken), nuisance.geometry_gain())
+    SlotScan {
+        ranking: workspace.library.scan(&nuisance, &groups, &taken),
+        geometry_gain_nats: nuisance.geometry_gain(),
+    }
 }
 
 /// What variants of one cause share.

@@ -62,9 +62,22 @@ pub fn alternative_share(workspace: &Workspace<'_>, ranking: &HypothesisRanking,
     ranking.ranked.iter().filter(rival).map(|r| r.probability).sum()
 }
 
-/// ln evidence of structure over nothing, priors within the GP alternatives included; and the likeliest GP alternative.
-pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Option<(f64, usize)> {
-    let gain = log_sum(ranking.ranked.iter().filter_map(
+/// Structure of no cause, and its likeliest form.
+#[derive(Clone, Copy, Debug)]
+pub struct LikeliestStructure {
+    /// ln evidence of all structure over nothing, priors within the GP alternatives included.
+    pub gain_nats: f64,
+    /// Index of the likeliest GP alternative.
+    pub gp_alternative: usize,
+}
+
+/// The structure in a ranking; `None` where no GP alternative was ranked.
+#[must_use]
+pub fn likeliest_structure(
+    workspace: &Workspace<'_>,
+    ranking: &HypothesisRanking,
+) -> Option<LikeliestStructure> {
+    let gain_nats = log_sum(ranking.ranked.iter().filter_map(
         |RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
             Hypothesis::GpAlternative(k) => Some(
                 r.log_evidence + workspace.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln(),
@@ -76,7 +89,7 @@ pub fn structure(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Opti
         Hypothesis::GpAlternative(k) => Some(*k),
         _ => None,
     })?;
-    Some((gain, best))
+    Some(LikeliestStructure { gain_nats, gp_alternative: best })
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.

@@ -1,0 +1,39 @@
+//! The verdict on the best model: from its evidence, its scatter, and structure that no effect takes.
+
+use super::cause_group::scan;
+use super::judgement::Judgement;
+use super::noise::{ReducedChiSquare, Scatter, joint_scatter, reduced_chi_square};
+use super::structure::add_gp_alternatives;
+use super::with_causes::with_causes;
+use super::without_cause::without_cause;
+use crate::diagnose::model::FittedModel;
+use crate::diagnose::outcome::Verdict;
+use crate::diagnose::search::ALARM_NATS;
+
+/// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
+/// is halved: even odds at best that the verdict is wrong and the candidate right.
+const AS_A_CANDIDATE: f64 = 0.5;
+
+/// Judges the best model of the data.
+#[must_use]
+pub fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
+    let chosen = fitted.model.chosen.clone();
+    fitted.workspace.library.forget_columns();
+    add_gp_alternatives(fitted);
+    let rest = scan(fitted, &chosen, None);
+    let chi = reduced_chi_square(fitted, &chosen);
+    let along = joint_scatter(fitted).filter(|j| j.gain_nats > ALARM_NATS);
+    let scatter = Scatter { chi: chi.filter(ReducedChiSquare::is_exceeded).map(|chi| chi.value), along };
+    let mut judgement = if chosen.is_empty() {
+        without_cause(fitted, &rest, scatter)
+    } else {
+        with_causes(fitted, &chosen, &rest.ranking, scatter)
+    };
+    judgement.reduced_chi_square = chi.map(|chi| chi.value);
+    if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
+        for candidate in &mut judgement.causes {
+            candidate.posterior *= AS_A_CANDIDATE;
+        }
+    }
+    judgement
+}

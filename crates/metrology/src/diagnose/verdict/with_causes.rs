@@ -1,0 +1,315 @@
+//! The verdict on a model that has causes: which stand in each of its places, and whether structure of no cause overrules them.
+
+use super::cause_group::{CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, scan};
+use super::judgement::Judgement;
+use super::listing::{listed, rejected};
+use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
+use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
+use super::structure::{
+    MANY_CAUSES, SMALL_BESIDE, alternative_share, gp_alternative_share, left_over_m, likeliest_structure,
+    location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines, structure_odds, varying_cause,
+};
+use super::wording::{describe, in_short, structure_reason, switched_reason};
+use crate::diagnose::evidence::NuisanceModel;
+use crate::diagnose::gp_alternative::GpAlternative;
+use crate::diagnose::model::{FittedModel, Workspace};
+use crate::diagnose::outcome::{Cause, Location, Verdict};
+use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
+use robot_model::deform::EffectKind;
+
+/// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
+const GP_ALTERNATIVE_SHARE: f64 = 0.2;
+/// A set larger than this, with structure of no cause as likely, is no set.
+const LARGE_SET: usize = 6;
+/// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
+const LIKELIER_THAN_NOT: f64 = 0.5;
+/// Of a bent spring that may as well be play: as likely as that.
+const AS_MUCH_PLAY: f64 = 0.5;
+/// More moments than this at which something jumped are no knocks: something was switched.
+const MOST_STEPS: usize = 2;
+
+/// The judgement on a model of `chosen` causes, beside which `rest` of the hypotheses stand.
+pub fn with_causes(
+    fitted: &mut FittedModel<'_>,
+    chosen: &[ChosenCause],
+    rest: &HypothesisRanking,
+    scatter: Scatter,
+) -> Judgement {
+    let mut found = CausesFound::default();
+    for slot in 0..chosen.len() {
+        found.add_slot(fitted, chosen, slot);
+    }
+    let has_scale = found.causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
+    let causes = listed(std::mem::take(&mut found.causes));
+    let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
+    let moved_m = moved_m(fitted, chosen);
+    let of_causes = Location {
+        joint: causes.first().and_then(|c| c.joint),
+        time: causes.first().map(|c| c.time),
+        region: region_of(fitted.linear, &moved_m),
+    };
+    let structure = StructureBeside::of(fitted, chosen, rest, &found);
+    let slowness = slowness(fitted, chosen);
+    let outcome = structure
+        .outcome(fitted, &of_causes)
+        .or_else(|| slow_structure(fitted, chosen, slowness, &structure, &moved_m))
+        .or_else(|| comparable_scatter(fitted, scatter, slowness, &structure, &of_causes))
+        .or_else(|| switched(fitted, chosen))
+        .or_else(|| wandering(fitted, slowness, &causes));
+    let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
+        let (verdict, reason) = if causes.is_empty() {
+            (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
+        } else if found.clear < found.needed.min(2) || has_scale {
+            (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
+        } else if found.needed > 1 {
+            (Verdict::Several, format!("{} causes, each needed: {}", found.needed, in_short(&causes)))
+        } else {
+            (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
+        };
+        Decision { verdict, reason, location: of_causes.clone() }
+    });
+    Judgement { verdict, reason, causes, alternatives, location, open: found.open, reduced_chi_square: None }
+}
+
+/// A verdict with its reason, and where the gap then lies.
+struct Decision {
+    verdict: Verdict,
+    reason: String,
+    location: Location,
+}
+
+impl Decision {
+    fn structure(reason: String, location: Location) -> Self {
+        Self { verdict: Verdict::UnexplainedStructure, reason, location }
+    }
+
+    fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Self {
+        let timed = fitted.linear.dataset.time_min.is_some();
+        Self::structure(structure_reason(GpAlternative::Time, timed), over_time(fitted, chosen))
+    }
+}
+
+/// The causes of all slots, as they are found slot by slot.
+#[derive(Default)]
+struct CausesFound {
+    causes: Vec<Cause>,
+    /// Causes that were rejected in their slots.
+    alternatives: Vec<Cause>,
+    open: Vec<OpenSlot>,
+    /// Slots that are needed beside the others.
+    needed: usize,
+    /// Of these, slots with one cause that stands clear of all else.
+    clear: usize,
+    /// Slots whose causes structure of no cause could replace.
+    replaceable: Vec<usize>,
+    /// The likeliest structure in the last of these.
+    replacement: Option<usize>,
+    /// The candidates that are named already.
+    named: Vec<usize>,
+}
+
+impl CausesFound {
+    /// What may stand in slot `i` of the model.
+    fn add_slot(&mut self, fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) {
+        let candidates = fitted.workspace.library.candidates;
+        if chosen.len() > MANY_CAUSES && candidates[chosen[i].candidate].variant.n.is_some() {
+            let line = line_among_many(fitted, chosen, i);
+            self.causes.push(Cause { slot: i + 1, ..line });
+            self.needed += 1;
+            self.clear += 1;
+            return;
+        }
+        let ranking = scan(fitted, chosen, Some(i)).ranking;
+        let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
+        join_nested(&fitted.workspace, &mut cause_groups);
+        doubt_shapes(&fitted.workspace, &mut cause_groups);
+        let Some(first) = cause_groups.first() else { return };
+        let near = credible(&cause_groups);
+        let nothing =
+            ranking.ranked.iter().find(|r| r.hypothesis == Hypothesis::Null).map_or(0.0, |r| r.probability);
+        if nothing > first.probability.max(gp_alternative_share(&ranking)) {
+            // Beside the others it is no longer needed.
+            return;
+        }
+        if is_named(&fitted.workspace, first, &self.named) {
+            // The same cause once more, in another variant: what the first leaves of it.
+            return;
+        }
+        self.named.push(first.best);
+        self.needed += 1;
+        let gp_alternatives = alternative_share(&fitted.workspace, &ranking, first.best);
+        let causes_share: f64 = near.iter().map(|g| g.probability).sum();
+        if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
+            self.replacement = likeliest_structure(&fitted.workspace, &ranking).map(|s| s.gp_alternative);
+            self.replaceable.push(i);
+        }
+        let play_too = looks_like_play(fitted, first.best);
+        self.clear += usize::from(
+            near.len() == 1
+                && !play_too
+                && first.probability >= LIKELIER_THAN_NOT
+                && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
+        );
+        self.open.push(OpenSlot::new(Some(i), &cause_groups, near.len()));
+        for cause_group in &near {
+            let found = cause(fitted, chosen, Some(i), cause_group);
+            self.causes.push(Cause { slot: i + 1, ..found });
+        }
+        if play_too && let Some(spring) = self.causes.iter_mut().find(|c| c.slot == i + 1) {
+            // Of the two the file prefers neither; the spring stands first.
+            spring.posterior *= AS_MUCH_PLAY;
+            let (joint, posterior) = (spring.joint, spring.posterior);
+            self.causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
+        }
+        for cause_group in cause_groups.iter().skip(near.len()).take(3) {
+            self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
+        }
+    }
+}
+
+/// Structure of no cause beside all causes, and whether it overrules them.
+struct StructureBeside {
+    /// What all causes take together, 3-D rms, metres.
+    cause_rms_m: f64,
+    /// The structure that is likeliest, in place of causes or beside them.
+    gp_alternative: Option<usize>,
+    overrules: bool,
+}
+
+impl StructureBeside {
+    fn of(
+        fitted: &FittedModel<'_>,
+        chosen: &[ChosenCause],
+        rest: &HypothesisRanking,
+        found: &CausesFound,
+    ) -> Self {
+        let FittedModel { linear, model, workspace } = fitted;
+        let cause_rms_m = total_rms_m(fitted, chosen);
+        let likeliest = likeliest_structure(workspace, rest);
+        let left = likeliest.filter(|s| s.gain_nats > ALARM_NATS);
+        let spread = model.visit_spread(&linear.dataset).sqrt();
+        let left_rms_m = left.map_or(0.0, |left| spread * left_over_m(rest, left.gp_alternative));
+        let odds = odds_over_causes(fitted, chosen);
+        let together = chosen.len() > 1 && odds > 0.0;
+        // Structure alone that is likelier than the causes with structure beside them.
+        let all = odds > likeliest.map_or(0.0, |s| structure_odds(s.gain_nats).max(0.0));
+        let shape = shape_of_lines(fitted, chosen).or(varying_cause(workspace, rest));
+        // Structure that stays small beside the causes does not make them wrong.
+        let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
+        // Causes that most of them structure could replace are no causes but its parts.
+        let lost = &found.replaceable;
+        let parts = lost.len() > 1 && 2 * lost.len() > found.needed && left.is_some();
+        // Nor does structure that stands where a small one of them would.
+        let kept: Vec<ChosenCause> =
+            (0..chosen.len()).filter(|i| !lost.contains(i)).map(|i| chosen[i].clone()).collect();
+        let kept_rms_m = if lost.is_empty() { cause_rms_m } else { total_rms_m(fitted, &kept) };
+        let lost_rms_m = (cause_rms_m.powi(2) - kept_rms_m.powi(2)).max(0.0).sqrt();
+        let is_small = lost_rms_m < MAX_RESIDUAL_SHARE * cause_rms_m;
+        let replacement = shape.or(found.replacement).filter(|_| !is_small);
+        let alone = (replacement.is_some() || together) && !beside || all || parts || shape.is_some();
+        Self {
+            cause_rms_m,
+            gp_alternative: replacement.or(left.map(|left| left.gp_alternative)),
+            overrules: alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m,
+        }
+    }
+
+    /// The verdict of structure, where it overrules the causes.
+    fn outcome(&self, fitted: &FittedModel<'_>, of_causes: &Location) -> Option<Decision> {
+        let FittedModel { linear, model, workspace } = fitted;
+        if !self.overrules {
+            return None;
+        }
+        let gp_alternative = self.gp_alternative.or_else(|| {
+            let groups = workspace.design.all_groups();
+            let bare = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
+            let ranking = workspace.library.rank_gp_alternatives(&bare);
+            likeliest_structure(workspace, &ranking).map(|s| s.gp_alternative)
+        });
+        Some(match gp_alternative {
+            Some(k) => Decision::structure(
+                structure_reason(
+                    workspace.library.gp_alternatives[k].gp_alternative,
+                    linear.dataset.time_min.is_some(),
+                ),
+                location_of_gp(fitted, &[], k),
+            ),
+            None => Decision::structure(String::new(), of_causes.clone()),
+        })
+    }
+}
+
+/// Slow noise that is structure over time, and large against the causes.
+fn slow_structure(
+    fitted: &FittedModel<'_>,
+    chosen: &[ChosenCause],
+    slowness: Slowness,
+    structure: &StructureBeside,
+    moved_m: &[f64],
+) -> Option<Decision> {
+    let Slowness::Structure { rms_m, noise_known } = slowness else { return None };
+    // Where nothing says how much noise there is, slow scatter as large as all that the causes move may be noise.
+    let largest_m = match noise_known {
+        false => structure.cause_rms_m.max(rms(moved_m)),
+        true => MAX_RESIDUAL_SHARE * structure.cause_rms_m,
+    };
+    (rms_m > largest_m).then(|| Decision::over_time(fitted, chosen))
+}
+
+/// Scatter that is not slow, and not small against the causes.
+fn comparable_scatter(
+    fitted: &FittedModel<'_>,
+    scatter: Scatter,
+    slowness: Slowness,
+    structure: &StructureBeside,
+    of_causes: &Location,
+) -> Option<Decision> {
+    let is_slow = matches!(slowness, Slowness::Structure { .. });
+    (!is_slow && scatter.is_comparable(fitted, structure.cause_rms_m)).then(|| Decision {
+        verdict: Verdict::UnexplainedScatter,
+        reason: scatter.reason(&fitted.linear.dataset),
+        location: Location { joint: scatter.along.map(|a| a.joint), ..of_causes.clone() },
+    })
+}
+
+/// Steps at more moments than knocks come.
+fn switched(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<Decision> {
+    let dataset = &fitted.linear.dataset;
+    let mut lines: Vec<u64> = chosen
+        .iter()
+        .filter_map(|c| fitted.workspace.library.candidates[c.candidate].variant.t0_min())
+        .filter_map(|t0| dataset.line_from(t0))
+        .collect();
+    lines.sort_unstable();
+    lines.dedup();
+    (lines.len() > MOST_STEPS)
+        .then(|| Decision::structure(switched_reason(&lines, dataset), over_time(fitted, &[])))
+}
+
+/// Slow structure where no cause is left.
+fn wandering(fitted: &FittedModel<'_>, slowness: Slowness, causes: &[Cause]) -> Option<Decision> {
+    let is_slow = matches!(slowness, Slowness::Structure { .. });
+    (causes.is_empty() && is_slow).then(|| Decision::over_time(fitted, &[]))
+}
+
+/// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity
+/// decides at most poses has the same shape.
+fn looks_like_play(fitted: &FittedModel<'_>, candidate: usize) -> bool {
+    let FittedModel { workspace, linear, .. } = fitted;
+    let candidate = &workspace.library.candidates[candidate];
+    candidate.kind == EffectKind::JointCompliance
+        && candidate.variant.refined
+        && !linear.dataset.channels.direction
+}
+
+/// Whether one of the candidates `named` is the same cause as the first of another place: not of steps, which are many, nor of lines.
+fn is_named(workspace: &Workspace<'_>, first: &CauseGroup, named: &[usize]) -> bool {
+    let this = &workspace.library.candidates[first.best];
+    let alone = this.variant.t0_min().is_none() && this.kind != EffectKind::GearMesh;
+    alone
+        && named.iter().map(|&c| &workspace.library.candidates[c]).any(|other| {
+            other.kind == this.kind
+                && other.variant.joint == this.variant.joint
+                && other.variant.joint_b == this.variant.joint_b
+        })
+}
