@@ -19,7 +19,7 @@ use super::next_measurements::next_measurements;
 use super::noise_fault::noise_beyond_stated;
 use super::options::Options;
 use super::outcome::{Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Warning};
-use super::rounding::{self, Suspicion};
+use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
 use super::verdict::{Judgement, judge};
 use super::zeros::zeros;
@@ -83,7 +83,7 @@ pub fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation {
         group_of: &folds.group_of,
     };
     let mut fitted = best_model(&problem);
-    let fault = rounding::find(measured, &fitted, Suspicion::None);
+    let fault = rounding::find(measured, &fitted, FaultPrior::NoOtherFault);
     if let Some(fault) = fault.or_else(|| too_many_false(measured, &fitted)) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }

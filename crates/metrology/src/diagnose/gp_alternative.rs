@@ -72,54 +72,84 @@ const BUMP_RADII_M: [f64; 3] = [0.07, 0.14, 0.28];
 const MOST_OF_PAIR: usize = 16;
 const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
-/// Every GP alternative that these data can show, with its prior weight.
+/// A GP alternative with its share of the prior of all structure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeightedAlternative {
+    /// Which structure it is.
+    pub gp_alternative: GpAlternative,
+    /// Its share, beside 1 of all that are tried in every set.
+    pub weight: f64,
+}
+
+impl GpAlternative {
+    /// With a share of the prior.
+    #[must_use]
+    pub fn weighing(self, weight: f64) -> WeightedAlternative {
+        WeightedAlternative { gp_alternative: self, weight }
+    }
+}
+
+/// Every GP alternative that is tried in every set of an arm of so many joints; their weights sum to 1.
 #[must_use]
-pub fn gp_alternatives(joints: usize) -> Vec<(GpAlternative, f64)> {
+pub fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
     // Pairs of joints times joints that they turn.
     let pairs = (joints * (joints - 1) / 2 * joints) as f64;
     let mut all = vec![
-        (GpAlternative::Workspace, 2.0),
-        (GpAlternative::WorkspaceFine, 1.0),
-        (GpAlternative::AllJoints, 1.0),
+        GpAlternative::Workspace.weighing(2.0),
+        GpAlternative::WorkspaceFine.weighing(1.0),
+        GpAlternative::AllJoints.weighing(1.0),
     ];
     let axes = || (0..joints).map(Axis::at);
     for j in axes() {
-        all.extend([
-            (GpAlternative::Joint(j), 0.5),
-            (GpAlternative::JointFine(j), 0.5),
-            (GpAlternative::Joints(j), 0.5),
-        ]);
+        all.extend(
+            [GpAlternative::Joint(j), GpAlternative::JointFine(j), GpAlternative::Joints(j)]
+                .map(|of_joint| of_joint.weighing(0.5)),
+        );
     }
     for a in axes() {
-        all.extend(axes().filter(|&b| b != a).map(|b| (GpAlternative::Driven(a, b), 0.1)));
+        all.extend(axes().filter(|&b| b != a).map(|b| GpAlternative::Driven(a, b).weighing(0.1)));
     }
     for a in axes() {
         for b in axes().filter(|&b| b > a) {
-            all.extend(axes().map(|j| (GpAlternative::Pair(a, b, j), 2.0 / pairs)));
+            all.extend(axes().map(|j| GpAlternative::Pair(a, b, j).weighing(2.0 / pairs)));
         }
     }
-    all.extend([(GpAlternative::WristCable, 1.0), (GpAlternative::WristCableFine, 1.0)]);
-    all.extend((0..3).map(|body| (GpAlternative::WristFlip(body), 0.3)));
+    all.extend([GpAlternative::WristCable, GpAlternative::WristCableFine].map(|hose| hose.weighing(1.0)));
+    all.extend((0..3).map(|body| GpAlternative::WristFlip(body).weighing(0.3)));
     for position in 0..BUMP_CENTRES {
         let share = 2.0 / (BUMP_CENTRES * BUMP_RADII_M.len()) as f64;
-        all.extend((0..BUMP_RADII_M.len()).map(|radius| (GpAlternative::LocalBump(position, radius), share)));
+        all.extend(
+            (0..BUMP_RADII_M.len()).map(|radius| GpAlternative::LocalBump(position, radius).weighing(share)),
+        );
     }
     // Without a time column the rows still stand in the order in which they were measured.
-    all.extend([(GpAlternative::Time, 2.0), (GpAlternative::TimeFine, 1.0), (GpAlternative::ToolTime, 1.0)]);
-    all.extend(axes().map(|j| (GpAlternative::JointTime(j), 0.5)));
-    let total: f64 = all.iter().map(|k| k.1).sum();
-    all.iter().map(|&(gp_alternative, weight)| (gp_alternative, weight / total)).collect()
+    all.extend([
+        GpAlternative::Time.weighing(2.0),
+        GpAlternative::TimeFine.weighing(1.0),
+        GpAlternative::ToolTime.weighing(1.0),
+    ]);
+    all.extend(axes().map(|j| GpAlternative::JointTime(j).weighing(0.5)));
+    let total: f64 = all.iter().map(|one| one.weight).sum();
+    all.iter_mut().for_each(|one| one.weight /= total);
+    all
 }
 
 /// The GP alternative's features as columns of `design`, largest first, sized to what is usual at the point, 0.1 mm.
 #[must_use]
 pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
     match gp_alternative {
-        GpAlternative::Joint(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[0]),
-        GpAlternative::JointFine(j) => joint_columns(design, dataset, &[(j, j)], JOINT_RAD[1]),
-        GpAlternative::Driven(a, b) => joint_columns(design, dataset, &[(a, b)], JOINT_RAD[0]),
+        GpAlternative::Joint(j) => {
+            joint_columns(design, dataset, &[Turning { by: j, turned: j }], JOINT_RAD[0])
+        }
+        GpAlternative::JointFine(j) => {
+            joint_columns(design, dataset, &[Turning { by: j, turned: j }], JOINT_RAD[1])
+        }
+        GpAlternative::Driven(a, b) => {
+            joint_columns(design, dataset, &[Turning { by: a, turned: b }], JOINT_RAD[0])
+        }
         GpAlternative::AllJoints => {
-            let each: Vec<(Axis, Axis)> = (0..dataset.joints()).map(|j| (Axis::at(j), Axis::at(j))).collect();
+            let own = |j| Turning { by: Axis::at(j), turned: Axis::at(j) };
+            let each: Vec<Turning> = (0..dataset.joints()).map(own).collect();
             joint_columns(design, dataset, &each, JOINT_RAD[0])
         }
         GpAlternative::Joints(j) => {
@@ -224,15 +254,17 @@ fn position(observation: &Observation) -> Vec<f64> {
     observation.point_m.iter().copied().collect()
 }
 
-/// Functions of the first joint's angle that turn the second, for each of `pairs`.
-fn joint_columns(
-    design: &Design,
-    dataset: &Dataset,
-    pairs: &[(Axis, Axis)],
-    length_rad: f64,
-) -> DMatrix<f64> {
+/// A joint that turns by a function of a joint's angle, another's or its own.
+#[derive(Clone, Copy)]
+struct Turning {
+    by: Axis,
+    turned: Axis,
+}
+
+/// Functions of one joint's angle that turn one, for each of `turnings`.
+fn joint_columns(design: &Design, dataset: &Dataset, turnings: &[Turning], length_rad: f64) -> DMatrix<f64> {
     let mut all = Vec::new();
-    for (j, turned) in pairs.iter().map(|(by, turned)| (by.index(), turned.index())) {
+    for (j, turned) in turnings.iter().map(|one| (one.by.index(), one.turned.index())) {
         let values = dataset.observations.iter().map(|s| s.as_angle(j));
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);
@@ -297,9 +329,18 @@ fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> DMatrix
     ))
 }
 
-/// Middle and radius of the structure: stations weighted by how far they are moved.
+/// A ball in the robot's base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Its centre, metres.
+    pub centre_m: Vector3<f64>,
+    /// Its radius, metres.
+    pub radius_m: f64,
+}
+
+/// Where the structure lies: stations weighted by how far they are moved.
 #[must_use]
-pub fn region(dataset: &Dataset, moved_m: &[f64]) -> (Vector3<f64>, f64) {
+pub fn region(dataset: &Dataset, moved_m: &[f64]) -> Ball {
     // The fourth power lets the few that move most count.
     let largest = moved_m.iter().fold(0.0, |a: f64, b| a.max(*b)).max(1e-300);
     let weights: Vec<f64> = moved_m.iter().map(|m| (m / largest).powi(4)).collect();
@@ -313,5 +354,5 @@ pub fn region(dataset: &Dataset, moved_m: &[f64]) -> (Vector3<f64>, f64) {
         .map(|(s, w)| (s.point_m - centre).norm_squared() * w)
         .sum::<f64>()
         / total;
-    (centre, square.sqrt())
+    Ball { centre_m: centre, radius_m: square.sqrt() }
 }

@@ -107,15 +107,14 @@ pub fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduction {
     let time_block = folds.time.as_ref().and_then(|groups| block(&held_out(fitted, folds, groups)));
     let region_block = block(&held_out(fitted, folds, &folds.region));
     let observations = &fitted.linear.dataset.observations;
-    let by_pose: Vec<(usize, HeldOutSquares)> =
-        all.iter().map(|squares| (observations[squares.station].pose, *squares)).collect();
+    let pose_of = |station: usize| observations[station].pose;
     ErrorReduction {
         before_rms_mm: Some(whole.before_rms_mm),
         after_rms_mm: Some(whole.after_rms_mm),
         causes_only_rms_mm: Some(whole.causes_only_rms_mm),
         floor_rms_mm: Some(mm_from_m(floor_m(fitted))),
         ratio: Some(ratio),
-        ci90: Some(interval(&by_pose, ratio)),
+        ci90: Some(interval(&all, pose_of, ratio)),
         time_block,
         region_block,
     }
@@ -184,10 +183,10 @@ fn block(stations: &[HeldOutSquares]) -> Option<HeldOutBlock> {
 }
 
 /// 90 % interval of after/before by resampling whole poses (Efron and Tibshirani 1993, ch. 13), widened.
-fn interval(stations: &[(usize, HeldOutSquares)], ratio: f64) -> [f64; 2] {
+fn interval(stations: &[HeldOutSquares], pose_of: impl Fn(usize) -> usize, ratio: f64) -> [f64; 2] {
     let mut poses: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
-    for (pose, s) in stations {
-        let sum = poses.entry(*pose).or_default();
+    for s in stations {
+        let sum = poses.entry(pose_of(s.station)).or_default();
         sum[0] += s.before_m2;
         sum[1] += s.after_m2;
     }
@@ -262,11 +261,9 @@ mod tests {
             causes_m2: 0.3,
             after_m2: if pose.is_multiple_of(2) { 0.2 } else { 0.4 },
         };
-        let rows = |poses: usize| -> Vec<(usize, HeldOutSquares)> {
-            (0..poses).map(|pose| (pose, row(pose))).collect()
-        };
+        let rows = |poses: usize| -> Vec<HeldOutSquares> { (0..poses).map(row).collect() };
         let width = |poses: usize| {
-            let [low, high] = interval(&rows(poses), 0.3_f64.sqrt());
+            let [low, high] = interval(&rows(poses), |station| station, 0.3_f64.sqrt());
             (high / low).ln()
         };
         let expected = (400.0_f64 / 25.0).sqrt() * (1.0 + 9.0 / 25.0) / (1.0 + 9.0 / 400.0);

@@ -46,7 +46,7 @@ pub(super) fn identify(
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {
         let variant = candidates[c.candidate].variant;
-        variant.n.is_some() && lines.iter().any(|(joint, _)| variant.joint == Some(*joint))
+        variant.n.is_some() && lines.iter().any(|of| variant.joint == Some(of.joint))
     };
     let (named, chosen): (Vec<&ChosenCause>, Vec<&ChosenCause>) = model.chosen.iter().partition(in_spectrum);
     let columns = ModelColumns {
@@ -69,7 +69,7 @@ pub(super) fn identify(
     let precisions = precisions_at(size_rad);
     let all: Vec<usize> = (0..dataset.observations.len()).collect();
     let mut normal = columns.sum(&all, &linear.residuals);
-    let (mut solved, _) = normal.solve(&precisions, false).ok_or(NoModel::NotSolved)?;
+    let mut solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
     let robot = Arc::new(robot.clone());
     let mut identified = Identified {
         robot: robot.name.clone(),
@@ -78,22 +78,24 @@ pub(super) fn identify(
         measured_range,
         ..Identified::default()
     };
-    let mut centre_m = agree_on_centre(&columns, &mut solved);
-    let mut sigmas = None;
-    for round in 1..=ROUNDS {
-        identified.terms = terms(&columns, &named, candidates, &solved, None);
+    let mut centre_m = agree_on_centre(&columns, &mut solution.values);
+    for _ in 0..ROUNDS {
+        identified.terms = terms(&columns, &named, candidates, &solution.values, None);
         let so_far = Arc::new(identified.clone());
-        let (residuals, _) = residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m)?;
+        let ModelResiduals { residuals, .. } =
+            residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m)?;
         // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
-        solved.rows_mut(0, columns.registration().end).fill(0.0);
-        normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solved;
-        (solved, sigmas) = normal.solve(&precisions, round == ROUNDS).ok_or(NoModel::NotSolved)?;
-        centre_m = agree_on_centre(&columns, &mut solved);
+        solution.values.rows_mut(0, columns.registration().end).fill(0.0);
+        normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solution.values;
+        solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
+        centre_m = agree_on_centre(&columns, &mut solution.values);
     }
-    let sigmas = sigmas.map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
-    identified.terms = terms(&columns, &named, candidates, &solved, sigmas.as_deref());
+    let sigmas =
+        solution.sigmas().map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
+    identified.terms = terms(&columns, &named, candidates, &solution.values, sigmas.as_deref());
     let whole = Arc::new(identified.clone());
-    let (left, registration) = residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
+    let ModelResiduals { residuals: left, registration } =
+        residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
     plausible(&identified, &left, fitted)?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
@@ -108,7 +110,7 @@ pub(super) fn identify(
                 let kept = since.iter().map(|&i| stations.stations[i].clone()).collect();
                 let stations = Stations { stations: kept, ..stations.clone() };
                 let stepped = Arc::new(identified.clone());
-                let (left, _) = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?;
+                let left = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?.residuals;
                 let before: Vec<Twist> = since.iter().map(|&i| linear.nominal[i]).collect();
                 holds(rms_m(&left, |_| true), rms_m(&before, |_| true), fitted)?;
             }
@@ -265,7 +267,15 @@ fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {
 /// Precision of what is not to be moved, over the noise's.
 const NOTHING: f64 = 1e18;
 
-/// Measured minus predicted by the model at every station, base axes, and the registration that goes with it.
+/// What an exact arm under a model leaves.
+struct ModelResiduals {
+    /// Measured minus predicted at every station, base axes.
+    residuals: Vec<Twist>,
+    /// The registration that goes with them.
+    registration: Registration,
+}
+
+/// Registers the exact arm under the model, and compares.
 fn residuals_of(
     robot: &Arc<SerialArm>,
     stations: &Stations,
@@ -273,22 +283,30 @@ fn residuals_of(
     linear: &Linearised,
     tool_m: Option<Vector3<f64>>,
     payload_off_m: Vector3<f64>,
-) -> Result<(Vec<Twist>, Registration), RegisterError> {
+) -> Result<ModelResiduals, RegisterError> {
     let payload_m = linear.registration.payload_m() + payload_off_m;
-    let (scaled, poses) = predicted(robot, &stations.stations, model, payload_m);
+    let PredictedStations { stations: scaled, poses } =
+        predicted(robot, &stations.stations, model, payload_m);
     let registration = register(&scaled, &poses, stations.targets, tool_m)?;
-    let left = scaled.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
-    Ok((left, registration))
+    let residuals = scaled.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
+    Ok(ModelResiduals { residuals, registration })
 }
 
-/// The stations as a true instrument would have seen them, and the flange poses of the model there, with the
-/// payload's centre at `payload_m`, flange frame.
+/// Stations against which an arm under a model is held.
+pub(super) struct PredictedStations {
+    /// As an instrument without an error of scale would have seen them.
+    pub stations: Vec<Station>,
+    /// The flange's pose in the base at each, by the model.
+    pub poses: Vec<Isometry3<f64>>,
+}
+
+/// The arm under `model` at every station, the payload's centre at `payload_m`, flange frame.
 pub(super) fn predicted(
     robot: &Arc<SerialArm>,
     stations: &[Station],
     model: &Arc<Identified>,
     payload_m: Vector3<f64>,
-) -> (Vec<Station>, Vec<Isometry3<f64>>) {
+) -> PredictedStations {
     let scale: f64 =
         model.terms.iter().filter(|t| t.kind == EffectKind::InstrumentScale).map(|t| t.value(0)).sum::<f64>()
             + 1.0;
@@ -316,7 +334,7 @@ pub(super) fn predicted(
         .collect();
     let scaled =
         stations.iter().map(|s| Station { reading: s.reading.scaled(1.0 / scale), ..s.clone() }).collect();
-    (scaled, poses)
+    PredictedStations { stations: scaled, poses }
 }
 
 fn measured_range(rows: usize, stations: &Stations, joints: usize) -> MeasuredRange {

@@ -3,7 +3,7 @@
 use super::linearise::{Linearised, shift_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
-use super::rounding::{self, Suspicion};
+use super::rounding::{self, FaultPrior};
 use super::verdict::Judgement;
 use super::{Verdict, dataset::Twist};
 use crate::measure::{Fault, FaultKind};
@@ -33,7 +33,7 @@ pub(super) fn noise_beyond_stated(
     if judgement.verdict == Verdict::UnexplainedStructure || noise_m < BEYOND * known_m {
         return None;
     }
-    let rounded = rounding::find(measured, fitted, Suspicion::FileIsWrong);
+    let rounded = rounding::find(measured, fitted, FaultPrior::KnownFault);
     if rounded.is_some() {
         return rounded;
     }

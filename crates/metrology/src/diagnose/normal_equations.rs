@@ -25,8 +25,17 @@ pub struct ModelColumns<'a> {
     pub targets: usize,
     /// Causes that are no lines of a spectrum.
     pub causes: Vec<&'a Candidate>,
-    /// Joints with the periods per turn of their spectra.
-    pub lines: Vec<(Axis, Vec<u32>)>,
+    /// Joints whose gears have a whole spectrum.
+    pub lines: Vec<JointLines>,
+}
+
+/// The lines of one joint's gear that are fitted together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointLines {
+    /// The joint that they turn with.
+    pub joint: Axis,
+    /// Periods per turn of each line, ascending.
+    pub periods: Vec<u32>,
 }
 
 /// Sums over some stations.
@@ -35,6 +44,24 @@ pub struct NormalEquations {
     pub gram: DMatrix<f64>,
     /// Products with the residuals.
     pub rhs: DVector<f64>,
+}
+
+/// The most probable value of every column.
+pub struct Solution {
+    /// In the units of the columns.
+    pub values: DVector<f64>,
+    /// Lower triangular root of the normal equations' matrix.
+    root: DMatrix<f64>,
+}
+
+impl Solution {
+    /// Standard deviation of each value at unit noise; `None` where one is not determined.
+    #[must_use]
+    pub fn sigmas(&self) -> Option<Vec<f64>> {
+        let n = self.root.nrows();
+        let inverse = self.root.solve_lower_triangular(&DMatrix::identity(n, n))?;
+        Some(inverse.column_iter().map(|column| column.norm()).collect())
+    }
 }
 
 /// Whitened columns at some stations.
@@ -92,7 +119,7 @@ impl ModelColumns<'_> {
     #[must_use]
     pub fn of_lines(&self) -> Vec<Range<usize>> {
         let start = self.of_causes().last().map_or(self.geometry().end, |r| r.end);
-        ranges(start, self.lines.iter().map(|(_, n)| 2 * n.len()))
+        ranges(start, self.lines.iter().map(|of| 2 * of.periods.len()))
     }
 
     fn rows(&self, observations: &[usize], residuals: &[Twist]) -> WhitenedRows {
@@ -101,7 +128,11 @@ impl ModelColumns<'_> {
         let mut rows = WhitenedRows {
             plain: DMatrix::zeros(observations.len() * d, width),
             turns: DMatrix::zeros(observations.len() * d, self.lines.len()),
-            angles: self.lines.iter().map(|(_, n)| DMatrix::zeros(observations.len(), 2 * n.len())).collect(),
+            angles: self
+                .lines
+                .iter()
+                .map(|of| DMatrix::zeros(observations.len(), 2 * of.periods.len()))
+                .collect(),
             data: DVector::zeros(observations.len() * d),
             visits: Visits::new(self.dataset, self.whitening, observations),
         };
@@ -121,13 +152,13 @@ impl ModelColumns<'_> {
             for (column, twist) in twists.iter().enumerate() {
                 weighted(*twist).enumerate().for_each(|(k, v)| rows.plain[(row * d + k, column)] = v);
             }
-            for (column, (joint, _)) in self.lines.iter().enumerate() {
+            for (column, JointLines { joint, .. }) in self.lines.iter().enumerate() {
                 let turn = scaled(observation.jacobian_column(joint.index()), LINE_RAD);
                 weighted(turn).enumerate().for_each(|(k, v)| rows.turns[(row * d + k, column)] = v);
             }
             weighted(residuals[i]).enumerate().for_each(|(k, v)| rows.data[row * d + k] = v);
-            for (angles, (joint, all)) in rows.angles.iter_mut().zip(&self.lines) {
-                for (k, n) in all.iter().enumerate() {
+            for (angles, JointLines { joint, periods }) in rows.angles.iter_mut().zip(&self.lines) {
+                for (k, n) in periods.iter().enumerate() {
                     let (sin, cos) = (f64::from(*n) * observation.q_rad[joint.index()]).sin_cos();
                     (angles[(row, 2 * k)], angles[(row, 2 * k + 1)]) = (sin, cos);
                 }
@@ -214,23 +245,22 @@ impl ModelColumns<'_> {
 }
 
 impl NormalEquations {
-    /// The most probable values under `precisions` (noise variance over each column's), with their standard deviations at
-    /// unit noise where those are `wanted`.
+    /// The most probable values under `precisions` (noise variance over each column's); `None` where they have no solution.
     #[must_use]
-    pub fn solve(&self, precisions: &[f64], wanted: bool) -> Option<(DVector<f64>, Option<Vec<f64>>)> {
+    pub fn solve(&self, precisions: &[f64]) -> Option<Solution> {
+        let root = self.root(precisions)?;
+        let values = root.tr_solve_lower_triangular(&root.solve_lower_triangular(&self.rhs)?)?;
+        Some(Solution { values, root })
+    }
+
+    /// The lower triangular root of all products with `precisions` on their diagonal.
+    fn root(&self, precisions: &[f64]) -> Option<DMatrix<f64>> {
         let mut sum = self.gram.clone();
         for (i, precision) in precisions.iter().enumerate() {
             // A little regularisation: directions that the poses do not determine stay where they are.
             sum[(i, i)] += precision + 1e-10 * sum[(i, i)] + 1e-18;
         }
-        let lower = lower_root(sum)?;
-        let half = lower.solve_lower_triangular(&self.rhs)?;
-        let solved = lower.tr_solve_lower_triangular(&half)?;
-        let sigmas = wanted
-            .then(|| lower.solve_lower_triangular(&DMatrix::identity(lower.nrows(), lower.nrows())))
-            .flatten()
-            .map(|inverse| inverse.column_iter().map(|column| column.norm()).collect());
-        Some((solved, sigmas))
+        lower_root(sum)
     }
 
     /// Less the sums over a part of the stations.
@@ -300,7 +330,10 @@ mod tests {
             whitening: &whitening,
             targets: 1,
             causes: Vec::new(),
-            lines: vec![(Axis::at(1), vec![3, 7]), (Axis::at(2), vec![5])],
+            lines: vec![
+                JointLines { joint: Axis::at(1), periods: vec![3, 7] },
+                JointLines { joint: Axis::at(2), periods: vec![5] },
+            ],
         };
         let residuals: Vec<Twist> = dataset
             .observations
@@ -320,7 +353,8 @@ mod tests {
         assert!((columns.rhs(&all, &residuals) - &normal.rhs).norm() == 0.0);
         let mut precisions = vec![0.0; 45];
         precisions[columns.geometry()].fill(1e-3);
-        let (solved, sigmas) = normal.solve(&precisions, true).unwrap();
+        let solution = normal.solve(&precisions).unwrap();
+        let (solved, sigmas) = (&solution.values, solution.sigmas().unwrap());
         let expected = [0.0, -1.0, 2.0, 0.0, 0.0, 0.5];
         for (at, expected) in (columns.of_lines()[0].start..).zip(expected) {
             assert!((solved[at] - expected).abs() < 1e-5, "{at}: {} {expected}", solved[at]);
@@ -328,11 +362,10 @@ mod tests {
         let mut sum = normal.gram.clone();
         precisions.iter().enumerate().for_each(|(i, p)| sum[(i, i)] += p);
         let inverse = sum.try_inverse().unwrap();
-        for (at, sigma) in columns.of_lines()[1].clone().zip(&sigmas.unwrap()[columns.of_lines()[1].start..])
-        {
+        for (at, sigma) in columns.of_lines()[1].clone().zip(&sigmas[columns.of_lines()[1].start..]) {
             assert!((sigma / inverse[(at, at)].sqrt() - 1.0).abs() < 1e-3);
         }
-        let left = columns.squares_m2(&all, &residuals, &solved);
+        let left = columns.squares_m2(&all, &residuals, solved);
         assert!(left.iter().all(|m2| m2.sqrt() < 1e-9), "{left:?}");
         // A part taken away is a part never added.
         let (first, second) = all.split_at(70);

@@ -27,20 +27,20 @@ const CLEAR_NATS: f64 = 8.0;
 const MORE_SCATTER: f64 = 3.0;
 const BY_SIZE_NATS: f64 = 2.5;
 
-/// How clearly rounding has to show.
+/// What else is known of the file, which decides how clearly rounding has to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Suspicion {
+pub enum FaultPrior {
     /// Nothing else speaks against the file.
-    None,
+    NoOtherFault,
     /// The file is wrong; the question is in which column.
-    FileIsWrong,
+    KnownFault,
 }
 
 /// Whether the joints' decimals explain the scatter better than plain noise.
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
-pub fn find(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>, suspicion: Suspicion) -> Option<Fault> {
+pub fn find(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>, prior: FaultPrior) -> Option<Fault> {
     let MeasuredRobot { measurements, robot, .. } = measured;
     let FittedModel { linear, model, workspace } = fitted;
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
@@ -48,7 +48,7 @@ pub fn find(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>, suspicion: Su
         return None;
     }
     let grid = Grid::of(measurements)?;
-    let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && suspicion == Suspicion::None;
+    let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     // Uniform over one step.
     let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;

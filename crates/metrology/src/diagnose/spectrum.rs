@@ -9,7 +9,7 @@
 use super::dataset::{Dataset, Twist};
 use super::design::Whitening;
 use super::effects::Candidate;
-use super::normal_equations::{LINE_RAD, ModelColumns, NormalEquations};
+use super::normal_equations::{JointLines, LINE_RAD, ModelColumns, NormalEquations};
 use super::search::ChosenCause;
 use rayon::prelude::*;
 use robot_model::robot::Axis;
@@ -26,9 +26,9 @@ const SHARE: usize = 5;
 /// More stations than this are thinned out while the size is chosen.
 const MOST_STATIONS: usize = 3000;
 
-/// Joints with the periods per turn of their spectra, ascending.
+/// The spectra of all joints whose gears have several lines among the causes.
 #[must_use]
-pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<(Axis, Vec<u32>)> {
+pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<JointLines> {
     let mut named: BTreeMap<Axis, BTreeSet<u32>> = BTreeMap::new();
     for variant in chosen.iter().map(|c| candidates[c.candidate].variant) {
         if let (Some(joint), Some(n)) = (variant.joint, variant.n) {
@@ -37,7 +37,8 @@ pub(super) fn spectra(candidates: &[Candidate], chosen: &[ChosenCause]) -> Vec<(
     }
     named.retain(|_, lines| lines.len() >= FEWEST_LINES);
     let all = |lines: BTreeSet<u32>| (1..=HIGHEST).chain(lines).collect::<BTreeSet<u32>>();
-    named.into_iter().map(|(joint, lines)| (joint, all(lines).into_iter().collect())).collect()
+    let of_joint = |(joint, lines)| JointLines { joint, periods: all(lines).into_iter().collect() };
+    named.into_iter().map(of_joint).collect()
 }
 
 /// Precision of every column: `geometry` and `causes` as given, lines by `size_rad`.
@@ -92,7 +93,7 @@ pub(super) fn size_rad(
     for size_rad in SIZES_RAD {
         let precisions = precisions_at(size_rad);
         let left = |(part, train): &(Vec<usize>, NormalEquations)| {
-            let (solved, _) = train.solve(&precisions, false)?;
+            let solved = train.solve(&precisions)?.values;
             let squares = columns.squares_m2(part, residuals, &solved);
             let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
             Some(0.5 * mean.max(1e-18).ln())

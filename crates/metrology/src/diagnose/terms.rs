@@ -3,7 +3,7 @@
 use super::dataset::Dataset;
 use super::design::Design;
 use super::effects::{Candidate, EffectVariant, held_above_n_m, soft, usual_compliance};
-use super::normal_equations::{LINE_RAD, ModelColumns};
+use super::normal_equations::{JointLines, LINE_RAD, ModelColumns};
 use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
@@ -33,11 +33,11 @@ pub(super) fn terms(
     }
     let mut spectra: Vec<Vec<Value>> = Vec::new();
     let mut lines = Vec::new();
-    for ((joint, all), range) in columns.lines.iter().zip(columns.of_lines()) {
-        let last = all.iter().max().map_or(0, |n| *n as usize);
+    for (JointLines { joint, periods }, range) in columns.lines.iter().zip(columns.of_lines()) {
+        let last = periods.iter().max().map_or(0, |n| *n as usize);
         let none = Value { value: 0.0, sigma: sigmas.map(|_| 0.0) };
         let mut spectrum = vec![none; 2 * last];
-        for (n, column) in all.iter().zip(range.step_by(2)) {
+        for (n, column) in periods.iter().zip(range.step_by(2)) {
             let pair = [value(column, LINE_RAD), value(column + 1, LINE_RAD)];
             let is_this = |variant: &EffectVariant| variant.joint == Some(*joint) && variant.n == Some(*n);
             let name = named.iter().position(|c| is_this(&candidates[c.candidate].variant));
@@ -60,7 +60,7 @@ pub(super) fn terms(
             terms.push(Term { cause: false, ..term });
         }
     }
-    for ((joint, _), values) in columns.lines.iter().zip(spectra) {
+    for (JointLines { joint, .. }, values) in columns.lines.iter().zip(spectra) {
         // A line that is named stands on its own; so does one beyond the spectrum's end.
         let end = values.iter().rposition(|v| v.value != 0.0).map_or(0, |last| last / 2 * 2 + 2);
         let values = values.into_iter().take(end).collect();
@@ -208,7 +208,7 @@ mod tests {
     use super::*;
     use crate::diagnose::dataset::{Observation, Twist};
     use crate::diagnose::effects::testable_effects;
-    use crate::diagnose::identify::predicted;
+    use crate::diagnose::identify::{PredictedStations, predicted};
     use crate::measure::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, UnitQuaternion};
     use robot_model::deform::identified::Identified;
@@ -259,7 +259,8 @@ mod tests {
         terms: Vec<Term>,
     ) -> Vec<(Vector3<f64>, UnitQuaternion<f64>)> {
         let model = Arc::new(Identified { terms, ..Identified::default() });
-        let (scaled, poses) = predicted(robot, stations, &model, registration.payload_m());
+        let PredictedStations { stations: scaled, poses } =
+            predicted(robot, stations, &model, registration.payload_m());
         let apart = |(station, pose): (&Station, &Isometry3<f64>)| {
             let reading_m = station.reading.position_m().unwrap();
             (registration.predicted_m(station, pose) - reading_m, pose.rotation)

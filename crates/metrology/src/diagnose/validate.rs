@@ -1,6 +1,6 @@
 //! A model against measurements that it has not seen.
 
-use super::identify::predicted;
+use super::identify::{PredictedStations, predicted};
 use crate::measure::{
     FaultKind, FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather,
     register, register_with,
@@ -143,7 +143,7 @@ pub fn validate(
     let chain = SerialChain::nominal(robot);
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let start = registered(stations, &nominal, targets, model, which)?;
-    let (seen, poses) =
+    let PredictedStations { stations: seen, poses } =
         predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), start.payload_m());
     let fitted = registered(&seen, &poses, targets, model, which)?;
     let mut rows: Vec<Distance> = Vec::new();

@@ -15,7 +15,7 @@ use super::time_course::TimeCourse;
 use super::verdict::{Judgement, OpenSlot, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
 use pool::{Candidate, When, pool};
 use robot_model::robot::SerialArm;
-use separation::{Pair, RivalModel, Separation, ShapeDoubt};
+use separation::{Coefficient, FittedColumn, Pair, RivalModel, Separation, ShapeDoubt};
 
 /// Different poses at least and at most.
 const FEWEST: usize = 12;
@@ -182,26 +182,29 @@ impl Question {
         columns: &[Vec<usize>],
     ) -> Option<()> {
         let ratio = model.peak.geometry_ratio;
-        let mut common: Vec<(usize, f64)> = design.registration.clone().map(|c| (c, 0.0)).collect();
+        let fitted_with = |precision: f64| move |column| FittedColumn { column, precision };
+        let mut common: Vec<FittedColumn> = design.registration.clone().map(fitted_with(0.0)).collect();
         if ratio > 0.0 {
-            common.extend(design.geometry.clone().map(|c| (c, ratio.powi(-2))));
+            common.extend(design.geometry.clone().map(fitted_with(ratio.powi(-2))));
         }
         let precision = |size_ratio: f64| (3.0 * size_ratio.max(1e-9)).powi(-2);
         for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != slot.slot) {
-            common.extend(other.columns.iter().map(|&c| (c, precision(other.size_ratio))));
+            common.extend(other.columns.iter().copied().map(fitted_with(precision(other.size_ratio))));
         }
         let from = self.models.len();
         self.models.push(RivalModel { columns: common.clone() });
-        let mut signals: Vec<Vec<(usize, f64)>> = Vec::new();
+        let mut signals: Vec<Vec<Coefficient>> = Vec::new();
         for (rival, columns) in slot.rivals.iter().zip(columns) {
-            if columns.iter().any(|c| common.iter().any(|(taken, _)| taken == c)) {
+            if columns.iter().any(|c| common.iter().any(|taken| taken.column == *c)) {
                 return None;
             }
             self.candidates.push((rival.candidate, columns.clone()));
-            let own = columns.iter().map(|&c| (c, precision(rival.size_ratio)));
+            let own = columns.iter().copied().map(fitted_with(precision(rival.size_ratio)));
             let own = RivalModel { columns: common.iter().copied().chain(own).collect() };
             let fitted = own.fitted(&self.gram)?;
-            signals.push(columns.iter().copied().zip(fitted.into_iter().skip(common.len())).collect());
+            let sizes = fitted.into_iter().skip(common.len());
+            let of_column = |(&column, size)| Coefficient { column, size };
+            signals.push(columns.iter().zip(sizes).map(of_column).collect());
             self.models.push(own);
         }
         let both = self.next_both();
@@ -236,7 +239,7 @@ impl Question {
     }
 
     /// What the shape of `signal` leaves open; adds the pair of the signal and of nothing, which parts no causes.
-    fn doubt(&mut self, signal: &[(usize, f64)], nothing: usize) -> Option<ShapeDoubt> {
+    fn doubt(&mut self, signal: &[Coefficient], nothing: usize) -> Option<ShapeDoubt> {
         let square_m2 = self.models[nothing].square_left(&self.gram, signal)?;
         let over_nothing = self.pairs.len();
         self.pairs.push(Pair {

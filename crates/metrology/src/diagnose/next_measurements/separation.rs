@@ -7,13 +7,31 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+/// A column of the normal matrix with its coefficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficient {
+    /// Which column.
+    pub column: usize,
+    /// In prior sigmas.
+    pub size: f64,
+}
+
+/// A column of the normal matrix with the precision of its prior over the noise's; 0 of a flat one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FittedColumn {
+    /// Which column.
+    pub column: usize,
+    /// Noise variance over the prior's.
+    pub precision: f64,
+}
+
 /// Two explanations: columns of the normal matrix.
 #[derive(Clone)]
 pub struct Pair {
     /// Weight of confusing the two.
     pub weight: f64,
     /// Columns of the one that is taken to be true, with their coefficients.
-    pub signal: Vec<(usize, f64)>,
+    pub signal: Vec<Coefficient>,
     /// Which of the rivals' models is fitted to it.
     pub rival: usize,
     /// The probability that it is true, over both.
@@ -38,14 +56,15 @@ pub struct ShapeDoubt {
 /// The columns that one explanation is fitted with, and their precisions over the noise's.
 pub struct RivalModel {
     /// Columns of the normal matrix, with their precisions.
-    pub columns: Vec<(usize, f64)>,
+    pub columns: Vec<FittedColumn>,
 }
 
 impl RivalModel {
     fn cholesky(&self, gram: &DMatrix<f64>) -> Option<Cholesky<f64, nalgebra::Dyn>> {
         let n = self.columns.len();
-        let mut normal = DMatrix::from_fn(n, n, |r, c| gram[(self.columns[r].0, self.columns[c].0)]);
-        for (i, (_, precision)) in self.columns.iter().enumerate() {
+        let mut normal =
+            DMatrix::from_fn(n, n, |r, c| gram[(self.columns[r].column, self.columns[c].column)]);
+        for (i, FittedColumn { precision, .. }) in self.columns.iter().enumerate() {
             // A little regularisation: directions that the poses do not determine stay where they are.
             normal[(i, i)] += precision + 1e-9 * normal[(i, i)] + 1e-18;
         }
@@ -53,16 +72,17 @@ impl RivalModel {
     }
 
     /// Square that the fit to `signal` leaves, with the noise's unit.
-    pub fn square_left(&self, gram: &DMatrix<f64>, signal: &[(usize, f64)]) -> Option<f64> {
-        let with = |column: usize| signal.iter().map(|(c, size)| gram[(column, *c)] * size).sum::<f64>();
-        let right = DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| with(c.0)));
-        let own: f64 = signal.iter().map(|(c, size)| with(*c) * size).sum();
+    pub fn square_left(&self, gram: &DMatrix<f64>, signal: &[Coefficient]) -> Option<f64> {
+        let with = |column: usize| signal.iter().map(|c| gram[(column, c.column)] * c.size).sum::<f64>();
+        let right = DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| with(c.column)));
+        let own: f64 = signal.iter().map(|c| with(c.column) * c.size).sum();
         Some((own - right.dot(&self.cholesky(gram)?.solve(&right))).max(0.0))
     }
 
     /// Coefficients of the fit to the data, which are column 0.
     pub fn fitted(&self, gram: &DMatrix<f64>) -> Option<Vec<f64>> {
-        let right = DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| gram[(c.0, 0)]));
+        let right =
+            DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| gram[(c.column, 0)]));
         Some(self.cholesky(gram)?.solve(&right).iter().copied().collect())
     }
 }
@@ -96,8 +116,10 @@ impl Separation {
             .map(|(model, factor)| {
                 let lower = factor.l();
                 let row = |row: &Vec<f64>| {
-                    let z =
-                        DVector::from_iterator(model.columns.len(), model.columns.iter().map(|c| row[c.0]));
+                    let z = DVector::from_iterator(
+                        model.columns.len(),
+                        model.columns.iter().map(|c| row[c.column]),
+                    );
                     lower.solve_lower_triangular(&z).unwrap_or(z)
                 };
                 pool.iter().map(|rows| rows.iter().map(row).collect()).collect()
@@ -110,14 +132,14 @@ impl Separation {
                 let right = DVector::from_iterator(
                     model.columns.len(),
                     model.columns.iter().map(|c| {
-                        pair.signal.iter().map(|(column, size)| gram[(c.0, *column)] * size).sum::<f64>()
+                        pair.signal.iter().map(|of| gram[(c.column, of.column)] * of.size).sum::<f64>()
                     }),
                 );
                 let taken = factor.solve(&right);
                 let row = |row: &Vec<f64>| {
-                    let seen: f64 = pair.signal.iter().map(|(column, size)| row[*column] * size).sum();
+                    let seen: f64 = pair.signal.iter().map(|of| row[of.column] * of.size).sum();
                     let fitted: f64 =
-                        model.columns.iter().zip(taken.iter()).map(|(c, size)| row[c.0] * size).sum();
+                        model.columns.iter().zip(taken.iter()).map(|(c, size)| row[c.column] * size).sum();
                     seen - fitted
                 };
                 pool.iter().map(|rows| rows.iter().map(row).collect()).collect()
@@ -212,6 +234,10 @@ impl Separation {
 mod tests {
     use super::*;
 
+    fn flat(column: usize) -> FittedColumn {
+        FittedColumn { column, precision: 0.0 }
+    }
+
     /// By hand: a line through three points seen at x = -1, 0, 1 against a parabola of size 1 (mean and slope fitted): the
     /// parabola's fit by a mean is 2/3. At x = 2 it misses 4 - 2/3 = 10/3; the fit's variance there is 1/3 + 4/2, so that
     /// L = (10/3)^2 / (1 + 7/3) = 10/3.
@@ -220,9 +246,15 @@ mod tests {
         let x = [-1.0, 0.0, 1.0_f64];
         let rows: Vec<Vec<f64>> = x.iter().map(|x| vec![0.0, 1.0, *x, x * x]).collect();
         let gram = DMatrix::from_fn(4, 4, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
-        let line = RivalModel { columns: vec![(1, 0.0), (2, 0.0)] };
-        let pair =
-            Pair { weight: 1.0, signal: vec![(3, 1.0)], rival: 0, truth: 1.0, both: Some(0), shape: None };
+        let line = RivalModel { columns: [1, 2].map(flat).to_vec() };
+        let pair = Pair {
+            weight: 1.0,
+            signal: vec![Coefficient { column: 3, size: 1.0 }],
+            rival: 0,
+            truth: 1.0,
+            both: Some(0),
+            shape: None,
+        };
         let pool: Vec<Vec<Vec<f64>>> =
             [0.5, 2.0_f64].iter().map(|x| vec![vec![0.0, 1.0, *x, x * x]]).collect();
         let mut separation = Separation::new(&gram, &[line], vec![pair], &pool, 1.0).unwrap();
@@ -244,8 +276,8 @@ mod tests {
         let row = |x: f64| vec![0.0, 1.0, x];
         let rows = [-1.0, 0.0, 1.0].map(row);
         let gram = DMatrix::from_fn(3, 3, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
-        let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![(1, 0.0)] });
-        let signal = vec![(2, 1.0)];
+        let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![flat(1)] });
+        let signal = vec![Coefficient { column: 2, size: 1.0 }];
         assert!((mean.square_left(&gram, &signal).unwrap() - 2.0).abs() < 1e-6);
         let pair =
             |rival, both, shape| Pair { weight: 1.0, signal: signal.clone(), rival, truth: 1.0, both, shape };

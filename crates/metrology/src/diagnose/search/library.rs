@@ -5,7 +5,7 @@ use crate::diagnose::dataset::Dataset;
 use crate::diagnose::design::{Design, Products, ScaledMotions, Sums};
 use crate::diagnose::effects::{Candidate, Motion, RigidBody};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
-use crate::diagnose::gp_alternative::{self, GpAlternative};
+use crate::diagnose::gp_alternative::{self, GpAlternative, WeightedAlternative};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
@@ -161,7 +161,7 @@ impl<'a> Library<'a> {
     pub fn add_gp_alternatives(
         &mut self,
         design: &Design,
-        list: Vec<(GpAlternative, f64)>,
+        list: Vec<WeightedAlternative>,
         columns: &ColumnsOf<'_>,
     ) {
         // Those of a cause in the model cannot be computed again from the dataset alone.
@@ -171,7 +171,7 @@ impl<'a> Library<'a> {
         };
         let more: Vec<Structure> = list
             .into_par_iter()
-            .filter_map(|(gp_alternative, weight)| {
+            .filter_map(|WeightedAlternative { gp_alternative, weight }| {
                 let columns = columns(gp_alternative);
                 if columns.is_empty() {
                     return None;
@@ -296,7 +296,7 @@ mod tests {
         let bumps = |of: &mut dyn Iterator<Item = GpAlternative>| {
             of.filter(|alternative| matches!(alternative, GpAlternative::LocalBump(..))).count()
         };
-        assert_eq!(bumps(&mut list.iter().map(|one| one.0)), 72);
+        assert_eq!(bumps(&mut list.iter().map(|one| one.gp_alternative)), 72);
         library.add_gp_alternatives(&design, list, &|one| gp_alternative::columns(one, &design, &dataset));
         assert_eq!(bumps(&mut library.gp_alternatives.iter().map(|one| one.gp_alternative)), 36);
         assert!(library.gp_alternatives.iter().all(|one| one.sums.cross.ncols() == design.width()));

@@ -21,10 +21,18 @@ const STANDS_OUT: f64 = 3.7;
 /// In a larger set what comes back after hours is mostly the arm, which comes back too.
 const MOST_STATIONS: usize = 2000;
 
-/// Lines that stand out of the spectrum of `residuals` in stations that are not `outliers`, in half cycles over the measurement, each
-/// with its share of the lines that were looked at.
+/// A line of the residuals' spectrum over time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectralLine {
+    /// Half cycles over the measurement.
+    pub half_cycles: u32,
+    /// Its share of the lines that were looked at.
+    pub share: f64,
+}
+
+/// Lines that stand out of the spectrum of `residuals` in stations that are not `outliers`.
 #[must_use]
-pub fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -> Vec<(u32, f64)> {
+pub fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -> Vec<SpectralLine> {
     let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
     if kept.len() > MOST_STATIONS {
         return Vec::new();
@@ -47,7 +55,8 @@ pub fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -
             && powers[at] >= highest.fold(0.0, |a: f64, b| a.max(*b))
             && powers[at] > variance_ratio(STANDS_OUT, 6.0, freedom) * mean
     });
-    found.map(|at| (FEWEST + at as u32, 1.0 / count as f64)).collect()
+    let line = |at| SpectralLine { half_cycles: FEWEST + at as u32, share: 1.0 / count as f64 };
+    found.map(line).collect()
 }
 
 /// Sum of squares that a sine of `half_cycles` takes of the residuals, all three coordinates, beside a constant (Lomb 1976).
@@ -89,7 +98,7 @@ mod tests {
                 residual[axis] = 2e-5 * (*last + wave);
             }
         }
-        standing_out(&dataset, &residuals, &[false; 100]).into_iter().map(|line| line.0).collect()
+        standing_out(&dataset, &residuals, &[false; 100]).into_iter().map(|line| line.half_cycles).collect()
     }
 
     /// Of 60 sets of noise, white or slow, one or none has a line; a wave as large as the noise is found where it is.

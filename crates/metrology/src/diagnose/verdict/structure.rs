@@ -4,7 +4,7 @@ use super::cycles;
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gp_alternative::{self, GpAlternative};
+use crate::diagnose::gp_alternative::{self, Ball, GpAlternative};
 use crate::diagnose::gp_over_time;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{Linearised, shift_m};
@@ -114,23 +114,23 @@ pub fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
     };
     for (joint, n) in periods {
         let weight = 0.5 * PERIOD_WEIGHT * of_line(joint, n);
-        list.extend([
-            (GpAlternative::Periodic(joint, n), weight),
-            (GpAlternative::SquareWave(joint, n), weight),
-        ]);
+        list.extend(
+            [GpAlternative::Periodic(joint, n), GpAlternative::SquareWave(joint, n)]
+                .map(|shape| shape.weighing(weight)),
+        );
     }
     if dataset.time_min.is_none() && chosen.len() <= MANY_CAUSES {
-        list.extend((0..chosen.len()).map(|i| (GpAlternative::TimeVaryingCause(i), VARYING_WEIGHT)));
+        list.extend((0..chosen.len()).map(|i| GpAlternative::TimeVaryingCause(i).weighing(VARYING_WEIGHT)));
     }
     // Rows without times are often in the order of their places, and what the arm gives there is all its sag.
     if !dataset.channels.payload && dataset.time_min.is_some() {
-        list.push((GpAlternative::HiddenLoad, HIDDEN_LOAD_WEIGHT));
+        list.push(GpAlternative::HiddenLoad.weighing(HIDDEN_LOAD_WEIGHT));
     }
     let cycles = cycles::standing_out(dataset, &model.residuals, &model.outliers);
     list.extend(
         cycles
             .into_iter()
-            .map(|(half_cycles, share)| (GpAlternative::Cycle(half_cycles), CYCLE_WEIGHT * share)),
+            .map(|line| GpAlternative::Cycle(line.half_cycles).weighing(CYCLE_WEIGHT * line.share)),
     );
     let design = &workspace.design;
     workspace.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
@@ -295,8 +295,8 @@ pub fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
 /// Where in the workspace stations move most.
 #[must_use]
 pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
-    let (centre, radius_m) = gp_alternative::region(&linear.dataset, moved_m);
-    Region { center_mm: [centre.x, centre.y, centre.z].map(mm_from_m), radius_mm: mm_from_m(radius_m) }
+    let Ball { centre_m: c, radius_m } = gp_alternative::region(&linear.dataset, moved_m);
+    Region { center_mm: [c.x, c.y, c.z].map(mm_from_m), radius_mm: mm_from_m(radius_m) }
 }
 
 /// Places in `chosen` of lines of each joint's gear.
